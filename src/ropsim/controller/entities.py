@@ -1,0 +1,86 @@
+"""The entities of the generic controller as protocols; any one can be replaced.
+
+Path planner, interpolator, inverse transform, joint interpolator and joint controller work in series, from
+the move instructions to the control vectors for the actuators; the sensor interface stands beside them
+(generic controller model of ROPSIM, paper 2, Fig. 4.2). The joint controller runs inside the compiled
+servo slice: see `ropsim.controller.joint_controller`.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from ropsim.core import Diagnostic
+from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.motion import JointTrajectory, LineTrajectory
+from ropsim.spatial import Array
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why a move cannot be made."""
+
+    diagnostics: tuple[Diagnostic, ...]
+
+
+class PathPlanner(Protocol):
+    """Turns a move instruction into a trajectory from the command position reached so far."""
+
+    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
+        """Return the trajectory.
+
+        Args:
+            move: the instruction with its modal state.
+            q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+        """
+        ...
+
+
+class Interpolator(Protocol):
+    """Samples a trajectory at the interpolation tick."""
+
+    def sample(
+        self, trajectory: JointTrajectory | LineTrajectory, period: float
+    ) -> JointSamples | PoseSetpoints:
+        """Return setpoints every `period` seconds; the last one is the end of the trajectory."""
+        ...
+
+
+class InverseTransform(Protocol):
+    """Turns pose setpoints into joint samples on one branch (inverse kinematics)."""
+
+    def solve(
+        self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+    ) -> JointSamples | Refusal:
+        """Return joint samples that continue `q_start` without a jump, or say where it is impossible."""
+        ...
+
+
+class JointInterpolator(Protocol):
+    """Refines joint samples to the control tick."""
+
+    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
+        """Return references for every control tick; the first is one control period after `q_start`."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """What a sensor channel delivers.
+
+    Attributes:
+        value: reading.
+        valid: whether it may be used.
+        age: time since it was taken [s].
+    """
+
+    value: bool | float
+    valid: bool
+    age: float
+
+
+class SensorInterface(Protocol):
+    """Delivers external signals to interpreter, planner, interpolator and controller."""
+
+    def read(self, channel: str, time: float) -> Sample:
+        """Return the reading of `channel` at simulated time `time` [s]."""
+        ...

@@ -1,0 +1,17 @@
+"""What every package may use: spans, source texts, diagnostics and their catalogue, the file door."""
+
+from ropsim.core.catalogue import Kind as Kind
+from ropsim.core.catalogue import catalogue as catalogue
+from ropsim.core.catalogue import define as define
+from ropsim.core.diagnostic import Diagnostic as Diagnostic
+from ropsim.core.diagnostic import Label as Label
+from ropsim.core.diagnostic import Severity as Severity
+from ropsim.core.diagnostic import TextEdit as TextEdit
+from ropsim.core.errors import RopsimError as RopsimError
+from ropsim.core.files import cache_folder as cache_folder
+from ropsim.core.files import read_bytes as read_bytes
+from ropsim.core.files import replace_file as replace_file
+from ropsim.core.source import SourceText as SourceText
+from ropsim.core.span import Span as Span
+from ropsim.core.suggest import did_you_mean as did_you_mean
+from ropsim.core.suggest import near as near

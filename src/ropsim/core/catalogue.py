@@ -1,0 +1,65 @@
+"""The catalogue of diagnostic kinds: every code once, with the page that `ropsim explain` prints."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from ropsim.core.diagnostic import Diagnostic, Label, Severity, TextEdit
+from ropsim.core.span import Span
+
+_KINDS: dict[str, "Kind"] = {}
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A sort of diagnostic.
+
+    Attributes:
+        code: band letter and three digits (`M502`); never reused.
+        slug: the pattern found, in kebab case.
+        severity: default severity.
+        summary: one line for lists.
+        explanation: Markdown paragraphs: what it means, why it matters, how to mend it.
+    """
+
+    code: str
+    slug: str
+    severity: Severity
+    summary: str
+    explanation: str
+
+    def at(
+        self,
+        span: Span | None,
+        message: str,
+        *,
+        label: str = "",
+        hint: str = "",
+        notes: tuple[str, ...] = (),
+        secondary: tuple[Label, ...] = (),
+        fix: TextEdit | None = None,
+        data: Mapping[str, object] | None = None,
+    ) -> Diagnostic:
+        """Return a diagnostic of this kind at `span`."""
+        return Diagnostic(
+            self.code, self.slug, self.severity, message, span, label, secondary, notes, hint, fix, data or {}
+        )
+
+
+def define(code: str, slug: str, severity: Severity, summary: str, explanation: str) -> Kind:
+    """Enter a kind into the catalogue and return it.
+
+    Raises:
+        ValueError: the code or the slug is taken by another kind.
+    """
+    kind = Kind(code, slug, severity, summary, explanation.strip())
+    for known in _KINDS.values():
+        if known != kind and (known.code == code or known.slug == slug):
+            raise ValueError(f"diagnostic {code} {slug} collides with {known.code} {known.slug}")
+    _KINDS[code] = kind
+    return kind
+
+
+def catalogue() -> Mapping[str, Kind]:
+    """Return all kinds that the imported packages have defined, by code."""
+    return MappingProxyType(dict(sorted(_KINDS.items())))

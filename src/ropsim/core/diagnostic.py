@@ -1,0 +1,80 @@
+"""A diagnostic: what is wrong, where, what was allowed and what to do next.
+
+Diagnostics are values. Every one is made from a `Kind`, which owns the code, the slug and the
+explanation that `ropsim explain` prints; see `ropsim.core.catalogue`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from ropsim.core.span import Span
+
+
+class Severity(Enum):
+    """How bad a finding is; only errors make a command exit with 1."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    HINT = "hint"
+
+    @property
+    def rank(self) -> int:
+        """Return 0 for the worst."""
+        return list(Severity).index(self)
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A second place that belongs to a diagnostic, with a few words about it."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class TextEdit:
+    """A replacement that would mend the text."""
+
+    span: Span
+    replacement: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding.
+
+    Attributes:
+        code: stable code such as `M502`.
+        slug: the pattern found, such as `joint-out-of-range`.
+        severity: error, warning or hint.
+        message: one line: what was found and what is allowed, with units.
+        span: the place, or None where there is no text.
+        label: words under the marked text.
+        secondary: further places.
+        notes: whole sentences that explain.
+        hint: what to do next.
+        fix: a replacement, where one is certain.
+        data: figures behind the message; keys carry the unit (`limit_rad`).
+    """
+
+    code: str
+    slug: str
+    severity: Severity
+    message: str
+    span: Span | None = None
+    label: str = ""
+    secondary: tuple[Label, ...] = ()
+    notes: tuple[str, ...] = ()
+    hint: str = ""
+    fix: TextEdit | None = None
+    data: Mapping[str, object] = field(default_factory=dict, hash=False)
+
+    @property
+    def is_error(self) -> bool:
+        """Return whether the severity is error."""
+        return self.severity is Severity.ERROR
+
+    def __str__(self) -> str:
+        place = f"{self.span}: " if self.span else ""
+        return f"{place}{self.severity.value}[{self.code}] {self.slug}: {self.message}"

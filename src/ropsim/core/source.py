@@ -1,0 +1,32 @@
+"""A named text: what readers read and what diagnostics quote."""
+
+from dataclasses import dataclass, field
+
+from ropsim.core.span import Span
+
+
+@dataclass(frozen=True, slots=True)
+class SourceText:
+    """A text and the name under which messages speak of it.
+
+    Attributes:
+        name: path or label.
+        text: the characters; every kind of line end is understood.
+        lines: the text cut into lines, without line ends.
+    """
+
+    name: str
+    text: str
+    lines: tuple[str, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        cut = self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+        object.__setattr__(self, "lines", tuple(cut))
+
+    def line(self, number: int) -> str:
+        """Return line `number` (from 1), or an empty string beyond the end."""
+        return self.lines[number - 1] if 1 <= number <= len(self.lines) else ""
+
+    def span(self, line: int, column: int = 1, length: int = 1) -> Span:
+        """Return a span on one line of this text."""
+        return Span.on_line(self.name, line, column, length)

@@ -1,0 +1,87 @@
+"""The recording of a run: named channels over time, events and findings."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from ropsim.core import Diagnostic, Span
+from ropsim.spatial import Array
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """One recorded quantity.
+
+    Attributes:
+        values: shape (n,) or (n, k), one row per recorded tick.
+        unit: SI unit as text, empty for counts and codes.
+        columns: names of the k columns; empty for a single column.
+        description: what it is, in which frame.
+    """
+
+    values: Array
+    unit: str
+    columns: tuple[str, ...] = ()
+    description: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened at one time.
+
+    Attributes:
+        time: [s].
+        kind: `move`, `grip`, `release`, `output`, `wait`, `message`, `task`, `skip` …
+        text: what happened, for people.
+        span: source line, where it is known.
+        duration: [s], 0 for an instant.
+        data: figures and names.
+    """
+
+    time: float
+    kind: str
+    text: str
+    span: Span | None = None
+    duration: float = 0.0
+    data: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """What a run leaves behind.
+
+    Attributes:
+        time: [s], shape (n,), equally spaced.
+        channels: by name; see docs/reference/recording.md.
+        events: in order of time.
+        findings: diagnostics of the run.
+        duration: simulated time [s].
+        header: program, robot, options and versions; plain values.
+    """
+
+    time: Array
+    channels: Mapping[str, Channel]
+    events: tuple[Event, ...]
+    findings: tuple[Diagnostic, ...]
+    duration: float
+    header: Mapping[str, object] = field(default_factory=dict)
+
+    def to_pandas(self) -> "pd.DataFrame":
+        """Return all channels as one table indexed by time [s]; columns are `q[0]`, `tau[2]` and so on.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        import pandas as pd
+
+        columns: dict[str, Array] = {}
+        for name, channel in self.channels.items():
+            if channel.values.ndim == 1:
+                columns[name] = channel.values
+            else:
+                labels = channel.columns or tuple(str(k) for k in range(channel.values.shape[1]))
+                columns.update({f"{name}[{label}]": channel.values[:, k] for k, label in enumerate(labels)})
+        return pd.DataFrame(columns, index=pd.Index(self.time, name="time"))

@@ -1,0 +1,109 @@
+"""The controller of an arm as data: rates, gains, default speeds."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from ropsim.spatial import Array, frozen
+
+
+class ControllerKind(Enum):
+    """The law of the joint controller."""
+
+    CASCADED_P_PI = "cascaded_p_pi"
+
+
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """The fixed periods of a controller; integer multiples of each other.
+
+    Attributes:
+        control_hz: joint controller ticks per second.
+        interpolation_ticks: control ticks per interpolation tick.
+        plant_steps: integration steps of drives and arm per control tick.
+    """
+
+    control_hz: int = 1000
+    interpolation_ticks: int = 4
+    plant_steps: int = 4
+
+    @property
+    def control_period(self) -> float:
+        """Return the control period [s]."""
+        return 1.0 / self.control_hz
+
+    @property
+    def interpolation_period(self) -> float:
+        """Return the interpolation period [s]."""
+        return self.interpolation_ticks / self.control_hz
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CascadedGains:
+    """Gains of the cascaded P-PI joint controller, each of shape (n,).
+
+    Position loop: qd_cmd = kp·(q_ref - q) + kf·qd_ref.
+    Speed loop: u = kv·(qd_cmd - qd) + ki·∫(qd_cmd - qd) dt, clipped to the amplifier's voltage; the
+    integral stands still while the output is clipped.
+
+    Attributes:
+        kp: position gain [1/s].
+        kv: speed gain [V·s/rad].
+        ki: integral gain of the speed loop [V/rad].
+        kf: share of the reference speed that is fed forward, usually 1.
+    """
+
+    kp: Array
+    kv: Array
+    ki: Array
+    kf: Array
+
+    def __post_init__(self) -> None:
+        for name in ("kp", "kv", "ki", "kf"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+
+@dataclass(frozen=True, slots=True)
+class PathDefaults:
+    """What holds on LIN paths where the program says nothing.
+
+    Attributes:
+        speed: [m/s].
+        acceleration: [m/s²].
+        jerk: [m/s³].
+        orientation_speed: [rad/s].
+        orientation_acceleration: [rad/s²].
+        orientation_jerk: [rad/s³].
+    """
+
+    speed: float = 0.25
+    acceleration: float = 2.0
+    jerk: float = 20.0
+    orientation_speed: float = 1.0
+    orientation_acceleration: float = 6.0
+    orientation_jerk: float = 60.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ControllerModel:
+    """A whole controller.
+
+    Attributes:
+        kind: law of the joint controller.
+        rates: periods.
+        gains: gains of the joint controller.
+        path: defaults on LIN paths.
+        in_position: a fine stop is over when every joint is this near its target [rad | m], shape (n,).
+        settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
+        speed_override: factor on all speeds, in (0, 1].
+    """
+
+    kind: ControllerKind
+    rates: Rates
+    gains: CascadedGains
+    path: PathDefaults
+    in_position: Array
+    settle_timeout: float = 1.0
+    speed_override: float = 1.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "in_position", frozen(self.in_position))

@@ -1,0 +1,132 @@
+"""Typed expressions of the structured program; every value in SI units."""
+
+from dataclasses import dataclass
+
+from ropsim.program.types import ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A value: bool, int, float, str, or a tuple (VEC 3, ORI w x y z, POSE x y z qw qx qy qz, JOINTS n)."""
+
+    value: bool | int | float | str | tuple[float, ...]
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """The value of a parameter, local or global."""
+
+    name: str
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class SignalValue:
+    """The present value of an input or output channel (BOOL or REAL)."""
+
+    name: str
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """One operand.
+
+    `op` is `neg`, `not`, `abs`, `sqrt`, `sin`, `cos`, `tan`, `asin`, `acos`, `to_real` (INT to REAL),
+    `trunc`, `round` (REAL to INT), `invert` (POSE), `position` (POSE to VEC) or `orientation` (POSE to ORI).
+    """
+
+    op: str
+    operand: "Expression"
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """Two operands of one type.
+
+    `op` is `add sub mul div mod min max pow atan2` (INT, REAL; `add sub` also VEC), `eq ne lt le gt ge`
+    (INT or REAL operands, BOOL result), `and or` (BOOL), `compose` (POSE) or `distance` (two POSE to REAL).
+    """
+
+    op: str
+    left: "Expression"
+    right: "Expression"
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """Component `index` of a POSE (x y z, then rx ry rz of the fixed-XYZ angles), VEC or JOINTS."""
+
+    operand: "Expression"
+    index: int
+    type: ValueType = ValueType.REAL
+
+
+@dataclass(frozen=True, slots=True)
+class MakeVector:
+    """The vector of three REALs."""
+
+    x: "Expression"
+    y: "Expression"
+    z: "Expression"
+    type: ValueType = ValueType.VEC
+
+
+@dataclass(frozen=True, slots=True)
+class MakeZyx:
+    """The orientation Rz(c)·Ry(b)·Rx(a) of three angles."""
+
+    c: "Expression"
+    b: "Expression"
+    a: "Expression"
+    type: ValueType = ValueType.ORI
+
+
+@dataclass(frozen=True, slots=True)
+class MakePose:
+    """The pose of a VEC and an ORI."""
+
+    position: "Expression"
+    orientation: "Expression"
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
+class MakeJoints:
+    """Joint coordinates from REALs."""
+
+    values: tuple["Expression", ...]
+    type: ValueType = ValueType.JOINTS
+
+
+@dataclass(frozen=True, slots=True)
+class CommandPose:
+    """The pose commanded last, X_KT (`here`)."""
+
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
+class Home:
+    """The home position of the arm; only as the target of a PTP move."""
+
+    type: ValueType = ValueType.JOINTS
+
+
+Expression = (
+    Constant
+    | Variable
+    | SignalValue
+    | Unary
+    | Binary
+    | Component
+    | MakeVector
+    | MakeZyx
+    | MakePose
+    | MakeJoints
+    | CommandPose
+    | Home
+)

@@ -1,0 +1,92 @@
+"""A whole structured program: tasks, global variables, frames, tools and signals by name."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ropsim.core import Span
+from ropsim.flow import GripAction
+from ropsim.program.statements import Block
+from ropsim.program.types import ValueType
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class Local:
+    """A parameter or variable of a task, or a global one."""
+
+    name: str
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Contract:
+    """What a task needs before it starts.
+
+    Attributes:
+        gripper: state that the gripper must be in, or None.
+        text: the words of the source.
+        span: where it stands.
+    """
+
+    gripper: GripAction | None
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A task: name, parameters, locals, body.
+
+    Attributes:
+        name: as declared.
+        parameters: in the order in which a call passes them.
+        locals: all other variables.
+        result: type of the returned value, or None.
+        body: statements.
+        contracts: what it needs.
+        span: the header.
+    """
+
+    name: str
+    parameters: tuple[Local, ...]
+    locals: tuple[Local, ...]
+    result: ValueType | None
+    body: Block
+    contracts: tuple[Contract, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class SignalUse:
+    """A channel that the program names."""
+
+    name: str
+    is_input: bool
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A structured program.
+
+    Attributes:
+        name: of the program.
+        main: the control statements, run from top to bottom.
+        main_locals: variables of the control statements (globals).
+        tasks: in the order of their declaration.
+        frame: name of the frame in which all locations are given; empty = base frame.
+        frames: name -> pose in the base frame (nominal; the cell may calibrate them).
+        tools: name -> pose in the mechanical interface frame (nominal).
+        tool: tool in force at the start, empty for the cell's default.
+        signals: channels that the program names.
+    """
+
+    name: str
+    main: Block
+    main_locals: tuple[Local, ...]
+    tasks: tuple[Task, ...]
+    frame: str = ""
+    frames: Mapping[str, PoseTuple] = field(default_factory=dict)
+    tools: Mapping[str, PoseTuple] = field(default_factory=dict)
+    tool: str = ""
+    signals: tuple[SignalUse, ...] = ()

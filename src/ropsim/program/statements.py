@@ -1,0 +1,230 @@
+"""Typed statements of the structured program (SIR): what front ends produce and posts print."""
+
+from dataclasses import dataclass
+
+from ropsim.core import Span
+from ropsim.flow import GripAction, MotionKind
+from ropsim.program.expressions import Expression
+
+Block = tuple["Statement", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Modal values to set; None leaves a value as it is.
+
+    Attributes:
+        tool: name of a tool.
+        path_speed: REAL [m/s].
+        ptp_speed: REAL share, (0, 1].
+        orientation_speed: REAL [rad/s].
+        path_acceleration: REAL [m/s²].
+        ptp_acceleration: REAL share, (0, 1].
+        zone: REAL [m]; a constant 0 means fine.
+    """
+
+    tool: str | None = None
+    path_speed: Expression | None = None
+    ptp_speed: Expression | None = None
+    orientation_speed: Expression | None = None
+    path_acceleration: Expression | None = None
+    ptp_acceleration: Expression | None = None
+    zone: Expression | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing is set."""
+        return self == Settings()
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A motion; `settings` hold for this move only. The target is a POSE in the frame in force or JOINTS."""
+
+    kind: MotionKind
+    target: Expression
+    settings: Settings
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Grip:
+    """Open or close a gripper (empty tool = the tool in force)."""
+
+    action: GripAction
+    tool: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """Set an output channel."""
+
+    signal: str
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Wait a REAL time [s]."""
+
+    duration: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class WaitUntil:
+    """Wait until a BOOL holds; after `timeout` [s] run `otherwise`, or stop the program where it is empty."""
+
+    condition: Expression
+    timeout: Expression | None
+    otherwise: Block
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    """Give a variable a value."""
+
+    name: str
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class AssignComponent:
+    """Give component `index` of a POSE, VEC or JOINTS variable a REAL."""
+
+    name: str
+    index: int
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """Run a task with its arguments in the order of the parameters; `result` names a variable or is empty."""
+
+    task: str
+    arguments: tuple[Expression, ...]
+    span: Span
+    result: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """The first branch whose condition holds, else `otherwise`."""
+
+    branches: tuple[tuple[Expression, Block], ...]
+    otherwise: Block
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class While:
+    """Run while the condition holds."""
+
+    condition: Expression
+    body: Block
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """Run `count` (INT, evaluated once; None = without end) times, or until `until` holds after a pass."""
+
+    count: Expression | None
+    body: Block
+    until: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class For:
+    """Run with `variable` from `first` to `last` inclusive by `step` (INT or REAL; a constant, not 0)."""
+
+    variable: str
+    first: Expression
+    last: Expression
+    step: Expression
+    body: Block
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class With:
+    """Run `body` under `settings`, then restore what held before; tasks called inside inherit them."""
+
+    settings: Settings
+    body: Block
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Set:
+    """Change modal values until further notice."""
+
+    settings: Settings
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Break:
+    """Leave the innermost loop."""
+
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Continue:
+    """Go to the next pass of the innermost loop."""
+
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """Leave the task."""
+
+    value: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """End the program."""
+
+    message: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """Show the values, joined by blanks."""
+
+    parts: tuple[Expression, ...]
+    span: Span
+
+
+Statement = (
+    Move
+    | Grip
+    | Output
+    | Wait
+    | WaitUntil
+    | Assign
+    | AssignComponent
+    | Call
+    | If
+    | While
+    | Repeat
+    | For
+    | With
+    | Set
+    | Break
+    | Continue
+    | Return
+    | Stop
+    | Message
+)

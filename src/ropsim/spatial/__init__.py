@@ -1,0 +1,8 @@
+"""Values of space: poses and rotations; no robot, no time."""
+
+from ropsim.spatial import quaternion as quaternion
+from ropsim.spatial.pose import Array as Array
+from ropsim.spatial.pose import Pose as Pose
+from ropsim.spatial.pose import frozen as frozen
+from ropsim.spatial.pose import quaternion_from_matrix as quaternion_from_matrix
+from ropsim.spatial.quaternion import PoseTuple as PoseTuple
