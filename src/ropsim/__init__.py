@@ -1,0 +1,70 @@
+"""Robot off-line programming and real-time simulation: task text in, verified motion out.
+
+The packages are loaded when they are first used, so that `import ropsim` and `ropsim --version` stay quick:
+`ropsim.robots`, `ropsim.kinematics`, `ropsim.dynamics` and so on need no import of their own.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from ropsim.version import __version__ as __version__
+
+if TYPE_CHECKING:
+    from ropsim import controller as controller
+    from ropsim import core as core
+    from ropsim import dynamics as dynamics
+    from ropsim import flow as flow
+    from ropsim import icr as icr
+    from ropsim import kinematics as kinematics
+    from ropsim import language as language
+    from ropsim import model as model
+    from ropsim import motion as motion
+    from ropsim import program as program
+    from ropsim import robots as robots
+    from ropsim import simulation as simulation
+    from ropsim import spatial as spatial
+    from ropsim import views as views
+    from ropsim import workbench as workbench
+    from ropsim.core import RopsimError as RopsimError
+    from ropsim.workbench import open_project as open
+
+__all__ = [
+    "RopsimError",
+    "__version__",
+    "controller",
+    "core",
+    "dynamics",
+    "flow",
+    "icr",
+    "kinematics",
+    "language",
+    "model",
+    "motion",
+    "open",
+    "program",
+    "robots",
+    "simulation",
+    "spatial",
+    "views",
+    "workbench",
+]
+
+_SHORT_CUTS = {"open": ("ropsim.workbench", "open_project"), "RopsimError": ("ropsim.core", "RopsimError")}
+
+
+def __getattr__(name: str) -> object:
+    """Return a package or a short cut of the public API, importing it on first use (PEP 562)."""
+    if name in _SHORT_CUTS:
+        module, attribute = _SHORT_CUTS[name]
+        value: object = getattr(import_module(module), attribute)
+    elif name in __all__:
+        value = import_module(f"ropsim.{name}")
+    else:
+        raise AttributeError(f"module 'ropsim' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Return the names of the public API."""
+    return sorted(__all__)

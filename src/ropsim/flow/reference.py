@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from ropsim.core import Diagnostic
 from ropsim.spatial import Array
 
 
@@ -25,10 +26,12 @@ class JointSamples:
     Attributes:
         period: time between two rows [s].
         q: [rad | m], shape (k, n); row 0 is one period after the start of the move.
+        findings: what the inverse transform has to say about them.
     """
 
     period: float
     q: Array
+    findings: tuple[Diagnostic, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,6 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
+from ropsim.model.audit import audit as audit
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
 from ropsim.model.cell import Gripper as Gripper
@@ -12,6 +13,10 @@ from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import PathDefaults as PathDefaults
 from ropsim.model.controller import Rates as Rates
+from ropsim.model.dh import JointLimits as JointLimits
+from ropsim.model.dh import interface_from_dh as interface_from_dh
+from ropsim.model.dh import joints_from_dh as joints_from_dh
+from ropsim.model.dh import links_from_dh as links_from_dh
 from ropsim.model.drive import Amplifier as Amplifier
 from ropsim.model.drive import DcMotor as DcMotor
 from ropsim.model.drive import Drive as Drive
@@ -19,6 +24,8 @@ from ropsim.model.drive import Friction as Friction
 from ropsim.model.payload import Payload as Payload
 from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
+from ropsim.model.placements import interface_matrices as interface_matrices
+from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.robot import DhRow as DhRow
 from ropsim.model.robot import Joint as Joint
 from ropsim.model.robot import JointType as JointType

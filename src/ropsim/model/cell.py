@@ -98,6 +98,7 @@ class Signal:
         analog: real-valued, else on/off.
         initial: value at time 0.
         changes: later values of an input as (time [s], value), in order of time.
+        channel: number at the controller's terminals, 0 where it is not known.
     """
 
     name: str
@@ -105,6 +106,7 @@ class Signal:
     analog: bool = False
     initial: float = 0.0
     changes: tuple[tuple[float, float], ...] = ()
+    channel: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +142,7 @@ class Cell:
         signals: by name.
         classic: settings for classic files.
         start: joint coordinates at time 0 [rad | m], shape (n,).
+        program: name of the program that runs when the user names none.
     """
 
     name: str
@@ -155,6 +158,7 @@ class Cell:
     signals: Mapping[str, Signal] = field(default_factory=dict)
     classic: ClassicSettings = field(default_factory=ClassicSettings)
     start: Array = field(default_factory=lambda: frozen([]))
+    program: str = "main"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", frozen(self.start))

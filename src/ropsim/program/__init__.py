@@ -1,5 +1,8 @@
 """The structured program (SIR): typed statements in SI units, and its lowering to ICR."""
 
+from ropsim.program.calls import recursion as recursion
+from ropsim.program.contract import check_contracts as check_contracts
+from ropsim.program.diagnostics import LoweringError as LoweringError
 from ropsim.program.expressions import Binary as Binary
 from ropsim.program.expressions import CommandPose as CommandPose
 from ropsim.program.expressions import Component as Component
@@ -13,6 +16,7 @@ from ropsim.program.expressions import MakeZyx as MakeZyx
 from ropsim.program.expressions import SignalValue as SignalValue
 from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
+from ropsim.program.lowering import lower as lower
 from ropsim.program.program import Contract as Contract
 from ropsim.program.program import Local as Local
 from ropsim.program.program import Program as Program

@@ -5,4 +5,5 @@ from ropsim.spatial.pose import Array as Array
 from ropsim.spatial.pose import Pose as Pose
 from ropsim.spatial.pose import frozen as frozen
 from ropsim.spatial.pose import quaternion_from_matrix as quaternion_from_matrix
+from ropsim.spatial.pose import quaternions_from_matrices as quaternions_from_matrices
 from ropsim.spatial.quaternion import PoseTuple as PoseTuple

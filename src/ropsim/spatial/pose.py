@@ -85,20 +85,26 @@ class Pose:
 
 
 def quaternion_from_matrix(rotation: npt.ArrayLike) -> Array:
-    """Return the unit quaternion (w, x, y, z) of a rotation matrix, shape (3, 3)."""
-    r = np.asarray(rotation, dtype=np.float64)
-    squares = np.array(
-        [
-            1 + r[0, 0] + r[1, 1] + r[2, 2],
-            1 + r[0, 0] - r[1, 1] - r[2, 2],
-            1 - r[0, 0] + r[1, 1] - r[2, 2],
-            1 - r[0, 0] - r[1, 1] + r[2, 2],
-        ]
-    )
-    k = int(np.argmax(squares))
-    s = 2.0 * np.sqrt(max(float(squares[k]), 0.0))
-    w = [s / 4, (r[2, 1] - r[1, 2]) / s, (r[0, 2] - r[2, 0]) / s, (r[1, 0] - r[0, 1]) / s]
-    x = [w[1], s / 4, (r[0, 1] + r[1, 0]) / s, (r[0, 2] + r[2, 0]) / s]
-    y = [w[2], x[2], s / 4, (r[1, 2] + r[2, 1]) / s]
-    z = [w[3], x[3], y[3], s / 4]
-    return np.array([w, x, y, z][k])
+    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix, shape (3, 3)."""
+    return np.asarray(quaternions_from_matrices(np.asarray(rotation, dtype=np.float64)[None])[0])
+
+
+def quaternions_from_matrices(rotations: Array) -> Array:
+    """Return unit quaternions (w, x, y, z), w >= 0, of rotation matrices (k, 3, 3), shape (k, 4).
+
+    The largest of the four components is found first and divides the others (Shepperd 1978), so that no
+    rotation loses accuracy.
+    """
+    r = rotations
+    trace = r[:, 0, 0] + r[:, 1, 1] + r[:, 2, 2]
+    outer = np.empty((len(r), 4, 4))  # 4·q·qᵀ
+    outer[:, 0, 0] = 1.0 + trace
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        outer[:, i + 1, i + 1] = 1.0 + 2.0 * r[:, i, i] - trace
+        outer[:, 0, i + 1] = outer[:, i + 1, 0] = r[:, k, j] - r[:, j, k]
+        outer[:, j + 1, k + 1] = outer[:, k + 1, j + 1] = r[:, k, j] + r[:, j, k]
+    largest = np.argmax(np.diagonal(outer, axis1=1, axis2=2), axis=1)
+    q = outer[np.arange(len(r)), largest]
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    return np.asarray(np.where(q[:, :1] < 0.0, -q, q))

@@ -1,0 +1,45 @@
+# Plain POSIX make. Everything lives in .venv, which `sh tools/venv.sh` keeps up to date.
+# make PYTHON=/path/to/python3 <target> chooses the interpreter (3.11 or newer).
+
+VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
+DEMO = examples/palletizing
+
+help:
+	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'
+	@echo 'make test    run the whole test suite'
+	@echo 'make check   lint, format, types, import contracts, spelling, generated pages'
+	@echo 'make bench   run the benchmarks'
+	@echo 'make docs    write the generated pages under docs/reference'
+	@echo 'make clean   remove .venv, caches, build and example output'
+
+demo:
+	@$(VENV)
+	.venv/bin/ropsim run $(DEMO) --report $(DEMO)/out/report.html
+
+test:
+	@$(VENV) test
+	.venv/bin/python -m pytest
+
+check:
+	@$(VENV) test check
+	.venv/bin/ruff check .
+	.venv/bin/ruff format --check .
+	.venv/bin/mypy
+	.venv/bin/lint-imports
+	.venv/bin/codespell
+	.venv/bin/python tools/diagnostic_pages.py --check
+
+bench:
+	@$(VENV) test
+	.venv/bin/python -m pytest benchmarks
+
+docs:
+	@$(VENV)
+	.venv/bin/python tools/diagnostic_pages.py
+
+clean:
+	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	rm -rf .benchmarks examples/*/out
+	find src tests tools benchmarks -name __pycache__ -type d -prune -exec rm -rf '{}' +
+
+.PHONY: help demo test check bench docs clean

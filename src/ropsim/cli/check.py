@@ -1,0 +1,22 @@
+"""`ropsim check`: compile and print diagnostics."""
+
+import argparse
+
+from ropsim.cli.output import Output
+from ropsim.workbench import open_project
+from ropsim.workbench.diagnostic_json import diagnostic_document
+
+
+def check(options: argparse.Namespace, output: Output) -> int:
+    """Compile every program of a project and return the exit code."""
+    project = open_project(options.path)
+    compiled = project.compile()
+    sources = {text.name: text for text in (*project.sources.values(), *filter(None, [project.cell_text]))}
+    code = output.findings(compiled.diagnostics, sources)
+    if code == 0:
+        names = ", ".join(sorted(compiled.programs)) or "no program"
+        output.text(f"checked {names}: no errors")
+    output.document(
+        {"ok": code == 0, "programs": sorted(compiled.programs), **diagnostic_document(compiled.diagnostics)}
+    )
+    return code

@@ -1,0 +1,106 @@
+"""`ropsim icr`: compile, verify and run the neutral robot program."""
+
+import argparse
+from pathlib import Path
+
+from ropsim import icr
+from ropsim.cli.output import Output, cannot_write
+from ropsim.core import Diagnostic, replace_file
+from ropsim.flow import (
+    GripInstruction,
+    Instruction,
+    MessageInstruction,
+    MoveInstruction,
+    OutputInstruction,
+    WaitInstruction,
+)
+from ropsim.spatial import Pose
+from ropsim.spatial.quaternion import to_zyx
+from ropsim.workbench import CompiledProgram, Project, ProjectError, open_project
+from ropsim.workbench.diagnostic_json import diagnostic_document
+
+
+def compile_(options: argparse.Namespace, output: Output) -> int:
+    """Print or write the ICR of a task program."""
+    project, compiled = _open(options.path)
+    code = _report(project, compiled.diagnostics, output)
+    text = icr.disassemble(compiled.icr) if compiled.icr is not None and code == 0 else ""
+    if text and options.output:
+        try:
+            replace_file(Path(options.output), text.encode())
+        except OSError as error:
+            raise ProjectError(cannot_write(options.output, error)) from error
+    elif text:
+        output.text(text.rstrip())
+    output.document({"ok": code == 0, "icr": text, **diagnostic_document(compiled.diagnostics)})
+    return code
+
+
+def verify(options: argparse.Namespace, output: Output) -> int:
+    """Verify a program against rules V1 to V9."""
+    project, compiled = _open(options.path)
+    code = _report(project, compiled.diagnostics, output)
+    identity = ""
+    if code == 0 and compiled.icr is not None:
+        identity = icr.program_id(compiled.icr)
+        output.text(f"`{compiled.icr.name}` is a valid program, id {identity}")
+    output.document({"ok": code == 0, "id": identity, **diagnostic_document(compiled.diagnostics)})
+    return code
+
+
+def run(options: argparse.Namespace, output: Output) -> int:
+    """Execute a program without a robot and print the instructions in order."""
+    project, compiled = _open(options.path)
+    code = _report(project, compiled.diagnostics, output)
+    if code or compiled.icr is None:
+        output.document({"ok": False, **diagnostic_document(compiled.diagnostics)})
+        return 1
+    trace = icr.run(compiled.icr)
+    lines = [instruction_text(one) for one in trace.instructions]
+    output.text("\n".join(lines))
+    output.text(f"{len(trace.moves)} moves, {len(trace.grips)} grips, {trace.steps} instructions executed")
+    traps: tuple[Diagnostic, ...] = (trace.trap,) if trace.trap else ()
+    code = _report(project, traps, output)
+    output.document(
+        {"ok": code == 0, "instructions": lines, "steps": trace.steps, **diagnostic_document(traps)}
+    )
+    return code
+
+
+def instruction_text(one: Instruction) -> str:
+    """Return one line for an instruction: source line, pass, what; millimetres and degrees."""
+    place = f"{one.origin.span.line if one.origin.span else 0:>5} #{one.origin.visit:<4}"
+    match one:
+        case MoveInstruction(kind=kind, target=Pose() as pose):
+            x, y, z = (1e3 * float(c) for c in pose.position)
+            w, i, j, k = (float(c) for c in pose.orientation)
+            yaw, pitch, roll = (57.29577951308232 * angle for angle in to_zyx((w, i, j, k)))
+            what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
+            what += f" in {one.modal.frame}" if one.modal.frame else ""
+        case MoveInstruction(kind=kind, target=None):
+            what = f"{kind.value} home"
+        case MoveInstruction(kind=kind, target=target):
+            what = f"{kind.value} joints {target}"
+        case GripInstruction():
+            what = f"{one.action.value} {one.tool}".rstrip()
+        case OutputInstruction():
+            what = f"set {one.channel} = {one.value}"
+        case WaitInstruction():
+            what = f"wait {one.duration:g} s"
+        case MessageInstruction():
+            what = f"message {one.text!r}"
+        case _:
+            what = "sync"
+    return f"{place} {what}"
+
+
+def _open(path: str) -> tuple[Project, CompiledProgram]:
+    project = open_project(path)
+    for diagnostic in project.diagnostics:
+        if diagnostic.is_error:
+            raise ProjectError(diagnostic)
+    return project, project.program()
+
+
+def _report(project: Project, found: tuple[Diagnostic, ...], output: Output) -> int:
+    return output.findings(found, {text.name: text for text in project.sources.values()})

@@ -1,0 +1,69 @@
+"""The command line: argument parsing and the dispatch to commands.
+
+Exit codes: 0 all is well, 1 findings of severity error, 2 wrong usage. Bad input never ends in a traceback; a
+fault of ropsim itself says so and names the command that reproduces it.
+"""
+
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ropsim.version import __version__
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def entry() -> None:
+    """Run the command line of this process and exit."""
+    sys.exit(main(sys.argv[1:]))
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run one command and return its exit code."""
+    if list(arguments) in (["--version"], ["-V"]):
+        print(f"ropsim {__version__}")
+        return 0
+    from ropsim.cli.parser import build_parser
+
+    options = build_parser().parse_args(arguments)
+    try:
+        return _run(options)
+    except KeyboardInterrupt:
+        print("interrupted; nothing was left half-written", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        sys.stderr.close()  # the reader went away, as `| head` does
+        return 0
+    except Exception as error:
+        return _fault(error, arguments)
+
+
+def _run(options: "argparse.Namespace") -> int:
+    from ropsim.cli.output import Output
+    from ropsim.core import RopsimError
+
+    output = Output.of(options)
+    try:
+        code: int = options.command(options, output)
+    except RopsimError as error:
+        output.failure(error.diagnostic)
+        return output.code_of(error)
+    return code
+
+
+def _fault(error: Exception, arguments: Sequence[str]) -> int:
+    import os
+    import shlex
+    import traceback
+
+    if os.environ.get("ROPSIM_DEBUG"):
+        traceback.print_exception(error)
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    place = f"{os.path.basename(frame.filename)}:{frame.lineno}"  # noqa: PTH119 - a name for a message
+    print(
+        f"this is a bug in ropsim {__version__}, not in your input: {type(error).__name__}: {error} ({place})\n"
+        f"  = note: reproduce it with `ROPSIM_DEBUG=1 {shlex.join(['ropsim', *arguments])}`",
+        file=sys.stderr,
+    )
+    return 1

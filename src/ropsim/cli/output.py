@@ -1,0 +1,67 @@
+"""How a command speaks: text or one JSON document on stdout, findings and progress on stderr."""
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
+from ropsim.views import Style, diagnostics_text
+from ropsim.workbench import NOT_WRITABLE
+from ropsim.workbench.diagnostic_json import diagnostic_document
+
+#: Findings of these kinds mean that the command was called wrongly: exit code 2.
+USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "U900"})
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """Where and how results go.
+
+    Attributes:
+        json: one JSON document instead of text.
+        style: colour for a terminal, plain otherwise.
+    """
+
+    json: bool
+    style: Style
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "Output":
+        """Return the output that the arguments and the terminal ask for (`NO_COLOR` is honoured)."""
+        colour = sys.stdout.isatty() and sys.stderr.isatty() and not os.environ.get("NO_COLOR")
+        return cls(bool(options.json), Style.COLOR if colour else Style.PLAIN)
+
+    def text(self, text: str) -> None:
+        """Print a text result, unless JSON was asked for."""
+        if not self.json:
+            print(text)
+
+    def document(self, document: Mapping[str, object]) -> None:
+        """Print a JSON document, if that was asked for."""
+        if self.json:
+            print(json.dumps(document, indent=2, allow_nan=False))
+
+    def findings(self, found: Iterable[Diagnostic], sources: Mapping[str, SourceText]) -> int:
+        """Print diagnostics as text on stderr and return the exit code that they mean."""
+        diagnostics = tuple(found)
+        if diagnostics and not self.json:
+            print(diagnostics_text(diagnostics, sources, self.style), file=sys.stderr)
+        return 1 if any(one.severity is Severity.ERROR for one in diagnostics) else 0
+
+    def failure(self, diagnostic: Diagnostic) -> None:
+        """Print why a command could not do its work."""
+        self.findings((diagnostic,), {})
+        self.document({"ok": False, **diagnostic_document((diagnostic,))})
+
+    @staticmethod
+    def code_of(error: RopsimError) -> int:
+        """Return 2 where the command was called wrongly, 1 where the input is wrong."""
+        return 2 if error.diagnostic.code in USAGE_CODES else 1
+
+
+def cannot_write(path: str, error: OSError) -> Diagnostic:
+    """Return the finding that a result file cannot be written."""
+    return NOT_WRITABLE.at(None, f"`{path}` cannot be written: {error.strerror or error}")

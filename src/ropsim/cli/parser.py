@@ -1,0 +1,129 @@
+"""All commands and their arguments, as `ropsim --help` shows them."""
+
+import argparse
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+from ropsim.version import __version__
+
+EPILOG = """\
+A project is a folder with `cell.toml` and `programs/*.task`. Start with
+  ropsim run examples/palletizing --report report.html
+
+Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
+"""
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """Return the parser; each command's module is imported only when it runs."""
+    parser = argparse.ArgumentParser(
+        prog="ropsim",
+        description="Robot off-line programming and real-time simulation: task text in, verified motion out.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", "-V", action="version", version=f"ropsim {__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _check(commands)
+    _run(commands)
+    _icr(commands)
+    _robot(commands)
+    _explain(commands)
+    return parser
+
+
+def _command(commands: Any, name: str, function: str, text: str, more: str = "") -> argparse.ArgumentParser:  # noqa: ANN401 - argparse keeps its type private
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name, help=text, description=f"{text[0].upper()}{text[1:]}. {more}".strip()
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    parser.set_defaults(command=_lazy(function))
+    return parser
+
+
+def _lazy(function: str) -> Callable[..., int]:
+    module, name = function.split(":")
+
+    def call(*arguments: object) -> int:
+        code: int = getattr(import_module(f"ropsim.cli.{module}"), name)(*arguments)
+        return code
+
+    return call
+
+
+def _check(commands: Any) -> None:  # noqa: ANN401
+    parser = _command(
+        commands,
+        "check",
+        "check:check",
+        "compile a project or a program and print its diagnostics",
+        "Nothing is simulated.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or a .task or .icr file")
+
+
+def _run(commands: Any) -> None:  # noqa: ANN401
+    parser = _command(
+        commands,
+        "run",
+        "run:run",
+        "compile, plan, simulate, verify and report a program",
+        "A move that is not possible becomes a finding on its line and is skipped.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or one of its programs")
+    parser.add_argument(
+        "program", metavar="PROGRAM", nargs="?", help="name of the program (default: the cell's)"
+    )
+    parser.add_argument(
+        "--kinematic", action="store_true", help="without drives and dynamics: the arm follows exactly"
+    )
+    parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
+    parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
+
+
+def _icr(commands: Any) -> None:  # noqa: ANN401
+    group = commands.add_parser(
+        "icr",
+        help="work with ICR, the neutral robot program",
+        description=(
+            "ICR is the flat, verifiable, robot-independent program that the simulator and every robot port run."
+        ),
+    )
+    actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    compile_ = _command(actions, "compile", "icr:compile_", "print the ICR of a task program")
+    compile_.add_argument("path", metavar="FILE.task")
+    compile_.add_argument("-o", "--output", metavar="FILE.icr", help="write to a file instead")
+    verify = _command(actions, "verify", "icr:verify", "check an ICR program against rules V1 to V9")
+    verify.add_argument("path", metavar="FILE")
+    run = _command(
+        actions, "run", "icr:run", "execute an ICR program without a robot and print its instructions"
+    )
+    run.add_argument("path", metavar="FILE")
+
+
+def _robot(commands: Any) -> None:  # noqa: ANN401
+    group = commands.add_parser("robot", help="list, show and move robot models", description="Robot models.")
+    actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _command(actions, "list", "robot:list_", "list the built-in robots")
+    show = _command(
+        actions, "show", "robot:show", "print joints, limits, drives and where the numbers come from"
+    )
+    show.add_argument("name", metavar="NAME")
+    audit = _command(actions, "audit", "robot:audit", "say what is doubtful in a model")
+    audit.add_argument("name", metavar="NAME")
+    forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface")
+    forward.add_argument("name", metavar="NAME")
+    forward.add_argument(
+        "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
+    )
+    inverse = _command(actions, "ik", "robot:ik", "print all joint coordinates that reach a pose")
+    inverse.add_argument("name", metavar="NAME")
+    inverse.add_argument(
+        "pose", metavar="X", nargs=6, type=float, help="x y z in mm, roll pitch yaw in degrees (fixed XYZ)"
+    )
+
+
+def _explain(commands: Any) -> None:  # noqa: ANN401
+    parser = _command(commands, "explain", "explain:explain", "explain a diagnostic code such as M502")
+    parser.add_argument("code", metavar="CODE", nargs="?", help="without a code: list all")

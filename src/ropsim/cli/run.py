@@ -1,0 +1,86 @@
+"""`ropsim run`: compile, plan, simulate, verify, report."""
+
+import argparse
+from collections.abc import Callable
+
+from ropsim import icr
+from ropsim.cli.output import Output, cannot_write
+from ropsim.cli.progress import Progress
+from ropsim.core import Diagnostic
+from ropsim.flow import Recording
+from ropsim.workbench import Project, ProjectError, open_project
+from ropsim.workbench.diagnostic_json import diagnostic_document, plain
+
+
+def run(options: argparse.Namespace, output: Output) -> int:
+    """Run a program of a project and return the exit code."""
+    project = open_project(options.path)
+    compiled = project.program(options.program)
+    sources = {text.name: text for text in (*project.sources.values(), *filter(None, [project.cell_text]))}
+    before = (*project.diagnostics, *compiled.diagnostics)
+    if any(one.is_error for one in before):
+        output.document({"ok": False, **diagnostic_document(before)})
+        return output.findings(before, sources)
+    recording = _simulate(project, options)
+    report = project.report(recording)
+    findings = (*before, *recording.findings)
+    code = output.findings(findings, sources)
+    output.text(report.text(output.style))
+    written = _write(options, recording, report.save)
+    for path in written:
+        output.text(f"wrote {path}")
+    output.document(
+        {
+            "ok": code == 0,
+            "summary": plain(report.summary()),
+            "written": written,
+            **diagnostic_document(findings),
+        }
+    )
+    return code
+
+
+def _simulate(project: Project, options: argparse.Namespace) -> Recording:
+    cell, program = project.runnable(options.program)
+    with Progress(f"simulating {project.folder.resolve().name}") as progress:
+        progress(0.0, "preparing the arm")
+        from ropsim.simulation import Fidelity, RunOptions, run as simulate
+
+        fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
+        return simulate(cell, program, RunOptions(fidelity, progress=_counted(program, progress)))
+
+
+def _counted(program: icr.Program, progress: Callable[[float, str], None]) -> Callable[[str], None]:
+    """Return a progress that knows how many moves there will be, from a run without a robot."""
+    total = max(1, len(icr.run(program).moves))
+    done = 0
+
+    def step(text: str) -> None:
+        nonlocal done
+        done += 1
+        progress(min(done / total, 1.0), f"{text} of {total}")
+
+    return step
+
+
+def _write(
+    options: argparse.Namespace, recording: Recording, save_report: Callable[[str], None]
+) -> list[str]:
+    from ropsim.workbench import recording_file
+
+    written: list[str] = []
+    if options.report:
+        _guarded(options.report, lambda: save_report(options.report))
+        written.append(options.report)
+    if options.record:
+        _guarded(options.record, lambda: recording_file.write(recording, options.record))
+        written.append(options.record)
+    return written
+
+
+def _guarded(path: str, write: Callable[[], None]) -> None:
+    try:
+        write()
+    except OSError as error:
+        problem: Diagnostic = cannot_write(path, error)
+        raise ProjectError(problem) from error

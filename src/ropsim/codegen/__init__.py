@@ -1,0 +1,15 @@
+"""Generated code: traced expressions, straight-line source, compiled and cached modules."""
+
+from ropsim.codegen.emit import SourceFunction as SourceFunction
+from ropsim.codegen.emit import emit as emit
+from ropsim.codegen.engine import Engine as Engine
+from ropsim.codegen.engine import default_engine as default_engine
+from ropsim.codegen.kernel import kernel as kernel
+from ropsim.codegen.kernel import numba_available as numba_available
+from ropsim.codegen.load import Compiled as Compiled
+from ropsim.codegen.load import load as load
+from ropsim.codegen.tracer import Scalar as Scalar
+from ropsim.codegen.tracer import Tracer as Tracer
+from ropsim.codegen.tracer import cos as cos
+from ropsim.codegen.tracer import sin as sin
+from ropsim.codegen.tracer import tanh as tanh

@@ -1,0 +1,86 @@
+"""From a traced graph to straight-line Python source."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ropsim.codegen.tracer import Scalar
+
+_BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+_CALLS = {"abs": "abs", "sin": "math.sin", "cos": "math.cos", "tanh": "math.tanh"}
+_INLINE_LENGTH = 72
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFunction:
+    """One function of a generated module.
+
+    Attributes:
+        name: of the function.
+        signature: numba signature, such as `void(f8[::1], f8[::1])`.
+        text: `def` statement without decorators; may use `math`, `np` and functions before it.
+    """
+
+    name: str
+    signature: str
+    text: str
+
+
+def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scalar]]) -> SourceFunction:
+    """Return the function of one-dimensional float64 arrays that assigns every result.
+
+    Operations that no result needs are left out. A value that is used once is written in place, others get
+    a name. All inputs are read before the first result is written, so that results may overwrite inputs.
+
+    Args:
+        name: of the function.
+        arguments: names of its array arguments, in order.
+        results: pairs of target, such as `out[2]`, and value, in order.
+    """
+    needed = _reachable([value for _, value in results])
+    uses: dict[int, int] = {}
+    for node in needed:
+        for arg in node.args:
+            uses[arg.index] = uses.get(arg.index, 0) + 1
+    for _, value in results:
+        uses[value.index] = uses.get(value.index, 0) + 1
+    texts: dict[int, str] = {}
+    body: list[str] = []
+    for node in needed:
+        text = _expression(node, texts)
+        keep = node.op == "const" or (
+            node.op != "var" and uses[node.index] == 1 and len(text) <= _INLINE_LENGTH
+        )
+        if keep:
+            texts[node.index] = text if node.op in {"const", *_CALLS} else f"({text})"
+        else:
+            texts[node.index] = f"t{node.index}"
+            body.append(f"t{node.index} = {text}")
+    body += [f"{target} = {texts[value.index]}" for target, value in results]
+    lines = "".join(f"    {line}\n" for line in body or ["pass"])
+    signature = f"void({', '.join('f8[::1]' for _ in arguments)})"
+    return SourceFunction(name, signature, f"def {name}({', '.join(arguments)}):\n{lines}")
+
+
+def _expression(node: Scalar, texts: dict[int, str]) -> str:
+    if node.op == "const":
+        return repr(node.value) if node.value is not None and node.value >= 0.0 else f"({node.value!r})"
+    if node.op == "var":
+        return f"float({node.text})"
+    args = [texts[arg.index] for arg in node.args]
+    if node.op in _BINARY:
+        return f"{args[0]} {_BINARY[node.op]} {args[1]}"
+    if node.op == "neg":
+        return f"-{args[0]}"
+    return f"{_CALLS[node.op]}({args[0]})"
+
+
+def _reachable(roots: Sequence[Scalar]) -> list[Scalar]:
+    """Return what the roots need, arguments first."""
+    found: dict[int, Scalar] = {}
+    stack = list(roots)
+    while stack:
+        node = stack.pop()
+        if node.index not in found:
+            found[node.index] = node
+            stack.extend(node.args)
+    return [found[index] for index in sorted(found)]

@@ -1,0 +1,97 @@
+"""Branch following: one continuous sequence of joint coordinates out of all branches along a path."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.kinematics import IkOptions, Limits, inverse
+from ropsim.model import RobotModel
+from ropsim.spatial import Array, Pose
+
+JUMP = np.pi / 4.0  # [rad | m] in one interpolation period; no joint follows that, so it is another branch
+_TURN = 2.0 * np.pi
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Follow:
+    """How far a path can be followed.
+
+    Attributes:
+        q: joint coordinates of the rows that can be followed [rad | m], shape (rows, n).
+        complete: whether these are all rows of the path.
+        reachable: whether some posture reaches the row after them.
+    """
+
+    q: Array
+    complete: bool = True
+    reachable: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BranchFollower:
+    """Follows the branch of the start along a path.
+
+    Attributes:
+        robot: the arm.
+        revolute: 1 for turning joints, else 0, shape (n,).
+        swift: steps that joints can make in one period at their speed limits [rad | m], shape (n,); longer
+            ones are looked at closely.
+    """
+
+    robot: RobotModel
+    revolute: Array
+    swift: Array
+
+    def follow(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
+        """Return the joint coordinates that continue `q_start` along a path.
+
+        Away from singularities every branch keeps its row in `branches`, so one row number gives the whole
+        path at once. Where that breaks, the nearest branch is followed pose by pose instead.
+
+        Args:
+            matrices: X_BM along the path, shape (k, 4, 4).
+            branches: of each pose; angles in (-π, π], NaN where absent [rad | m], shape (k, m, n).
+            q_start: joint coordinates one period before the first pose [rad | m], shape (n,).
+        """
+        row = int(np.argmin(self._distances(branches[0], q_start)))
+        q = branches[:, row]
+        steps = np.diff(q, axis=0, prepend=q_start[None])
+        steps -= self.revolute * (_TURN * np.round(steps / _TURN))
+        if (np.abs(steps) <= self.swift).all():  # false for NaN
+            return Follow(self._turned(q, q_start + np.cumsum(steps, axis=0)))
+        return self._follow_poses(matrices, branches, q_start)
+
+    def _follow_poses(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
+        q = np.empty((len(matrices), len(q_start)))
+        before = q_start
+        for k in range(len(matrices)):
+            now = self._nearest(branches[k], before)
+            if not (np.abs(now - before) <= self.swift).all():
+                now = self._nearest(self._free_joints_kept(matrices[k], before), before)
+            if not np.abs(now - before).max() < JUMP:
+                return Follow(q[:k], complete=False, reachable=not np.isnan(branches[k]).all())
+            q[k] = before = now
+        return Follow(q)
+
+    def _free_joints_kept(self, X_BM: Array, q_before: Array) -> Array:
+        """Return all branches for X_BM; joints that a singular pose leaves free stay where they are.
+
+        The batch sets them to 0. A line that only touches a singularity keeps them and goes on.
+        """
+        options = IkOptions(Limits.IGNORE, near=q_before)
+        return inverse(self.robot, Pose.from_matrix(X_BM), options).branches
+
+    def _nearest(self, candidates: Array, q: Array) -> Array:
+        """Return the branch nearest to `q`, turned by whole turns towards it; NaN where there is none."""
+        return self._turned(candidates[int(np.argmin(self._distances(candidates, q)))], q)
+
+    def _turned(self, q: Array, q_near: Array) -> Array:
+        turned: Array = q + self.revolute * (_TURN * np.round((q_near - q) / _TURN))
+        return turned
+
+    def _distances(self, candidates: Array, q: Array) -> Array:
+        """Return the largest difference of each branch to `q`, whole turns aside; inf if absent."""
+        steps = candidates - q
+        steps -= self.revolute * (_TURN * np.round(steps / _TURN))
+        distances: Array = np.abs(steps).max(axis=1)
+        return np.nan_to_num(distances, nan=np.inf)

@@ -1,0 +1,106 @@
+"""The slow side of the controller on one page: from a move instruction to references for the servo."""
+
+from dataclasses import dataclass, field
+
+from ropsim.controller.entities import (
+    Interpolator,
+    InverseTransform,
+    JointInterpolator,
+    PathPlanner,
+    Refusal,
+)
+from ropsim.controller.interpolator import StandardInterpolator
+from ropsim.controller.inverse_transform import StandardInverseTransform
+from ropsim.controller.joint_interpolator import SplineJointInterpolator
+from ropsim.controller.path_planner import StandardPathPlanner
+from ropsim.controller.work_frames import WorkFrames
+from ropsim.core import Diagnostic
+from ropsim.flow import JointReference, JointSamples, MoveInstruction
+from ropsim.model import Cell, Rates
+from ropsim.motion import JointTrajectory, LineTrajectory
+from ropsim.spatial import Array, Pose, frozen
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MotionChain:
+    """The entities between a move instruction and the joint controller, in series.
+
+    Attributes:
+        planner: move instruction to trajectory.
+        interpolator: trajectory to setpoints at the interpolation tick.
+        inverse: pose setpoints to joint samples.
+        joint_interpolator: joint samples to references at the control tick.
+        rates: the periods.
+        work: tools and task frames of the cell.
+    """
+
+    planner: PathPlanner
+    interpolator: Interpolator
+    inverse: InverseTransform
+    joint_interpolator: JointInterpolator
+    rates: Rates
+    work: WorkFrames = field(default_factory=WorkFrames)
+
+    def tool_pose(self, move: MoveInstruction) -> Pose:
+        """Return X_MT of the tool of a move; of the mechanical interface itself where the tool is unknown."""
+        X_MT = self.work.tool_pose(move.modal, move.origin.span)
+        return X_MT if isinstance(X_MT, Pose) else Pose()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlannedMove:
+    """A move that can be made.
+
+    Attributes:
+        move: the instruction.
+        reference: what the joint controller is given at each control tick; no ticks for a move of length 0.
+        q_end: command joint coordinates at the end [rad | m], shape (n,): the last row of the reference.
+        duration: [s].
+        trajectory: the path over time.
+        findings: warnings and hints.
+    """
+
+    move: MoveInstruction
+    reference: JointReference
+    q_end: Array
+    duration: float
+    trajectory: JointTrajectory | LineTrajectory
+    findings: tuple[Diagnostic, ...]
+
+
+def standard_chain(cell: Cell) -> MotionChain:
+    """Return the built-in entities for the robot, tools, frames and controller of a cell."""
+    robot, tool = cell.robot, cell.default_tool
+    return MotionChain(
+        StandardPathPlanner(robot, cell.controller, cell.tools, cell.frames, tool, robot.home),
+        StandardInterpolator(),
+        StandardInverseTransform(robot, cell.tools, tool),
+        SplineJointInterpolator(),
+        cell.controller.rates,
+        WorkFrames(cell.tools, cell.frames, tool),
+    )
+
+
+def plan_move(chain: MotionChain, move: MoveInstruction, q_start: Array) -> PlannedMove | Refusal:
+    """Return the references of a move that starts at rest at `q_start`, or why it cannot be made.
+
+    Args:
+        chain: the entities.
+        move: the instruction with its modal state.
+        q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+    """
+    rates = chain.rates
+    trajectory = chain.planner.plan(move, q_start)
+    if isinstance(trajectory, Refusal):
+        return trajectory
+    setpoints = chain.interpolator.sample(trajectory, rates.interpolation_period)
+    samples = (
+        setpoints if isinstance(setpoints, JointSamples) else chain.inverse.solve(setpoints, q_start, move)
+    )
+    if isinstance(samples, Refusal):
+        return samples
+    reference = chain.joint_interpolator.refine(samples, q_start, rates.interpolation_ticks)
+    q_end = frozen(reference.q[-1] if reference.ticks else q_start)
+    duration = reference.ticks * rates.control_period
+    findings = (*trajectory.findings, *samples.findings)
+    return PlannedMove(move, reference, q_end, duration, trajectory, findings)

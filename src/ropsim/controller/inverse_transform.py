@@ -1,0 +1,79 @@
+"""The inverse transform: pose setpoints to joint samples on one branch of the inverse kinematics."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.controller.branch_following import BranchFollower
+from ropsim.controller.entities import Refusal
+from ropsim.controller.line_check import (
+    Line,
+    acceleration_findings,
+    end_findings,
+    limit_refusals,
+    lost,
+    speed_refusals,
+)
+from ropsim.controller.posture_choice import JointRange
+from ropsim.controller.work_frames import WorkFrames
+from ropsim.core import Diagnostic
+from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.kinematics import forward_batch, inverse_batch
+from ropsim.model import RobotModel, Tool
+from ropsim.spatial import Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StandardInverseTransform:
+    """Solves all setpoints of a line at once and follows the branch of the start.
+
+    Attributes:
+        robot: the arm.
+        tools: of the cell, by name.
+        default_tool: tool in force where a program names none; empty for none.
+    """
+
+    robot: RobotModel
+    tools: Mapping[str, Tool]
+    default_tool: str
+    _range: JointRange = field(init=False, repr=False)
+    _work: WorkFrames = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_range", JointRange.of(self.robot))
+        object.__setattr__(self, "_work", WorkFrames(self.tools, {}, self.default_tool))
+
+    def solve(
+        self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+    ) -> JointSamples | Refusal:
+        """Return joint samples that continue `q_start` without a jump, or say where it is impossible.
+
+        Args:
+            setpoints: X_BT at the interpolation ticks, k rows.
+            q_start: joint coordinates at the start [rad | m], shape (n,).
+            move: the instruction; names the tool, and its source line stands in the refusals.
+
+        Returns:
+            the samples, with M510 and M514 as findings, or a refusal: M501 where the line leaves the reach,
+            M503 at a joint limit, M504 above a speed limit, M505 at a jump, M506 without a tool.
+        """
+        X_MT = self._work.tool_pose(move.modal, move.origin.span)
+        if isinstance(X_MT, Diagnostic):
+            return Refusal((X_MT,))
+        if len(setpoints.matrices) == 0:
+            return JointSamples(setpoints.period, np.empty((0, self.robot.n)))
+        matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
+        branches = inverse_batch(self.robot, matrices)
+        swift = self.robot.max_speeds * setpoints.period
+        found = BranchFollower(self.robot, self._range.revolute, swift).follow(matrices, branches, q_start)
+        p_start = (forward_batch(self.robot, q_start[None])[0] @ X_MT.matrix())[:3, 3]
+        line = Line(move, setpoints, p_start, q_start)
+        refusals = limit_refusals(line, found.q, self.robot, self._range)
+        if not refusals and not found.complete:
+            refusals = (lost(line, found, self.robot, matrices),)
+        refusals = refusals or speed_refusals(line, found.q, self.robot)
+        if refusals:
+            return Refusal(refusals)
+        findings = (*acceleration_findings(line, found.q, self.robot), *end_findings(line, found.q[-1]))
+        return JointSamples(setpoints.period, found.q, findings)

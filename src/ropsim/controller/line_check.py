@@ -1,0 +1,204 @@
+"""Checks of the joint samples along a line: limits, speeds, accelerations, and what stops the joints."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.controller.branch_following import Follow
+from ropsim.controller.posture_choice import JointRange
+from ropsim.controller.wording import coordinate, distance_words, figures, passes, rate
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction, PoseSetpoints
+from ropsim.kinematics import inverse, jacobian
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    ACCELERATION_LIMIT,
+    JOINT_LIMIT_ON_LINE,
+    JUMP_ON_LINE,
+    OTHER_JOINTS_AT_LINE_END,
+    OUT_OF_REACH,
+    SPEED_LIMIT_ON_LINE,
+)
+from ropsim.spatial import Array, Pose
+
+_RATE_SLACK = 1e-6  # relative; differences over a period carry the rounding of inverse kinematics
+_NEAR_SINGULAR = 0.08  # smallest singular value of the Jacobian [m | -] below which the note names it
+_SAME_JOINTS = 1e-6  # [rad | m]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Line:
+    """A line on its way through the inverse transform.
+
+    Attributes:
+        move: its instruction.
+        setpoints: X_BT at the interpolation ticks.
+        p_start: TCP at the start in the base frame [m], shape (3,).
+        q_start: joint coordinates at the start [rad | m], shape (n,).
+    """
+
+    move: MoveInstruction
+    setpoints: PoseSetpoints
+    p_start: Array
+    q_start: Array
+
+    def share(self, row: int) -> float:
+        """Return which share of the way lies behind setpoint `row`; of the time where the TCP stands."""
+        way = self.setpoints.matrices[:, :3, 3] - self.p_start
+        length = float(np.linalg.norm(way[-1]))
+        if length < _SAME_JOINTS:
+            return (row + 1) / len(way)
+        return float(np.linalg.norm(way[row])) / length
+
+
+def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagnostic:
+    """Return M501 where the line leaves the reach of the arm, or M505 where the joints would have to jump.
+
+    Args:
+        line: the line.
+        found: how far it can be followed.
+        robot: the arm.
+        matrices: X_BM at its setpoints, shape (k, 4, 4).
+    """
+    row = len(found.q)
+    share = line.share(row)
+    data = {"share": share, "pass": line.move.origin.visit}
+    span, label = line.move.origin.span, passes(line.move.origin)
+    q = found.q[-1] if row else line.q_start
+    if not found.reachable:
+        reach = inverse(robot, Pose.from_matrix(matrices[row])).reach
+        x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
+        return OUT_OF_REACH.at(
+            span,
+            f"the line leaves the reach of the arm at {share:.0%} of the way, "
+            f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
+            label=label,
+            notes=(distance_words(reach),) if reach else (),
+            hint="shift the line, or use PTP where the path does not matter",
+            data=data,
+        )
+    return JUMP_ON_LINE.at(
+        span,
+        f"the joints would have to jump at {share:.0%} of the way",
+        label=label,
+        notes=_singularity_notes(robot, q),
+        hint="turn the tool a little, shift the line, or use PTP for this part of the way",
+        data=data,
+    )
+
+
+def limit_refusals(line: Line, q: Array, robot: RobotModel, limits: JointRange) -> tuple[Diagnostic, ...]:
+    """Return M503 for the joint that meets its limit first, or nothing."""
+    excess = limits.excess(q)
+    outside = np.flatnonzero(excess.any(axis=1))
+    if len(outside) == 0:
+        return ()
+    row = int(outside[0])
+    index = int(np.argmax(excess[row]))
+    furthest = float(q[int(np.argmax(excess[:, index])), index])
+    joint = robot.joints[index]
+    limit = joint.upper if q[row, index] > joint.upper else joint.lower
+    share = line.share(row)
+    finding = JOINT_LIMIT_ON_LINE.at(
+        line.move.origin.span,
+        f"joint `{joint.name}` passes its limit of {coordinate(joint, limit)} at {share:.0%} of the way, "
+        f"the line needs {coordinate(joint, furthest)}",
+        label=passes(line.move.origin),
+        hint="start the line in another posture, make it shorter, or use PTP",
+        data={
+            **figures(joint, furthest, limit),
+            "share": share,
+            "pass": line.move.origin.visit,
+        },
+    )
+    return (finding,)
+
+
+def speed_refusals(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M504 for the joint that exceeds its speed limit most, or nothing."""
+    speeds = np.abs(np.diff(q, axis=0, prepend=line.q_start[None])) / line.setpoints.period
+    limits = robot.max_speeds
+    row, index = _worst(speeds / limits)
+    factor = float(speeds[row, index] / limits[index])
+    if factor <= 1.0 + _RATE_SLACK:
+        return ()
+    joint, speed = robot.joints[index], float(speeds[row, index])
+    share = line.share(row)
+    finding = SPEED_LIMIT_ON_LINE.at(
+        line.move.origin.span,
+        f"joint `{joint.name}` would need {rate(joint, speed, '/s')} at {share:.0%} of the way, "
+        f"the limit is {rate(joint, joint.max_speed, '/s')}",
+        label=passes(line.move.origin),
+        notes=_singularity_notes(robot, q[row]),
+        hint=f"lower the path speed to {100.0 / factor:.0f} % of what it is, or use PTP"
+        if factor < 100.0
+        else "keep away from the singularity, or use PTP",
+        data={
+            **figures(joint, speed, joint.max_speed, "_per_s"),
+            "share": share,
+            "pass": line.move.origin.visit,
+        },
+    )
+    return (finding,)
+
+
+def acceleration_findings(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M510 for the joint that exceeds its acceleration limit most, or nothing."""
+    at_rest = np.concatenate((line.q_start[None], line.q_start[None], q, q[-1:]))
+    accelerations = np.abs(np.diff(at_rest, 2, axis=0)) / line.setpoints.period**2
+    row, index = _worst(accelerations / robot.max_accelerations)
+    joint, value = robot.joints[index], float(accelerations[row, index])
+    if value <= joint.max_acceleration * (1.0 + _RATE_SLACK):
+        return ()
+    share = line.share(min(row, len(q) - 1))
+    finding = ACCELERATION_LIMIT.at(
+        line.move.origin.span,
+        f"joint `{joint.name}` needs {rate(joint, value, '/s²')} at {share:.0%} of the way, "
+        f"the limit is {rate(joint, joint.max_acceleration, '/s²')}",
+        label=passes(line.move.origin),
+        hint="lower the path acceleration or the path speed of this move",
+        data={
+            **figures(joint, value, joint.max_acceleration, "_per_s2"),
+            "share": share,
+            "pass": line.move.origin.visit,
+        },
+    )
+    return (finding,)
+
+
+def end_findings(line: Line, q_end: Array) -> tuple[Diagnostic, ...]:
+    """Return M514 where the target was given in joint coordinates and the line ends in others."""
+    target = line.move.target
+    if not isinstance(target, tuple) or float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
+        return ()
+    finding = OTHER_JOINTS_AT_LINE_END.at(
+        line.move.origin.span,
+        "the line reaches the pose of the target, but with other joint coordinates",
+        label=passes(line.move.origin),
+        hint="use PTP to reach exactly these joint coordinates",
+    )
+    return (finding,)
+
+
+def _worst(ratios: Array) -> tuple[int, int]:
+    row, index = divmod(int(np.argmax(ratios)), ratios.shape[1])
+    return row, index
+
+
+def _singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
+    """Return in words which singularity of a six-axis arm is near, if one is.
+
+    The direction in joint space that moves the tool least tells: without the first three joints it is the
+    wrist; led by joint 1 the shoulder, else the elbow.
+    """
+    if robot.n != 6:
+        return ()
+    _, values, directions = np.linalg.svd(jacobian(robot, q))
+    if values[-1] > _NEAR_SINGULAR:
+        return ()
+    arm = np.abs(directions[-1][:3])
+    if float(np.linalg.norm(arm)) < 0.3:
+        return ("the wrist is near its singularity: the axes of joints 4 and 6 are almost in line",)
+    if int(np.argmax(arm)) == 0:
+        return ("the shoulder is near its singularity: the wrist is almost on the axis of joint 1",)
+    return ("the elbow is near its singularity: upper arm and forearm are almost stretched",)

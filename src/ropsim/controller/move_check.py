@@ -1,0 +1,151 @@
+"""Checks of the values of one move instruction, before anything is computed with them."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from ropsim.controller.wording import coordinate, figures, passes
+from ropsim.core import Diagnostic
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.model import RobotModel
+from ropsim.motion import (
+    BAD_MOTION_VALUE,
+    JOINT_OUT_OF_RANGE,
+    MOVE_TOO_LONG,
+    WRONG_NUMBER_OF_JOINTS,
+    ZONE_NOT_SIMULATED,
+)
+from ropsim.spatial import Array, Pose
+
+MAX_DURATION = 600.0  # [s] of one move; beyond it a mistaken unit is certain enough
+_MAX_COORDINATE = 1e3  # [m]
+_MAX_RATE = 1e6  # any speed, acceleration or jerk, in SI units
+_LIMIT_SLACK = 1e-9  # [rad | m]; rounding of a coordinate that stands exactly on its limit
+
+
+def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
+    """Return M509 for every value of the move that no motion can have."""
+    return tuple(
+        BAD_MOTION_VALUE.at(
+            move.origin.span,
+            f"{name} is {value:g}{unit}, allowed is {allowed}",
+            label=passes(move.origin),
+            hint="look where the value is computed, and at its unit",
+            data={"name": name, "value": value, "pass": move.origin.visit},
+        )
+        for name, value, unit, allowed in (
+            *_bad_modal(move.modal),
+            *_bad_target(move),
+            *_bad_frames(move.modal),
+        )
+    )
+
+
+def check_joints(
+    move: MoveInstruction, q: Array, robot: RobotModel, lower: Array, upper: Array
+) -> tuple[Diagnostic, ...]:
+    """Return M508 where the number of joint coordinates is wrong, or M502 for each one out of range.
+
+    Args:
+        move: the instruction that they belong to.
+        q: joint coordinates [rad | m], shape (m,).
+        robot: the arm.
+        lower: limits of the arm [rad | m], shape (n,).
+        upper: limits of the arm [rad | m], shape (n,).
+    """
+    span, origin = move.origin.span, move.origin
+    if len(q) != robot.n:
+        found = WRONG_NUMBER_OF_JOINTS.at(
+            span,
+            f"target has {len(q)} joint coordinates, `{robot.name}` has {robot.n} joints",
+            label=passes(origin),
+            hint=f"give {robot.n} values, from the base to the tip",
+            data={"found": len(q), "allowed": robot.n},
+        )
+        return (found,)
+    outside = np.flatnonzero((q < lower - _LIMIT_SLACK) | (q > upper + _LIMIT_SLACK)).tolist()
+    findings = []
+    for index in outside:
+        joint, value = robot.joints[index], float(q[index])
+        limit = joint.upper if value > joint.upper else joint.lower
+        findings.append(
+            JOINT_OUT_OF_RANGE.at(
+                span,
+                f"target has joint `{joint.name}` at {coordinate(joint, value)}, "
+                f"the limit is {coordinate(joint, limit)}",
+                label=passes(origin),
+                hint="give a coordinate within the limits of the joint",
+                data={**figures(joint, value, limit), "pass": origin.visit},
+            )
+        )
+    return tuple(findings)
+
+
+def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, ...]:
+    """Return M513 where the move lasts longer than `MAX_DURATION` [s]."""
+    if duration <= MAX_DURATION:
+        return ()
+    finding = MOVE_TOO_LONG.at(
+        move.origin.span,
+        f"the move would take {duration:.6g} s, allowed is {MAX_DURATION:g} s",
+        label=passes(move.origin),
+        hint="raise the speed, or cut the way into several moves",
+        data={"duration_s": duration, "limit_s": MAX_DURATION},
+    )
+    return (finding,)
+
+
+def zone_findings(move: MoveInstruction) -> tuple[Diagnostic, ...]:
+    """Return M507 where the move has a zone; only at its first visit, so that a line is told once."""
+    if move.modal.zone <= 0.0 or move.origin.visit > 1:
+        return ()
+    finding = ZONE_NOT_SIMULATED.at(
+        move.origin.span,
+        f"zone of {move.modal.zone * 1e3:g} mm is not simulated, the arm stops at the target",
+        hint="the path is exact, the cycle time is longer than on the robot",
+        data={"zone_m": move.modal.zone},
+    )
+    return (finding,)
+
+
+Bad = tuple[str, float, str, str]
+
+
+def _bad_modal(modal: ModalState) -> Iterator[Bad]:
+    for name, share in (("PTP speed", modal.ptp_speed), ("PTP acceleration", modal.ptp_acceleration)):
+        if not 0.0 < share <= 1.0:
+            yield name, share * 100.0, " %", "more than 0 % up to 100 %"
+    rates = (
+        ("path speed", modal.path_speed, " m/s"),
+        ("path acceleration", modal.path_acceleration, " m/s²"),
+        ("path jerk", modal.path_jerk, " m/s³"),
+        ("orientation speed", modal.orientation_speed, " rad/s"),
+        ("orientation acceleration", modal.orientation_acceleration, " rad/s²"),
+    )
+    for name, rate, unit in rates:
+        if rate is not None and not 0.0 < rate <= _MAX_RATE:
+            yield name, rate, unit, f"more than 0 up to {_MAX_RATE:g}{unit}"
+    if not 0.0 <= modal.zone <= _MAX_COORDINATE:
+        yield "zone", modal.zone, " m", f"0 up to {_MAX_COORDINATE:g} m"
+
+
+def _bad_target(move: MoveInstruction) -> Iterator[Bad]:
+    if isinstance(move.target, Pose):
+        yield from _bad_position("target", move.target)
+    elif move.target is not None:
+        for number, value in enumerate(move.target, start=1):
+            if not abs(value) <= _MAX_COORDINATE:
+                yield f"joint coordinate {number}", value, "", f"a number up to ±{_MAX_COORDINATE:g}"
+
+
+def _bad_frames(modal: ModalState) -> Iterator[Bad]:
+    yield from _bad_position(f"task frame `{modal.frame}`", modal.X_BK)
+    if modal.X_MT is not None:
+        yield from _bad_position(f"tool `{modal.tool}`", modal.X_MT)
+
+
+def _bad_position(name: str, pose: Pose) -> Iterator[Bad]:
+    for axis, value in zip("xyz", pose.position.tolist(), strict=True):
+        if not math.isfinite(value) or abs(value) > _MAX_COORDINATE:
+            yield f"{axis} of the {name}", value, " m", f"a number up to ±{_MAX_COORDINATE:g} m"

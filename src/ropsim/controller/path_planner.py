@@ -1,0 +1,163 @@
+"""The path planner: turns a move instruction into a trajectory, or says why there is none."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ropsim.controller.entities import Refusal
+from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
+from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
+from ropsim.controller.target_refusals import out_of_range, out_of_reach, posture_change
+from ropsim.controller.work_frames import WorkFrames
+from ropsim.core import Diagnostic
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.kinematics import IkOptions, IkStatus, Limits, NoClosedFormError, forward_batch, inverse
+from ropsim.model import ControllerModel, RobotModel, Tool
+from ropsim.motion import (
+    JointMotionLimits,
+    JointTrajectory,
+    LineLimits,
+    LineTrajectory,
+    joint_trajectory,
+    line_trajectory,
+    whole_periods,
+)
+from ropsim.spatial import Array, Pose, frozen
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StandardPathPlanner:
+    """Plans synchronous PTP moves and straight LIN moves; durations are whole interpolation periods.
+
+    Every move is validated, its target brought into the base frame, then planned; what cannot be planned is
+    refused with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP
+    acceleration share scales acceleration and jerk limits.
+
+    Attributes:
+        robot: the arm.
+        controller: rates, defaults on lines, speed override.
+        tools: of the cell, by name.
+        frames: task frames of the cell, X_BK by name.
+        default_tool: tool in force where a program names none; empty for none.
+        home: joint coordinates of a target without coordinates [rad | m], shape (n,).
+    """
+
+    robot: RobotModel
+    controller: ControllerModel
+    tools: Mapping[str, Tool]
+    frames: Mapping[str, Pose]
+    default_tool: str
+    home: Array
+    _range: JointRange = field(init=False, repr=False)
+    _limits: JointMotionLimits = field(init=False, repr=False)
+    _work: WorkFrames = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        robot = self.robot
+        object.__setattr__(self, "home", frozen(self.home))
+        object.__setattr__(self, "_range", JointRange.of(robot))
+        limits = JointMotionLimits(robot.max_speeds, robot.max_accelerations, robot.max_jerks)
+        object.__setattr__(self, "_limits", limits)
+        object.__setattr__(self, "_work", WorkFrames(self.tools, self.frames, self.default_tool))
+
+    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
+        """Return the trajectory of a move that starts at rest at `q_start`, or why there is none.
+
+        Args:
+            move: the instruction with its modal state.
+            q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+        """
+        span = move.origin.span
+        X_MT = self._work.tool_pose(move.modal, span)
+        problems = check_values(move)
+        if isinstance(X_MT, Diagnostic):
+            problems = (*problems, X_MT)
+        if problems or isinstance(X_MT, Diagnostic):
+            return Refusal(problems)
+        findings = zone_findings(move)
+        if isinstance(move.target, Pose) and move.origin.visit == 1:
+            findings += self._work.frame_findings(move.modal, span)
+        plan = self._plan_ptp if move.kind is MotionKind.PTP else self._plan_line
+        trajectory: JointTrajectory | LineTrajectory | Refusal = plan(move, q_start, X_MT)
+        if isinstance(trajectory, Refusal):
+            return trajectory
+        too_long = check_duration(move, trajectory.duration)
+        if too_long:
+            return Refusal(too_long)
+        period = self.controller.rates.interpolation_period
+        whole = trajectory.stretched(whole_periods(trajectory.duration, period) * period)
+        return replace(whole, findings=findings + whole.findings)
+
+    def _plan_ptp(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> JointTrajectory | Refusal:
+        limits = self._joint_limits(move.modal)
+        if not isinstance(move.target, Pose):
+            goal = self._joint_goal(move)
+            return goal if isinstance(goal, Refusal) else joint_trajectory(q_start, goal, limits)
+        X_BM = self._work.frame_pose(move.modal) @ move.target @ X_MT.inverse()
+        branches = self._branches(move, X_BM, q_start)
+        if isinstance(branches, Refusal):
+            return branches
+        choice = choose(self.robot, branches, q_start, self._range, limits)
+        if choice is None:
+            return Refusal((out_of_range(move, branches, self.robot, self._range),))
+        trajectory = joint_trajectory(q_start, choice.q, limits)
+        if choice.keeps_posture:
+            return trajectory
+        return replace(trajectory, findings=posture_change(move, self.robot, q_start, choice.q))
+
+    def _plan_line(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> LineTrajectory | Refusal:
+        if isinstance(move.target, Pose):
+            X_BT = self._work.frame_pose(move.modal) @ move.target
+            branches = self._branches(move, X_BT @ X_MT.inverse(), q_start)
+            if isinstance(branches, Refusal):
+                return branches
+            if not (self._range.excess(branches) == 0.0).all(axis=1).any():
+                return Refusal((out_of_range(move, branches, self.robot, self._range),))
+        else:
+            goal = self._joint_goal(move)
+            if isinstance(goal, Refusal):
+                return goal
+            X_BT = self._tool_pose_at(goal, X_MT)
+        return line_trajectory(self._tool_pose_at(q_start, X_MT), X_BT, self._line_limits(move.modal))
+
+    def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
+        return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT
+
+    def _joint_goal(self, move: MoveInstruction) -> Array | Refusal:
+        """Return the target in joint coordinates (home where the move has none)."""
+        goal = np.array(move.target) if isinstance(move.target, tuple) else self.home
+        problems = check_joints(move, goal, self.robot, self._range.lower, self._range.upper)
+        return Refusal(problems) if problems else goal
+
+    def _branches(self, move: MoveInstruction, X_BM: Pose, q_start: Array) -> Array | Refusal:
+        """Return all branches that reach X_BM, turned nearest to `q_start`, NaN where absent, (8, n)."""
+        try:
+            found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_start))
+        except NoClosedFormError as error:
+            return Refusal((replace(error.diagnostic, span=move.origin.span),))
+        if found.status is IkStatus.OUT_OF_REACH:
+            return Refusal((out_of_reach(move, X_BM, found.reach),))
+        return nearest_turns(found.branches, q_start, self._range)
+
+    def _joint_limits(self, modal: ModalState) -> JointMotionLimits:
+        speed = modal.ptp_speed * self.controller.speed_override
+        return JointMotionLimits(
+            self._limits.speed * speed,
+            self._limits.acceleration * modal.ptp_acceleration,
+            self._limits.jerk * modal.ptp_acceleration,
+        )
+
+    def _line_limits(self, modal: ModalState) -> LineLimits:
+        path, override = self.controller.path, self.controller.speed_override
+        return LineLimits(
+            (path.speed if modal.path_speed is None else modal.path_speed) * override,
+            path.acceleration if modal.path_acceleration is None else modal.path_acceleration,
+            path.jerk if modal.path_jerk is None else modal.path_jerk,
+            (path.orientation_speed if modal.orientation_speed is None else modal.orientation_speed)
+            * override,
+            path.orientation_acceleration
+            if modal.orientation_acceleration is None
+            else modal.orientation_acceleration,
+            path.orientation_jerk,
+        )

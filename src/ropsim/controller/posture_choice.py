@@ -1,0 +1,106 @@
+"""Posture choice: which of the branches of the inverse kinematics a PTP move takes, and with which turns."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.kinematics import posture
+from ropsim.model import JointType, RobotModel
+from ropsim.motion import JointMotionLimits, durations
+from ropsim.spatial import Array
+
+_TURN = 2.0 * np.pi
+_SIDE = 1e-6  # [rad]; a step off a singularity that no drive notices
+_LIMIT_SLACK = 1e-9  # [rad | m]; rounding of inverse kinematics at a coordinate that stands on its limit
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JointRange:
+    """The limits of all joints as arrays.
+
+    Attributes:
+        lower: [rad | m], shape (n,).
+        upper: [rad | m], shape (n,).
+        revolute: whether a joint turns (and may add whole turns), shape (n,).
+    """
+
+    lower: Array
+    upper: Array
+    revolute: Array
+
+    @classmethod
+    def of(cls, robot: RobotModel) -> "JointRange":
+        """Return the range of an arm."""
+        revolute = np.array([joint.type is JointType.REVOLUTE for joint in robot.joints], dtype=np.float64)
+        return cls(robot.lower_limits, robot.upper_limits, revolute)
+
+    def excess(self, q: Array) -> Array:
+        """Return how far each coordinate lies outside its limits [rad | m], 0 inside; shape of `q`."""
+        beyond: Array = np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)
+        return np.where(beyond > _LIMIT_SLACK, beyond, 0.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """The joint coordinates chosen for a pose.
+
+    Attributes:
+        q: [rad | m], shape (n,).
+        keeps_posture: whether the posture is that of the start.
+    """
+
+    q: Array
+    keeps_posture: bool
+
+
+def nearest_turns(branches: Array, q_near: Array, limits: JointRange) -> Array:
+    """Return the branches with each turning joint moved by whole turns.
+
+    A coordinate is taken as near to `q_near` as the limits allow; where no turn lies inside the limits, as
+    near to the limits as possible.
+
+    Args:
+        branches: joint coordinates [rad | m], shape (m, n).
+        q_near: [rad | m], shape (n,).
+        limits: of the joints.
+    """
+    fewest = np.ceil((limits.lower - _LIMIT_SLACK - branches) / _TURN)
+    most = np.floor((limits.upper + _LIMIT_SLACK - branches) / _TURN)
+    wanted = np.round((q_near - branches) / _TURN)
+    below = limits.lower - (branches + _TURN * most)  # distances of the two turns that enclose the range
+    above = branches + _TURN * fewest - limits.upper
+    outside = np.where(below <= above, most, fewest)
+    turns = np.where(fewest <= most, np.clip(wanted, fewest, np.maximum(fewest, most)), outside)
+    turned: Array = branches + np.where(limits.revolute > 0.0, _TURN * turns, 0.0)
+    return turned
+
+
+def choose(
+    robot: RobotModel, branches: Array, q_start: Array, limits: JointRange, motion: JointMotionLimits
+) -> Choice | None:
+    """Return the joint coordinates for a PTP move, or None where no branch lies within the limits.
+
+    The posture of the start is kept where possible; among equals the shortest motion in time wins.
+
+    Args:
+        robot: the arm.
+        branches: of the target, with their turns, NaN where absent [rad], row `Posture.index`, shape (8, n).
+        q_start: [rad], shape (n,).
+        limits: of the joints.
+        motion: speed, acceleration and jerk limits of the move.
+    """
+    inside = (limits.excess(branches) == 0.0).all(axis=1)  # false for NaN
+    if not inside.any():
+        return None
+    kept = [row for row in _start_rows(robot, q_start) if inside[row]]
+    rows = kept or np.flatnonzero(inside).tolist()
+    if len(rows) == 1:
+        return Choice(branches[rows[0]], keeps_posture=bool(kept))
+    shortest = int(np.argmin(durations(q_start, branches[rows], motion)))
+    return Choice(branches[rows[shortest]], keeps_posture=bool(kept))
+
+
+def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
+    """Return the rows of the postures of the start; a singular one has those on either side of it."""
+    sides = (posture(robot, q_start + _SIDE), posture(robot, q_start - _SIDE))
+    return sorted({side.index for side in sides})

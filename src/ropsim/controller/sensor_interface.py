@@ -1,0 +1,50 @@
+"""The sensor interface of the simulation: inputs that follow a script, outputs as the program set them."""
+
+import math
+from bisect import bisect_right
+from collections.abc import Mapping
+
+from ropsim.controller.entities import Sample
+from ropsim.model import Signal
+
+_NO_SAMPLE = Sample(value=False, valid=False, age=math.inf)
+
+
+class ScriptedSensors:
+    """Ideal channels: a reading is the value that holds at its time, without delay or noise.
+
+    Args:
+        signals: inputs and outputs of the cell, by name; inputs follow their changes.
+    """
+
+    __slots__ = ("_outputs", "_signals")
+
+    def __init__(self, signals: Mapping[str, Signal]) -> None:
+        self._signals = signals
+        self._outputs: dict[str, bool | float] = {}
+
+    def read(self, channel: str, time: float) -> Sample:
+        """Return the reading of `channel` at simulated time `time` [s].
+
+        On/off channels deliver a bool, analog ones a float. An output delivers what was set last, its initial
+        value before. A channel that neither the cell nor a program knows delivers an invalid sample.
+        """
+        signal = self._signals.get(channel)
+        if channel in self._outputs and not (signal and signal.is_input):
+            value = self._outputs[channel]
+        elif signal is not None:
+            past = bisect_right(signal.changes, time, key=lambda change: change[0])
+            value = signal.changes[past - 1][1] if past else signal.initial
+        else:
+            return _NO_SAMPLE
+        analog = signal.analog if signal else not isinstance(value, bool)
+        return Sample(value=float(value) if analog else bool(value), valid=True, age=0.0)
+
+    def set_output(self, channel: str, value: float) -> None:
+        """Keep what a program sets: off and on, or an analog value; an input is not changed by it.
+
+        Args:
+            channel: name of an output, known to the cell or not.
+            value: False, True or a number.
+        """
+        self._outputs[channel] = value

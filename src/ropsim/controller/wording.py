@@ -1,0 +1,40 @@
+"""Wording of the controller's findings: coordinates with units, loop passes."""
+
+import math
+
+from ropsim.flow import Origin
+from ropsim.kinematics import Reach
+from ropsim.model import Joint, JointType
+
+
+def coordinate(joint: Joint, value: float) -> str:
+    """Return a joint coordinate [rad | m] in degrees or millimetres, as people read it."""
+    if joint.type is JointType.REVOLUTE:
+        return f"{math.degrees(value):.1f}°"
+    return f"{value * 1e3:.1f} mm"
+
+
+def rate(joint: Joint, value: float, per: str) -> str:
+    """Return a joint speed or acceleration in degrees or millimetres; `per` is `/s` or `/s²`."""
+    if joint.type is JointType.REVOLUTE:
+        return f"{math.degrees(value):.1f}°{per}"
+    return f"{value * 1e3:.1f} mm{per}"
+
+
+def passes(origin: Origin) -> str:
+    """Return in which loop pass an instruction was executed; empty for the first."""
+    return f"reached in pass {origin.visit}" if origin.visit > 1 else ""
+
+
+def figures(joint: Joint, value: float, limit: float, per: str = "") -> dict[str, object]:
+    """Return name, value and limit of a joint for the data of a finding; the keys carry the unit."""
+    unit = ("rad" if joint.type is JointType.REVOLUTE else "m") + per
+    return {"joint": joint.name, f"value_{unit}": value, f"limit_{unit}": limit}
+
+
+def distance_words(reach: Reach) -> str:
+    """Return how far the wrist centre would be, and how far or near it may be."""
+    found = f"the wrist centre is {reach.distance * 1e3:.2f} mm from axis {reach.axis}"
+    if reach.distance > reach.longest:
+        return f"{found}, the arm reaches {reach.longest * 1e3:.2f} mm"
+    return f"{found}, the arm cannot come nearer than {reach.shortest * 1e3:.2f} mm"

@@ -1,0 +1,67 @@
+"""Work frames: which tool and which task frame a move is meant in."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ropsim.core import Diagnostic, Span, did_you_mean
+from ropsim.flow import ModalState
+from ropsim.model import Tool
+from ropsim.motion import UNKNOWN_FRAME, UNKNOWN_TOOL
+from ropsim.spatial import Pose
+
+_IDENTITY = Pose()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WorkFrames:
+    """The tools and task frames of the cell; they override the nominal ones of a program.
+
+    Attributes:
+        tools: by name.
+        frames: X_BK by name.
+        default_tool: name of the tool in force where a program names none; empty for none.
+    """
+
+    tools: Mapping[str, Tool] = field(default_factory=dict)
+    frames: Mapping[str, Pose] = field(default_factory=dict)
+    default_tool: str = ""
+
+    def tool_pose(self, modal: ModalState, span: Span | None) -> Pose | Diagnostic:
+        """Return X_MT of the tool in force, or M506 where nobody gives its pose.
+
+        Args:
+            modal: the modal state of the move.
+            span: the source line of the move.
+        """
+        name = modal.tool or (self.default_tool if modal.X_MT is None else "")
+        tool = self.tools.get(name)
+        if tool is not None:
+            return tool.X_MT
+        if modal.X_MT is not None:
+            return modal.X_MT
+        if not name:
+            return _IDENTITY
+        known = ", ".join(f"`{tool}`" for tool in sorted(self.tools)) or "none"
+        return UNKNOWN_TOOL.at(
+            span,
+            f"tool `{name}` is not defined, the tools of the cell are {known}",
+            hint=did_you_mean(name, self.tools) or f"add `[tools.{name}]` to the cell file",
+            data={"tool": name},
+        )
+
+    def frame_pose(self, modal: ModalState) -> Pose:
+        """Return X_BK of the task frame in force."""
+        return self.frames.get(modal.frame, modal.X_BK)
+
+    def frame_findings(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
+        """Return M512 where a named task frame has no pose of its own, else nothing."""
+        if not modal.frame or modal.frame in self.frames or modal.X_BK != _IDENTITY:
+            return ()
+        known = ", ".join(f"`{frame}`" for frame in sorted(self.frames)) or "none"
+        finding = UNKNOWN_FRAME.at(
+            span,
+            f"task frame `{modal.frame}` is not defined, the frames of the cell are {known}",
+            hint=did_you_mean(modal.frame, self.frames) or f"add `[frames.{modal.frame}]` to the cell file",
+            data={"frame": modal.frame},
+        )
+        return (finding,)

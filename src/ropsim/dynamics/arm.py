@@ -1,0 +1,156 @@
+"""Dynamics of an arm for callers with plain arrays: checked shapes in, new arrays out."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.dynamics.arm_functions import compiled
+from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
+from ropsim.dynamics.inertia import last_body
+from ropsim.model import Payload, RobotModel
+from ropsim.spatial import Array
+
+
+def inverse_dynamics(
+    robot: RobotModel,
+    q: npt.ArrayLike,
+    qd: npt.ArrayLike,
+    qdd: npt.ArrayLike,
+    wrench: npt.ArrayLike | None = None,
+    *,
+    payload: Payload | None = None,
+) -> Array:
+    """Return the drive torques at the joints that a motion takes, shape (n,) [N·m | N].
+
+    Rigid bodies, motor inertia J·G² and friction; the inverse of `forward_dynamics`.
+
+    Args:
+        robot: the arm.
+        q: joint coordinates [rad | m], shape (n,).
+        qd: joint speeds [rad/s | m/s], shape (n,).
+        qdd: joint accelerations [rad/s² | m/s²], shape (n,).
+        wrench: force [N] then moment [N·m] that the mechanical interface exerts on its surroundings, in its
+            own frame, about its origin, shape (6,); it adds +Jᵀ·wrench. None for none.
+        payload: body at the mechanical interface.
+
+    Raises:
+        StateShapeError: an array has another shape.
+        ChainTooLongError: no code can be generated for the arm.
+        ModelNumberError: a number of the model is not finite.
+    """
+    tip = np.zeros(6) if wrench is None else _array("wrench", wrench, 6)
+    tau = np.empty(robot.n)
+    compiled(robot).inverse(*_motion(robot, q, qd, qdd), tip, _load(robot, payload), tau)
+    return tau
+
+
+def rigid_inverse_dynamics(
+    robot: RobotModel,
+    q: npt.ArrayLike,
+    qd: npt.ArrayLike,
+    qdd: npt.ArrayLike,
+    payload: Payload | None = None,
+) -> Array:
+    """Return the joint torques of the rigid bodies alone, shape (n,): no friction, no motor inertia.
+
+    Arguments and errors are those of `inverse_dynamics`.
+    """
+    tau = np.empty(robot.n)
+    compiled(robot).rigid_inverse(*_motion(robot, q, qd, qdd), np.zeros(6), _load(robot, payload), tau)
+    return tau
+
+
+def gravity(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
+    """Return the joint torques that hold the arm still against gravity, shape (n,) [N·m | N].
+
+    Arguments and errors are those of `inverse_dynamics`.
+    """
+    rest = np.zeros(robot.n)
+    return rigid_inverse_dynamics(robot, q, rest, rest, payload)
+
+
+def bias(robot: RobotModel, q: npt.ArrayLike, qd: npt.ArrayLike, payload: Payload | None = None) -> Array:
+    """Return the joint torques of gravity, centrifugal and Coriolis forces, shape (n,); no friction.
+
+    Arguments and errors are those of `inverse_dynamics`.
+    """
+    return rigid_inverse_dynamics(robot, q, qd, np.zeros(robot.n), payload)
+
+
+def forward_dynamics(
+    robot: RobotModel,
+    q: npt.ArrayLike,
+    qd: npt.ArrayLike,
+    tau: npt.ArrayLike,
+    payload: Payload | None = None,
+) -> Array:
+    """Return the joint accelerations under drive torques, shape (n,) [rad/s² | m/s²].
+
+    Args:
+        robot: the arm.
+        q: joint coordinates [rad | m], shape (n,).
+        qd: joint speeds [rad/s | m/s], shape (n,).
+        tau: torques of the drives at the joints, before friction [N·m | N], shape (n,).
+        payload: body at the mechanical interface.
+
+    Raises:
+        StateShapeError: an array has another shape.
+        ChainTooLongError: no code can be generated for the arm.
+        ModelNumberError: a number of the model is not finite.
+    """
+    n = robot.n
+    qdd = np.empty(n)
+    inputs = (_array("q", q, n), _array("qd", qd, n), _array("tau", tau, n))
+    compiled(robot).forward(*inputs, _load(robot, payload), qdd)
+    return qdd
+
+
+def mass_matrix(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
+    """Return the mass matrix with motor inertia on its diagonal, shape (n, n) [kg·m² | kg·m | kg].
+
+    Arguments and errors are those of `inverse_dynamics`.
+    """
+    n = robot.n
+    entries = np.empty(n * n)
+    compiled(robot).mass_matrix(_array("q", q, n), _load(robot, payload), entries)
+    return entries.reshape(n, n)
+
+
+def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
+    """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
+
+    Args:
+        robot: the arm; without drives there is no friction.
+        qd: joint speeds [rad/s | m/s], shape (n,).
+
+    Raises:
+        StateShapeError: `qd` has another shape.
+    """
+    speeds = _array("qd", qd, robot.n)
+    result = np.zeros(robot.n)
+    for k, drive in enumerate(robot.drives):
+        model = drive.friction
+        limit = model.coulomb_positive if speeds[k] > 0.0 else model.coulomb_negative
+        coulomb = abs(limit) * np.tanh(speeds[k] / model.smoothing_speed)
+        result[k] = -(model.viscous * drive.ratio**2 * speeds[k] + abs(drive.ratio) * coulomb)
+    return result
+
+
+def _motion(
+    robot: RobotModel, q: npt.ArrayLike, qd: npt.ArrayLike, qdd: npt.ArrayLike
+) -> tuple[Array, Array, Array]:
+    n = robot.n
+    return _array("q", q, n), _array("qd", qd, n), _array("qdd", qdd, n)
+
+
+def _load(robot: RobotModel, payload: Payload | None) -> Array:
+    return np.array(last_body(robot, payload))  # compiled functions take writable arrays only
+
+
+def _array(name: str, values: npt.ArrayLike, size: int) -> Array:
+    array = np.array(values, dtype=np.float64)
+    if array.shape != (size,):
+        message = f"array `{name}` has shape `{array.shape}`; allowed is `({size},)`"
+        raise StateShapeError(
+            WRONG_SHAPE.at(None, message, hint="call once per state with one number per joint")
+        )
+    return array

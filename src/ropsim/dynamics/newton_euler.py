@@ -1,0 +1,95 @@
+"""Recursive Newton–Euler: joint torques of the rigid arm from its motion.
+
+J. Y. S. Luh, M. W. Walker, R. P. C. Paul: On-line computational scheme for mechanical manipulators, ASME
+J. Dyn. Sys. Meas. Control 102 (1980), 69-76; here with moments about the joint origins and barycentric
+parameters, so that the torques are linear in the parameters of every body (W. Khalil, E. Dombre: Modeling,
+Identification and Control of Robots, 2002, section 9.5), extended by prismatic joints and a tip wrench.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ropsim.codegen import Scalar
+from ropsim.dynamics.traced_arm import TracedArm
+from ropsim.dynamics.vectors import Matrix, Vector, add, apply, cross, scale, transpose
+from ropsim.model import JointType
+
+
+@dataclass(frozen=True, slots=True)
+class Wrench:
+    """Force and moment about the origin, in the axes of one frame."""
+
+    force: Vector
+    moment: Vector
+
+
+def trace_inverse(
+    arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar], tip: Wrench | None = None
+) -> list[Scalar]:
+    """Return the joint torques of the rigid bodies, n of them: no friction, no motor inertia.
+
+    Args:
+        arm: the arm as it stands.
+        qd: joint speeds, n of them.
+        qdd: joint accelerations, n of them.
+        tip: what the mechanical interface exerts on its surroundings, in its own frame.
+    """
+    wrenches = _outward(arm, qd, qdd)
+    if tip is not None:
+        force = apply(arm.interface_rotation, tip.force)
+        moment = add(apply(arm.interface_rotation, tip.moment), cross(arm.interface_origin, force))
+        last = wrenches[-1]
+        wrenches[-1] = Wrench(add(last.force, force), add(last.moment, moment))
+    return _inward(arm, wrenches)
+
+
+def _outward(arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar]) -> list[Wrench]:
+    """Return the wrench that each body needs for its own motion, about and in its joint frame."""
+    zero = arm.tracer.constant(0.0)
+    w: Vector = (zero, zero, zero)
+    wd: Vector = (zero, zero, zero)
+    a = arm.base_acceleration
+    result = []
+    spin = _spin(w, wd)
+    for i in range(arm.n):
+        to_link = transpose(arm.rotations[i])
+        a = apply(to_link, add(a, apply(spin, arm.origins[i])))
+        w = apply(to_link, w)
+        wd = apply(to_link, wd)
+        if arm.types[i] is JointType.REVOLUTE:
+            wd = (wd[0] + w[1] * qd[i], wd[1] - w[0] * qd[i], wd[2] + qdd[i])
+            w = (w[0], w[1], w[2] + qd[i])
+        else:
+            twice = 2.0 * qd[i]
+            a = (a[0] + w[1] * twice, a[1] - w[0] * twice, a[2] + qdd[i])
+        spin = _spin(w, wd)
+        body = arm.bodies[i]
+        force = add(scale(body.mass, a), apply(spin, body.moment))
+        inertia_moment = add(apply(body.inertia, wd), cross(w, apply(body.inertia, w)))
+        result.append(Wrench(force, add(inertia_moment, cross(body.moment, a))))
+    return result
+
+
+def _inward(arm: TracedArm, wrenches: list[Wrench]) -> list[Scalar]:
+    """Return the joint torques: the sums of the wrenches from the tip, along each joint axis."""
+    torques: list[Scalar] = []
+    total = wrenches[-1]
+    for i in range(arm.n - 1, -1, -1):
+        revolute = arm.types[i] is JointType.REVOLUTE
+        torques.append(total.moment[2] if revolute else total.force[2])
+        if i > 0:
+            force = apply(arm.rotations[i], total.force)
+            moment = add(apply(arm.rotations[i], total.moment), cross(arm.origins[i], force))
+            total = Wrench(add(wrenches[i - 1].force, force), add(wrenches[i - 1].moment, moment))
+    return torques[::-1]
+
+
+def _spin(w: Vector, wd: Vector) -> Matrix:
+    """Return [ẇ]× + [w]×[w]×, which gives the acceleration of a body point over that of the origin."""
+    xx, yy, zz = w[0] * w[0], w[1] * w[1], w[2] * w[2]
+    xy, xz, yz = w[0] * w[1], w[0] * w[2], w[1] * w[2]
+    return (
+        (-(yy + zz), xy - wd[2], xz + wd[1]),
+        (xy + wd[2], -(xx + zz), yz - wd[0]),
+        (xz - wd[1], yz + wd[0], -(xx + yy)),
+    )

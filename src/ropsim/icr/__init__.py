@@ -1,0 +1,34 @@
+"""ICR 1.0, the neutral robot program: text form, verifier and stack machine."""
+
+from ropsim.icr.errors import AssemblyError as AssemblyError
+from ropsim.icr.errors import UnverifiedError as UnverifiedError
+from ropsim.icr.machine import Machine as Machine
+from ropsim.icr.machine import MachineOptions as MachineOptions
+from ropsim.icr.opcodes import OPCODES as OPCODES
+from ropsim.icr.opcodes import Opcode as Opcode
+from ropsim.icr.opcodes import OperandKind as OperandKind
+from ropsim.icr.program import FrameDefinition as FrameDefinition
+from ropsim.icr.program import IoChannel as IoChannel
+from ropsim.icr.program import Operand as Operand
+from ropsim.icr.program import Procedure as Procedure
+from ropsim.icr.program import Program as Program
+from ropsim.icr.program import Step as Step
+from ropsim.icr.program import ToolDefinition as ToolDefinition
+from ropsim.icr.program import Variable as Variable
+from ropsim.icr.reader import assemble as assemble
+from ropsim.icr.reader import read_text as read_text
+from ropsim.icr.rules_calls import unassigned as unassigned
+from ropsim.icr.state import Finished as Finished
+from ropsim.icr.state import MachineState as MachineState
+from ropsim.icr.trace import Trace as Trace
+from ropsim.icr.trace import run as run
+from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE
+from ropsim.icr.trap_kinds import TRAP_TIMED_OUT as TRAP_TIMED_OUT
+from ropsim.icr.types import Constant as Constant
+from ropsim.icr.types import Type as Type
+from ropsim.icr.verifier import capabilities as capabilities
+from ropsim.icr.verifier import verify as verify
+from ropsim.icr.world import StillWorld as StillWorld
+from ropsim.icr.world import World as World
+from ropsim.icr.writer import disassemble as disassemble
+from ropsim.icr.writer import program_id as program_id

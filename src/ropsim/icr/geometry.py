@@ -1,0 +1,113 @@
+"""Geometry instructions on plain tuples; same form of handlers as in `handlers`."""
+
+import math
+from collections.abc import Callable
+
+from ropsim.icr.handlers import Datum, Handler
+from ropsim.icr.traps import out_of_range
+from ropsim.icr.types import Type
+from ropsim.spatial import quaternion
+
+
+def _finite(name: str, values: tuple[float, ...]) -> tuple[float, ...]:
+    if not all(map(math.isfinite, values)):
+        raise out_of_range(f"the result of `{name}` is not finite")
+    return values
+
+
+def _make(count: int, function: Callable[..., Datum]) -> Handler:
+    """Return the handler of a function of `count` operands."""
+
+    def run(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+        operands = stack[-count:]
+        stack[-count:] = [function(*operands)]
+
+    return run
+
+
+def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
+    operands = tuple(stack[-count:])
+    stack[-count:] = [operands]
+
+
+def _orientation(w: float, x: float, y: float, z: float) -> Datum:
+    try:
+        return quaternion.normalize((w, x, y, z))
+    except (ValueError, OverflowError):
+        raise out_of_range(
+            f"`MKORI.Q` is given ({w!r}, {x!r}, {y!r}, {z!r}), which has no direction"
+        ) from None
+
+
+def _distance(a: Datum, b: Datum) -> float:
+    return _finite("DIST", (math.dist(a[:3], b[:3]),))[0]
+
+
+def _angle(a: Datum, b: Datum) -> float:
+    w, x, y, z = quaternion.multiply(quaternion.conjugate(a[3:]), b[3:])
+    return 2.0 * math.atan2(math.hypot(x, y, z), abs(w))
+
+
+def _components(value: tuple[float, ...], kind: Type) -> tuple[float, ...]:
+    """Return the components that GETC counts: an orientation as the fixed-XYZ angles rx, ry, rz [rad]."""
+    if kind is Type.ORI:
+        c, b, a = quaternion.to_zyx((value[0], value[1], value[2], value[3]))
+        return (a, b, c)
+    return value[:3] + _components(value[3:], Type.ORI) if kind is Type.POSE else value
+
+
+def _composed(components: tuple[float, ...], kind: Type) -> tuple[float, ...]:
+    if kind is Type.ORI:
+        a, b, c = components
+        return quaternion.from_zyx(c, b, a)
+    return components[:3] + _composed(components[3:], Type.ORI) if kind is Type.POSE else components
+
+
+def get_component(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
+    """GETC; the operand is (index, type of the value)."""
+    index, kind = operand
+    plain = kind in {Type.VEC, Type.JOINTS} or (kind is Type.POSE and index < 3)
+    stack[-1] = stack[-1][index] if plain else _components(stack[-1], kind)[index]
+
+
+def set_component(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
+    """SETC; the operand is (index, type of the value)."""
+    index, kind = operand
+    number = stack.pop()
+    whole = stack[-1]
+    if kind in {Type.VEC, Type.JOINTS} or (kind is Type.POSE and index < 3):
+        stack[-1] = (*whole[:index], number, *whole[index + 1 :])
+    else:
+        components = _components(whole, kind)
+        stack[-1] = _composed((*components[:index], number, *components[index + 1 :]), kind)
+
+
+def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
+    """FMT; the operand is the type of the value."""
+    value = stack[-1]
+    if kind is Type.BOOL:
+        stack[-1] = "true" if value else "false"
+    elif kind is Type.REAL:
+        stack[-1] = format(value, ".6g")
+    elif kind in {Type.INT, Type.STR}:
+        stack[-1] = str(value)
+    else:
+        stack[-1] = "(" + ", ".join(format(part, ".6g") for part in _components(value, kind)) + ")"
+
+
+GEOMETRY: dict[str, Handler] = {
+    "ADD.V": _make(2, lambda a, b: _finite("ADD.V", tuple(x + y for x, y in zip(a, b, strict=True)))),
+    "SUB.V": _make(2, lambda a, b: _finite("SUB.V", tuple(x - y for x, y in zip(a, b, strict=True)))),
+    "MKVEC": _make(3, lambda x, y, z: (x, y, z)),
+    "MKORI.ZYX": _make(3, quaternion.from_zyx),
+    "MKORI.Q": _make(4, _orientation),
+    "MKPOSE": _make(2, lambda position, orientation: position + orientation),
+    "MKJ": _make_joints,
+    "COMPOSE": _make(2, lambda a, b: _finite("COMPOSE", quaternion.compose(a, b))),
+    "INV": _make(1, lambda a: _finite("INV", quaternion.invert(a))),
+    "GETPOS": _make(1, lambda pose: pose[:3]),
+    "GETORI": _make(1, lambda pose: pose[3:]),
+    "DIST": _make(2, _distance),
+    "ANGLE": _make(2, _angle),
+}
+"""Mnemonic -> handler."""

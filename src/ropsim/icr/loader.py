@@ -1,0 +1,111 @@
+"""Prepares a verified program for the machine: names become indices, words become handlers."""
+
+from typing import NamedTuple
+
+from ropsim.icr.geometry import GEOMETRY, get_component, set_component, shown
+from ropsim.icr.handlers import (
+    HANDLERS,
+    Datum,
+    Handler,
+    load_global,
+    load_local,
+    store_global,
+    store_local,
+)
+from ropsim.icr.operations import OPERATIONS
+from ropsim.icr.program import Procedure, Program, Step, source_place
+from ropsim.icr.rules_flow import stacks
+from ropsim.icr.site import Site
+from ropsim.icr.stack import Stack
+from ropsim.icr.types import Constant, rotation
+from ropsim.spatial import Pose, quaternion
+
+LEAVE = -1
+"""What the handler of an operation returns: no index of an instruction."""
+
+
+class LoadedProcedure(NamedTuple):
+    """A procedure ready to run: handlers with their operands, and how many variables it has."""
+
+    name: str
+    code: list[tuple[Handler, Datum]]
+    variables: int
+
+
+def load(program: Program, shared: list[Datum]) -> list[LoadedProcedure]:
+    """Return the procedures ready to run; their code refers to `shared`, the list of global variables."""
+    return [
+        LoadedProcedure(one.name, _code(program, one, number, shared), len(one.variables))
+        for number, one in enumerate(program.procedures)
+    ]
+
+
+def _code(
+    program: Program, procedure: Procedure, number: int, shared: list[Datum]
+) -> list[tuple[Handler, Datum]]:
+    types = stacks(program, procedure)
+    code: list[tuple[Handler, Datum]] = []
+    for index, step in enumerate(procedure.code):
+        if step.mnemonic in {"LOAD", "STORE"}:
+            code.append(_variable(program, procedure, step, shared))
+        elif step.mnemonic in {"GETC", "SETC", "FMT"}:
+            code.append(_typed(step, types[index]))
+        elif step.mnemonic in OPERATIONS:
+            place = source_place(program, procedure, index)
+            operand = _operand(program, step)
+            site = Site(OPERATIONS[step.mnemonic], step.mnemonic, operand, (number, index), place)
+            code.append((_leave, site))
+        else:
+            handler = HANDLERS.get(step.mnemonic) or GEOMETRY[step.mnemonic]
+            operand = step.operands[0] if step.operands else None
+            code.append((handler, _value(operand) if isinstance(operand, Constant) else operand))
+    return code
+
+
+def _leave(_stack: list[Datum], _values: list[Datum], _site: Datum) -> int:
+    return LEAVE
+
+
+def _variable(
+    program: Program, procedure: Procedure, step: Step, shared: list[Datum]
+) -> tuple[Handler, Datum]:
+    is_load = step.mnemonic == "LOAD"
+    own = [variable.name for variable in procedure.variables]
+    if step.operands[0] in own:
+        return (load_local if is_load else store_local), own.index(str(step.operands[0]))
+    index = [variable.name for variable in program.variables].index(str(step.operands[0]))
+    return (load_global if is_load else store_global), (shared, index)
+
+
+def _typed(step: Step, stack: Stack) -> tuple[Handler, Datum]:
+    if step.mnemonic == "FMT":
+        return shown, stack[-1]
+    if step.mnemonic == "GETC":
+        return get_component, (step.operands[0], stack[-1])
+    return set_component, (step.operands[0], stack[-2])
+
+
+def _value(constant: Constant) -> Datum:
+    quaternion_part = rotation(constant)
+    if not quaternion_part or not isinstance(constant.value, tuple):
+        return constant.value
+    w, x, y, z = quaternion_part
+    return (*constant.value[:-4], *quaternion.normalize((w, x, y, z)))
+
+
+def _operand(program: Program, step: Step) -> Datum:
+    name = step.operands[0] if step.operands else None
+    if step.mnemonic == "CALL":
+        index = [one.name for one in program.procedures].index(str(name))
+        callee = program.procedures[index]
+        return index, callee.name, len(callee.parameters), len(callee.locals)
+    if step.mnemonic == "FRAME":
+        return name, next((Pose.from_tuple(one.pose) for one in program.frames if one.name == name), Pose())
+    if step.mnemonic == "TOOL":
+        poses = {one.name: one.pose for one in program.tools}
+        pose = poses[str(name)] if name else Pose().as_tuple()
+        return name, None if pose is None else Pose.from_tuple(pose)
+    if step.mnemonic == "IN":
+        channel = program.channel(str(name))
+        return name, channel.type if channel else None
+    return step.operands if step.mnemonic == "GRIP" else name

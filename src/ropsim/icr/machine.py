@@ -1,0 +1,107 @@
+"""The stack machine: carries out a verified program and hands out its robot instructions one by one."""
+
+from dataclasses import dataclass
+
+from ropsim.core import Span
+from ropsim.flow import Instruction
+from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.loader import load
+from ropsim.icr.program import Program, source_place
+from ropsim.icr.state import Finished, MachineState, Registers
+from ropsim.icr.traps import TrapError, diagnostic
+from ropsim.icr.world import World
+
+BUDGET = 10_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class MachineOptions:
+    """How a program is run.
+
+    Attributes:
+        budget: number of ICR instructions after which trap BUDGET ends the run.
+    """
+
+    budget: int = BUDGET
+
+
+class Machine:
+    """A run of one program.
+
+    `advance` returns robot instructions in program order, running ahead of the robot. Before the machine
+    reads anything that depends on time (`IN`, `WAIT.IN`, `TIME`, `CURPOSE`) and before `STOP`, it returns a
+    SyncInstruction; by the next call of `advance` the consumer promises that everything before has been
+    carried out.
+
+    Args:
+        program: verified; see `verify`.
+        world: inputs and time.
+        options: limits.
+    """
+
+    def __init__(self, program: Program, world: World, options: MachineOptions | None = None) -> None:
+        self._program = program
+        self._world = world
+        self._options = options or MachineOptions()
+        shared: list[object] = [None] * len(program.variables)
+        self._procedures = load(program, shared)
+        start = next(k for k, one in enumerate(self._procedures) if one.name == "main")
+        self._registers = Registers(start, [None] * self._procedures[start].variables, shared)
+
+    @classmethod
+    def resume(
+        cls, program: Program, world: World, state: MachineState, options: MachineOptions | None = None
+    ) -> "Machine":
+        """Return a machine that goes on from a snapshot of a run of the same program."""
+        machine = cls(program, world, options)
+        machine._registers.restore(state)
+        return machine
+
+    def snapshot(self) -> MachineState:
+        """Return the state between two calls of `advance`."""
+        return self._registers.snapshot()
+
+    def advance(self) -> Instruction | Finished:
+        """Return the next robot instruction, or how the program ended (then always the same)."""
+        registers = self._registers
+        if registers.finished is not None:
+            return registers.finished
+        outcome = self._run(registers)
+        if isinstance(outcome, Finished):
+            registers.finished = outcome
+        return outcome
+
+    def _run(self, registers: Registers) -> Instruction | Finished:
+        procedures, world, budget = self._procedures, self._world, self._options.budget
+        code, values, stack = procedures[registers.procedure].code, registers.values, registers.stack
+        pc, steps = registers.pc, registers.steps
+        try:
+            while steps < budget:
+                handler, operand = code[pc]
+                pc += 1
+                steps += 1
+                target = handler(stack, values, operand)
+                if target is None:
+                    continue
+                if target >= 0:
+                    pc = target
+                    continue
+                registers.pc, registers.steps = pc, steps
+                outcome: Instruction | Finished | None = operand.run(registers, world, operand)
+                if outcome is not None:
+                    return outcome
+                code, values = procedures[registers.procedure].code, registers.values
+                pc = registers.pc
+        except TrapError as trap:
+            return self._ended(registers, trap, pc - 1, steps)
+        message = f"{steps} instructions carried out, allowed are {budget}"
+        spent = TrapError(kinds.BUDGET, message, "look for a loop without end near this line")
+        return self._ended(registers, spent, pc, steps)
+
+    def _ended(self, registers: Registers, trap: TrapError, index: int, steps: int) -> Finished:
+        registers.pc, registers.steps = index, steps
+        place = self._place(registers.procedure, index)
+        return Finished(diagnostic(trap, place, registers.calls, registers.call_serials), steps)
+
+    def _place(self, procedure: int, index: int) -> Span | None:
+        return source_place(self._program, self._program.procedures[procedure], index)

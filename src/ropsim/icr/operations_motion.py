@@ -1,0 +1,88 @@
+"""Operations of motion and gripper, and the pose commanded last."""
+
+from ropsim.flow import (
+    GripAction,
+    GripInstruction,
+    Instruction,
+    MotionKind,
+    MoveInstruction,
+    SyncInstruction,
+)
+from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.site import Operation, Site, barrier
+from ropsim.icr.state import Commanded, Finished, Registers
+from ropsim.icr.traps import TrapError
+from ropsim.icr.world import World
+from ropsim.spatial import Pose, PoseTuple, quaternion
+
+
+def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
+    registers.commanded = None
+    target = registers.stack.pop()
+    return MoveInstruction(MotionKind.PTP, target, registers.modal, registers.origin(site.key, site.span))
+
+
+def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
+    target = registers.stack.pop()
+    registers.commanded = Commanded(target, registers.modal)
+    kind = MotionKind.LIN if site.mnemonic == "MOVE.LIN" else MotionKind.PTP
+    origin = registers.origin(site.key, site.span)
+    return MoveInstruction(kind, Pose.from_tuple(target), registers.modal, origin)
+
+
+def _home(registers: Registers, _world: World, site: Site) -> Instruction:
+    registers.commanded = None
+    return MoveInstruction(MotionKind.PTP, None, registers.modal, registers.origin(site.key, site.span))
+
+
+def _sync(registers: Registers, _world: World, site: Site) -> Instruction:
+    return SyncInstruction(registers.modal, registers.origin(site.key, site.span))
+
+
+def _stop(registers: Registers, _world: World, site: Site) -> Instruction | Finished:
+    return barrier(registers, site) or Finished(None, registers.steps, site.operand)
+
+
+def _grip(registers: Registers, _world: World, site: Site) -> Instruction:
+    action, tool = site.operand
+    return GripInstruction(GripAction(action), tool, registers.modal, registers.origin(site.key, site.span))
+
+
+def _command_pose(registers: Registers, _world: World, site: Site) -> Instruction | None:
+    if (sync := barrier(registers, site)) is not None:
+        return sync
+    registers.stack.append(_seen_now(registers))
+    return None
+
+
+def _seen_now(registers: Registers) -> PoseTuple:
+    """Return the pose commanded last, X_KT for the frame and the tool in force now."""
+    if registers.commanded is None:
+        raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", "move to a pose before")
+    target, then = registers.commanded
+    now = registers.modal
+    if then.frame != now.frame or then.X_BK != now.X_BK:
+        X_BT = quaternion.compose(then.X_BK.as_tuple(), target)
+        target = quaternion.compose(quaternion.invert(now.X_BK.as_tuple()), X_BT)
+    if then.tool != now.tool or then.X_MT != now.X_MT:
+        if then.X_MT is None or now.X_MT is None:
+            message = (
+                f"the pose of tool `{now.tool}` relative to tool `{then.tool}` is known to the cell only"
+            )
+            raise TrapError(kinds.POSE_UNKNOWN, message, "move to a pose with the new tool before")
+        X_KM = quaternion.compose(target, quaternion.invert(then.X_MT.as_tuple()))
+        target = quaternion.compose(X_KM, now.X_MT.as_tuple())
+    return target
+
+
+MOTION: dict[str, Operation] = {
+    "MOVE.PTP.J": _move_joints,
+    "MOVE.PTP": _move_pose,
+    "MOVE.LIN": _move_pose,
+    "HOME": _home,
+    "SYNC": _sync,
+    "STOP": _stop,
+    "GRIP": _grip,
+    "CURPOSE": _command_pose,
+}
+"""Mnemonic -> operation."""

@@ -1,0 +1,165 @@
+"""An ICR program as a value: declarations and procedures of flat code."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from ropsim.core import Span
+from ropsim.icr.types import Constant, Type
+from ropsim.spatial import PoseTuple
+
+VERSION = "1.0"
+CHANNEL_TYPES = {
+    "DI": (Type.BOOL,),
+    "DO": (Type.BOOL,),
+    "AI": (Type.REAL, Type.INT),
+    "AO": (Type.REAL, Type.INT),
+}
+"""Kind of channel -> types that it may have."""
+
+Operand = str | int | Constant
+
+
+class Step(NamedTuple):
+    """One ICR instruction; a label operand is the index of the target in the code of its procedure."""
+
+    mnemonic: str
+    operands: tuple[Operand, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A global variable, parameter or local."""
+
+    name: str
+    type: Type
+
+
+@dataclass(frozen=True, slots=True)
+class IoChannel:
+    """A symbolic channel; the cell file binds it.
+
+    `kind` is DI or DO (BOOL), AI or AO (REAL or INT).
+    """
+
+    name: str
+    kind: str
+    type: Type
+
+    @property
+    def is_output(self) -> bool:
+        """Return whether OUT may set it."""
+        return self.kind in {"DO", "AO"}
+
+
+def channel_fault(channel: IoChannel) -> str:
+    """Return what is wrong with kind and type of a channel, or an empty string."""
+    allowed = CHANNEL_TYPES.get(channel.kind)
+    if allowed is None:
+        return f"`{channel.kind}` is no kind of channel, allowed are {', '.join(CHANNEL_TYPES)}"
+    if channel.type not in allowed:
+        names = " or ".join(one.value for one in allowed)
+        return f"a channel of kind `{channel.kind}` has type {names}, found {channel.type.value}"
+    return ""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameDefinition:
+    """A task frame: X_BK, nominal (x, y, z, qw, qx, qy, qz) [m, 1]."""
+
+    name: str
+    pose: PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class ToolDefinition:
+    """A tool: X_MT, nominal; None leaves it to the cell file."""
+
+    name: str
+    pose: PoseTuple | None
+
+
+@dataclass(frozen=True, slots=True)
+class Procedure:
+    """A procedure.
+
+    Attributes:
+        name: unique; `main` is run.
+        parameters: taken from the stack by CALL, the last one from the top.
+        locals: other variables of one activation.
+        results: types left on the stack by RET.
+        code: instructions.
+        lines: source line of each instruction, 0 where unknown.
+        places: where each instruction stands in the ICR text; empty where there was none.
+    """
+
+    name: str
+    parameters: tuple[Variable, ...] = ()
+    locals: tuple[Variable, ...] = ()
+    results: tuple[Type, ...] = ()
+    code: tuple[Step, ...] = ()
+    lines: tuple[int, ...] = ()
+    places: tuple[Span, ...] = field(default=(), compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        missing = len(self.code) - len(self.lines)
+        object.__setattr__(self, "lines", self.lines + (0,) * missing)
+
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """Return parameters and locals."""
+        return self.parameters + self.locals
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """An ICR program.
+
+    Attributes:
+        name: of the program.
+        procedures: `main` among them.
+        version: of the language.
+        capabilities: what a robot must offer, sorted.
+        axes: how many joint coordinates every JOINTS value has; None where no JOINTS occurs.
+        variables: global ones.
+        channels: inputs and outputs.
+        frames: task frames.
+        tools: tools.
+        source: name of the text that the source lines refer to; empty where there is none.
+        declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
+    """
+
+    name: str
+    procedures: tuple[Procedure, ...]
+    version: str = VERSION
+    capabilities: tuple[str, ...] = ()
+    axes: int | None = None
+    variables: tuple[Variable, ...] = ()
+    channels: tuple[IoChannel, ...] = ()
+    frames: tuple[FrameDefinition, ...] = ()
+    tools: tuple[ToolDefinition, ...] = ()
+    source: str = ""
+    declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
+
+    def procedure(self, name: str) -> Procedure | None:
+        """Return the first procedure of that name, or None."""
+        return next((procedure for procedure in self.procedures if procedure.name == name), None)
+
+    def channel(self, name: str) -> IoChannel | None:
+        """Return the first channel of that name, or None."""
+        return next((channel for channel in self.channels if channel.name == name), None)
+
+
+def text_place(program: Program, procedure: Procedure, index: int) -> Span | None:
+    """Return where an instruction stands: in the ICR text if it came from one, else in the source."""
+    if index < len(procedure.places):
+        return procedure.places[index]
+    return source_place(program, procedure, index) or program.declared_at.get(f"PROC {procedure.name}")
+
+
+def source_place(program: Program, procedure: Procedure, index: int) -> Span | None:
+    """Return the source line of an instruction, or its place in the ICR text where no line is known."""
+    line = procedure.lines[index]
+    if line > 0:
+        return Span.on_line(program.source or program.name, line, 1)
+    return procedure.places[index] if index < len(procedure.places) else None

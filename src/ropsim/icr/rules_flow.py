@@ -1,0 +1,104 @@
+"""Rules V4 and V5: typed stack and saved modal states by data flow, no dead code, no fall-through."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ropsim.core import Diagnostic
+from ropsim.icr import diagnostics as kinds
+from ropsim.icr.opcodes import OPCODES
+from ropsim.icr.program import Procedure, Program, Step, text_place
+from ropsim.icr.stack import Fault, Stack, effect
+
+_JUMPS = {"JMP", "JF", "JT"}
+
+
+class _State(NamedTuple):
+    stack: Stack
+    depth: int
+
+
+def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
+    """Return the instructions that may follow instruction `index`."""
+    step = procedure.code[index]
+    follow: tuple[int, ...] = () if OPCODES[step.mnemonic].ends_flow else (index + 1,)
+    if step.mnemonic in _JUMPS and isinstance(step.operands[0], int):
+        return (*follow, step.operands[0])
+    return follow
+
+
+def check_reachability(program: Program, procedure: Procedure) -> Iterator[Diagnostic]:
+    """Yield where control falls off the end, and the first instruction of every dead stretch (V5)."""
+    size = len(procedure.code)
+    if size == 0:
+        place = program.declared_at.get(f"PROC {procedure.name}")
+        yield kinds.FALLS_OFF_END.at(place, f"procedure `{procedure.name}` has no instructions")
+        return
+    seen = {0}
+    work = [0]
+    while work:
+        for target in successors(procedure, work.pop()):
+            if target < size and target not in seen:
+                seen.add(target)
+                work.append(target)
+    if size - 1 in seen and not OPCODES[procedure.code[-1].mnemonic].ends_flow:
+        place = text_place(program, procedure, size - 1)
+        message = f"procedure `{procedure.name}` ends without `RET`, `HALT`, `TRAP`, `STOP` or `JMP`"
+        yield kinds.FALLS_OFF_END.at(place, message)
+    for index in range(1, size):
+        if index not in seen and index - 1 in seen:
+            place = text_place(program, procedure, index)
+            message = f"`{procedure.code[index].mnemonic}` in `{procedure.name}` can never be reached"
+            yield kinds.CODE_UNREACHABLE.at(place, message)
+
+
+def check_stack(program: Program, procedure: Procedure) -> tuple[Diagnostic, ...]:
+    """Return the faults of types and of saved modal states on all ways through a procedure (V4)."""
+    return tuple(_flow(program, procedure)[1])
+
+
+def stacks(program: Program, procedure: Procedure) -> dict[int, Stack]:
+    """Return the types on the stack before each instruction of a verified procedure."""
+    return {index: state.stack for index, state in _flow(program, procedure)[0].items()}
+
+
+def _flow(program: Program, procedure: Procedure) -> tuple[dict[int, _State], list[Diagnostic]]:
+    states = {0: _State((), 0)}
+    found: list[Diagnostic] = []
+    work = [0]
+    while work:
+        index = work.pop()
+        after = _after(program, procedure, procedure.code[index], states[index])
+        if isinstance(after, Fault):
+            place = text_place(program, procedure, index)
+            found.append(after.kind.at(place, after.message, hint=after.hint))
+            continue
+        for target in successors(procedure, index):
+            if target >= len(procedure.code):
+                continue
+            if target not in states:
+                states[target] = after
+                work.append(target)
+            elif states[target] != after:
+                message = f"ways join here with {_shown(states[target])} and with {_shown(after)}"
+                found.append(kinds.JOIN_DIFFERS.at(text_place(program, procedure, target), message))
+    return states, found
+
+
+def _after(program: Program, procedure: Procedure, step: Step, before: _State) -> _State | Fault:
+    depth = before.depth
+    if step.mnemonic == "MODAL.SAVE":
+        depth += 1
+    elif step.mnemonic == "MODAL.RESTORE":
+        depth -= 1
+    if depth < 0:
+        return Fault(kinds.MODAL_UNBALANCED, "`MODAL.RESTORE` without `MODAL.SAVE` before it")
+    if step.mnemonic == "RET" and depth:
+        message = f"`RET` in `{procedure.name}` with {depth} saved modal states, allowed: none"
+        return Fault(kinds.MODAL_UNBALANCED, message, "put `MODAL.RESTORE` before `RET`")
+    stack = effect(program, procedure, step, before.stack)
+    return stack if isinstance(stack, Fault) else _State(stack, depth)
+
+
+def _shown(state: _State) -> str:
+    types = " ".join(one.value for one in state.stack)
+    return f"stack [{types}], {state.depth} saved modal states"

@@ -1,0 +1,131 @@
+"""Rules V2, V3 and V8: known opcodes, operands in range, sound constants."""
+
+import math
+from collections.abc import Iterator
+
+from ropsim.core import Diagnostic, Span, did_you_mean, near
+from ropsim.icr import diagnostics as kinds
+from ropsim.icr.opcodes import OPCODES, OperandKind
+from ropsim.icr.program import Operand, Procedure, Program, Step, text_place
+from ropsim.icr.types import Constant, Type, has_form, reals, rotation
+
+UNIT_TOLERANCE = 1e-6
+"""How far the length of a quaternion may be from 1: quaternions typed with 7 digits are accepted."""
+MAX_AXES = 32
+MAX_NUMBER = 65535
+_MAX_INDEX = {OperandKind.COUNT: MAX_AXES, OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
+_SHARES = {"SPD.PTP", "ACC.PTP"}
+_SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
+_NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T"}
+
+
+def setting_fault(mnemonic: str, value: float) -> str:
+    """Return what is wrong with a modal value, or an empty string; shared by verifier and machine."""
+    if mnemonic in _SHARES and not 0.0 < value <= 1.0:
+        return f"`{mnemonic}` is given {value!r}, allowed are shares above 0 up to 1"
+    if mnemonic in _SPEEDS and value <= 0.0:
+        return f"`{mnemonic}` is given {value!r}, allowed are values above 0"
+    if mnemonic in _NOT_NEGATIVE and value < 0.0:
+        return f"`{mnemonic}` is given {value!r}, allowed are values from 0"
+    return ""
+
+
+def check_operands(program: Program, procedure: Procedure) -> Iterator[Diagnostic]:
+    """Yield the faults of single instructions of a procedure."""
+    names = _names(program, procedure)
+    for index, step in enumerate(procedure.code):
+        place = text_place(program, procedure, index)
+        opcode = OPCODES.get(step.mnemonic)
+        if opcode is None:
+            close = near(step.mnemonic, OPCODES)
+            hint = "near: " + ", ".join(f"`{name}`" for name in close) if close else ""
+            yield kinds.OPCODE_UNKNOWN.at(place, f"unknown instruction `{step.mnemonic}`", hint=hint)
+        elif len(step.operands) != len(opcode.operands):
+            message = f"`{step.mnemonic}` has {len(step.operands)} operands, allowed: {len(opcode.operands)}"
+            yield kinds.OPERAND_WRONG.at(place, message)
+        else:
+            for kind, operand in zip(opcode.operands, step.operands, strict=True):
+                if kind is OperandKind.CONSTANT:
+                    yield from _check_pushed(operand, place)
+                elif kind in names:
+                    yield from _check_name(step, kind, operand, names[kind], place)
+                else:
+                    yield from _check_number(step, kind, operand, len(procedure.code), place)
+            yield from _check_use(program, procedure, index, place)
+
+
+def check_constant(constant: Constant, place: Span | None, what: str) -> Iterator[Diagnostic]:
+    """Yield the faults of a constant (rule V8)."""
+    if not has_form(constant):
+        yield kinds.OPERAND_WRONG.at(place, f"{what}: the value does not fit type {constant.type.value}")
+    elif not all(map(math.isfinite, reals(constant))):
+        yield kinds.NOT_FINITE.at(place, f"{what}: found {constant.value!r}, only finite numbers are allowed")
+    elif quaternion := rotation(constant):
+        length = math.hypot(*quaternion)
+        if abs(length - 1.0) > UNIT_TOLERANCE or quaternion[0] < 0.0:
+            message = f"{what}: quaternion {quaternion!r} has length {length:.9g} and w = {quaternion[0]!r}"
+            yield kinds.NOT_UNIT_QUATERNION.at(place, message, hint="write it with length 1 and w >= 0")
+
+
+def _names(program: Program, procedure: Procedure) -> dict[OperandKind, set[str]]:
+    return {
+        OperandKind.VARIABLE: {one.name for one in program.variables + procedure.variables},
+        OperandKind.PROCEDURE: {one.name for one in program.procedures},
+        OperandKind.FRAME: {one.name for one in program.frames} | {""},
+        OperandKind.TOOL: {one.name for one in program.tools} | {""},
+        OperandKind.CHANNEL: {one.name for one in program.channels},
+        OperandKind.ACTION: {"open", "close"},
+    }
+
+
+def _check_pushed(operand: Operand, place: Span | None) -> Iterator[Diagnostic]:
+    if isinstance(operand, Constant):
+        yield from check_constant(operand, place, "`PUSH`")
+    else:
+        yield kinds.OPERAND_WRONG.at(place, f"`PUSH` needs a constant, found {operand!r}")
+
+
+def _check_name(
+    step: Step, kind: OperandKind, operand: Operand, names: set[str], place: Span | None
+) -> Iterator[Diagnostic]:
+    if not isinstance(operand, str):
+        yield kinds.OPERAND_WRONG.at(place, f"`{step.mnemonic}` needs the name of a {kind.value}")
+    elif operand not in names:
+        message = f"{kind.value} `{operand}` is not declared"
+        yield kinds.NAME_UNDECLARED.at(place, message, hint=did_you_mean(operand, names - {""}))
+
+
+def _check_number(
+    step: Step, kind: OperandKind, operand: Operand, size: int, place: Span | None
+) -> Iterator[Diagnostic]:
+    low = 1 if kind is OperandKind.COUNT else 0
+    high = size - 1 if kind is OperandKind.LABEL else _MAX_INDEX.get(kind, MAX_NUMBER)
+    if isinstance(operand, bool) or not isinstance(operand, int):
+        yield kinds.OPERAND_WRONG.at(place, f"`{step.mnemonic}` needs a number, found {operand!r}")
+    elif kind is OperandKind.LABEL and operand == size:
+        message = f"`{step.mnemonic}` leads past the last instruction"
+        yield kinds.FALLS_OFF_END.at(place, message, hint="put `RET` or `HALT` after the label")
+    elif not low <= operand <= high:
+        message = f"`{step.mnemonic}` has operand {operand}, allowed are {low} to {high}"
+        yield kinds.OPERAND_WRONG.at(place, message)
+
+
+def _check_use(
+    program: Program, procedure: Procedure, index: int, place: Span | None
+) -> Iterator[Diagnostic]:
+    """Check what needs more than one operand: kinds of channels, constants given to modal instructions."""
+    step = procedure.code[index]
+    channel = program.channel(str(step.operands[0])) if step.operands else None
+    if step.mnemonic == "OUT" and channel and not channel.is_output:
+        yield kinds.OPERAND_WRONG.at(place, f"`OUT` needs an output, `{channel.name}` is {channel.kind}")
+    if step.mnemonic == "WAIT.IN" and channel and channel.type is not Type.BOOL:
+        message = f"`WAIT.IN` needs a channel of type BOOL, `{channel.name}` is {channel.type.value}"
+        yield kinds.OPERAND_WRONG.at(place, message)
+    before = procedure.code[index - 1] if index else None
+    if before and before.mnemonic == "PUSH" and before.operands:
+        constant = before.operands[0]
+        value = constant.value if isinstance(constant, Constant) else None
+        if isinstance(value, float) and math.isfinite(value):
+            fault = setting_fault(step.mnemonic, value)
+            if fault:
+                yield kinds.SPEED_NOT_POSITIVE.at(place, fault)

@@ -1,0 +1,144 @@
+"""The state of the machine: registers while it runs, and an immutable snapshot of them."""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from ropsim.core import Diagnostic, Span
+from ropsim.flow import ModalState, Origin
+from ropsim.icr.handlers import Datum
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """The end of a run.
+
+    Attributes:
+        trap: why the program could not go on; None at HALT, at STOP and at the end of `main`.
+        steps: ICR instructions carried out.
+        stop: category of the STOP that ended it (IEC 60204-1), or None.
+    """
+
+    trap: Diagnostic | None
+    steps: int
+    stop: int | None = None
+
+
+class Commanded(NamedTuple):
+    """The pose commanded last, with the modal state it was commanded under."""
+
+    target: PoseTuple
+    modal: ModalState
+
+
+class Caller(NamedTuple):
+    """An activation that waits for the procedure it called."""
+
+    procedure: int
+    pc: int
+    values: tuple[Datum, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class MachineState:
+    """A snapshot: plain values from which `Machine.resume` goes on in exactly the same way.
+
+    Attributes:
+        procedure: index of the active procedure.
+        pc: its next instruction.
+        values: its parameters and locals.
+        stack: values on the stack, the top last.
+        shared: global variables.
+        callers: activations below, `main` first.
+        calls: names of the active procedures, `main` first.
+        call_serials: ordinal of each of them in the run.
+        modal: modal state in force.
+        saved: modal states saved, the last one on top.
+        commanded: pose commanded last, or None.
+        outputs: channel and value of the outputs set so far.
+        visits: (procedure, instruction) and how often it was carried out.
+        activations: procedures started so far, `main` not counted.
+        steps: instructions carried out.
+        is_synced: whether everything before has been carried out for the instruction that comes next.
+        finished: the end, where it has been reached.
+    """
+
+    procedure: int
+    pc: int
+    values: tuple[Datum, ...]
+    stack: tuple[Datum, ...]
+    shared: tuple[Datum, ...]
+    callers: tuple[Caller, ...]
+    calls: tuple[str, ...]
+    call_serials: tuple[int, ...]
+    modal: ModalState
+    saved: tuple[ModalState, ...]
+    commanded: Commanded | None
+    outputs: tuple[tuple[str, bool | int | float], ...]
+    visits: tuple[tuple[tuple[int, int], int], ...]
+    activations: int
+    steps: int
+    is_synced: bool
+    finished: Finished | None
+
+
+@dataclass(slots=True)
+class Registers:
+    """The same quantities while the machine runs; see `MachineState`."""
+
+    procedure: int
+    values: list[Datum]
+    shared: list[Datum]
+    pc: int = 0
+    stack: list[Datum] = field(default_factory=list)
+    callers: list[Caller] = field(default_factory=list)
+    calls: tuple[str, ...] = ("main",)
+    call_serials: tuple[int, ...] = (0,)
+    modal: ModalState = field(default_factory=ModalState)
+    saved: list[ModalState] = field(default_factory=list)
+    commanded: Commanded | None = None
+    outputs: dict[str, bool | int | float] = field(default_factory=dict)
+    visits: dict[tuple[int, int], int] = field(default_factory=dict)
+    activations: int = 0
+    steps: int = 0
+    is_synced: bool = False
+    finished: Finished | None = None
+
+    def origin(self, key: tuple[int, int], span: Span | None) -> Origin:
+        """Count one more visit of an instruction and return its origin."""
+        visit = self.visits.get(key, 0) + 1
+        self.visits[key] = visit
+        return Origin(span, visit, self.calls, self.call_serials)
+
+    def snapshot(self) -> MachineState:
+        """Return an immutable copy."""
+        return MachineState(
+            self.procedure,
+            self.pc,
+            tuple(self.values),
+            tuple(self.stack),
+            tuple(self.shared),
+            tuple(self.callers),
+            self.calls,
+            self.call_serials,
+            self.modal,
+            tuple(self.saved),
+            self.commanded,
+            tuple(sorted(self.outputs.items())),
+            tuple(sorted(self.visits.items())),
+            self.activations,
+            self.steps,
+            self.is_synced,
+            self.finished,
+        )
+
+    def restore(self, state: MachineState) -> None:
+        """Take over a snapshot; the list of globals stays the same object, since loaded code points to it."""
+        self.procedure, self.pc, self.values = state.procedure, state.pc, list(state.values)
+        self.stack, self.callers, self.saved = list(state.stack), list(state.callers), list(state.saved)
+        self.shared[:] = state.shared
+        self.calls, self.call_serials = state.calls, state.call_serials
+        self.modal, self.commanded = state.modal, state.commanded
+        self.outputs, self.visits = dict(state.outputs), dict(state.visits)
+        self.activations, self.steps = state.activations, state.steps
+        self.is_synced, self.finished = state.is_synced, state.finished

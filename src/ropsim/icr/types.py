@@ -1,0 +1,68 @@
+"""The value types of ICR and constants of them."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+INT_MIN = -(2**63)
+INT_MAX = 2**63 - 1
+
+Value = bool | int | float | str | tuple[float, ...]
+
+
+class Type(Enum):
+    """Type of a value; all numbers are SI.
+
+    `VEC` is (x, y, z) [m], `ORI` a unit quaternion (w, x, y, z), `POSE` (x, y, z, qw, qx, qy, qz) and
+    `JOINTS` one coordinate for each axis [rad | m].
+    """
+
+    BOOL = "BOOL"
+    INT = "INT"
+    REAL = "REAL"
+    STR = "STR"
+    VEC = "VEC"
+    ORI = "ORI"
+    POSE = "POSE"
+    JOINTS = "JOINTS"
+
+
+WIDTHS = {Type.VEC: 3, Type.ORI: 4, Type.POSE: 7}
+"""How many REALs a constant of a fixed composite type has."""
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A typed value: what PUSH puts on the stack."""
+
+    type: Type
+    value: Value
+
+
+def has_form(constant: Constant) -> bool:
+    """Return whether the Python value has the form that the type asks for (finite or not)."""
+    value = constant.value
+    if constant.type is Type.BOOL:
+        return isinstance(value, bool)
+    if constant.type is Type.INT:
+        return isinstance(value, int) and not isinstance(value, bool) and INT_MIN <= value <= INT_MAX
+    if constant.type is Type.REAL:
+        return isinstance(value, float)
+    if constant.type is Type.STR:
+        return isinstance(value, str)
+    if not isinstance(value, tuple) or not all(isinstance(part, float) for part in value):
+        return False
+    return len(value) == WIDTHS.get(constant.type, max(len(value), 1))
+
+
+def reals(constant: Constant) -> tuple[float, ...]:
+    """Return the REALs that a constant consists of; none for BOOL, INT and STR."""
+    if isinstance(constant.value, float):
+        return (constant.value,)
+    return constant.value if isinstance(constant.value, tuple) else ()
+
+
+def rotation(constant: Constant) -> tuple[float, ...]:
+    """Return the quaternion (w, x, y, z) inside a constant; empty where the type has none."""
+    if isinstance(constant.value, tuple) and constant.type in {Type.ORI, Type.POSE}:
+        return constant.value[-4:]
+    return ()

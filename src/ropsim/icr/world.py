@@ -1,0 +1,57 @@
+"""What lies outside the machine: inputs and time."""
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from ropsim.flow import Instruction, WaitInstruction
+
+
+class World(Protocol):
+    """What the machine asks after the consumer has carried out everything before."""
+
+    def read(self, channel: str) -> bool | int | float:
+        """Return the present value of a channel."""
+        ...
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
+        """Let time pass until a channel has a value; return False where `timeout` [s] came first.
+
+        With timeout None, False means that the value will never come.
+        """
+        ...
+
+    def time(self) -> float:
+        """Return the time since the start [s]."""
+        ...
+
+
+class StillWorld:
+    """A world without a robot: inputs never change, and time passes only by waiting.
+
+    Args:
+        inputs: channel -> value; all others are FALSE or 0.
+    """
+
+    def __init__(self, inputs: Mapping[str, bool | int | float] | None = None) -> None:
+        self._inputs = dict(inputs or {})
+        self._time = 0.0
+
+    def read(self, channel: str) -> bool | int | float:
+        """Return the value given for a channel."""
+        return self._inputs.get(channel, 0)
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
+        """Return at once where the input has the value; else let the timeout pass."""
+        if bool(self.read(channel)) is value:
+            return True
+        self._time += timeout or 0.0
+        return False
+
+    def time(self) -> float:
+        """Return the time waited so far [s]."""
+        return self._time
+
+    def carry_out(self, instruction: Instruction) -> None:
+        """Let the duration of a wait pass; everything else takes no time here."""
+        if isinstance(instruction, WaitInstruction):
+            self._time += instruction.duration

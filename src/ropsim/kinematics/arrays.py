@@ -1,0 +1,83 @@
+"""What kernels need of a robot as plain arrays, made once per robot, and checks of arrays at the door."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.kinematics.diagnostics import ArrayShapeError, NotFiniteError
+from ropsim.model import JointType, RobotModel, interface_matrices, placement_matrices
+from ropsim.spatial import Array, frozen
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ChainArrays:
+    """The kinematic chain of a robot with n joints.
+
+    Attributes:
+        R: rotation of each joint frame at coordinate 0 in the frame before it, shape (n, 3, 3).
+        p: its origin [m], shape (n, 3).
+        slides: 1.0 for a prismatic joint, 0.0 for a revolute one, shape (n,).
+        offset: added to each coordinate [rad | m], shape (n,).
+        X_nM: mechanical interface in the last joint's frame as (R_nM, p_nM), shape (3, 4).
+    """
+
+    R: Array
+    p: Array
+    slides: Array
+    offset: Array
+    X_nM: Array
+
+
+@lru_cache(maxsize=64)
+def chain_arrays(robot: RobotModel) -> ChainArrays:
+    """Return the chain of a robot as arrays; computed once per model object."""
+    rotations, positions = placement_matrices(robot)
+    R_nM, p_nM = interface_matrices(robot)
+    return ChainArrays(
+        R=frozen(rotations),
+        p=frozen(positions),
+        slides=frozen([float(joint.type is JointType.PRISMATIC) for joint in robot.joints]),
+        offset=frozen([joint.offset for joint in robot.joints]),
+        X_nM=frozen(np.column_stack((R_nM, p_nM))),
+    )
+
+
+def joint_vector(robot: RobotModel, q: npt.ArrayLike) -> Array:
+    """Return joint coordinates [rad | m] as an array of shape (n,).
+
+    Raises:
+        ArrayShapeError: M551, another shape.
+        NotFiniteError: M552, NaN or infinity.
+    """
+    array = np.asarray(q, dtype=np.float64)
+    if array.shape != (robot.n,):
+        raise ArrayShapeError("q", array.shape, f"({robot.n},)")
+    if not np.isfinite(array).all():
+        raise NotFiniteError("q")
+    return array
+
+
+def joint_rows(robot: RobotModel, Q: npt.ArrayLike) -> Array:
+    """Return k rows of joint coordinates [rad | m] as a contiguous array of shape (k, n); NaN may pass.
+
+    Raises:
+        ArrayShapeError: M551, another shape.
+    """
+    array = np.ascontiguousarray(Q, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != robot.n:
+        raise ArrayShapeError("Q", array.shape, f"(k, {robot.n})")
+    return array
+
+
+def pose_rows(T: npt.ArrayLike) -> Array:
+    """Return k homogeneous matrices as a contiguous array of shape (k, 4, 4); NaN may pass.
+
+    Raises:
+        ArrayShapeError: M551, another shape.
+    """
+    array = np.ascontiguousarray(T, dtype=np.float64)
+    if array.ndim != 3 or array.shape[1:] != (4, 4):
+        raise ArrayShapeError("T", array.shape, "(k, 4, 4)")
+    return array

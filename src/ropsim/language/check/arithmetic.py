@@ -1,0 +1,130 @@
+"""Arithmetic and comparisons: dimensions of sums and products, whole and bare numbers."""
+
+from ropsim.language.check import convert, fold, units
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, bind, known
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.program import Expression, ValueType
+
+_NAMES = {"+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod"}
+_COMPARE = {"=": "eq", "<>": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+
+
+def negative(body: Body, value: Value, node: nodes.Unary) -> Value:
+    """Return minus a number."""
+    kind = _number(body, value, node.operand, "-")
+    kind_of = kind.value if isinstance(kind, Type) else ValueType.REAL
+    return Value(fold.unary("neg", value.expression, kind_of), kind, value.is_bare)
+
+
+def binary(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    """Return a sum, difference, product, quotient or remainder.
+
+    Raises:
+        RejectedError: the operands do not go together.
+    """
+    _number(body, left, node.left, node.op)
+    _number(body, right, node.right, node.op)
+    if node.op in ("*", "/"):
+        return _product(node, left, right)
+    a, b, kind = alike(body, node.op, left, right, node)
+    return Value(fold.binary(_NAMES[node.op], a, b, _value(kind)), kind, left.is_bare and right.is_bare)
+
+
+def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    """Return the truth of a comparison.
+
+    Raises:
+        RejectedError: the operands do not go together.
+    """
+    if node.op in ("=", "<>") and BOOL in (known(left.type), known(right.type)):
+        a = convert.to(body, left, BOOL, node.left, f"the left side of `{node.op}`")
+        b = convert.to(body, right, BOOL, node.right, f"the right side of `{node.op}`")
+        return Value(_equal(a, b, node.op), BOOL)
+    _number(body, left, node.left, node.op)
+    _number(body, right, node.right, node.op)
+    a, b, _ = alike(body, node.op, left, right, node)
+    return Value(fold.binary(_COMPARE[node.op], a, b, ValueType.BOOL), BOOL)
+
+
+def alike(
+    body: Body, op: str, left: Value, right: Value, node: nodes.Binary | nodes.Function
+) -> tuple[Expression, Expression, AnyType]:
+    """Return two numbers as values of one type, and that type.
+
+    A bare number takes the dimension of the other operand; two bare numbers stay bare.
+
+    Raises:
+        RejectedError: the dimensions differ.
+    """
+    a, b = known(left.type), known(right.type)
+    if left.is_bare and right.is_bare:
+        if a == INT and b == INT:
+            return left.expression, right.expression, INT
+        return convert.real(left), convert.real(right), NUMBER
+    wanted, other = (b, left) if left.is_bare else (a, right)
+    if isinstance(a, Type) and isinstance(b, Type) and not left.is_bare and not right.is_bare:
+        if a.dimension != b.dimension:
+            message = f"`{op}` needs two quantities of one dimension, found {a} and {b}"
+            body.fail(kinds.WRONG_DIMENSION, node, message, "check the units of both sides")
+        return left.expression, right.expression, a
+    place: nodes.Node = node
+    if isinstance(node, nodes.Binary):
+        place = node.left if other is left else node.right
+    converted = convert.to(body, other, wanted, place, f"the operand of `{op}`")
+    return (converted, right.expression, wanted) if other is left else (left.expression, converted, wanted)
+
+
+def _product(node: nodes.Binary, left: Value, right: Value) -> Value:
+    a, b = known(left.type), known(right.type)
+    is_bare = left.is_bare and right.is_bare
+    if node.op == "*" and a == INT and b == INT:
+        return Value(fold.binary("mul", left.expression, right.expression, ValueType.INT), INT, is_bare)
+    x, y = convert.real(left), convert.real(right)
+    kind = _product_type(node.op, left, right)
+    return Value(fold.binary(_NAMES[node.op], x, y, ValueType.REAL), kind, is_bare)
+
+
+def _product_type(op: str, left: Value, right: Value) -> AnyType:
+    """Return the type of a product; an unknown factor beside a known quantity counts as a plain number."""
+    a, b = known(left.type), known(right.type)
+    if isinstance(a, Unknown) and right.is_bare:
+        a.has_fraction = a.has_fraction or op == "/"
+        return a
+    if isinstance(b, Unknown) and left.is_bare and op == "*":
+        return b
+    for kind in (a, b):
+        if isinstance(kind, Unknown) and kind.bound is None:
+            bind(kind, NUMBER)
+    first = a.dimension if isinstance(a, Type) and a.value is ValueType.REAL else units.NUMBER
+    second = b.dimension if isinstance(b, Type) and b.value is ValueType.REAL else units.NUMBER
+    combined = units.product(first, second) if op == "*" else units.quotient(first, second)
+    return Type(ValueType.REAL, combined)
+
+
+def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
+    kind = known(value.type)
+    if isinstance(kind, Type) and not kind.is_number:
+        hint = ""
+        if kind.value is ValueType.POSE:
+            hint = (
+                "move a location with `above`, `offset` or `rel`"
+                if op in "+-"
+                else "compare locations by `dist(a, b)`"
+            )
+        body.fail(kinds.WRONG_TYPE, node, f"`{op}` needs numbers, found a {kind}", hint)
+    return kind
+
+
+def _equal(a: Expression, b: Expression, op: str) -> Expression:
+    """Return a = b of truth values as (a and b) or (not a and not b)."""
+    neither = fold.conjunction(
+        "and", fold.unary("not", a, ValueType.BOOL), fold.unary("not", b, ValueType.BOOL)
+    )
+    same = fold.conjunction("or", fold.conjunction("and", a, b), neither)
+    return same if op == "=" else fold.unary("not", same, ValueType.BOOL)
+
+
+def _value(kind: AnyType) -> ValueType:
+    return kind.value if isinstance(kind, Type) else ValueType.REAL

@@ -1,0 +1,133 @@
+"""Statements that give variables values: `=`, `load`, `var` and calls with a result."""
+
+from ropsim.language.check import calls, convert, fold, poses, values
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import ANGLE, INT, LENGTH, POSE, AnyType, Type, Unknown, Value, known
+from ropsim.language.check.world import Poison, Variable
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.program import Assign, AssignComponent, Block, Expression
+from ropsim.program import Variable as VariableExpression
+
+
+def assign(body: Body, node: syntax.Assign) -> Block:
+    """Return an assignment; the first one of a name declares it."""
+    if node.member is not None:
+        return _assign_member(body, node, node.member)
+    if isinstance(node.value, nodes.Function) and node.value.name.text in body.world.signatures:
+        return _assign_call(body, node, node.value)
+    value = values.check(body, node.value)
+    variable = target(body, node.name, _type_of(value))
+    expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
+    return (Assign(variable.name, expression, body.statement_span),)
+
+
+def load(body: Body, node: syntax.Load) -> Block:
+    """Return the copies of x, y, z (pitch, roll, or roll, pitch, yaw) of a location."""
+    source = values.expect(body, node.source, POSE, "the source of `load`")
+    numbers = poses.numbers_in_frame(body, source)
+    components = [(fold.component(numbers, k), LENGTH) for k in range(3)]
+    if len(node.names) == 5:
+        components += [(angle, ANGLE) for angle in poses.pitch_roll(body, source)]
+    elif len(node.names) == 6:
+        components += [(fold.component(numbers, k), ANGLE) for k in (3, 4, 5)]
+    result: list[Assign] = []
+    for name, (expression, kind) in zip(node.names, components, strict=False):
+        variable = target(body, name, kind)
+        fitted = convert.to(body, Value(expression, kind), variable.type, name, f"`{name.text}`")
+        result.append(Assign(variable.name, fitted, body.statement_span))
+    return tuple(result)
+
+
+def initial(body: Body, node: syntax.VariableDeclaration) -> Block:
+    """Return the first assignment of a `var` outside all tasks."""
+    symbol = body.world.symbols.get(node.name.text)
+    if node.value is None or not isinstance(symbol, Variable):
+        return ()
+    value = values.expect(body, node.value, symbol.type, f"the value of `{node.name.text}`")
+    return (Assign(symbol.name, value, body.statement_span),)
+
+
+def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
+    """Return the variable to assign, made now if the name is new.
+
+    Raises:
+        RejectedError: the name cannot be assigned.
+    """
+    symbol = body.find(name.text)
+    if isinstance(symbol, Variable) and not symbol.is_fixed:
+        return symbol
+    if symbol is None or isinstance(symbol, Poison):
+        if body.world.is_strict and symbol is None:
+            hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
+            body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
+        return body.declare(name.text, kind)
+    body.fail(
+        name_kinds.NOT_ASSIGNABLE,
+        name,
+        f"`{name.text}` cannot be assigned",
+        "choose another name for the variable",
+    )
+
+
+def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block:
+    symbol = body.find(node.name.text)
+    if symbol is None:
+        values.name(body, node.name)
+    variable = target(body, node.name, POSE)
+    kind = known(variable.type)
+    if isinstance(kind, Type) and kind != POSE:
+        body.fail(
+            name_kinds.UNKNOWN_MEMBER,
+            member,
+            f"a {kind} has no component `{member.text}`",
+            "locations have components",
+        )
+    index, member_type = values.member(body, member)
+    convert.to(
+        body, Value(VariableExpression(variable.name, POSE.value), kind), POSE, node.name, "the location"
+    )
+    value = values.expect(body, node.value, member_type, f"`{member.text}`")
+    if body.X_KC == fold.IDENTITY:
+        return (AssignComponent(variable.name, index, value, body.statement_span),)
+    return _assign_in_frame(body, variable.name, index, value)
+
+
+def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Block:
+    """Change a component as seen in the frame in force: into that frame, change, and back."""
+    here = VariableExpression(name, POSE.value)
+    span = body.statement_span
+    return (
+        Assign(name, poses.numbers_in_frame(body, here), span),
+        AssignComponent(name, index, value, span),
+        Assign(name, fold.compose(fold.pose(body.X_KC), here), span),
+    )
+
+
+def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block:
+    signature = body.world.signatures[call.name.text]
+    arguments = tuple(nodes.Item(None, a) for a in call.arguments)
+    statement = calls.call(body, syntax.Call(call.name, arguments, call.start, call.end))
+    if signature.result is None:
+        hint = "give its header a result: `-> type`"
+        body.fail(kinds.WRONG_TYPE, call, f"task `{signature.name}` returns no value", hint)
+    variable = target(body, node.name, signature.result)
+    kind = known(variable.type)
+    if isinstance(kind, Type) and kind != signature.result:
+        message = f"`{node.name.text}` is a {kind}, task `{signature.name}` returns a {signature.result}"
+        body.fail(kinds.WRONG_TYPE, call, message, "use a variable of its own for the result")
+    convert.to(
+        body, Value(statement.arguments[0], signature.result), variable.type, call, "the result"
+    ) if isinstance(kind, Unknown) and statement.arguments else None
+    return (calls.with_result(statement, variable.name),)
+
+
+def _type_of(value: Value) -> AnyType:
+    """Return the type that a first assignment gives: a bare number leaves it open for use to tell."""
+    if not value.is_bare:
+        return value.type
+    if value.type == INT and not fold.number_of(value.expression) is not None:
+        return INT
+    return Unknown()

@@ -1,0 +1,182 @@
+"""The state of the checker while it walks through one body: a task or the control statements."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import NoReturn
+
+from ropsim.core import Kind, Span, did_you_mean
+from ropsim.language.check.fold import IDENTITY
+from ropsim.language.check.types import AnyType, Type, Unknown, known
+from ropsim.language.check.world import Poison, Symbol, Variable, World
+from ropsim.language.findings import names as kinds
+from ropsim.language.report import Placed, Report
+from ropsim.language.syntax.nodes import Name
+from ropsim.language.text import Line
+from ropsim.program import Local
+from ropsim.spatial import PoseTuple, quaternion
+
+
+class RejectedError(Exception):
+    """The statement is wrong and has been reported; it is left out, the next one goes on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """An open loop; `flag` is the variable that a `break` must set, because the loop is nested in itself."""
+
+    flag: str = ""
+
+
+class Body:
+    """Names, frame and loops in force, and where findings go.
+
+    Attributes:
+        world: what the text declares.
+        report: where findings go.
+        names: parameters and variables of this body.
+        references: reference locations of the task, first, second …
+        result: type of the value to return, or None.
+        task: name of the task, empty for the control statements.
+        line: the line in hand.
+        X_KC: frame of literals, in the work frame.
+        loops: open loops, innermost last.
+        depth: nesting of the lines in hand; 1 outside all blocks.
+        is_tolerant: unknown names are not reported (the header of the task could not be read).
+    """
+
+    def __init__(
+        self, world: World, report: Report, settled: Mapping[str, Type] | None, task: str = ""
+    ) -> None:
+        self.world = world
+        self.report = report
+        self.names: dict[str, Symbol] = {}
+        self.references: tuple[str, ...] = ()
+        self.result: Type | None = None
+        self.task = task
+        self.line = Line.empty()
+        self.X_KC: PoseTuple = IDENTITY
+        self.loops: list[Loop] = []
+        self.depth = 0
+        self.is_tolerant = False
+        self._settled = settled
+
+    # --- findings
+
+    def span(self, place: Placed) -> Span:
+        """Return where a node stands."""
+        return self.line.logical.span(self.report.source, place.start, place.end)
+
+    @property
+    def statement_span(self) -> Span:
+        """Return where the statement in hand stands."""
+        return self.line.logical.span(self.report.source, self.line.start, self.line.end)
+
+    def warn(self, kind: Kind, place: Placed, message: str, hint: str = "") -> None:
+        """Report a finding and go on."""
+        self.report.at(kind, self.line, place, message, hint)
+
+    def fail(
+        self, kind: Kind, place: Placed, message: str, hint: str = "", fix: str | None = None
+    ) -> NoReturn:
+        """Report a finding and give up the statement.
+
+        Raises:
+            RejectedError: always.
+        """
+        self.report.at(kind, self.line, place, message, hint, fix=fix)
+        raise RejectedError
+
+    # --- names
+
+    def find(self, name: str) -> Symbol | None:
+        """Return what a name means here."""
+        return self.names.get(name) or self.world.symbols.get(name)
+
+    def declare(self, name: str, kind: AnyType | None = None) -> Variable:
+        """Enter a variable of this body; without `kind` its type is what the first pass found."""
+        if self._settled is not None:
+            kind = self._settled.get(name, kind)
+        variable = Variable(name, kind if kind is not None else Unknown())
+        self.names[name] = variable
+        return variable
+
+    def poison(self, name: str) -> None:
+        """Enter a name whose uses are not to be reported, unless it has a meaning already."""
+        if self.find(name) is None:
+            self.names[name] = Poison()
+
+    def frame(self, name: Name) -> PoseTuple:
+        """Return X_KF of a frame by name.
+
+        Raises:
+            RejectedError: there is no such frame.
+        """
+        frames = self.world.frames
+        if name.text == "base" and "base" not in frames:
+            return quaternion.invert(self.world.X_BK)
+        if name.text not in frames:
+            self.unknown(kinds.UNKNOWN_FRAME, name, "frame", (*frames, "base"))
+        return quaternion.compose(quaternion.invert(self.world.X_BK), frames[name.text])
+
+    def tool(self, name: Name) -> str:
+        """Return the name of a tool that exists.
+
+        Raises:
+            RejectedError: there is no such tool.
+        """
+        if name.text not in self.world.tools:
+            self.unknown(kinds.UNKNOWN_TOOL, name, "tool", self.world.tools)
+        return name.text
+
+    def unknown(self, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> NoReturn:
+        """Report that there is no `what` of this name, with the nearest one that exists.
+
+        Raises:
+            RejectedError: always.
+        """
+        known_names = sorted(candidates)
+        hint = did_you_mean(name.text, known_names)
+        fix = hint.split("`")[1] if hint else None
+        if not hint:
+            listed = ", ".join(f"`{n}`" for n in known_names[:8])
+            hint = f"there are {listed}" if listed else f"no {what} is defined"
+        self.fail(kind, name, f"there is no {what} `{name.text}`", hint, fix=fix)
+
+    # --- scopes
+
+    @contextmanager
+    def in_frame(self, X_KC: PoseTuple) -> Iterator[None]:
+        """Read literals in another frame for a while."""
+        before, self.X_KC = self.X_KC, X_KC
+        try:
+            yield
+        finally:
+            self.X_KC = before
+
+    @contextmanager
+    def in_loop(self, loop: Loop) -> Iterator[None]:
+        """Allow `break` and `continue` for a while."""
+        self.loops.append(loop)
+        try:
+            yield
+        finally:
+            self.loops.pop()
+
+    def locals(self, parameters: tuple[str, ...]) -> tuple[Local, ...]:
+        """Return the variables other than `parameters`, with final types, in the order they came to be."""
+        return tuple(
+            Local(symbol.name, settled(symbol.type).value)
+            for symbol in self.names.values()
+            if isinstance(symbol, Variable) and symbol.name not in parameters
+        )
+
+    def types(self) -> dict[str, Type]:
+        """Return the final type of every variable."""
+        return {n: settled(s.type) for n, s in self.names.items() if isinstance(s, Variable)}
+
+
+def settled(kind: AnyType) -> Type:
+    """Return the final type: as found, or what an unknown one falls back to."""
+    found = known(kind)
+    return found if isinstance(found, Type) else found.settle()

@@ -1,0 +1,146 @@
+"""Calls: arguments to parameters, by place, by name and by the number of a reference location."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NoReturn
+
+from ropsim.core import did_you_mean
+from ropsim.language.check import convert, poses, values
+from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.types import POSE, Value, known
+from ropsim.language.check.world import Formal, Signature
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.words import VERBS
+from ropsim.program import Call, Expression
+from ropsim.program import Variable as VariableExpression
+
+
+def call(body: Body, node: syntax.Call) -> Call:
+    """Return a call.
+
+    Raises:
+        RejectedError: the task is unknown or the arguments do not fit.
+    """
+    signature = body.world.signatures.get(node.name.text)
+    if signature is None:
+        unknown_task(body, node.name)
+    if not signature.is_known:
+        raise RejectedError
+    items = spread(node.arguments, signature, lambda name: _is_location(body, name))
+    bound = _bind(body, node, signature, items)
+    arguments = tuple(_argument(body, signature, formal, bound) for formal in signature.formals)
+    return Call(signature.name, arguments, body.statement_span)
+
+
+def with_result(statement: Call, variable: str) -> Call:
+    """Return the call with its result going to a variable."""
+    return replace(statement, result=variable)
+
+
+def unknown_task(body: Body, name: nodes.Name) -> NoReturn:
+    """Report that a task is not defined, in the words of paper 1.
+
+    Raises:
+        RejectedError: always.
+    """
+    near = did_you_mean(name.text, body.world.signatures) or did_you_mean(name.text, VERBS)
+    fix = near.split("`")[1] if near else None
+    if not near:
+        near = "define it with `task`, or assign a variable with `=`"
+    body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", near, fix=fix)
+
+
+def spread(
+    arguments: tuple[nodes.Item, ...], signature: Signature, is_location: Callable[[nodes.Name], bool]
+) -> tuple[nodes.Item, ...]:
+    """Return the arguments of a call, with a parenthesis around them all taken away.
+
+    One parenthesis with three, five or six numbers is one location where the task starts with a location,
+    as in `call grip (x, y, z)`; any other single parenthesis is an argument list.
+    """
+    if len(arguments) != 1 or arguments[0].name is not None:
+        return arguments
+    only = arguments[0].value
+    if not isinstance(only, nodes.Tuple) or only.turns:
+        return arguments
+    starts_with_location = bool(signature.formals) and known(signature.formals[0].type) == POSE
+    first = only.items[0] if only.items else None
+    is_list = (
+        not starts_with_location
+        or len(only.items) not in (3, 5, 6)
+        or any(i.name is not None for i in only.items)
+        or (first is not None and isinstance(first.value, nodes.Name) and is_location(first.value))
+        or (first is not None and isinstance(first.value, nodes.Tuple | nodes.Rebase))
+    )
+    return only.items if is_list else arguments
+
+
+def _bind(
+    body: Body, node: syntax.Call, signature: Signature, items: tuple[nodes.Item, ...]
+) -> dict[str, nodes.Node]:
+    """Return the argument of each parameter that has one."""
+    names = [formal.name for formal in signature.formals]
+    bound: dict[str, nodes.Node] = {}
+    for index, item in enumerate(items):
+        if item.name is None:
+            if index >= len(names):
+                _wrong_count(body, node, signature, len(items))
+            name = names[index]
+        else:
+            name = item.name.text
+            if name not in names:
+                hint = did_you_mean(name, names) or "its parameters: " + (_listed(signature) or "none")
+                body.fail(
+                    kinds.ARGUMENTS, item.name, f"task `{signature.name}` has no parameter `{name}`", hint
+                )
+        if name in bound:
+            body.fail(kinds.ARGUMENTS, item.name or item.value, f"parameter `{name}` is given twice")
+        bound[name] = item.value
+    if any(f.default is None and f.name not in bound for f in signature.formals):
+        _wrong_count(body, node, signature, len(items))
+    return bound
+
+
+def _wrong_count(body: Body, node: syntax.Call, signature: Signature, found: int) -> NoReturn:
+    needed = sum(formal.default is None for formal in signature.formals)
+    most = len(signature.formals)
+    allowed = str(most) if needed == most else f"{needed} to {most}"
+    message = (
+        f"task `{signature.name}` takes {allowed} argument{'' if allowed == '1' else 's'}, found {found}"
+    )
+    body.fail(kinds.ARGUMENTS, node, message, "its parameters: " + (_listed(signature) or "none"))
+
+
+def _listed(signature: Signature) -> str:
+    return ", ".join(f"`{formal.name}: {known(formal.type)}`" for formal in signature.formals)
+
+
+def _argument(body: Body, signature: Signature, formal: Formal, bound: dict[str, nodes.Node]) -> Expression:
+    node = bound.get(formal.name)
+    if node is None:
+        assert formal.default is not None
+        return formal.default
+    what = f"argument `{formal.name}` of `{signature.name}`"
+    if known(formal.type) == POSE and isinstance(node, nodes.Number) and node.is_whole and not node.unit:
+        return _reference(body, node)
+    return convert.to(body, values.check(body, node), formal.type, node, what)
+
+
+def _reference(body: Body, node: nodes.Number) -> Expression:
+    """Return the caller's reference location of a number."""
+    number, count = int(node.value), len(body.references)
+    if 1 <= number <= count:
+        return VariableExpression(body.references[number - 1], POSE.value)
+    where = f"task `{body.task}` has {count}" if body.task else "control statements have none"
+    message = f"there is no reference location {number}: {where}"
+    body.fail(name_kinds.NO_REFERENCE, node, message, "name a location, or write it as `(x, y, z)`")
+
+
+def _is_location(body: Body, name: nodes.Name) -> bool:
+    symbol = body.find(name.text)
+    if isinstance(symbol, Value):
+        return poses.is_location(symbol)
+    return known(getattr(symbol, "type", None) or POSE) == POSE if symbol is not None else False

@@ -1,0 +1,123 @@
+"""A value to the type that its place needs: units of bare numbers, whole numbers to real ones."""
+
+from ropsim.language.check import fold, units
+from ropsim.language.check.body import Body, Placed
+from ropsim.language.check.types import AnyType, Type, Unknown, Value, bind, known
+from ropsim.language.findings import types as kinds
+from ropsim.program import Constant, Expression, ValueType
+
+_REAL, _INT = ValueType.REAL, ValueType.INT
+
+
+def note(cell: Unknown, value: Value) -> None:
+    """Remember what a bare number tells about an unknown type."""
+    cell.has_number = True
+    kind = known(value.type)
+    if isinstance(kind, Type) and kind.value is _REAL:
+        cell.has_fraction = True
+
+
+def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> Expression:
+    """Return the expression of `value` as `wanted`; `what` names the place, as in "the target of `mov`".
+
+    Raises:
+        RejectedError: the value does not fit.
+    """
+    wanted, found = known(wanted), known(value.type)
+    if isinstance(wanted, Unknown):
+        if value.is_bare:
+            note(wanted, value)
+        else:
+            bind(wanted, found)
+        return value.expression
+    if isinstance(found, Unknown):
+        bind(found, wanted)
+        return value.expression
+    if wanted.value is _REAL and found.is_number:
+        return _real(body, value, wanted, place, what)
+    if wanted.value is _INT and found.is_number:
+        return _whole(body, value, found, place, what)
+    if found.value is not wanted.value:
+        body.fail(
+            kinds.WRONG_TYPE, place, f"{what} must be a {wanted}, found a {found}", _hint(wanted, found)
+        )
+    return value.expression
+
+
+def real(value: Value) -> Expression:
+    """Return a number as REAL, whatever its dimension."""
+    found = known(value.type)
+    if isinstance(found, Type) and found.value is _INT:
+        return fold.unary("to_real", value.expression, _REAL)
+    return value.expression
+
+
+def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> Expression:
+    found = known(value.type)
+    assert isinstance(found, Type)
+    expression = real(value)
+    if found.value is _REAL and found.dimension == wanted.dimension:
+        return expression
+    if value.is_bare and wanted.dimension == units.NUMBER:
+        return expression
+    if not value.is_bare or wanted.dimension == units.SHARE:
+        hint = "write a unit" if value.is_bare else _dimension_hint(wanted, found)
+        body.fail(kinds.WRONG_DIMENSION, place, f"{what} must be a {wanted}, found a {found}", hint)
+    if body.world.is_strict and fold.number_of(expression) != 0:
+        body.warn(kinds.BARE, place, f"{what} is a {wanted} without unit", "write the unit behind the number")
+    factor = body.world.units.factor(wanted.dimension)
+    return fold.binary("mul", expression, fold.real(factor), _REAL)
+
+
+def _whole(body: Body, value: Value, found: Type, place: Placed, what: str) -> Expression:
+    if found.value is _INT:
+        return value.expression
+    number = fold.number_of(value.expression)
+    if found.dimension == units.NUMBER and number is not None and number == int(number):
+        return fold.whole(int(number))
+    if found.dimension != units.NUMBER:
+        body.fail(
+            kinds.NOT_WHOLE,
+            place,
+            f"{what} must be a whole number, found a {found}",
+            "divide by one unit and `round` it",
+        )
+    shown = f"{number:g}" if number is not None else "a number that may have a fraction"
+    body.fail(
+        kinds.NOT_WHOLE,
+        place,
+        f"{what} must be a whole number, found {shown}",
+        "use `round( )` or `trunc( )`",
+    )
+
+
+def constant(body: Body, expression: Expression, place: Placed, what: str) -> Constant:
+    """Return a constant.
+
+    Raises:
+        RejectedError: the value is only known when the program runs.
+    """
+    if isinstance(expression, Constant):
+        return expression
+    body.fail(
+        kinds.NOT_CONSTANT,
+        place,
+        f"{what} must be known before the program runs",
+        "use numbers and constants only",
+    )
+
+
+def _dimension_hint(wanted: Type, found: Type) -> str:
+    if found.dimension == units.NUMBER:
+        return f"a plain number has no unit; declare it as {wanted}, or multiply it by one unit"
+    return "check the units"
+
+
+def _hint(wanted: Type, found: Type) -> str:
+    if wanted.value is ValueType.POSE and found.value is ValueType.JOINTS:
+        return "joint targets are reached by `mov` only"
+    if wanted.value is ValueType.POSE:
+        return "a location is a name, or three numbers in parentheses: `(x, y, z)`"
+    if wanted.value is ValueType.BOOL:
+        return "write a comparison such as `n > 3`, or a digital signal"
+    return ""

@@ -1,0 +1,218 @@
+"""Declarations of a text: units, frames, tools, signals, constants, locations, variables, patterns."""
+
+from collections.abc import Iterable
+
+from ropsim.language.blocks import Block
+from ropsim.language.check import convert, fold, poses, values
+from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, known
+from ropsim.language.check.units import UnitSystem
+from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
+from ropsim.language.environment import Environment
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.report import Report
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.text import Line
+from ropsim.program import SignalUse, ValueType
+from ropsim.spatial import PoseTuple, quaternion
+
+_MOTIONS = (syntax.Motion, syntax.Call, syntax.Gripper)
+
+
+def world(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> World:
+    """Return what a text and its environment declare; wrong declarations are reported."""
+    top = [item for item in tree if isinstance(item, Line) and item.statement is not None]
+    modes = {line.statement.word for line in top if isinstance(line.statement, syntax.Mode)}
+    has_program = any(isinstance(line.statement, syntax.ProgramHeader) for line in top)
+    frames, X_BK, frame = _frames(top, tree, environment, report)
+    result = World(
+        environment,
+        _units(top, environment),
+        "strict" in modes,
+        "classic" in modes or not (has_program or "strict" in modes),
+        frame,
+        X_BK,
+        frames,
+        dict(environment.tools),
+    )
+    X_KB = quaternion.invert(X_BK)
+    for name, X_BL in environment.locations.items():
+        result.symbols[name] = Value(fold.pose(quaternion.compose(X_KB, X_BL)), POSE)
+    result.symbols.update(environment.signals)
+    _declare_all(result, top, report)
+    return result
+
+
+def _units(top: Iterable[Line], environment: Environment) -> UnitSystem:
+    system = UnitSystem(environment.length, environment.angle)
+    for line in top:
+        if isinstance(line.statement, syntax.Units):
+            for name in line.statement.names:
+                system = system.using(name.text)
+    return system
+
+
+def _frames(
+    top: list[Line], tree: tuple[Line | Block, ...], environment: Environment, report: Report
+) -> tuple[dict[str, PoseTuple], PoseTuple, str]:
+    """Return all frames in the base frame, and pose and name of the work frame.
+
+    The work frame is that of the environment, or of a `set frame` before the first motion or call.
+    """
+    frames = dict(environment.frames)
+    bare = World(environment, _units(top, environment), False, False, "", fold.IDENTITY, frames, {})  # noqa: FBT003
+    declared: set[str] = set()
+    for line in top:
+        node = line.statement
+        if isinstance(node, syntax.FrameDeclaration):
+            body = Body(bare, report, None)
+            body.line = line
+            try:
+                _unique(body, node.name, declared)
+                frames[node.name.text] = _constant_pose(body, node.value, "a frame")
+            except RejectedError:
+                frames.setdefault(node.name.text, fold.IDENTITY)
+    chosen = environment.frame
+    for item in tree:
+        node = item.statement if isinstance(item, Line) else None
+        if isinstance(item, Block) and isinstance(item.opener.statement, syntax.TaskHeader):
+            continue
+        if isinstance(node, _MOTIONS) or isinstance(item, Block):
+            break
+        if (
+            isinstance(node, syntax.SetMode)
+            and node.setting.word == "frame"
+            and node.setting.name is not None
+        ):
+            name = node.setting.name.text
+            chosen = name if name in frames else chosen
+            chosen = "" if name == "base" and name not in frames else chosen
+            break
+    return frames, frames.get(chosen, fold.IDENTITY), chosen if chosen in frames else ""
+
+
+def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
+    body = Body(world, report, None)
+    declared: set[str] = set()
+    tools: set[str] = set()
+    for line in top:
+        body.line = line
+        node = line.statement
+        try:
+            if isinstance(node, syntax.ToolDeclaration):
+                _unique(body, node.name, tools)
+                world.tools[node.name.text] = fold.IDENTITY
+                world.tools[node.name.text] = _constant_pose(body, node.value, "a tool")
+                for extra in node.extras:
+                    body.warn(
+                        kinds.IN_CELL,
+                        extra,
+                        f"`{extra.text}` of a tool belongs to the cell file",
+                        "move it there",
+                    )
+            elif isinstance(node, _SYMBOLS):
+                _unique(body, node.name, declared)
+                world.symbols[node.name.text] = Poison()
+                world.symbols[node.name.text] = _symbol(body, node)
+        except RejectedError:
+            continue
+
+
+_SYMBOLS = (
+    syntax.LocationDeclaration,
+    syntax.SignalDeclaration,
+    syntax.ConstantDeclaration,
+    syntax.VariableDeclaration,
+    syntax.PatternDeclaration,
+)
+_SymbolNode = (
+    syntax.LocationDeclaration
+    | syntax.SignalDeclaration
+    | syntax.ConstantDeclaration
+    | syntax.VariableDeclaration
+    | syntax.PatternDeclaration
+)
+
+
+def _symbol(body: Body, node: _SymbolNode) -> Symbol:
+    match node:
+        case syntax.LocationDeclaration():
+            value = values.check(body, node.value)
+            if known(value.type) not in (POSE, JOINTS):
+                convert.to(body, value, POSE, node.value, "the value of a location")
+            return _fixed(body, value, node.value, "a location")
+        case syntax.SignalDeclaration():
+            values.expect(body, node.channel, INT, "the channel of a signal")
+            return SignalUse(
+                node.name.text, node.is_input, ValueType.REAL if node.is_analog else ValueType.BOOL
+            )
+        case syntax.ConstantDeclaration():
+            value = values.check(body, node.value)
+            if node.type is not None:
+                wanted = NAMED[node.type.text]
+                expression = convert.to(body, value, wanted, node.value, f"the value of `{node.name.text}`")
+                value = Value(expression, wanted, is_bare=wanted == INT)
+            return _fixed(body, value, node.value, "a constant")
+        case syntax.VariableDeclaration():
+            return Variable(node.name.text, _variable_type(body, node))
+    return _pattern(body, node)
+
+
+def _fixed(body: Body, value: Value, node: nodes.Node, what: str) -> Value:
+    expression = convert.constant(body, value.expression, node, what)
+    return Value(expression, value.type, value.is_bare, value.X_KF)
+
+
+def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
+    if node.type is not None:
+        return NAMED[node.type.text]
+    if node.value is None:
+        return Unknown()
+    value = values.check(body, node.value)
+    return Unknown() if value.is_bare else value.type
+
+
+def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
+    counts = [1, 1, 1]
+    for k, count in enumerate(node.counts):
+        expression = values.expect(body, count, INT, "a count of a grid")
+        number = fold.number_of(convert.constant(body, expression, count, "a count of a grid"))
+        if number is None or not 1 <= number <= 10_000:
+            body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
+        counts[k] = int(number)
+    origin = fold.pose_of(
+        convert.constant(
+            body,
+            values.expect(body, node.origin, POSE, "the first location"),
+            node.origin,
+            "the first location",
+        )
+    )
+    assert origin is not None
+    checked = values.check(body, node.origin)
+    X_KF = checked.X_KF if checked.X_KF is not None else body.X_KC
+    steps = []
+    for step in node.steps:
+        vector = convert.constant(body, poses.shift(body, step, "a step of a grid"), step, "a step of a grid")
+        assert isinstance(vector.value, tuple)
+        x, y, z = vector.value
+        steps.append(quaternion.rotate(X_KF[3:], (x, y, z)))
+    order = node.order.text if node.order is not None else "row"
+    return Pattern((counts[0], counts[1], counts[2]), origin, tuple(steps), order)
+
+
+def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
+    if isinstance(node, nodes.Rebase):
+        inner = _constant_pose(body, node.operand, what)
+        return quaternion.compose(body.frame(node.frame), inner)
+    pose = fold.pose_of(convert.constant(body, poses.transform(body, node), node, what))
+    assert pose is not None
+    return pose
+
+
+def _unique(body: Body, name: nodes.Name, declared: set[str]) -> None:
+    if name.text in declared:
+        body.fail(name_kinds.DUPLICATE, name, f"`{name.text}` is declared twice", "rename one of them")
+    declared.add(name.text)

@@ -1,0 +1,130 @@
+"""The walk through a body: the table of lines, each to its statements."""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from ropsim.language.blocks import Block as SyntaxBlock
+from ropsim.language.check import actions, assignments, calls, jumps, structures, values
+from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.types import BOOL
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.text import Line
+from ropsim.program import Block, If, Statement
+
+_DECLARATIONS = (
+    syntax.ProgramHeader, syntax.Units, syntax.Mode, syntax.FrameDeclaration, syntax.LocationDeclaration,
+    syntax.ToolDeclaration, syntax.SignalDeclaration, syntax.ConstantDeclaration, syntax.PatternDeclaration,
+)  # fmt: skip
+
+
+def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
+    """Return the statements of a body; wrong ones are reported and left out.
+
+    A `set frame` holds up to the end of these items.
+    """
+    before = body.X_KC
+    body.depth += 1
+    result: list[Statement] = []
+    for item in items:
+        line = item.opener if isinstance(item, SyntaxBlock) else item
+        body.line = line
+        try:
+            result.extend(
+                structures.block(body, item)
+                if isinstance(item, SyntaxBlock)
+                else statement(body, line.statement)
+            )
+        except RejectedError:
+            poison_targets(body, line.statement)
+    body.X_KC = before
+    body.depth -= 1
+    return tuple(result)
+
+
+def statement(body: Body, node: syntax.Statement | None) -> Block:
+    """Return the statements of one line.
+
+    Raises:
+        RejectedError: the line is wrong.
+    """
+    return _LINES[type(node)](body, node)
+
+
+def poison_targets(body: Body, node: syntax.Statement | None) -> None:
+    """Give the names that a wrong line would have made a meaning, so that they are not reported as well."""
+    match node:
+        case syntax.Assign(name=name) | syntax.For(name=name):
+            body.poison(name.text)
+        case syntax.ForEach(name=name):
+            body.poison(name.text)
+        case syntax.Load(names=names):
+            for name in names:
+                body.poison(name.text)
+        case syntax.Broken(head=head, name=name):
+            body.poison(head)
+            if name and head == "for":
+                body.poison(name)
+        case syntax.If(body=inner) if inner is not None:
+            poison_targets(body, inner)
+
+
+def _call(body: Body, node: syntax.Call) -> Block:
+    return (calls.call(body, node),)
+
+
+def _wait_until(body: Body, node: syntax.WaitCondition) -> Block:
+    otherwise = statement(body, node.otherwise) if node.otherwise else ()
+    return actions.wait_until(body, node, otherwise)
+
+
+def _one_line_if(body: Body, node: syntax.If) -> Block:
+    condition = values.expect(body, node.condition, BOOL, "the condition of `if`")
+    return (If(((condition, statement(body, node.body)),), (), body.statement_span),)
+
+
+def _variable(body: Body, node: syntax.VariableDeclaration) -> Block:
+    _declaration(body, node)
+    return assignments.initial(body, node)
+
+
+def _declaration(body: Body, node: syntax.Statement) -> Block:
+    """Return nothing: declarations have been read before; but they must stand outside of tasks and blocks."""
+    if body.task or body.depth > 1:
+        message = f"`{body.line.head}` inside a task or a block"
+        body.fail(kinds.MISPLACED, node, message, "declare it outside, at the top of the text")
+    return ()
+
+
+def _contract(body: Body, node: syntax.ContractClause) -> Block:
+    body.fail(
+        kinds.MISPLACED, node, "a contract stands directly after the header of its task", "move it there"
+    )
+
+
+def _broken(body: Body, node: syntax.Broken) -> Block:
+    """Return nothing: the line has its finding already."""
+    poison_targets(body, node)
+    return ()
+
+
+_LINES: dict[type, Callable[[Body, Any], Block]] = {
+    syntax.Motion: actions.motion,
+    syntax.Gripper: actions.gripper,
+    syntax.SetSignal: actions.set_signal,
+    syntax.SetMode: actions.set_mode,
+    syntax.WaitTime: actions.wait,
+    syntax.WaitCondition: _wait_until,
+    syntax.Print: actions.message,
+    syntax.Stop: actions.stop,
+    syntax.Call: _call,
+    syntax.Assign: assignments.assign,
+    syntax.Load: assignments.load,
+    syntax.If: _one_line_if,
+    syntax.Jump: jumps.jump,
+    syntax.Return: jumps.return_statement,
+    syntax.VariableDeclaration: _variable,
+    syntax.ContractClause: _contract,
+    syntax.Broken: _broken,
+    **dict.fromkeys(_DECLARATIONS, _declaration),
+}

@@ -1,0 +1,207 @@
+"""Makers of SIR expressions that compute constants at once."""
+
+import math
+from collections.abc import Callable
+
+from ropsim.program import (
+    Binary,
+    Component,
+    Constant,
+    Expression,
+    MakePose,
+    MakeVector,
+    MakeZyx,
+    Unary,
+    ValueType,
+)
+from ropsim.spatial import PoseTuple, quaternion
+
+IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+
+TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
+FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
+
+_FUNCTIONS: dict[str, Callable[[float], float]] = {
+    "abs": abs,
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "trunc": math.trunc,
+    "round": lambda x: math.floor(x + 0.5) if x >= 0.0 else -math.floor(0.5 - x),
+    "to_real": float,
+    "neg": lambda x: -x,
+}
+_COMPARE: dict[str, Callable[[float, float], bool]] = {
+    "eq": lambda a, b: a == b,
+    "ne": lambda a, b: a != b,
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "gt": lambda a, b: a > b,
+    "ge": lambda a, b: a >= b,
+}
+_ARITHMETIC: dict[str, Callable[[float, float], float]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+    "min": min,
+    "max": max,
+    "atan2": math.atan2,
+}
+
+
+def boolean(value: object) -> Constant:
+    """Return the truth value of a condition."""
+    return TRUE if value else FALSE
+
+
+def real(value: float) -> Constant:
+    """Return a REAL."""
+    return Constant(float(value), ValueType.REAL)
+
+
+def whole(value: int) -> Constant:
+    """Return an INT."""
+    return Constant(int(value), ValueType.INT)
+
+
+def pose(value: PoseTuple) -> Constant:
+    """Return a POSE."""
+    return Constant(tuple(map(float, value)), ValueType.POSE)
+
+
+def number_of(expression: Expression) -> float | None:
+    """Return the value of a constant number, else None."""
+    if isinstance(expression, Constant) and expression.type in (ValueType.INT, ValueType.REAL):
+        value = expression.value
+        return value if isinstance(value, int | float) else None
+    return None
+
+
+def pose_of(expression: Expression) -> PoseTuple | None:
+    """Return the value of a constant POSE, else None."""
+    if (
+        isinstance(expression, Constant)
+        and isinstance(expression.value, tuple)
+        and len(expression.value) == 7
+    ):
+        x, y, z, qw, qx, qy, qz = expression.value
+        return (x, y, z, qw, qx, qy, qz) if expression.type is ValueType.POSE else None
+    return None
+
+
+def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
+    """Return `op` of a number or truth value.
+
+    Raises:
+        ValueError: the operand is outside the domain of the function.
+    """
+    if isinstance(operand, Constant):
+        if op == "not":
+            return boolean(not operand.value)
+        number = number_of(operand)
+        if number is not None and op in _FUNCTIONS:
+            return _constant(_FUNCTIONS[op](number), kind)
+    return Unary(op, operand, kind)
+
+
+def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Expression:
+    """Return `left op right` of numbers.
+
+    Raises:
+        ValueError: the result is not defined.
+        ArithmeticError: division by zero or overflow.
+    """
+    a, b = number_of(left), number_of(right)
+    if b == 0 and op in ("div", "mod"):
+        raise ZeroDivisionError("division by zero")
+    if a is not None and b is not None:
+        if op in _COMPARE:
+            return boolean(_COMPARE[op](a, b))
+        if op == "mod" and a >= 0 and b > 0:
+            return _constant(a % b, kind)
+        if op in _ARITHMETIC:
+            return _constant(_ARITHMETIC[op](a, b), kind)
+    return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
+
+
+def _simplified(
+    op: str, a: float | None, b: float | None, left: Expression, right: Expression
+) -> Expression | None:
+    """Return the operand that is left when the other is neutral (x + 0, x * 1), or 0 for x * 0."""
+    if op == "add" and a == 0:
+        return right
+    if op in ("add", "sub") and b == 0:
+        return left
+    if op == "mul" and a == 1:
+        return right
+    if op in ("mul", "div") and b == 1:
+        return left
+    if op == "mul" and 0 in (a, b):
+        return left if a == 0 else right
+    return None
+
+
+def conjunction(op: str, left: Expression, right: Expression) -> Expression:
+    """Return `left and right` or `left or right`."""
+    if isinstance(left, Constant) and isinstance(right, Constant):
+        both = bool(left.value), bool(right.value)
+        return boolean(all(both) if op == "and" else any(both))
+    return Binary(op, left, right, ValueType.BOOL)
+
+
+def vector(x: Expression, y: Expression, z: Expression) -> Expression:
+    """Return the VEC of three REALs."""
+    values = tuple(number_of(e) for e in (x, y, z))
+    if None in values:
+        return MakeVector(x, y, z)
+    return Constant(tuple(float(v or 0.0) for v in values), ValueType.VEC)
+
+
+def zyx(c: Expression, b: Expression, a: Expression) -> Expression:
+    """Return the ORI Rz(c)·Ry(b)·Rx(a)."""
+    values = [number_of(e) for e in (c, b, a)]
+    if None in values:
+        return MakeZyx(c, b, a)
+    return Constant(quaternion.from_zyx(*(float(v or 0.0) for v in values)), ValueType.ORI)
+
+
+def make_pose(position: Expression, orientation: Expression) -> Expression:
+    """Return the POSE of a VEC and an ORI."""
+    p = position.value if isinstance(position, Constant) else None
+    q = orientation.value if isinstance(orientation, Constant) else None
+    if isinstance(p, tuple) and isinstance(q, tuple):
+        return Constant((*p, *q), ValueType.POSE)
+    return MakePose(position, orientation)
+
+
+def compose(left: Expression, right: Expression) -> Expression:
+    """Return X_AC from X_AB and X_BC."""
+    a, b = pose_of(left), pose_of(right)
+    if a == IDENTITY:
+        return right
+    if b == IDENTITY:
+        return left
+    if a is not None and b is not None:
+        return pose(quaternion.compose(a, b))
+    return Binary("compose", left, right, ValueType.POSE)
+
+
+def component(operand: Expression, index: int) -> Expression:
+    """Return component `index` (x y z, then rx ry rz) of a POSE."""
+    value = pose_of(operand)
+    if value is None:
+        return Component(operand, index)
+    if index < 3:
+        return real(value[index])
+    rz, ry, rx = quaternion.to_zyx(value[3:])
+    return real((rx, ry, rz)[index - 3])
+
+
+def _constant(value: float, kind: ValueType) -> Constant:
+    if not math.isfinite(value):
+        raise OverflowError("the value is not finite")
+    return whole(int(value)) if kind is ValueType.INT else real(value)

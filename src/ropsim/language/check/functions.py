@@ -1,0 +1,141 @@
+"""The fixed functions of expressions."""
+
+from collections.abc import Callable
+from typing import NoReturn
+
+from ropsim.language.check import arithmetic, convert, fold, units, values
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, known
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import nodes
+from ropsim.program import Binary, ValueType
+
+_REAL = ValueType.REAL
+
+
+def call(body: Body, node: nodes.Function) -> Value:
+    """Return the value of a function.
+
+    Raises:
+        RejectedError: there is no such function, or its arguments do not fit.
+    """
+    known_function = _FUNCTIONS.get(node.name.text.lower())
+    if known_function is None:
+        _no_function(body, node)
+    count, make = known_function
+    if len(node.arguments) != count:
+        message = (
+            f"`{node.name.text}` takes {count} value{'s' if count > 1 else ''}, found {len(node.arguments)}"
+        )
+        body.fail(kinds.ARGUMENTS, node, message)
+    return make(body, node)
+
+
+def _no_function(body: Body, node: nodes.Function) -> NoReturn:
+    signature = body.world.signatures.get(node.name.text)
+    if signature is not None and signature.result is not None:
+        hint = f"assign the result to a variable first: `v = {node.name.text}(…)`"
+        body.fail(
+            name_kinds.UNKNOWN_FUNCTION,
+            node.name,
+            f"task `{node.name.text}` is called inside an expression",
+            hint,
+        )
+    if signature is not None:
+        hint = "give its header a result: `-> type`"
+        body.fail(name_kinds.UNKNOWN_FUNCTION, node.name, f"task `{node.name.text}` returns no value", hint)
+    body.unknown(name_kinds.UNKNOWN_FUNCTION, node.name, "function", _FUNCTIONS)
+
+
+def _distance(body: Body, node: nodes.Function) -> Value:
+    a, b = (values.expect(body, n, POSE, "an operand of `dist`") for n in node.arguments)
+    return Value(Binary("distance", a, b, _REAL), LENGTH)
+
+
+def _angle_function(body: Body, node: nodes.Function) -> Value:
+    name = node.name.text.lower()
+    angle = values.expect(body, node.arguments[0], ANGLE, f"the operand of `{name}`")
+    return Value(fold.unary(name, angle, _REAL), NUMBER)
+
+
+def _arc_function(body: Body, node: nodes.Function) -> Value:
+    name = node.name.text.lower()
+    number = values.expect(body, node.arguments[0], NUMBER, f"the operand of `{name}`")
+    return Value(fold.unary(name, number, _REAL), ANGLE)
+
+
+def _atan2(body: Body, node: nodes.Function) -> Value:
+    y, x = (values.check(body, n) for n in node.arguments)
+    a, b, kind = arithmetic.alike(body, "atan2", y, x, node)
+    if kind == INT:
+        a, b = fold.unary("to_real", a, _REAL), fold.unary("to_real", b, _REAL)
+    return Value(fold.binary("atan2", a, b, _REAL), ANGLE)
+
+
+def _root(body: Body, node: nodes.Function) -> Value:
+    argument = node.arguments[0]
+    value = values.check(body, argument)
+    kind = known(value.type)
+    dimension = kind.dimension if isinstance(kind, Type) and kind.value is _REAL else units.NUMBER
+    rooted = units.root(dimension)
+    if (isinstance(kind, Type) and not kind.is_number) or rooted is None:
+        body.fail(
+            kinds.WRONG_DIMENSION,
+            argument,
+            f"`sqrt` has no meaning for a {kind}",
+            "its operand is a number or a square",
+        )
+    return Value(fold.unary("sqrt", convert.real(value), _REAL), Type(_REAL, rooted), value.is_bare)
+
+
+def _absolute(body: Body, node: nodes.Function) -> Value:
+    argument = node.arguments[0]
+    value = values.check(body, argument)
+    kind = known(value.type)
+    if isinstance(kind, Type) and not kind.is_number:
+        body.fail(kinds.WRONG_TYPE, argument, f"`abs` needs a number, found a {kind}")
+    return Value(
+        fold.unary("abs", value.expression, kind.value if isinstance(kind, Type) else _REAL),
+        kind,
+        value.is_bare,
+    )
+
+
+def _extreme(body: Body, node: nodes.Function) -> Value:
+    name = node.name.text.lower()
+    left, right = (values.check(body, n) for n in node.arguments)
+    for value, argument in ((left, node.arguments[0]), (right, node.arguments[1])):
+        kind = known(value.type)
+        if isinstance(kind, Type) and not kind.is_number:
+            body.fail(kinds.WRONG_TYPE, argument, f"`{name}` needs numbers, found a {kind}")
+    a, b, kind = arithmetic.alike(body, name, left, right, node)
+    is_bare = left.is_bare and right.is_bare
+    return Value(fold.binary(name, a, b, kind.value if isinstance(kind, Type) else _REAL), kind, is_bare)
+
+
+def _to_whole(body: Body, node: nodes.Function) -> Value:
+    name = node.name.text.lower()
+    value = values.check(body, node.arguments[0])
+    kind = known(value.type)
+    if kind == INT:
+        return value
+    expression = convert.to(body, value, NUMBER, node.arguments[0], f"the operand of `{name}`")
+    return Value(fold.unary(name, expression, ValueType.INT), INT, is_bare=True)
+
+
+_FUNCTIONS: dict[str, tuple[int, Callable[[Body, nodes.Function], Value]]] = {
+    "dist": (2, _distance),
+    "sqrt": (1, _root),
+    "sin": (1, _angle_function),
+    "cos": (1, _angle_function),
+    "tan": (1, _angle_function),
+    "asin": (1, _arc_function),
+    "acos": (1, _arc_function),
+    "atan2": (2, _atan2),
+    "abs": (1, _absolute),
+    "min": (2, _extreme),
+    "max": (2, _extreme),
+    "round": (1, _to_whole),
+    "trunc": (1, _to_whole),
+}

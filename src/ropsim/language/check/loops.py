@@ -1,0 +1,204 @@
+"""Loops: `repeat`, `while`, `for` and `for each`."""
+
+from collections.abc import Callable
+
+from ropsim.language.check import convert, fold, values
+from ropsim.language.check.body import Body, Loop
+from ropsim.language.check.types import BOOL, INT, POSE, AnyType, Type, known
+from ropsim.language.check.world import Pattern, Poison, Variable
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import statements as syntax
+from ropsim.program import (
+    Assign,
+    Binary,
+    Block,
+    Break,
+    Constant,
+    Expression,
+    For,
+    If,
+    Repeat,
+    ValueType,
+    While,
+)
+from ropsim.program import Variable as VariableExpression
+
+Walk = Callable[[], Block]
+
+_INT, _REAL = ValueType.INT, ValueType.REAL
+
+
+def repeat(body: Body, count: Expression | None, until: Expression | None, inner: Block) -> Block:
+    """Return a counted loop, or one that ends by `until`."""
+    return (Repeat(count, inner, until, body.statement_span),)
+
+
+def count_of(body: Body, node: syntax.Repeat) -> Expression | None:
+    """Return the count of `repeat`, None without one."""
+    return None if node.count is None else values.expect(body, node.count, INT, "the count of `repeat`")
+
+
+def while_condition(body: Body, node: syntax.While) -> Expression:
+    """Return the condition of `while`."""
+    return values.expect(body, node.condition, BOOL, "the condition of `while`")
+
+
+def while_loop(body: Body, condition: Expression, inner: Block) -> Block:
+    """Return a loop with its condition before each pass."""
+    return (While(condition, inner, body.statement_span),)
+
+
+def for_header(body: Body, node: syntax.For) -> tuple[str, Expression, Expression, Expression]:
+    """Return variable, first, last and step of `for`, and declare the variable."""
+    first, last = values.check(body, node.first), values.check(body, node.last)
+    step = values.check(body, node.step) if node.step is not None else None
+    given = [v for v in (first, last, step) if v is not None]
+    kind: AnyType = INT
+    for value in given:
+        found = known(value.type)
+        if not value.is_bare:
+            kind = found
+            break
+        if found != INT:
+            kind = found
+    symbol = body.find(node.name.text)
+    if isinstance(symbol, Variable) and not symbol.is_fixed:
+        variable = symbol
+    elif symbol is None or isinstance(symbol, Poison):
+        variable = body.declare(node.name.text, kind)
+    else:
+        body.fail(
+            name_kinds.NOT_ASSIGNABLE,
+            node.name,
+            f"`{node.name.text}` cannot be a loop variable",
+            "choose another name",
+        )
+    low = convert.to(body, first, variable.type, node.first, "the first value of `for`")
+    high = convert.to(body, last, variable.type, node.last, "the last value of `for`")
+    if step is None or node.step is None:
+        found = known(variable.type)
+        is_whole = not isinstance(found, Type) or found.value is _INT
+        if not is_whole:
+            body.fail(
+                kinds.ARGUMENTS, node, f"`for` over a {found} needs a `step`", "write `step` and a constant"
+            )
+        return variable.name, low, high, fold.whole(1)
+    way = convert.to(body, step, variable.type, node.step, "the step of `for`")
+    if convert.constant(body, way, node.step, "the step of `for`").value == 0:
+        body.fail(kinds.OUT_OF_RANGE, node.step, "the step of `for` must not be zero")
+    return variable.name, low, high, way
+
+
+def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
+    """Return nested loops over layers, rows and columns of a pattern.
+
+    The body sees `name` (the location) and `name.row`, `name.col`, `name.layer`, counted from 1.
+
+    Raises:
+        RejectedError: there is no such pattern.
+    """
+    pattern = body.find(node.pattern.text)
+    if not isinstance(pattern, Pattern):
+        patterns = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern)]
+        body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern", patterns)
+    name = node.name.text
+    if isinstance(body.find(name), Variable | Poison | None):
+        body.names[name] = Variable(name, POSE, is_fixed=True)
+    else:
+        body.fail(
+            name_kinds.NOT_ASSIGNABLE, node.name, f"`{name}` cannot be a loop variable", "choose another name"
+        )
+    for counter in ("row", "col", "layer", "pass", "line"):
+        body.names[f"{name}__{counter}"] = Variable(f"{name}__{counter}", INT, is_fixed=True)
+    flag = f"{name}__left"
+    with body.in_loop(Loop(flag)):
+        inner = walk()
+    nest = _Nest(body, name, pattern, flag if _uses(inner, flag) else "")
+    return nest.block(inner)
+
+
+class _Nest:
+    """Builds the loops of one `for each`."""
+
+    def __init__(self, body: Body, name: str, pattern: Pattern, flag: str) -> None:
+        self.span = body.statement_span
+        self.name = name
+        self.pattern = pattern
+        self.flag = flag
+        if flag:
+            body.names[flag] = Variable(flag, BOOL, is_fixed=True)
+        columns, rows, layers = pattern.counts
+        self.counts = {"col": columns, "row": rows, "layer": layers}
+
+    def block(self, inner: Block) -> Block:
+        """Return the assignments and loops around the body."""
+        placed = (Assign(self.name, self._location(), self.span), *inner)
+        if self.pattern.order == "snake":
+            block = self._snake(placed)
+        else:
+            fast, slow = ("row", "col") if self.pattern.order == "column" else ("col", "row")
+            block = self._loop("layer", self._loop(slow, self._loop(fast, placed)))
+        start = (Assign(self.flag, fold.FALSE, self.span),) if self.flag else ()
+        return (*start, *block)
+
+    def _snake(self, placed: Block) -> Block:
+        """Return loops in which each row, and each layer, starts where the one before it ended."""
+        columns, rows = self.counts["col"], self.counts["row"]
+        row_count, layer = self._int("pass"), self._int("layer")
+        rows_done = fold.binary("mul", fold.binary("sub", layer, fold.whole(1), _INT), fold.whole(rows), _INT)
+        lines = fold.binary("add", rows_done, row_count, _INT)
+        column = self._turned("col", "line", columns, lines)
+        row = self._turned("row", "pass", rows, layer)
+        return self._loop(
+            "layer", self._loop("pass", (*row, *self._loop("line", (*column, *placed), columns)), rows)
+        )
+
+    def _turned(self, target: str, counter: str, count: int, number: Expression) -> Block:
+        """Return `target` = counter in odd lines, counted backwards in even ones."""
+        forward = Assign(f"{self.name}__{target}", self._int(counter), self.span)
+        turned = fold.binary("sub", fold.whole(count + 1), self._int(counter), _INT)
+        backward = Assign(f"{self.name}__{target}", turned, self.span)
+        is_odd = Binary("eq", Binary("mod", number, fold.whole(2), _INT), fold.whole(1), ValueType.BOOL)
+        return (If(((is_odd, (forward,)),), (backward,), self.span),)
+
+    def _loop(self, counter: str, inner: Block, count: int | None = None) -> Block:
+        last = self.counts[counter] if count is None else count
+        loop = For(
+            f"{self.name}__{counter}", fold.whole(1), fold.whole(last), fold.whole(1), inner, self.span
+        )
+        if not self.flag or counter == "layer":
+            return (loop,)
+        left = VariableExpression(self.flag, ValueType.BOOL)
+        return (loop, If(((left, (Break(self.span),)),), (), self.span))
+
+    def _location(self) -> Expression:
+        """Return the location: origin + (col-1)·v1 + (row-1)·v2 + (layer-1)·v3 in the work frame."""
+        axes: list[Expression] = [fold.real(c) for c in self.pattern.origin[:3]]
+        for counter, step in zip(("col", "row", "layer"), self.pattern.steps, strict=False):
+            index = fold.unary("to_real", fold.binary("sub", self._int(counter), fold.whole(1), _INT), _REAL)
+            for k in range(3):
+                axes[k] = fold.binary(
+                    "add", axes[k], fold.binary("mul", index, fold.real(step[k]), _REAL), _REAL
+                )
+        orientation = Constant(self.pattern.origin[3:], ValueType.ORI)
+        return fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
+
+    def _int(self, counter: str) -> Expression:
+        return VariableExpression(f"{self.name}__{counter}", _INT)
+
+
+def _uses(block: Block, flag: str) -> bool:
+    """Return whether `flag` is set anywhere in a block."""
+    for statement in block:
+        match statement:
+            case Assign(name=name) if name == flag:
+                return True
+            case If(branches=branches, otherwise=otherwise):
+                if any(_uses(b, flag) for _, b in branches) or _uses(otherwise, flag):
+                    return True
+            case _:
+                inner = getattr(statement, "body", ()) or getattr(statement, "otherwise", ())
+                if _uses(inner, flag):
+                    return True
+    return False

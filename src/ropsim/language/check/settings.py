@@ -1,0 +1,111 @@
+"""Speeds, accelerations, blends and tools: settings of one move, of a block, or until further notice."""
+
+from collections.abc import Callable
+
+from ropsim.language.check import convert, fold, units, values
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import LENGTH, Type, Value, known
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax.statements import Motion, Setting
+from ropsim.program import Expression, Settings, ValueType
+
+_REAL = ValueType.REAL
+_FIELDS: dict[tuple[str, units.Dimension], Callable[[Expression], Settings]] = {
+    ("speed", units.SPEED): lambda e: Settings(path_speed=e),
+    ("speed", units.SHARE): lambda e: Settings(ptp_speed=e),
+    ("speed", units.ANGULAR_SPEED): lambda e: Settings(orientation_speed=e),
+    ("acc", units.ACCELERATION): lambda e: Settings(path_acceleration=e),
+    ("acc", units.SHARE): lambda e: Settings(ptp_acceleration=e),
+}
+_BARE = {"speed": units.SPEED, "acc": units.ACCELERATION}
+_ALLOWED = {"speed": "a speed (mm/s, deg/s) or a share (%)", "acc": "an acceleration (mm/s2) or a share (%)"}
+
+
+def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
+    """Return the record of several settings, without `frame`.
+
+    Raises:
+        RejectedError: a value has the wrong dimension or is out of range.
+    """
+    result = Settings()
+    for setting in settings:
+        if setting.word != "frame":
+            one = _one(body, setting)
+            for name in one.__dataclass_fields__:
+                if getattr(one, name) is not None and getattr(result, name) is not None:
+                    body.fail(kinds.ARGUMENTS, setting, f"`{setting.word}` is given twice")
+            result = _joined(result, one)
+    return result
+
+
+def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
+    """Warn about modifiers that the motion does not use."""
+    if motion.is_linear:
+        idle = {"speed": settings.ptp_speed, "acc": settings.ptp_acceleration}
+        hint, name = "give it in mm/s or mm/s2", "lin"
+    else:
+        idle = {"speed": settings.path_speed or settings.orientation_speed, "acc": settings.path_acceleration}
+        hint, name = "give it in %", "mov"
+    for modifier in motion.modifiers:
+        if idle.get(modifier.word) is not None:
+            body.warn(kinds.NO_EFFECT, modifier, f"`{name}` does not use this `{modifier.word}`", hint)
+
+
+def _joined(a: Settings, b: Settings) -> Settings:
+    return Settings(
+        a.tool or b.tool,
+        a.path_speed or b.path_speed,
+        a.ptp_speed or b.ptp_speed,
+        a.orientation_speed or b.orientation_speed,
+        a.path_acceleration or b.path_acceleration,
+        a.ptp_acceleration or b.ptp_acceleration,
+        a.zone or b.zone,
+    )
+
+
+def _one(body: Body, setting: Setting) -> Settings:
+    if setting.word == "tool":
+        assert setting.name is not None
+        return Settings(tool=body.tool(setting.name))
+    if setting.word == "fine":
+        return Settings(zone=fold.real(0.0))
+    assert setting.value is not None
+    if setting.word == "blend":
+        zone = values.expect(body, setting.value, LENGTH, "the distance of `blend`")
+        _check_range(body, setting, zone, least=0.0)
+        return Settings(zone=zone)
+    value = values.check(body, setting.value)
+    dimension = _dimension(body, setting, value)
+    expression = convert.to(
+        body, value, Type(_REAL, dimension), setting.value, f"the value of `{setting.word}`"
+    )
+    _check_range(body, setting, expression, share=dimension == units.SHARE)
+    return _FIELDS[setting.word, dimension](expression)
+
+
+def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
+    assert setting.value is not None
+    kind = known(value.type)
+    if value.is_bare or not isinstance(kind, Type):
+        return _BARE[setting.word]
+    if kind.value is not _REAL or (setting.word, kind.dimension) not in _FIELDS:
+        message = f"`{setting.word}` needs {_ALLOWED[setting.word]}, found a {kind}"
+        body.fail(kinds.WRONG_DIMENSION, setting.value, message, "write a unit behind the number")
+    return kind.dimension
+
+
+def _check_range(
+    body: Body, setting: Setting, value: Expression, *, least: float | None = None, share: bool = False
+) -> None:
+    number = fold.number_of(value)
+    if number is None:
+        return
+    if least is not None and number < least:
+        body.fail(kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must not be negative, found {number:g} m")
+    if least is None and number <= 0.0:
+        body.fail(
+            kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must be greater than zero, found {number:g}"
+        )
+    if share and number > 1.0:
+        message = f"`{setting.word}` is {number * 100:g} %, at most 100 % is allowed"
+        body.fail(kinds.OUT_OF_RANGE, setting, message, "the share counts from the limits of the joints")

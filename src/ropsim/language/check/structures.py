@@ -1,0 +1,117 @@
+"""Blocks: each with its header and sections to one structured statement."""
+
+from ropsim.language.blocks import Block as SyntaxBlock
+from ropsim.language.blocks import Section
+from ropsim.language.check import flow, loops, settings, values
+from ropsim.language.check.body import Body, Loop, RejectedError
+from ropsim.language.check.types import BOOL
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax import statements as syntax
+from ropsim.program import Block, If, With
+from ropsim.program import For as ForStatement
+
+
+def block(body: Body, tree: SyntaxBlock) -> Block:
+    """Return the structured statement of a block; where its header is wrong its lines are still checked."""
+    first = tree.sections[0]
+    node = first.header.statement
+    try:
+        match node:
+            case syntax.If():
+                return _if(body, tree)
+            case syntax.While():
+                condition = loops.while_condition(body, node)
+                inner = _loop_body(body, first)
+                body.line = first.header
+                return loops.while_loop(body, condition, inner)
+            case syntax.Repeat():
+                return _repeat(body, tree, node)
+            case syntax.For():
+                return _for(body, first, node)
+            case syntax.ForEach():
+                return loops.for_each(body, node, lambda: _walk_then_return_to(body, first))
+            case syntax.With():
+                return _with(body, first, node)
+            case syntax.TaskHeader():
+                body.fail(kinds.MISPLACED, node, "a task inside another block", "close the block before it")
+    except RejectedError:
+        flow.poison_targets(body, node)
+    return _only_checked(body, tree)
+
+
+def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
+    """Check the lines under a header that is wrong, as if they stood in a loop; they are left out."""
+    flow.poison_targets(body, tree.opener.statement)
+    with body.in_loop(Loop()):
+        for section in tree.sections:
+            flow.walk(body, section.body)
+    return ()
+
+
+def _if(body: Body, tree: SyntaxBlock) -> Block:
+    branches = []
+    otherwise: Block = ()
+    for number, section in enumerate(tree.sections):
+        body.line = section.header
+        node = section.header.statement
+        if isinstance(node, syntax.If | syntax.ElseIf):
+            try:
+                condition = values.expect(
+                    body, node.condition, BOOL, f"the condition of `{section.header.head}`"
+                )
+            except RejectedError:
+                flow.walk(body, section.body)
+                continue
+            branches.append((condition, flow.walk(body, section.body)))
+        else:
+            if isinstance(node, syntax.Else) and number != len(tree.sections) - 1:
+                body.report.line(
+                    kinds.MISPLACED, section.header, "`else` before another branch", "make it the last branch"
+                )
+            otherwise = flow.walk(body, section.body)
+    body.line = tree.opener
+    return (If(tuple(branches), otherwise, body.statement_span),) if branches else ()
+
+
+def _repeat(body: Body, tree: SyntaxBlock, node: syntax.Repeat) -> Block:
+    first = tree.sections[0]
+    count = loops.count_of(body, node)
+    inner = _loop_body(body, first)
+    until = None
+    closer = tree.closer
+    if closer is not None and isinstance(closer.statement, syntax.Until):
+        body.line = closer
+        try:
+            until = values.expect(body, closer.statement.condition, BOOL, "the condition of `until`")
+        except RejectedError:
+            return ()
+    body.line = first.header
+    return loops.repeat(body, count, until, inner)
+
+
+def _for(body: Body, section: Section, node: syntax.For) -> Block:
+    name, first, last, step = loops.for_header(body, node)
+    inner = _loop_body(body, section)
+    body.line = section.header
+    return (ForStatement(name, first, last, step, inner, body.statement_span),)
+
+
+def _with(body: Body, section: Section, node: syntax.With) -> Block:
+    chosen = settings.gather(body, node.settings)
+    frames = [s for s in node.settings if s.word == "frame" and s.name is not None]
+    X_KC = body.frame(frames[0].name) if frames and frames[0].name else body.X_KC
+    with body.in_frame(X_KC):
+        inner = flow.walk(body, section.body)
+    body.line = section.header
+    return inner if chosen.is_empty else (With(chosen, inner, body.statement_span),)
+
+
+def _loop_body(body: Body, section: Section) -> Block:
+    with body.in_loop(Loop()):
+        return flow.walk(body, section.body)
+
+
+def _walk_then_return_to(body: Body, section: Section) -> Block:
+    inner = flow.walk(body, section.body)
+    body.line = section.header
+    return inner

@@ -1,0 +1,129 @@
+"""Types of values: kind and dimension; unknown types are found by use."""
+
+from dataclasses import dataclass
+
+from ropsim.language.check import units
+from ropsim.language.check.units import Dimension
+from ropsim.program import Expression, ValueType
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class Type:
+    """A known type; `dimension` has a meaning for REAL only."""
+
+    value: ValueType
+    dimension: Dimension = units.NUMBER
+
+    def __str__(self) -> str:
+        if self.value is ValueType.REAL:
+            return units.dimension_name(self.dimension)
+        return _WORDS[self.value]
+
+    @property
+    def is_number(self) -> bool:
+        """Return whether arithmetic makes sense."""
+        return self.value in (ValueType.INT, ValueType.REAL)
+
+
+_WORDS = {
+    ValueType.BOOL: "truth value",
+    ValueType.INT: "whole number",
+    ValueType.STR: "text",
+    ValueType.VEC: "vector",
+    ValueType.ORI: "orientation",
+    ValueType.POSE: "location",
+    ValueType.JOINTS: "joint target",
+}
+
+BOOL = Type(ValueType.BOOL)
+INT = Type(ValueType.INT)
+NUMBER = Type(ValueType.REAL)
+LENGTH = Type(ValueType.REAL, units.LENGTH)
+ANGLE = Type(ValueType.REAL, units.ANGLE)
+TIME = Type(ValueType.REAL, units.TIME)
+STR = Type(ValueType.STR)
+POSE = Type(ValueType.POSE)
+JOINTS = Type(ValueType.JOINTS)
+
+NAMED: dict[str, Type] = {
+    "num": NUMBER,
+    "int": INT,
+    "bool": BOOL,
+    "str": STR,
+    "length": LENGTH,
+    "angle": ANGLE,
+    "time": TIME,
+    "speed": Type(ValueType.REAL, units.SPEED),
+    "accel": Type(ValueType.REAL, units.ACCELERATION),
+    "force": Type(ValueType.REAL, units.FORCE),
+    "loc": POSE,
+    "joints": JOINTS,
+}
+"""Types by the word of the language."""
+
+
+class Unknown:
+    """A type that use will tell: one cell of a union-find forest.
+
+    Only the first of the two passes of the checker sees unknown types. `has_fraction` and `has_number` keep
+    what literals have told, for variables that nothing else tells about.
+    """
+
+    __slots__ = ("bound", "has_fraction", "has_number")
+
+    def __init__(self) -> None:
+        self.bound: Type | Unknown | None = None
+        self.has_fraction = False
+        self.has_number = False
+
+    def root(self) -> "Type | Unknown":
+        """Return the known type behind this one, or the cell that stands for it."""
+        here: Type | Unknown = self
+        while isinstance(here, Unknown) and here.bound is not None:
+            here = here.bound
+        return here
+
+    def settle(self) -> Type:
+        """Return the final type: as found, else INT where only whole numbers were seen, else a number."""
+        found = self.root()
+        if isinstance(found, Type):
+            return found
+        return INT if found.has_number and not found.has_fraction else NUMBER
+
+
+AnyType = Type | Unknown
+
+
+def known(kind: AnyType) -> AnyType:
+    """Return the known type, or the cell where there is none yet."""
+    return kind.root() if isinstance(kind, Unknown) else kind
+
+
+def bind(cell: Unknown, kind: AnyType) -> None:
+    """Let an unbound cell have the type `kind` from now on."""
+    target = known(kind)
+    if target is cell:
+        return
+    if isinstance(target, Unknown):
+        target.has_fraction |= cell.has_fraction
+        target.has_number |= cell.has_number
+    cell.bound = target
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A checked expression.
+
+    Attributes:
+        expression: in SI units.
+        type: known, or a cell in the first pass.
+        is_bare: a number without unit, which takes the unit of the place where it stands.
+        X_KF: for locations, the frame in whose axes `offset` shifts, given in the work frame; None for
+            the frame in force.
+    """
+
+    expression: Expression
+    type: AnyType
+    is_bare: bool = False
+    X_KF: PoseTuple | None = None

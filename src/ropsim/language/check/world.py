@@ -1,0 +1,108 @@
+"""What a whole text declares, as the checker of one body sees it."""
+
+from dataclasses import dataclass, field
+
+from ropsim.language.check.types import AnyType, Type, Value
+from ropsim.language.check.units import UnitSystem
+from ropsim.language.environment import Environment
+from ropsim.program import Expression, SignalUse
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class Formal:
+    """A parameter of a task.
+
+    Attributes:
+        name: of the parameter.
+        type: declared, or a cell that the body tells.
+        default: value where the call gives none.
+    """
+
+    name: str
+    type: AnyType
+    default: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """How a task is called.
+
+    Attributes:
+        name: of the task.
+        formals: in the order of a call.
+        references: names of the formals that are reference locations, first, second …
+        result: type of the returned value, or None.
+        is_known: false where the header could not be read; then calls are not checked.
+    """
+
+    name: str
+    formals: tuple[Formal, ...]
+    references: tuple[str, ...]
+    result: Type | None
+    is_known: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """A grid of locations.
+
+    Attributes:
+        counts: columns, rows, layers; 1 where not given.
+        origin: first location, in the work frame.
+        steps: shift per column, row and layer in the work frame [m], three vectors.
+        order: `row` (a row is filled first), `column` or `snake`.
+    """
+
+    counts: tuple[int, int, int]
+    origin: PoseTuple
+    steps: tuple[tuple[float, float, float], ...]
+    order: str
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """Something that can be read, and assigned unless `is_fixed`."""
+
+    name: str
+    type: AnyType
+    is_fixed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Poison:
+    """A name whose declaration or first value was wrong: its uses are not reported again."""
+
+
+Symbol = Variable | Value | SignalUse | Pattern | Poison
+
+
+@dataclass(slots=True)
+class World:
+    """All that is declared outside the bodies.
+
+    Attributes:
+        environment: cell and library.
+        units: of bare numbers.
+        is_strict: whether `strict` stands in the text.
+        is_classic: whether tasks without parameter list have implicit ones.
+        frame: name of the work frame.
+        X_BK: pose of the work frame in the base frame.
+        frames: all frames by name, in the base frame.
+        tools: all tools by name.
+        symbols: constants, locations, variables, signals and patterns seen everywhere.
+        signatures: tasks by name.
+        used_signals: signals that the program names.
+    """
+
+    environment: Environment
+    units: UnitSystem
+    is_strict: bool
+    is_classic: bool
+    frame: str
+    X_BK: PoseTuple
+    frames: dict[str, PoseTuple]
+    tools: dict[str, PoseTuple]
+    symbols: dict[str, Symbol] = field(default_factory=dict)
+    signatures: dict[str, Signature] = field(default_factory=dict)
+    used_signals: dict[str, SignalUse] = field(default_factory=dict)

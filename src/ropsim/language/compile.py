@@ -1,0 +1,91 @@
+"""The compiler: text to structured program and ICR. This page is the table of contents of its phases."""
+
+from dataclasses import dataclass
+
+from ropsim.core import Diagnostic, SourceText
+from ropsim.icr import Program as IcrProgram
+from ropsim.language import blocks, prose
+from ropsim.language import text as texts
+from ropsim.language.check import program as checker
+from ropsim.language.environment import NO_SIGNATURES, Environment
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
+from ropsim.language.syntax.statements import TaskHeader
+from ropsim.language.text import Line
+from ropsim.program import Program, check_contracts, lower, recursion
+
+
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    """What the compiler answers.
+
+    Attributes:
+        program: the structured program of all lines that are right; None where the text was given up.
+        icr: the executable form; None where a line is wrong or tasks call each other in a circle.
+        diagnostics: all findings in order of their place.
+        source: the text.
+    """
+
+    program: Program | None
+    icr: IcrProgram | None
+    diagnostics: tuple[Diagnostic, ...]
+    source: SourceText
+
+    @property
+    def ok(self) -> bool:
+        """Return whether no finding is an error."""
+        return not any(d.is_error for d in self.diagnostics)
+
+
+def compile(text: str, signatures: Environment = NO_SIGNATURES, name: str = "<text>") -> Compiled:
+    """Compile a task program; every text is answered, none raises.
+
+    Args:
+        text: the program.
+        signatures: what the cell and the library give names to.
+        name: of the text, for messages.
+
+    Returns:
+        Program, ICR and findings. A wrong line is reported and left out; all others are compiled.
+    """
+    source = SourceText(name, text)
+    report = Report(name)
+    program = _structured(source, signatures, report)
+    icr = None
+    if program is not None and not any(d.is_error for d in report.found):
+        report.found.extend(recursion(program))
+        if not any(d.is_error for d in report.found):
+            report.found.extend(check_contracts(program))
+            icr = lower(program, name)
+    return Compiled(program, icr, report.in_order(), source)
+
+
+def _structured(source: SourceText, environment: Environment, report: Report) -> Program | None:
+    """Run the phases; None where the text holds more wrong lines than are worth looking at."""
+    try:
+        lines = _lines(source, environment, report)
+        tree = blocks.build(lines, report)
+        return checker.check(tree, environment, report)
+    except TooManyFindingsError:
+        report.muted = False
+        return None
+
+
+def _lines(source: SourceText, environment: Environment, report: Report) -> list[Line]:
+    """Return the lines with something on them, contract prose joined to its clause."""
+    cache: dict[str, texts.Parsed] = {}
+    read: list[Line] = []
+    faults = 0
+    for line in texts.read(source, cache):
+        read.append(line)
+        faults += line.fault is not None
+        if faults > 2 * MAX_FINDINGS:
+            break
+    if len(source.lines) > texts.MAX_LINES:
+        message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
+        report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
+    headers = (line.statement for line in read)
+    names = frozenset(h.name.text for h in headers if isinstance(h, TaskHeader)) | frozenset(
+        environment.tasks
+    )
+    return list(prose.absorb(read, names, report))

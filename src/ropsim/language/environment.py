@@ -1,0 +1,52 @@
+"""What a program can name beyond its own text: frames, tools, locations, signals, library tasks."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ropsim.program import SignalUse, Task
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class TaskSignature:
+    """A task of the library.
+
+    Attributes:
+        task: its structured program; names, types and order of the parameters stand there.
+        dimensions: for each REAL parameter, what a bare number means: `length`, `angle`, `time`, `speed`,
+            `accel`, `force` or `num`; parameters not named here are plain numbers.
+    """
+
+    task: Task
+    dimensions: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Environment:
+    """The names that a cell and a library give to programs.
+
+    Attributes:
+        frames: pose of each frame in the base frame [m, unit quaternion w x y z].
+        tools: pose of each tool in the mechanical interface frame.
+        default_tool: tool in force at the start, empty for none.
+        locations: poses in the base frame.
+        signals: channels by name.
+        tasks: library tasks by name.
+        length: metres per bare unit where a text has no `units` line for lengths.
+        angle: radians per bare unit, likewise.
+        frame: name of the frame in which texts give their locations, empty for the base frame.
+    """
+
+    frames: Mapping[str, PoseTuple] = field(default_factory=dict)
+    tools: Mapping[str, PoseTuple] = field(default_factory=dict)
+    default_tool: str = ""
+    locations: Mapping[str, PoseTuple] = field(default_factory=dict)
+    signals: Mapping[str, SignalUse] = field(default_factory=dict)
+    tasks: Mapping[str, TaskSignature] = field(default_factory=dict)
+    length: float = 0.01
+    angle: float = math.pi / 180.0
+    frame: str = ""
+
+
+NO_SIGNATURES = Environment()

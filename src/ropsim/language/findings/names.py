@@ -1,0 +1,153 @@
+"""Diagnostics of names, N2xx."""
+
+from ropsim.core import Severity, define
+
+UNKNOWN_TASK = define(
+    "N201",
+    "unknown-task",
+    Severity.ERROR,
+    "a call of a task that is not defined",
+    """
+The line starts with a name that is neither a statement word nor a task of this text or of the library.
+Either the name is misspelt, or the task is missing. Upper and lower case count in the names of tasks,
+but not in statement words.
+
+```
+task release(at_: loc)
+  …
+endp
+call relase bin        <- did you mean `release`?
+```
+""",
+)
+UNKNOWN_NAME = define(
+    "N202",
+    "unknown-name",
+    Severity.ERROR,
+    "a name that has no meaning here",
+    """
+The name is no variable, constant, location or signal that can be seen from this line. Variables come to
+be by their first assignment, by `load`, as parameters, or by `var`; only those declared by `var` and
+`const` outside all tasks are seen inside tasks. Locations and signals come from the cell file or from
+`loc` and `signal`.
+""",
+)
+UNKNOWN_FRAME = define(
+    "N203",
+    "undefined-frame",
+    Severity.ERROR,
+    "a frame that is not defined",
+    """
+After `in`, `with frame` and `set frame` stands the name of a frame of the cell file, of a `frame`
+declaration, or `base` for the base frame of the robot.
+""",
+)
+UNKNOWN_TOOL = define(
+    "N204",
+    "undefined-tool",
+    Severity.ERROR,
+    "a tool that is not defined",
+    """
+After `tool`, `open` and `close` stands the name of a tool of the cell file or of a `tool` declaration.
+Without a name, `open` and `close` work the tool in force.
+""",
+)
+UNKNOWN_SIGNAL = define(
+    "N205",
+    "unknown-signal",
+    Severity.ERROR,
+    "a signal that is not defined",
+    """
+`set name on`, `off` or `= value` sets an output of the cell file or of a `signal` declaration. To give
+a variable a value, write `name = value` without `set`.
+""",
+)
+DUPLICATE = define(
+    "N206",
+    "duplicate-name",
+    Severity.ERROR,
+    "a name is declared twice",
+    """
+Every task, frame, tool, location, signal, constant, variable, pattern and parameter has one
+declaration. The first one counts; rename or remove the other.
+""",
+)
+NOT_ASSIGNABLE = define(
+    "N207",
+    "not-assignable",
+    Severity.ERROR,
+    "something that cannot be given a value",
+    """
+Constants, locations, patterns and the counters `.row .col .layer` of a pattern keep their value. Inputs
+are set by the cell, outputs by `set name on`, `off` or `= value`. To change a location, copy it first:
+`q = infeed`, then `q.y = q.y + 5 mm`.
+""",
+)
+UNKNOWN_MEMBER = define(
+    "N208",
+    "unknown-component",
+    Severity.ERROR,
+    "a component that the value does not have",
+    """
+A location has the components `.x .y .z` (lengths) and `.rx .ry .rz` (angles about the fixed X, Y and Z
+axes: R = Rz·Ry·Rx). The variable of a `for each` has `.row .col .layer` as well, counted from 1. Other
+values have no components.
+""",
+)
+UNKNOWN_FUNCTION = define(
+    "N209",
+    "unknown-function",
+    Severity.ERROR,
+    "a function that the language does not have",
+    """
+Functions are `dist sqrt sin cos tan asin acos atan2 abs min max round trunc`. A task that returns a
+value can be called as the whole right-hand side of an assignment only: `x = Height(part)`.
+""",
+)
+UNKNOWN_TYPE = define(
+    "N210",
+    "unknown-type",
+    Severity.ERROR,
+    "a type that the language does not have",
+    """
+Types are `num int bool str length angle time speed accel force loc joints`.
+
+```
+task Pick(part: loc, clear: length = 60 mm)
+```
+""",
+)
+UNKNOWN_UNIT = define(
+    "N211",
+    "unknown-unit",
+    Severity.ERROR,
+    "a unit that the language does not have",
+    """
+Units are `mm cm m inch`, `deg rad`, `s ms min`, `mm/s cm/s m/s deg/s rad/s`, `mm/s2 cm/s2 m/s2 deg/s2
+rad/s2`, `kg g N Nm V mA` and `%`. They are written in this case, straight after the number.
+""",
+)
+NO_REFERENCE = define(
+    "N212",
+    "no-reference-location",
+    Severity.ERROR,
+    "a reference location that the caller does not have",
+    """
+In a classic task a bare whole number in the place of a location means the caller's reference location
+of that number: `call release 2` passes on the second one. Control statements have no reference
+locations, and a task has no more than its callers pass to it.
+""",
+)
+UNKNOWN_PATTERN = define(
+    "N213",
+    "unknown-pattern",
+    Severity.ERROR,
+    "a pattern that is not defined",
+    """
+`for each name in pattern` runs over a `pattern` declaration:
+
+```
+pattern slots = grid 6 x 6 from (0, 0, 40) step (70, 0, 0), (0, 70, 0)
+```
+""",
+)

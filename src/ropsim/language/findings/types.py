@@ -1,0 +1,129 @@
+"""Diagnostics of types, units and arguments, T3xx."""
+
+from ropsim.core import Severity, define
+
+WRONG_TYPE = define(
+    "T301",
+    "wrong-type",
+    Severity.ERROR,
+    "a value of one type where another is needed",
+    """
+Values are numbers (whole or with a dimension), truth values, texts, locations and joint targets. A
+location is moved with `above`, `offset`, `rel` and `in`, not with `+`; conditions are truth values such
+as `n > 3` or a digital signal.
+""",
+)
+WRONG_DIMENSION = define(
+    "T302",
+    "wrong-dimension",
+    Severity.ERROR,
+    "a quantity of one dimension where another is needed",
+    """
+Lengths, angles, times, speeds and so on are told apart: `5 s + x` with a length `x` has no meaning, and
+neither has a wait of 5 mm. Multiplication and division combine dimensions: a length divided by a time
+is a speed. A number without unit takes the unit of `units` for the dimension that is needed.
+""",
+)
+ARGUMENTS = define(
+    "T303",
+    "wrong-arguments",
+    Severity.ERROR,
+    "a call whose arguments do not fit the task",
+    """
+Every parameter without a default needs an argument, by place or by name (`clear = 60 mm`), and no
+parameter takes two. A task without parameter list takes its reference locations first, then its scalars
+in alphabetical order.
+""",
+)
+NOT_WHOLE = define(
+    "T304",
+    "not-a-whole-number",
+    Severity.ERROR,
+    "a number with a fraction or a dimension where a count is needed",
+    """
+Counts of `repeat`, of a grid and parameters of type `int` are whole numbers; `6.0` is allowed, `6.5` is
+not. Use `round(x)` or `trunc(x)` to make a whole number.
+""",
+)
+NOT_CONSTANT = define(
+    "T305",
+    "not-constant",
+    Severity.ERROR,
+    "a value that is not known before the program runs",
+    """
+Frames, tools, locations, constants, patterns, defaults of parameters, the step of `for` and the turns
+of an orientation other than by `rpy`, `rx`, `ry`, `rz`, `pitch`, `roll` and `yaw` must be known when
+the program is compiled: numbers, constants and functions of them.
+""",
+)
+OUT_OF_RANGE = define(
+    "T306",
+    "impossible-value",
+    Severity.ERROR,
+    "a value outside of what is possible",
+    """
+Speeds and accelerations are greater than zero and shares at most 100 %; times and blend distances are
+not negative; the step of `for` is not zero; roots and arc functions need operands in their domain; a
+quaternion and a rotation need a direction.
+""",
+)
+BARE = define(
+    "T307",
+    "bare-number",
+    Severity.WARNING,
+    "a quantity without unit in a strict text",
+    """
+`strict` asks for a unit at every length, angle, time and speed other than 0, so that no number changes
+its meaning when the `units` line does.
+""",
+)
+CONTRACT_COUNTS = define(
+    "T308",
+    "contract-counts-differ",
+    Severity.WARNING,
+    "the needs of a task name other counts than its body uses",
+    """
+The words after `needs` say how many reference locations and parameters the task takes. The body uses
+another number: locations are `l`, `l1`, `l2` … and numbers passed on in their place, parameters are
+names that are read before they are written. One of the two is wrong; the body counts.
+""",
+)
+NO_EFFECT = define(
+    "T309",
+    "setting-without-effect",
+    Severity.WARNING,
+    "a setting that this motion does not use",
+    """
+`mov` goes from pose to pose with all joints together: its speed and acceleration are shares of the
+joint limits (`speed 30 %`). `lin` keeps a path: its speed is that of the TCP (`speed 150 mm/s`).
+""",
+)
+NO_RETURN = define(
+    "T310",
+    "missing-return",
+    Severity.ERROR,
+    "a task with a result may end without one",
+    """
+The header promises a value (`-> type`), but the body can reach its end without `return value`.
+""",
+)
+UNDECLARED = define(
+    "T311",
+    "undeclared-variable",
+    Severity.ERROR,
+    "a strict text assigns a variable that is not declared",
+    """
+Under `strict` every variable is declared by `var name: type`, so that a misspelt name cannot make a new
+one.
+""",
+)
+IN_CELL = define(
+    "T312",
+    "tool-data-not-used",
+    Severity.WARNING,
+    "mass or gripper of a tool in a program",
+    """
+A program knows the pose of a tool only. Mass, centre of mass and gripper belong to the cell file, where
+the simulator finds them; here they have no effect.
+""",
+)

@@ -1,0 +1,86 @@
+"""Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
+
+from typing import Protocol
+
+from ropsim.core import Diagnostic, Kind, Span, TextEdit
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.text import Line
+
+MAX_FINDINGS = 200
+
+
+class Placed(Protocol):
+    """Anything with offsets in its line."""
+
+    @property
+    def start(self) -> int:
+        """Return the first offset."""
+        ...
+
+    @property
+    def end(self) -> int:
+        """Return the offset after it."""
+        ...
+
+
+class TooManyFindingsError(Exception):
+    """The list is full; `compile` ends the phase and goes on to the end."""
+
+
+class Report:
+    """A list of diagnostics with a ceiling.
+
+    Attributes:
+        source: name of the text.
+        found: what has been reported so far.
+        muted: while true nothing is kept (first pass of the checker).
+    """
+
+    __slots__ = ("found", "muted", "source")
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.found: list[Diagnostic] = []
+        self.muted = False
+
+    def at(
+        self, kind: Kind, line: Line, place: Placed, message: str, hint: str = "", *, fix: str | None = None
+    ) -> None:
+        """Report a finding on a part of a logical line; `fix` would replace that part.
+
+        Raises:
+            TooManyFindingsError: the list is full.
+        """
+        if self.muted:
+            return
+        span = line.logical.span(self.source, place.start, place.end)
+        edit = TextEdit(span, fix) if fix is not None else None
+        self.add(kind.at(span, message, hint=hint, fix=edit))
+
+    def line(self, kind: Kind, line: Line, message: str, hint: str = "") -> None:
+        """Report a finding on a whole statement."""
+        self.at(kind, line, line, message, hint)
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Keep a diagnostic.
+
+        Raises:
+            TooManyFindingsError: the list is full.
+        """
+        if len(self.found) >= MAX_FINDINGS:
+            place: Span | None = diagnostic.span
+            message = f"more than {MAX_FINDINGS} findings; the rest of the text was not looked at"
+            self.found.append(kinds.TOO_MANY.at(place, message, hint="mend the first ones and compile again"))
+            raise TooManyFindingsError
+        self.found.append(diagnostic)
+
+    def in_order(self) -> tuple[Diagnostic, ...]:
+        """Return the diagnostics by place, each once."""
+
+        def place(diagnostic: Diagnostic) -> tuple[int, int, int, str]:
+            span = diagnostic.span
+            last = diagnostic.code == kinds.TOO_MANY.code
+            return (last, span.line if span else 0, span.column if span else 0, diagnostic.code)
+
+        unique = {(d.code, d.span, d.message): d for d in self.found}
+        return tuple(sorted(unique.values(), key=place))

@@ -1,0 +1,142 @@
+"""A place in the tokens of a line, with the few moves that every parser function needs."""
+
+from typing import NoReturn
+
+from ropsim.core import Kind, did_you_mean
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax.fault import Fault, LineFaultError
+from ropsim.language.syntax.lexer import UNITS, Token
+from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.words import NOT_YET_MODIFIERS, RESERVED
+
+MAX_OPERATORS = 100
+
+_END = Token("end", "", "", 0, 0)
+
+
+class Cursor:
+    """Reads tokens from left to right; raises `LineFaultError` where the line is wrong."""
+
+    __slots__ = ("index", "length", "line", "operators", "tokens")
+
+    def __init__(self, tokens: list[Token], line: str) -> None:
+        self.tokens = tokens
+        self.line = line
+        self.index = 0
+        self.length = len(tokens)
+        self.operators = 0
+
+    @property
+    def token(self) -> Token:
+        """Return the token that comes next; its kind is `end` after the last one."""
+        return self.tokens[self.index] if self.index < self.length else _END
+
+    @property
+    def word(self) -> str:
+        """Return the lower-case word or the sign that comes next, empty for numbers, texts and the end."""
+        return self.tokens[self.index].word if self.index < self.length else ""
+
+    @property
+    def at_end(self) -> bool:
+        """Return whether the line has been read completely."""
+        return self.index >= self.length
+
+    @property
+    def start(self) -> int:
+        """Return the offset of the next token, or of the end of the line."""
+        return self.tokens[self.index].start if self.index < self.length else self.end
+
+    @property
+    def end(self) -> int:
+        """Return the offset after the token read last."""
+        return self.tokens[self.index - 1].end if self.index else 0
+
+    def look(self, ahead: int) -> Token:
+        """Return the token `ahead` places after the next one."""
+        place = self.index + ahead
+        return self.tokens[place] if place < self.length else _END
+
+    def advance(self) -> Token:
+        """Return the next token and step over it."""
+        token = self.token
+        if token.kind == "end":
+            self.fail("more words")
+        self.index += 1
+        return token
+
+    def accept(self, word: str) -> bool:
+        """Step over `word` if it comes next."""
+        if self.index < self.length and self.tokens[self.index].word == word:
+            self.index += 1
+            return True
+        return False
+
+    def expect(self, word: str) -> None:
+        """Step over `word`, which must come next."""
+        if not self.accept(word):
+            self.fail(f"`{word}`")
+
+    def expect_equals(self) -> None:
+        """Step over `=` or `:=`."""
+        if not (self.accept("=") or self.accept(":=")):
+            self.fail("`=`")
+
+    def name(self, what: str) -> Name:
+        """Return the name that must come next; `what` says of what, as in "a task name"."""
+        token = self.token
+        if token.kind != "word":
+            self.fail(what)
+        if token.word in RESERVED:
+            self.fail(what, f"`{token.text}` is a word of the language and cannot be a name")
+        self.index += 1
+        return Name(token.text, token.start, token.end)
+
+    def count_operator(self) -> None:
+        """Count an operator or parenthesis; expressions stay shallow enough for every later stage."""
+        self.operators += 1
+        if self.operators > MAX_OPERATORS:
+            self.fault(
+                kinds.DEPTH,
+                self.start,
+                self.start + 1,
+                f"more than {MAX_OPERATORS} operators and parentheses in one statement",
+                "split it with a variable",
+            )
+
+    def finish(self) -> None:
+        """Make sure that nothing is left over."""
+        if self.at_end:
+            return
+        token = self.token
+        before = self.look(-1)
+        if before.kind == "number" and token.kind == "word":
+            hint = did_you_mean(token.text, UNITS) or "units are " + " ".join(UNITS)
+            self.fault(kinds.UNEXPECTED, token.start, token.end, f"unknown unit `{token.text}`", hint)
+        if token.word in NOT_YET_MODIFIERS:
+            self.not_yet(token, token.word)
+        self.fail("the end of the line")
+
+    def not_yet(self, token: Token, what: str) -> NoReturn:
+        """Refuse a part of the language that this version does not have."""
+        self.fault(
+            kinds.NOT_YET,
+            token.start,
+            token.end,
+            f"`{what}` is not yet in this version",
+            "see `ropsim explain L109`; leave it out or use the statements that exist",
+        )
+
+    def fail(self, expected: str, hint: str = "") -> NoReturn:
+        """Raise: `expected` was expected here, something else found."""
+        token = self.token
+        if token.kind == "end":
+            place = self.tokens[-1].end if self.tokens else 0
+            self.fault(
+                kinds.UNEXPECTED, place, place + 1, f"expected {expected}, found the end of the line", hint
+            )
+        shown = token.text if len(token.text) <= 40 else token.text[:37] + "…"
+        self.fault(kinds.UNEXPECTED, token.start, token.end, f"expected {expected}, found `{shown}`", hint)
+
+    def fault(self, kind: Kind, start: int, end: int, message: str, hint: str = "") -> NoReturn:
+        """Raise a fault of any kind."""
+        raise LineFaultError(Fault(kind, start, end, message, hint))

@@ -1,0 +1,197 @@
+"""Expressions by recursive descent; one function per level of precedence, weakest first."""
+
+from collections.abc import Callable
+
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax import tuples
+from ropsim.language.syntax.cursor import Cursor
+from ropsim.language.syntax.lexer import LARGEST, number_parts, text_value
+from ropsim.language.syntax.nodes import (
+    Binary,
+    Function,
+    Joints,
+    Literal,
+    Member,
+    Name,
+    Node,
+    Number,
+    Rebase,
+    State,
+    Text,
+    Unary,
+)
+from ropsim.language.syntax.words import RESERVED
+
+_COMPARISONS = {"=": "=", "==": "=", "<>": "<>", "!=": "<>", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+_SUMS = frozenset(("+", "-", "above", "offset", "rel"))
+_TERMS = frozenset(("*", "/", "mod"))
+_LITERALS = frozenset(("true", "false", "on", "off", "here", "home"))
+_STATES = frozenset(("on", "off", "true", "false"))
+
+
+def expression(cursor: Cursor) -> Node:
+    """Read `and {or and}`."""
+    left = _conjunction(cursor)
+    while cursor.word == "or":
+        left = _binary(cursor, left, "or", _conjunction)
+    return left
+
+
+def _conjunction(cursor: Cursor) -> Node:
+    left = _negation(cursor)
+    while cursor.word == "and":
+        left = _binary(cursor, left, "and", _negation)
+    return left
+
+
+def _negation(cursor: Cursor) -> Node:
+    start = cursor.start
+    count = 0
+    while cursor.accept("not"):
+        cursor.count_operator()
+        count += 1
+    operand = _comparison(cursor)
+    return Unary("not", operand, start, operand.end) if count % 2 else operand
+
+
+def _comparison(cursor: Cursor) -> Node:
+    left = total(cursor)
+    word = cursor.word
+    if word in _COMPARISONS:
+        return _binary(cursor, left, _COMPARISONS[word], total)
+    if word == "is":
+        cursor.advance()
+        negated = cursor.accept("not")
+        state = cursor.token
+        if state.word not in _STATES:
+            if state.word in ("open", "close", "closed"):
+                cursor.not_yet(state, f"is {state.word}")
+            cursor.fail("`on`, `off`, `true` or `false`")
+        cursor.advance()
+        return State(left, state.word, negated, left.start, state.end)
+    if word in ("rising", "falling"):
+        cursor.not_yet(cursor.token, word)
+    return left
+
+
+def total(cursor: Cursor) -> Node:
+    """Read sums and the pose operators, all of one precedence, from left to right."""
+    left = _term(cursor)
+    while True:
+        word = cursor.word
+        if word in _SUMS:
+            left = _binary(cursor, left, word, _term)
+        elif word in ("in", "@"):
+            cursor.advance()
+            cursor.count_operator()
+            frame = cursor.name("the name of a frame")
+            left = Rebase(left, frame, left.start, frame.end)
+        else:
+            return left
+
+
+def _term(cursor: Cursor) -> Node:
+    left = unary(cursor)
+    while cursor.word in _TERMS:
+        left = _binary(cursor, left, cursor.word, unary)
+    return left
+
+
+def unary(cursor: Cursor) -> Node:
+    """Read a value with any number of minus signs."""
+    start = cursor.start
+    count = 0
+    while cursor.accept("-"):
+        cursor.count_operator()
+        count += 1
+    operand = postfix(cursor)
+    return Unary("neg", operand, start, operand.end) if count % 2 else operand
+
+
+def postfix(cursor: Cursor) -> Node:
+    """Read a primary with its members: `slot.row`."""
+    node = _primary(cursor)
+    while True:
+        if cursor.word == "." and cursor.look(1).kind == "word":
+            cursor.advance()
+            cursor.count_operator()
+            token = cursor.advance()
+            node = Member(node, Name(token.text, token.start, token.end), node.start, token.end)
+        elif cursor.word == "[":
+            cursor.not_yet(cursor.token, "name[index]")
+        else:
+            return node
+
+
+def _primary(cursor: Cursor) -> Node:
+    token = cursor.token
+    word = token.word
+    if token.kind == "number":
+        return number(cursor)
+    if token.kind == "text":
+        cursor.advance()
+        return Text(text_value(token.text), token.start, token.end)
+    if word == "(":
+        return tuples.parenthesis(cursor)
+    if token.kind == "word":
+        if word == "p" and cursor.look(1).word == "(":
+            cursor.advance()
+            return tuples.parenthesis(cursor)
+        if word in _LITERALS:
+            cursor.advance()
+            return Literal(word, token.start, token.end)
+        if word == "joints" and cursor.look(1).word == "(":
+            return _joints(cursor)
+        if word == "gripper":
+            cursor.not_yet(token, "gripper")
+        if word not in RESERVED:
+            cursor.advance()
+            if cursor.word == "(":
+                return _function(cursor, Name(token.text, token.start, token.end))
+            return Name(token.text, token.start, token.end)
+    cursor.fail("a value")
+
+
+def number(cursor: Cursor) -> Number:
+    """Read a number with its unit."""
+    token = cursor.advance()
+    digits, unit = number_parts(token.text)
+    value = float(digits)
+    if value > LARGEST:
+        shown = digits if len(digits) <= 20 else digits[:17] + "…"
+        message = f"number `{shown}` is too large; at most {LARGEST:g} is allowed"
+        cursor.fault(kinds.NUMBER_SIZE, token.start, token.end, message, "check the digits and the exponent")
+    return Number(value, digits.isdigit(), unit, token.start, token.end)
+
+
+def listed(cursor: Cursor) -> tuple[Node, ...]:
+    """Read one or more expressions between commas."""
+    values = [expression(cursor)]
+    while cursor.accept(","):
+        values.append(expression(cursor))
+    return tuple(values)
+
+
+def _binary(cursor: Cursor, left: Node, op: str, operand: Callable[[Cursor], Node]) -> Binary:
+    cursor.advance()
+    cursor.count_operator()
+    right = operand(cursor)
+    return Binary(op, left, right, left.start, right.end)
+
+
+def _function(cursor: Cursor, name: Name) -> Function:
+    cursor.expect("(")
+    cursor.count_operator()
+    arguments = () if cursor.word == ")" else listed(cursor)
+    cursor.expect(")")
+    return Function(name, arguments, name.start, cursor.end)
+
+
+def _joints(cursor: Cursor) -> Joints:
+    start = cursor.start
+    cursor.advance()
+    cursor.expect("(")
+    cursor.count_operator()
+    values = listed(cursor)
+    cursor.expect(")")
+    return Joints(values, start, cursor.end)

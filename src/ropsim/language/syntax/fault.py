@@ -1,0 +1,32 @@
+"""What is wrong with one line, before it is known where the line stands."""
+
+from dataclasses import dataclass
+
+from ropsim.core import Kind
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """A finding in offsets of the logical line.
+
+    Attributes:
+        kind: of the diagnostic.
+        start: first offset of the marked text.
+        end: offset after it.
+        message: as in the diagnostic.
+        hint: what to do next.
+    """
+
+    kind: Kind
+    start: int
+    end: int
+    message: str
+    hint: str = ""
+
+
+class LineFaultError(Exception):
+    """Carries a fault out of the depths of the parser to `parse_line`, which never lets it go further."""
+
+    def __init__(self, fault: Fault) -> None:
+        super().__init__(fault.message)
+        self.fault = fault

@@ -1,0 +1,109 @@
+"""Tokens of one logical line."""
+
+import re
+from typing import NamedTuple
+
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax.fault import Fault, LineFaultError
+
+UNITS = (
+    "mm/s2", "cm/s2", "m/s2", "deg/s2", "rad/s2", "mm/s", "cm/s", "m/s", "deg/s", "rad/s", "mm", "cm", "inch",
+    "deg", "rad", "ms", "min", "kg", "Nm", "mA", "m", "s", "g", "N", "V", "%",
+)  # fmt: skip
+
+LARGEST = 1e12
+
+_TOKEN = re.compile(
+    r"""
+    (?P<blank>[ \t\n]+|(?:\#|//)[^\n]*)
+  | (?P<word>[A-Za-z_][A-Za-z_0-9]*)
+  | (?P<number>(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)(?:[ \t]*(UNIT)(?![A-Za-z_0-9]))?)
+  | (?P<sign>:=|<>|!=|<=|>=|==|->|[-+*/=<>(),;:.@\[\]%])
+  | (?P<text>"(?:[^"\\\n]|\\.)*")
+  | (?P<bad>.)
+    """.replace("UNIT", "|".join(UNITS)),
+    re.VERBOSE | re.ASCII,
+)
+_NUMBER_PARTS = re.compile(r"(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)[ \t]*(.*)", re.ASCII)
+_ESCAPES = {"n": "\n", "t": "\t"}
+
+
+class Token(NamedTuple):
+    """One token.
+
+    Attributes:
+        kind: `word`, `number`, `sign` or `text`.
+        word: lower case for words, the characters themselves for signs, empty for numbers and texts, so
+            that a keyword is never mistaken for the content of a text.
+        text: as written.
+        start: offset in the logical line.
+        end: offset after it.
+    """
+
+    kind: str
+    word: str
+    text: str
+    start: int
+    end: int
+
+
+def tokens(line: str) -> list[Token]:
+    """Return the tokens of a logical line, without blanks and comments.
+
+    Raises:
+        LineFaultError: a character or text that the language does not have.
+    """
+    found: list[Token] = []
+    for match in _TOKEN.finditer(line):
+        kind = match.lastgroup
+        if kind == "blank":
+            continue
+        text = match.group()
+        if kind == "word":
+            found.append(Token(kind, text.lower(), text, match.start(), match.end()))
+        elif kind == "sign":
+            found.append(Token(kind, text, text, match.start(), match.end()))
+        elif kind in ("number", "text"):
+            found.append(Token(kind, "", text, match.start(), match.end()))
+        else:
+            raise LineFaultError(_bad(line, match.start()))
+    return found
+
+
+def number_parts(text: str) -> tuple[str, str]:
+    """Return digits and unit of a number token."""
+    match = _NUMBER_PARTS.match(text)
+    return (match.group(1), match.group(2)) if match else (text, "")
+
+
+def text_value(text: str) -> str:
+    """Return the characters that a text token stands for."""
+    return re.sub(r"\\(.)", lambda m: _ESCAPES.get(m.group(1), m.group(1)), text[1:-1])
+
+
+def _bad(line: str, at: int) -> Fault:
+    character = line[at]
+    if character == '"':
+        end = line.find("\n", at)
+        return Fault(
+            kinds.OPEN_TEXT,
+            at,
+            end if end >= 0 else len(line),
+            "the text does not end",
+            'add a `"` at its end',
+        )
+    shown = character if character.isprintable() else f"U+{ord(character):04X}"
+    hint = {
+        "“": 'use straight quotes: `"`',
+        "”": 'use straight quotes: `"`',
+        "'": 'use double quotes: `"`',
+        "–": "use `-` for minus",
+        "−": "use `-` for minus",
+        "×": "use `*`, or `x` between the counts of a grid",
+        "&": "write `and`",
+        "|": "write `or`",
+        "!": "write `not`",
+        "°": "write `deg`",
+        "\u00a0": "this is a non-breaking space; type an ordinary one",
+    }.get(character, "leave it out; other languages' letters may stand in comments and texts")
+    return Fault(kinds.CHARACTER, at, at + 1, f"unexpected character `{shown}`", hint)

@@ -1,0 +1,75 @@
+"""Logical lines: physical lines joined after an open parenthesis or a final backslash."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ropsim.core import SourceText, Span
+from ropsim.language.syntax.words import HEADS
+
+MAX_JOINED = 20
+
+_BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|\#.*|//.*|[()\[\]]')
+_HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)(.?)")
+
+
+@dataclass(frozen=True, slots=True)
+class LogicalLine:
+    """The text of a statement and the number of its first physical line.
+
+    Attributes:
+        number: from 1.
+        text: physical lines joined by a line feed, a final backslash replaced by a blank, so that
+            offsets in `text` still tell line and column.
+    """
+
+    number: int
+    text: str
+
+    def span(self, source: str, start: int, end: int) -> Span:
+        """Return the span of the characters from offset `start` to `end` (exclusive)."""
+        line, column = self._place(min(start, max(len(self.text) - 1, 0)))
+        end_line, end_column = self._place(max(start + 1, min(end, len(self.text))) - 1)
+        return Span(source, line, column, end_line, end_column + 1)
+
+    def _place(self, offset: int) -> tuple[int, int]:
+        before = self.text.count("\n", 0, offset)
+        if not before:
+            return self.number, offset + 1
+        return self.number + before, offset - self.text.rindex("\n", 0, offset)
+
+
+def logical_lines(source: SourceText) -> Iterator[LogicalLine]:
+    """Yield all logical lines, empty ones included.
+
+    A line with an open parenthesis goes on in the next ones, but never into a line that starts with a
+    statement word: a forgotten parenthesis spoils its own line and no other.
+    """
+    lines = source.lines
+    number = 0
+    while number < len(lines):
+        text = lines[number].replace("\ufeff", " ", 1) if number == 0 else lines[number]
+        first = number + 1
+        number += 1
+        if "(" in text or "[" in text or text.endswith("\\"):
+            joined = [text]
+            while number < len(lines) and len(joined) < MAX_JOINED and _goes_on(joined, lines[number]):
+                if joined[-1].endswith("\\"):
+                    joined[-1] = joined[-1][:-1] + " "
+                joined.append(lines[number])
+                number += 1
+            text = "\n".join(joined)
+        yield LogicalLine(first, text)
+
+
+def _goes_on(joined: list[str], following: str) -> bool:
+    if joined[-1].endswith("\\"):
+        return True
+    depth = 0
+    for text in joined:
+        for mark in _BRACKETS.findall(text):
+            depth += (mark in "([") - (mark in ")]")
+    if depth <= 0 or not following.strip():
+        return False
+    head = _HEAD.match(following)
+    return head is None or head.group(1).lower() not in HEADS

@@ -1,0 +1,103 @@
+"""Lines that move the arm, work the gripper or change how the next moves are made."""
+
+from ropsim.language.syntax.cursor import Cursor
+from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.lexer import Token
+from ropsim.language.syntax.nodes import Literal, Name
+from ropsim.language.syntax.statements import (
+    Gripper,
+    Load,
+    Motion,
+    SetMode,
+    SetSignal,
+    Setting,
+    Statement,
+    With,
+)
+from ropsim.language.syntax.words import NOT_YET_MODIFIERS
+
+_QUANTITIES = ("speed", "acc", "blend")
+
+
+def motion(cursor: Cursor, head: Token) -> Statement:
+    """Read `mov|movj|lin|movl [to] target {modifier}`."""
+    if cursor.word == "via":
+        cursor.not_yet(cursor.token, "via")
+    cursor.accept("to")
+    target = expression(cursor)
+    modifiers: list[Setting] = []
+    while not cursor.at_end:
+        if cursor.word in NOT_YET_MODIFIERS:
+            cursor.not_yet(cursor.token, cursor.word)
+        if cursor.word not in (*_QUANTITIES, "fine", "tool"):
+            cursor.finish()
+        modifiers.append(_setting(cursor))
+    return Motion(head.word in ("lin", "movl"), target, tuple(modifiers), head.start, cursor.end)
+
+
+def gripper(cursor: Cursor, head: Token) -> Statement:
+    """Read `open|close [tool]`."""
+    tool = None
+    if cursor.token.kind == "word":
+        if cursor.word in ("to", "force", "speed", "timeout", "expect"):
+            cursor.not_yet(cursor.token, cursor.word)
+        tool = cursor.name("the name of a tool")
+        if cursor.word in ("to", "force", "speed", "timeout", "expect"):
+            cursor.not_yet(cursor.token, cursor.word)
+    return Gripper(head.word, tool, head.start, cursor.end)
+
+
+def load(cursor: Cursor, head: Token) -> Statement:
+    """Read `load (x, y, z), location`."""
+    cursor.expect("(")
+    names = [cursor.name("the name of a variable")]
+    while cursor.accept(","):
+        names.append(cursor.name("the name of a variable"))
+    closing = cursor.token
+    cursor.expect(")")
+    if len(names) not in (3, 5, 6):
+        cursor.index -= 1
+        cursor.fail("3, 5 or 6 names", f"{len(names)} given up to `{closing.text}`")
+    cursor.expect(",")
+    return Load(tuple(names), expression(cursor), head.start, cursor.end)
+
+
+def set_statement(cursor: Cursor, head: Token) -> Statement:
+    """Read `set speed|acc|blend|frame|tool …` or `set output on|off|= value`."""
+    following = cursor.look(1).word
+    if cursor.word in (*_QUANTITIES, "frame", "tool", "fine") and following not in ("on", "off", "=", ":="):
+        setting = _setting(cursor)
+        return SetMode(setting, head.start, cursor.end)
+    name = cursor.name("`speed`, `acc`, `blend`, `fine`, `frame`, `tool` or the name of an output")
+    if cursor.accept("=") or cursor.accept(":="):
+        return SetSignal(name, expression(cursor), head.start, cursor.end)
+    state = cursor.token
+    if state.word not in ("on", "off"):
+        cursor.fail("`on`, `off` or `=`")
+    cursor.advance()
+    return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
+
+
+def with_statement(cursor: Cursor, head: Token) -> Statement:
+    """Read `with setting {, setting}`."""
+    settings = [_setting(cursor)]
+    while cursor.accept(","):
+        settings.append(_setting(cursor))
+    return With(tuple(settings), head.start, cursor.end)
+
+
+def _setting(cursor: Cursor) -> Setting:
+    token = cursor.token
+    word = token.word
+    if word in _QUANTITIES:
+        cursor.advance()
+        value = total(cursor)
+        return Setting(word, value, None, token.start, cursor.end)
+    if word == "fine":
+        cursor.advance()
+        return Setting(word, None, None, token.start, cursor.end)
+    if word in ("frame", "tool"):
+        cursor.advance()
+        name: Name = cursor.name(f"the name of a {word}")
+        return Setting(word, None, name, token.start, cursor.end)
+    cursor.fail("`frame`, `tool`, `speed`, `acc`, `blend` or `fine`")

@@ -1,0 +1,152 @@
+"""Expression nodes; `start` and `end` are offsets in the logical line, so a node depends on the text only."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A name where a name is meant."""
+
+    text: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number with its unit; an empty unit marks a bare number."""
+
+    value: float
+    is_whole: bool
+    unit: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A text in quotes."""
+
+    value: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Literal:
+    """One of the words `true false on off here home`."""
+
+    word: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """`neg` or `not`."""
+
+    op: str
+    operand: "Node"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """`+ - * / mod and or = <> < > <= >=` and the pose operators `above`, `offset`, `rel`."""
+
+    op: str
+    left: "Node"
+    right: "Node"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Rebase:
+    """`operand in frame`: the same numbers, read in another frame."""
+
+    operand: "Node"
+    frame: Name
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """`operand is [not] on|off|true|false`."""
+
+    operand: "Node"
+    word: str
+    negated: bool
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """`name(arguments)`: a fixed function, or a task that returns a value."""
+
+    name: Name
+    arguments: tuple["Node", ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A member of a parenthesis; `name` is None unless written `name = value`."""
+
+    name: Name | None
+    value: "Node"
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """One orientation term of a tuple.
+
+    Attributes:
+        word: `rpy quat euler rotvec pitch roll yaw rx ry rz down like`.
+        axes: axes of `euler`, upper case.
+        values: the numbers.
+        like: the pose of `like`.
+    """
+
+    word: str
+    axes: str
+    values: tuple["Node", ...]
+    like: "Node | None"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Tuple:
+    """A parenthesis with several members or an orientation: a location, a vector or an argument list."""
+
+    items: tuple[Item, ...]
+    turns: tuple[Turn, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Joints:
+    """`joints(...)`."""
+
+    values: tuple["Node", ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """`operand.name`."""
+
+    operand: "Node"
+    name: Name
+    start: int
+    end: int
+
+
+Node = Name | Number | Text | Literal | Unary | Binary | Rebase | State | Function | Tuple | Joints | Member

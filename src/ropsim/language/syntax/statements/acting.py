@@ -1,0 +1,123 @@
+"""Nodes of lines that move, set, call or assign; positions as in `nodes`."""
+
+from dataclasses import dataclass
+
+from ropsim.language.syntax.nodes import Item, Name, Node
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """`speed|acc|blend value`, `fine`, `tool name` or `frame name`."""
+
+    word: str
+    value: Node | None
+    name: Name | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """`mov` or `lin` to a target."""
+
+    is_linear: bool
+    target: Node
+    modifiers: tuple[Setting, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Gripper:
+    """`open` or `close`, with an optional tool."""
+
+    word: str
+    tool: Name | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """`load (x, y, z), l`."""
+
+    names: tuple[Name, ...]
+    source: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class SetSignal:
+    """`set output on|off|= value`."""
+
+    name: Name
+    value: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class SetMode:
+    """`set speed|acc|blend|frame|tool …`."""
+
+    setting: Setting
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class With:
+    """`with setting, setting`."""
+
+    settings: tuple[Setting, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class WaitTime:
+    """`wait t`."""
+
+    duration: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """`stop [text]`."""
+
+    message: Node | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Print:
+    """`print value, value`."""
+
+    values: tuple[Node, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """`[call] task arguments`."""
+
+    name: Name
+    arguments: tuple[Item, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    """`name = value` or `name.member = value`."""
+
+    name: Name
+    member: Name | None
+    value: Node
+    start: int
+    end: int

@@ -1,0 +1,139 @@
+"""Nodes of declarations, task headers and contracts; positions as in `nodes`."""
+
+from dataclasses import dataclass
+
+from ropsim.language.syntax.nodes import Name, Node
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramHeader:
+    """`program name`."""
+
+    name: Name
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """`units mm, deg, s`."""
+
+    names: tuple[Name, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """`classic` or `strict`."""
+
+    word: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class FrameDeclaration:
+    """`frame name = pose`."""
+
+    name: Name
+    value: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class LocationDeclaration:
+    """`loc name = pose` or `loc name = joints(...)`."""
+
+    name: Name
+    value: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ToolDeclaration:
+    """`tool name = pose`, with the words `payload`, `cog`, `gripper` that were written after it."""
+
+    name: Name
+    value: Node
+    extras: tuple[Name, ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class SignalDeclaration:
+    """`signal name = [analog] input|output channel`."""
+
+    name: Name
+    is_analog: bool
+    is_input: bool
+    channel: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantDeclaration:
+    """`const name [: type] = value`."""
+
+    name: Name
+    type: Name | None
+    value: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class VariableDeclaration:
+    """`var name [: type] [= value]`."""
+
+    name: Name
+    type: Name | None
+    value: Node | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class PatternDeclaration:
+    """`pattern name = grid a x b from pose step v1, v2 [order word]`."""
+
+    name: Name
+    counts: tuple[Node, ...]
+    origin: Node
+    steps: tuple[Node, ...]
+    order: Name | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """`name [: type] [= default]`."""
+
+    name: Name
+    type: Name | None
+    default: Node | None
+
+
+@dataclass(frozen=True, slots=True)
+class TaskHeader:
+    """`task name [(parameters)] [-> type]`; `parameters` is None where no list is written."""
+
+    name: Name
+    parameters: tuple[Parameter, ...] | None
+    result: Name | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ContractClause:
+    """`needs …` or `assumes …`."""
+
+    text: str
+    start: int
+    end: int

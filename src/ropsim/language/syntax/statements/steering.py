@@ -1,0 +1,133 @@
+"""Nodes of lines that steer the flow, and of broken lines; positions as in `nodes`."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ropsim.language.syntax.nodes import Name, Node
+
+if TYPE_CHECKING:
+    from ropsim.language.syntax.statements.union import Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Broken:
+    """A line that could not be read; the head word and first name are kept so that blocks still match."""
+
+    head: str
+    name: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Closer:
+    """`endp endr endif endw endf endwith`."""
+
+    word: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Until:
+    """`until condition`, the other end of `repeat`."""
+
+    condition: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class WaitCondition:
+    """`wait until condition [timeout t [else statement]]`."""
+
+    condition: Node
+    timeout: Node | None
+    otherwise: "Statement | None"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """`if condition [then]`; with a statement after `then` it is complete in one line."""
+
+    condition: Node
+    body: "Statement | None"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ElseIf:
+    """`elseif condition`."""
+
+    condition: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Else:
+    """`else`."""
+
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class While:
+    """`while condition [do]`."""
+
+    condition: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """`repeat [count]`."""
+
+    count: Node | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class For:
+    """`for name = first to last [step s]`."""
+
+    name: Name
+    first: Node
+    last: Node
+    step: Node | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ForEach:
+    """`for each name in pattern`."""
+
+    name: Name
+    pattern: Name
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Jump:
+    """`break` or `continue`."""
+
+    word: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """`return [value]`."""
+
+    value: Node | None
+    start: int
+    end: int

@@ -1,0 +1,143 @@
+"""The words of the language: statement heads, reserved words and what this version leaves out."""
+
+HEADS = frozenset(
+    [
+        "program",
+        "use",
+        "import",
+        "units",
+        "classic",
+        "strict",
+        "robot",
+        "frame",
+        "loc",
+        "tool",
+        "signal",
+        "const",
+        "var",
+        "pattern",
+        "task",
+        "needs",
+        "assumes",
+        "endp",
+        "endtask",
+        "endr",
+        "endif",
+        "endw",
+        "endf",
+        "endon",
+        "endtry",
+        "endwith",
+        "endpar",
+        "until",
+        "else",
+        "elseif",
+        "mov",
+        "movj",
+        "lin",
+        "movl",
+        "circ",
+        "movc",
+        "spline",
+        "open",
+        "close",
+        "load",
+        "set",
+        "pulse",
+        "wait",
+        "if",
+        "while",
+        "repeat",
+        "for",
+        "with",
+        "break",
+        "continue",
+        "return",
+        "stop",
+        "parallel",
+        "sync",
+        "on",
+        "resume",
+        "restart",
+        "skip",
+        "try",
+        "catch",
+        "raise",
+        "abort",
+        "call",
+        "print",
+    ]
+)
+"""Words that start a statement; they cannot name anything else."""
+
+VERBS = (
+    "mov", "movj", "lin", "movl", "open", "close", "load", "set", "wait", "if", "while", "repeat", "for",
+    "with", "break", "continue", "return", "stop", "call", "print", "endp", "endr", "endif", "endw", "endf",
+    "endwith", "until", "else", "elseif", "task", "needs", "assumes", "frame", "loc", "tool", "signal",
+    "const", "var", "pattern", "program", "units",
+)  # fmt: skip
+"""Statement words worth suggesting for a misspelt one."""
+
+RESERVED = HEADS | frozenset(
+    [
+        "and",
+        "or",
+        "not",
+        "mod",
+        "in",
+        "above",
+        "offset",
+        "rel",
+        "is",
+        "to",
+        "then",
+        "do",
+        "true",
+        "false",
+        "here",
+        "home",
+    ]
+)
+"""Words that cannot be names."""
+
+NOT_YET = frozenset(
+    [
+        "circ",
+        "movc",
+        "spline",
+        "on",
+        "endon",
+        "resume",
+        "restart",
+        "skip",
+        "try",
+        "catch",
+        "endtry",
+        "raise",
+        "abort",
+        "parallel",
+        "endpar",
+        "sync",
+        "pulse",
+        "use",
+        "import",
+        "robot",
+    ]
+)
+"""Statements of the language that this version refuses by name."""
+
+NOT_YET_MODIFIERS = frozenset(["until", "store", "at", "time", "angle", "jtol", "force", "timeout", "via"])
+"""Words after a motion target that this version refuses by name."""
+
+OPENERS = {
+    "task": ("endp", "endtask"),
+    "repeat": ("endr", "until"),
+    "if": ("endif",),
+    "while": ("endw",),
+    "for": ("endf",),
+    "with": ("endwith",),
+    "on": ("endon",),
+    "try": ("endtry",),
+    "parallel": ("endpar",),
+}
+"""Words that close a block, by the word that opens it."""

@@ -1,0 +1,63 @@
+"""A text read line by line: the green layer of the tree, independent of where a line stands."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ropsim.core import SourceText
+from ropsim.language.syntax.fault import Fault
+from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.lines import LogicalLine, logical_lines
+from ropsim.language.syntax.statements import Broken, Closer, Statement
+
+MAX_LINES = 200_000
+
+Parsed = tuple[Statement | None, Fault | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A logical line with its statement.
+
+    Attributes:
+        logical: text and line number.
+        statement: None for an empty line or prose.
+        fault: what is wrong with it.
+    """
+
+    logical: LogicalLine
+    statement: Statement | None
+    fault: Fault | None = None
+
+    @classmethod
+    def empty(cls) -> "Line":
+        """Return a line that stands for the head of the whole text."""
+        return cls(LogicalLine(1, ""), None)
+
+    @property
+    def start(self) -> int:
+        """Return the offset of the statement."""
+        return self.statement.start if self.statement else 0
+
+    @property
+    def end(self) -> int:
+        """Return the offset after the statement."""
+        return self.statement.end if self.statement else len(self.logical.text)
+
+    @property
+    def head(self) -> str:
+        """Return the first word, lower case."""
+        if isinstance(self.statement, Broken | Closer):
+            return self.statement.head if isinstance(self.statement, Broken) else self.statement.word
+        words = self.logical.text[self.start :].split(maxsplit=1)
+        return words[0].lower() if words else ""
+
+
+def read(source: SourceText, cache: dict[str, Parsed]) -> Iterator[Line]:
+    """Yield the lines of a text; `cache` keeps what lines of the same text were parsed to."""
+    for logical in logical_lines(source):
+        if logical.number > MAX_LINES:
+            return
+        parsed = cache.get(logical.text)
+        if parsed is None:
+            parsed = cache[logical.text] = parse_line(logical.text)
+        yield Line(logical, *parsed)

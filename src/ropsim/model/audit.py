@@ -1,0 +1,131 @@
+"""Look a robot model over: what cannot be right, what is doubtful, what is only estimated."""
+
+from collections.abc import Iterator
+from itertools import chain
+from math import inf, isfinite
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.model import diagnostics as kinds
+from ropsim.model.robot import Joint, JointType, Link, RobotModel
+
+TRIANGLE_SLACK = 1e-9
+"""Relative slack of the triangle inequality: products of rotations leave rounding errors in the moments."""
+
+
+def audit(robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return the findings about a robot model, in the order counts, joints, links, home, origins.
+
+    Errors are contradictions (reversed limits, negative masses, missing links); warnings are numbers that no
+    rigid body can have but that published sets contain (A + B < C); hints name massless links and estimates.
+    """
+    return tuple(
+        chain(
+            _counts(robot),
+            chain.from_iterable(_joint_findings(joint) for joint in robot.joints),
+            chain.from_iterable(_link_findings(str(i), link) for i, link in enumerate(robot.links, start=1)),
+            _home(robot),
+            _origins(robot),
+        )
+    )
+
+
+def _counts(robot: RobotModel) -> Iterator[Diagnostic]:
+    found = {"links": len(robot.links), "drives": len(robot.drives) or robot.n}
+    for what, count in found.items():
+        if count != robot.n:
+            yield kinds.COUNT_MISMATCH.at(
+                None,
+                f"`{robot.name}` has {count} {what} for {robot.n} joints",
+                hint=f"give one entry of {what} for each joint",
+                data={"found": count, "allowed": robot.n},
+            )
+
+
+def _joint_findings(joint: Joint) -> Iterator[Diagnostic]:
+    unit = "rad" if joint.type is JointType.REVOLUTE else "m"
+    if not joint.lower < joint.upper:
+        yield kinds.REVERSED_LIMITS.at(
+            None,
+            f"joint `{joint.name}` has the lower limit {joint.lower:g} {unit} and the upper limit "
+            f"{joint.upper:g} {unit}",
+            hint="the lower limit must be the smaller number",
+            data={f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
+        )
+    for name in ("max_speed", "max_acceleration", "max_jerk", "max_effort"):
+        value = float(getattr(joint, name))
+        if not (value > 0.0 and (value < inf or name == "max_effort")):
+            yield kinds.UNUSABLE_LIMIT.at(
+                None,
+                f"joint `{joint.name}` has `{name}` = {value:g}, allowed is a positive number",
+                hint="give the largest value that the joint may reach",
+                data={"found": value},
+            )
+    if not all(map(isfinite, joint.placement.as_tuple())):
+        yield _not_finite(f"the placement of joint `{joint.name}`")
+
+
+def _link_findings(name: str, link: Link) -> Iterator[Diagnostic]:
+    values = np.concatenate([[link.mass], link.com.ravel(), link.inertia.ravel()])
+    if not np.isfinite(values).all():
+        yield _not_finite(f"the data of link `{name}`")
+        return
+    if link.mass < 0.0:
+        yield kinds.NEGATIVE_MASS.at(
+            None,
+            f"link `{name}` has a mass of {link.mass:g} kg, allowed is 0 kg or more",
+            hint="check the sign",
+            data={"mass_kg": link.mass},
+        )
+    elif link.mass == 0.0:
+        yield kinds.MASSLESS_LINK.at(None, f"link `{name}` has no mass", data={"mass_kg": 0.0})
+    a, b, c = (float(moment) for moment in np.linalg.eigvalsh(link.inertia))
+    figures = f"{a:.4g}, {b:.4g}, {c:.4g} kg·m²"
+    if a <= 0.0 and link.inertia.any():  # no moments at all: a point mass, allowed as an idealisation
+        yield kinds.INDEFINITE_INERTIA.at(
+            None,
+            f"link `{name}` has the principal moments of inertia {figures}, those of a body are positive",
+            hint="keep them if the source says so; check signs otherwise",
+            data={"moments_kgm2": (a, b, c)},
+        )
+    elif a + b < c * (1.0 - TRIANGLE_SLACK):
+        yield kinds.TRIANGLE_VIOLATED.at(
+            None,
+            f"link `{name}` has the moments of inertia {figures}, allowed for the last is {a + b:.4g}",
+            hint="keep them if they are as published",
+            data={"moments_kgm2": (a, b, c)},
+        )
+
+
+def _home(robot: RobotModel) -> Iterator[Diagnostic]:
+    if len(robot.home) != robot.n:
+        yield kinds.HOME_OUT_OF_RANGE.at(
+            None,
+            f"the home position has {len(robot.home)} coordinates for {robot.n} joints",
+            hint="give one coordinate for each joint",
+            data={"found": len(robot.home), "allowed": robot.n},
+        )
+        return
+    for joint, value in zip(robot.joints, robot.home.tolist(), strict=True):
+        if not joint.lower <= value <= joint.upper:
+            unit = "rad" if joint.type is JointType.REVOLUTE else "m"
+            yield kinds.HOME_OUT_OF_RANGE.at(
+                None,
+                f"the home position has joint `{joint.name}` at {value:.4g} {unit}, allowed is "
+                f"{joint.lower:.4g} to {joint.upper:.4g} {unit}",
+                hint="move the home position into the limits",
+                data={f"found_{unit}": value, f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
+            )
+
+
+def _origins(robot: RobotModel) -> Iterator[Diagnostic]:
+    for origin in robot.origins:
+        if origin.kind == "estimated":
+            yield kinds.ESTIMATED_PARAMETERS.at(
+                None, f"{origin.parameters} of `{robot.name}` are estimated", notes=(origin.source,)
+            )
+
+
+def _not_finite(what: str) -> Diagnostic:
+    return kinds.NOT_FINITE.at(None, f"{what} is not finite", hint="allowed are finite numbers only")

@@ -1,0 +1,122 @@
+"""Build joints and links from a Denavit–Hartenberg table in the standard form.
+
+Frame i of the standard form sits at the far end of link i: X_{i-1,i} = Rz(θ)·Tz(d)·Tx(a)·Rx(α)
+(Denavit & Hartenberg 1955; Paul 1981, section 2.8). A `Joint` of the neutral model has the axis as z of
+its own frame, so the fixed part of row i-1 becomes the placement of joint i and the fixed part of the last
+row the mechanical interface. Link data, which tables give in frame i, move into the joint frame.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, inf, sin
+
+import numpy as np
+
+from ropsim.model.placements import snapped
+from ropsim.model.robot import DhRow, Joint, JointType, Link
+from ropsim.spatial import Array, Pose
+
+
+@dataclass(frozen=True, slots=True)
+class JointLimits:
+    """The limits of one joint, as in `Joint`: position [rad | m] and its derivatives per second."""
+
+    lower: float
+    upper: float
+    max_speed: float
+    max_acceleration: float
+    max_jerk: float
+    max_effort: float = inf
+
+
+def fixed_part(row: DhRow) -> Array:
+    """Return the part of a DH row that the joint does not move, X_{joint i, DH frame i}, shape (4, 4).
+
+    That is Tz(d)·Tx(a)·Rx(α) for a revolute row and Rz(θ)·Tx(a)·Rx(α) for a prismatic one; the rest is
+    the motion and its offset.
+    """
+    theta, d = (row.theta, 0.0) if row.type is JointType.PRISMATIC else (0.0, row.d)
+    ct, st, ca, sa = cos(theta), sin(theta), cos(row.alpha), sin(row.alpha)
+    return snapped(
+        np.array(
+            [
+                [ct, -st * ca, st * sa, row.a * ct],
+                [st, ct * ca, -ct * sa, row.a * st],
+                [0.0, sa, ca, d],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        )
+    )
+
+
+def joints_from_dh(
+    rows: Sequence[DhRow], limits: Sequence[JointLimits], X_B0: Pose | None = None
+) -> tuple[Joint, ...]:
+    """Return the joints of a DH table, named `1` to `n`.
+
+    Args:
+        rows: the table, one row per joint.
+        limits: one record per joint.
+        X_B0: frame 0 of the table in the base frame; None where they are the same.
+
+    Raises:
+        ValueError: the numbers of rows and limits differ.
+    """
+    placements = [X_B0 or Pose(), *(Pose.from_matrix(fixed_part(row)) for row in rows[:-1])]
+    return tuple(
+        Joint(
+            name=str(number),
+            type=row.type,
+            placement=placement,
+            offset=row.d if row.type is JointType.PRISMATIC else row.theta,
+            lower=limit.lower,
+            upper=limit.upper,
+            max_speed=limit.max_speed,
+            max_acceleration=limit.max_acceleration,
+            max_jerk=limit.max_jerk,
+            max_effort=limit.max_effort,
+        )
+        for number, (row, limit, placement) in enumerate(zip(rows, limits, placements, strict=True), start=1)
+    )
+
+
+def interface_from_dh(rows: Sequence[DhRow]) -> Pose:
+    """Return X_nM of a DH table: the last DH frame, taken as mechanical interface, in the last joint's."""
+    return Pose.from_matrix(fixed_part(rows[-1]))
+
+
+def links_from_dh(
+    rows: Sequence[DhRow],
+    masses: Sequence[float],
+    coms: Sequence[Sequence[float]],
+    inertias: Sequence[Sequence[float]],
+) -> tuple[Link, ...]:
+    """Return the links of a DH table with their data moved from DH frame i to joint frame i.
+
+    Args:
+        rows: the table, one row per link.
+        masses: [kg], n of them.
+        coms: centres of mass in DH frame i [m], n times (x, y, z).
+        inertias: about the centre of mass in axes of DH frame i [kg·m²], n times (xx, yy, zz) or
+            (xx, yy, zz, xy, yz, xz).
+
+    Raises:
+        ValueError: the numbers of rows and data differ, or an inertia has neither 3 nor 6 entries.
+    """
+    return tuple(
+        _link(row, mass, np.asarray(com, dtype=np.float64), _tensor(inertia))
+        for row, mass, com, inertia in zip(rows, masses, coms, inertias, strict=True)
+    )
+
+
+def _link(row: DhRow, mass: float, com: Array, inertia: Array) -> Link:
+    fixed = fixed_part(row)
+    rotation = fixed[:3, :3]
+    return Link(mass, rotation @ com + fixed[:3, 3], snapped(rotation @ inertia @ rotation.T))
+
+
+def _tensor(entries: Sequence[float]) -> Array:
+    if len(entries) not in (3, 6):
+        raise ValueError(f"an inertia has 3 or 6 entries, found {len(entries)}")
+    xx, yy, zz, xy, yz, xz = (*entries, 0.0, 0.0, 0.0)[:6]
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

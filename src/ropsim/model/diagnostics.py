@@ -1,0 +1,140 @@
+"""What can be wrong with a robot model (codes X850 to X859)."""
+
+from ropsim.core import Severity, define
+
+REVERSED_LIMITS = define(
+    "X850",
+    "reversed-joint-limits",
+    Severity.ERROR,
+    "the lower limit of a joint is not below its upper limit",
+    """
+A joint can only move between its lower and its upper limit, so the lower one must be the smaller number.
+Reversed or equal limits leave no motion: every target would be out of range.
+
+Mend it by exchanging the two numbers. A joint that turns without end gets wide limits such as ±400
+turns. Limits are in radians (metres for a prismatic joint) inside the model.
+""",
+)
+
+NEGATIVE_MASS = define(
+    "X851",
+    "negative-mass",
+    Severity.ERROR,
+    "a link has a negative mass",
+    """
+Masses are at least zero. With a negative mass the mass matrix of the arm can lose positive definiteness;
+the simulation would then accelerate against the torque.
+
+Look for a sign or a column that slipped in the table of link data.
+""",
+)
+
+MASSLESS_LINK = define(
+    "X852",
+    "massless-link",
+    Severity.HINT,
+    "a link has no mass",
+    """
+The link adds no weight. That is right where a published set of parameters leaves a mass out because it
+cannot influence the dynamics: the first link of a PUMA only turns about a vertical axis, so only its
+moment of inertia about that axis counts. It is a mistake where the link is lifted by another joint.
+
+Nothing needs to be done in the first case; in the second, look up or estimate the mass.
+""",
+)
+
+INDEFINITE_INERTIA = define(
+    "X853",
+    "inertia-not-positive",
+    Severity.WARNING,
+    "an inertia tensor is not positive definite",
+    """
+The principal moments of inertia of a body with extent are positive. A zero occurs in published sets
+where only one moment matters (a first link that only turns about one axis); a negative value is a
+mistake, often a wrong sign of a product of inertia or a tensor about another point. A point mass (all
+moments zero) is allowed.
+
+The simulation runs as long as the mass matrix of the whole arm stays positive definite (rotor inertias
+help).
+""",
+)
+
+TRIANGLE_VIOLATED = define(
+    "X854",
+    "inertia-triangle-violated",
+    Severity.WARNING,
+    "the principal moments of a link violate A + B >= C",
+    """
+For every rigid body the largest principal moment of inertia is at most the sum of the two others,
+because each moment is an integral of squared distances. Measured sets violate this now and then: link 3
+of Armstrong, Khatib & Burdick's PUMA 560 has (0.066, 0.086, 0.0125) kg·m², and 0.0785 < 0.086.
+
+The equations of motion do not need the inequality and ropsim uses the numbers as they are; other engines
+may refuse the model. Check the source; keep the numbers if they are as published.
+""",
+)
+
+ESTIMATED_PARAMETERS = define(
+    "X855",
+    "estimated-parameters",
+    Severity.HINT,
+    "a group of parameters is an estimate",
+    """
+No published number is known for these parameters; plausible ones were chosen so that the model can run.
+Results that depend on them (currents, voltages, cycle times near a limit) are as good as the estimate.
+
+Replace them by data of the real machine where such results matter, and note the source in the model's
+`origins`.
+""",
+)
+
+UNUSABLE_LIMIT = define(
+    "X856",
+    "limit-not-positive",
+    Severity.ERROR,
+    "a speed, acceleration, jerk or effort limit is not a positive number",
+    """
+Motions are planned with the largest speed, acceleration and jerk of each joint, so these must be
+positive numbers. Zero would mean a joint that never moves, NaN has no meaning. Only the effort may be
+infinite, where it is unknown.
+
+Give the number in rad/s, rad/s², rad/s³ or N·m (m/s, m/s², m/s³ or N for a prismatic joint).
+""",
+)
+
+HOME_OUT_OF_RANGE = define(
+    "X857",
+    "home-out-of-range",
+    Severity.ERROR,
+    "the home position violates a joint limit",
+    """
+Programs return to the home position, so every coordinate of it must lie within the limits of its joint,
+and there must be one coordinate for each joint.
+
+Change the home position or the limit.
+""",
+)
+
+COUNT_MISMATCH = define(
+    "X858",
+    "part-count-mismatch",
+    Severity.ERROR,
+    "a robot has not as many links or drives as joints",
+    """
+Every joint moves exactly one link and, where drive data exist, is moved by exactly one drive. The lists
+run from the base to the tip.
+
+Add the missing entries, or remove the drives altogether for an arm without drive data.
+""",
+)
+
+NOT_FINITE = define(
+    "X859",
+    "model-value-not-finite",
+    Severity.ERROR,
+    "a mass, centre of mass, inertia or placement is not a finite number",
+    """
+Infinite values and NaN spread through every result without a trace of where they came from; the model
+refuses them at the door. Look for a division by zero or an empty cell in the source of the data.
+""",
+)

@@ -1,0 +1,45 @@
+"""The fixed rotations and shifts of a robot as matrices, with the exact zeros and ones of the drawing.
+
+A quaternion of a right angle gives cosines such as 2e-16. Code generators drop a term only where the
+factor is exactly zero, so entries that are 0 or ±1 to rounding are set so here.
+"""
+
+import numpy as np
+
+from ropsim.model.robot import RobotModel
+from ropsim.spatial import Array, Pose
+
+SNAP = 1e-15
+"""Entries this near to -1, 0 or 1 are rounding, not geometry: no drawing gives angles to 1e-15 rad."""
+
+
+def snapped(matrix: Array) -> Array:
+    """Return a copy in which entries within `SNAP` of -1, 0 or 1 are exactly that; any shape."""
+    nearest = np.round(matrix)
+    whole = (np.abs(matrix - nearest) <= SNAP) & (np.abs(nearest) <= 1.0)
+    return np.where(whole, nearest + 0.0, matrix)
+
+
+def pose_matrices(pose: Pose) -> tuple[Array, Array]:
+    """Return (R_AB, p_AB) of a pose X_AB, shapes (3, 3) and (3,) [m], entries snapped."""
+    return snapped(pose.rotation()), snapped(pose.position)
+
+
+def placement_matrices(robot: RobotModel) -> tuple[Array, Array]:
+    """Return the fixed part of every joint: frame of joint i at coordinate 0 in the frame before it.
+
+    Args:
+        robot: n joints; the frame before joint 1 is the base frame.
+
+    Returns:
+        R, shape (n, 3, 3), entries within 1e-15 of 0 and ±1 exact; p [m], shape (n, 3).
+    """
+    pairs = [pose_matrices(joint.placement) for joint in robot.joints]
+    rotations = np.array([rotation for rotation, _ in pairs]).reshape(robot.n, 3, 3)
+    positions = np.array([position for _, position in pairs]).reshape(robot.n, 3)
+    return rotations, positions
+
+
+def interface_matrices(robot: RobotModel) -> tuple[Array, Array]:
+    """Return (R_nM, p_nM): mechanical interface in the frame of the last joint, snapped like placements."""
+    return pose_matrices(robot.X_nM)

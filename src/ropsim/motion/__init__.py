@@ -1,0 +1,33 @@
+"""Trajectories: jerk-limited profiles, synchronous pose-to-pose motion, straight lines; their findings."""
+
+from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
+from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE
+from ropsim.motion.diagnostics import MOVE_TOO_LONG as MOVE_TOO_LONG
+from ropsim.motion.diagnostics import OUT_OF_REACH as OUT_OF_REACH
+from ropsim.motion.diagnostics import POSTURE_CHANGE as POSTURE_CHANGE
+from ropsim.motion.diagnostics import UNKNOWN_FRAME as UNKNOWN_FRAME
+from ropsim.motion.diagnostics import UNKNOWN_TOOL as UNKNOWN_TOOL
+from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_JOINTS
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
+from ropsim.motion.diagnostics import ZONE_NOT_SIMULATED as ZONE_NOT_SIMULATED
+from ropsim.motion.line import LineLimits as LineLimits
+from ropsim.motion.line import LineTrajectory as LineTrajectory
+from ropsim.motion.line import line_trajectory as line_trajectory
+from ropsim.motion.line_diagnostics import ACCELERATION_LIMIT as ACCELERATION_LIMIT
+from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
+from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
+from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
+from ropsim.motion.line_diagnostics import SPEED_LIMIT_ON_LINE as SPEED_LIMIT_ON_LINE
+from ropsim.motion.profile import Profile as Profile
+from ropsim.motion.profile import ProfileError as ProfileError
+from ropsim.motion.profile import ProfileLimits as ProfileLimits
+from ropsim.motion.profile import evaluate as evaluate
+from ropsim.motion.profile import lengthen as lengthen
+from ropsim.motion.profile import plan_profile as plan_profile
+from ropsim.motion.profile import stretch as stretch
+from ropsim.motion.profile import whole_periods as whole_periods
+from ropsim.motion.ptp import ZERO_LENGTH as ZERO_LENGTH
+from ropsim.motion.ptp import JointMotionLimits as JointMotionLimits
+from ropsim.motion.ptp import JointTrajectory as JointTrajectory
+from ropsim.motion.ptp import durations as durations
+from ropsim.motion.ptp import joint_trajectory as joint_trajectory

@@ -1,0 +1,147 @@
+"""Findings about moves: targets that cannot be reached and values that no motion can have."""
+
+from ropsim.core import Severity, define
+
+OUT_OF_REACH = define(
+    "M501",
+    "out-of-reach",
+    Severity.ERROR,
+    "the arm is too short or too long for the command pose",
+    """
+No set of joint coordinates, whatever its limits, brings the tool to the command pose: the point lies outside
+the reach of the arm, or too near to its base.
+
+The position of the *wrist* decides, not that of the tool: a long tool pointing towards the base brings the
+wrist closer, one pointing away moves it out.
+
+**How to mend it.** Move the target or its task frame, turn the tool, or move the base of the robot. Look at
+the units first: `x = 700` in a file that is read in centimetres is seven metres.
+
+```
+mov (2000, 0, 500)      -- M501 for an arm that reaches 0.9 m
+```
+""",
+)
+
+JOINT_OUT_OF_RANGE = define(
+    "M502",
+    "joint-out-of-range",
+    Severity.ERROR,
+    'the command pose needs a joint angle beyond the joint\'s limits ("out of range angle value")',
+    """
+The position is within the reach of the arm, but every posture (shoulder, elbow, wrist) that reaches it
+turns at least one joint beyond its limits. The message names the joint, the angle it would need and the
+limit of the posture that comes nearest; the note counts the postures.
+
+For a target in joint coordinates it names the first joint whose coordinate is out of range.
+
+**How to mend it.** Move or turn the target or its task frame, choose a tool that is mounted differently, or
+give the target in another orientation. If the move is in a loop, the message says in which pass it
+happened: the earlier passes are fine.
+""",
+)
+
+UNKNOWN_TOOL = define(
+    "M506",
+    "unknown-tool",
+    Severity.ERROR,
+    "the tool in force is neither in the cell nor defined by the program",
+    """
+A move was commanded with a tool for which neither `cell.toml` has a table `[tools.NAME]` nor the program
+gives a pose. Without the pose of the tool at the mechanical interface nobody knows where its TCP is.
+
+**How to mend it.** Correct the name or add the tool to `cell.toml`.
+""",
+)
+
+ZONE_NOT_SIMULATED = define(
+    "M507",
+    "zone-not-simulated",
+    Severity.HINT,
+    "the move has a zone; the simulation stops at the target instead",
+    """
+A zone lets the next move begin before the target is reached, so that the path is rounded. Rounding is not
+part of this simulation yet: the arm stops at each target (a fine stop). The path is the exact one, the
+cycle time is longer than on the robot.
+""",
+)
+
+WRONG_NUMBER_OF_JOINTS = define(
+    "M508",
+    "wrong-number-of-joints",
+    Severity.ERROR,
+    "a target in joint coordinates has another number of values than the arm has joints",
+    """
+Joint coordinates are given for all joints of the arm, from the base to the tip.
+
+**How to mend it.** Give one value per joint. A program written for another arm must be taught again: joint
+coordinates do not carry over from arm to arm, poses do.
+""",
+)
+
+BAD_MOTION_VALUE = define(
+    "M509",
+    "bad-motion-value",
+    Severity.ERROR,
+    "a coordinate, speed or share of a move is not a number that a motion can have",
+    """
+Coordinates must be finite and below 1000 m, speeds and accelerations above 0, shares of the limits above 0
+and at most 1, a zone 0 or more.
+
+**How to mend it.** Look where the value is computed: a division by zero gives `NaN` or infinity, a
+forgotten unit gives a number a thousand times too large.
+""",
+)
+
+POSTURE_CHANGE = define(
+    "M511",
+    "posture-change",
+    Severity.HINT,
+    "a PTP move changes the posture of the arm",
+    """
+Within its limits the arm cannot reach the target in the posture (shoulder, elbow, wrist) it has at the
+start of the move, so another one is taken: the one that needs the shortest time. The arm may sweep through
+unexpected space, and later LIN moves start in the new posture.
+
+**How to mend it.** If it is not wanted, move the target, or add a PTP move to joint coordinates where the
+posture may change safely.
+""",
+)
+
+UNKNOWN_FRAME = define(
+    "M512",
+    "unknown-frame",
+    Severity.WARNING,
+    "the task frame in force is not in the cell and has no pose of its own",
+    """
+The program works in a named task frame that `cell.toml` does not define, and the program gives it the pose
+of the base frame. The move is made in base coordinates, which is seldom what was meant.
+
+**How to mend it.** Correct the name or add `[frames.NAME]` to `cell.toml`.
+""",
+)
+
+MOVE_TOO_LONG = define(
+    "M513",
+    "move-too-long",
+    Severity.ERROR,
+    "a single move would take longer than ten minutes",
+    """
+The speed is so low, or the way so long, that this one move would last more than 600 s. A mistaken unit is
+more likely than such a move.
+
+**How to mend it.** Raise the speed, or cut the way into several moves.
+""",
+)
+
+WRONG_PROFILE_REQUEST = define(
+    "M540",
+    "wrong-profile-request",
+    Severity.ERROR,
+    "a profile was asked for with values that no motion can have",
+    """
+The Python functions of `ropsim.motion` need a finite distance of 0 or more, finite limits above 0, and a
+duration that is not shorter than the fastest one. Programs never lead here: their values are checked first
+(M509).
+""",
+)

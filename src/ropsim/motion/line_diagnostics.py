@@ -1,0 +1,76 @@
+"""Findings about straight lines: where the joints cannot follow the tool."""
+
+from ropsim.core import Severity, define
+
+JOINT_LIMIT_ON_LINE = define(
+    "M503",
+    "joint-limit-on-line",
+    Severity.ERROR,
+    "on the way of a LIN move a joint would pass its limit",
+    """
+Start and end of the line are within reach, but in the posture that the arm has at the start a joint would
+turn beyond its limit on the way. A LIN move cannot change the posture: it would have to leave the line.
+
+The message says which joint, and at which share of the way the limit is met.
+
+**How to mend it.** Start the line in another posture or with other turns of the wrist (a PTP move to joint
+coordinates before it), make the line shorter, or use PTP where the path does not matter.
+""",
+)
+
+SPEED_LIMIT_ON_LINE = define(
+    "M504",
+    "speed-limit-on-line",
+    Severity.ERROR,
+    "a LIN move needs a joint speed above the limit",
+    """
+To keep the TCP on the line at the commanded speed a joint would have to turn faster than it can. Near a
+singularity even a slow line needs a fast joint: the message gives the joint, the speed, the limit and the
+place.
+
+**How to mend it.** Lower the path speed by the factor that the hint gives, keep away from the singularity
+that the note names, or use PTP.
+""",
+)
+
+JUMP_ON_LINE = define(
+    "M505",
+    "singularity-on-line",
+    Severity.ERROR,
+    "on the way of a LIN move the joints would have to jump",
+    """
+The line runs through a singularity of the arm, where the joints cannot follow the tool at any speed:
+
+* **wrist**: joint 5 is stretched, the axes of joints 4 and 6 are in line;
+* **elbow**: upper arm and forearm are stretched;
+* **shoulder**: the wrist centre lies above or below the axis of joint 1.
+
+**How to mend it.** Turn the tool a little, shift the line, or use PTP for this part of the way.
+""",
+)
+
+ACCELERATION_LIMIT = define(
+    "M510",
+    "acceleration-limit",
+    Severity.WARNING,
+    "a LIN move needs a joint acceleration above the limit",
+    """
+The line can be followed in position and speed, but a joint must accelerate more than its limit allows. The
+move is made; the drive will show a larger following error, and a real controller may stop.
+
+**How to mend it.** Lower the path acceleration or the path speed of this move.
+""",
+)
+
+OTHER_JOINTS_AT_LINE_END = define(
+    "M514",
+    "other-joints-at-line-end",
+    Severity.HINT,
+    "a LIN move to joint coordinates ends at the pose but with other joint coordinates",
+    """
+A LIN move keeps its posture. The target was given in joint coordinates of another posture (or with other
+turns), so the arm reaches the pose that belongs to them, but with different joint coordinates.
+
+**How to mend it.** Use PTP to reach exactly these joint coordinates.
+""",
+)

@@ -1,0 +1,96 @@
+"""How the tool turns on a straight line: about one fixed axis, or as Paul's drive transform."""
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from ropsim.spatial import Array, Pose, frozen, quaternion
+
+_STRAIGHT = 1e-12  # sine of an angle that counts as 0 or π: the axis normal to both vectors is lost in rounding
+_APPROACH = np.array([0.0, 0.0, 1.0])
+
+
+class OrientationMode(Enum):
+    """Which of the ways from one orientation to another the tool takes."""
+
+    FIXED_AXIS = "fixed axis"
+    DRIVE_TRANSFORM = "drive transform"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Turn:
+    """R(r) = Rot(axis, r·angle)·Rot(z, r·roll) in the tool frame of the start, for r from 0 to 1.
+
+    Attributes:
+        axis: unit axis in the tool frame of the start, shape (3,); normal to z where `roll` is not 0.
+        angle: [rad], in [0, π].
+        roll: about the approach vector, which is z of the tool [rad], in (-π, π].
+    """
+
+    axis: Array
+    angle: float
+    roll: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "axis", frozen(self.axis))
+
+    @property
+    def size(self) -> float:
+        """Return the angle that the angular speed adds up to [rad]: the two axes stay normal to each other."""
+        return math.hypot(self.angle, self.roll)
+
+    def rotations(self, r: Array) -> Array:
+        """Return R(r) for values of r of shape (k,), shape (k, 3, 3)."""
+        turned = _rotations(self.axis, r * self.angle)
+        return turned @ _rotations(_APPROACH, r * self.roll) if self.roll else turned
+
+
+def plan_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> Turn:
+    """Return the turn of the tool from `X_start` to `X_end`.
+
+    With a fixed axis the tool turns by the least angle about one axis (spherical linear interpolation). With the
+    drive transform the approach vector swings to its goal about the axis normal to both, while the tool rolls
+    about it: the approach vector stays in one plane.
+
+    Args:
+        X_start: X_BT at the start.
+        X_end: X_BT at the end.
+        mode: which way.
+
+    References:
+        Paul 1979, Manipulator Cartesian Path Control, IEEE Transactions on Systems, Man, and Cybernetics 9, for
+        the drive transform; Shoemake 1985, Animating Rotation with Quaternion Curves, for the fixed axis.
+    """
+    if mode is OrientationMode.DRIVE_TRANSFORM:
+        return _drive(X_start.rotation().T @ X_end.rotation())
+    _, _, _, sw, sx, sy, sz = X_start.as_tuple()
+    _, _, _, ew, ex, ey, ez = X_end.as_tuple()
+    product = quaternion.multiply(quaternion.conjugate((sw, sx, sy, sz)), (ew, ex, ey, ez))
+    w, x, y, z = quaternion.normalize(product)
+    sine = math.sqrt(x * x + y * y + z * z)
+    if sine == 0.0:
+        return Turn(_APPROACH, 0.0)
+    return Turn(np.array([x, y, z]) / sine, 2.0 * math.atan2(sine, w))
+
+
+def _drive(R: Array) -> Turn:
+    """Return swing and roll of the rotation from start to end, shape (3, 3)."""
+    goal = R[:, 2]  # approach vector of the goal in the frame of the start
+    sine = math.hypot(goal[0], goal[1])
+    # z × goal has no z; where both are in line any axis normal to z will do
+    axis = np.array([-goal[1], goal[0], 0.0]) / sine if sine > _STRAIGHT else np.array([0.0, 1.0, 0.0])
+    angle = math.atan2(sine, float(goal[2]))
+    rolled = _rotations(axis, np.array([angle]))[0].T @ R
+    return Turn(axis, angle, math.atan2(float(rolled[1, 0]), float(rolled[0, 0])))
+
+
+def _rotations(axis: Array, angles: Array) -> Array:
+    """Return Rot(axis, angle) for angles of shape (k,), shape (k, 3, 3) (Rodrigues' formula)."""
+    x, y, z = axis.tolist()
+    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    sines = np.sin(angles)[:, None, None]
+    versines = 2.0 * np.square(np.sin(angles / 2.0))[:, None, None]
+    result: Array = np.eye(3) + sines * K + versines * (K @ K)
+    return result

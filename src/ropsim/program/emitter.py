@@ -1,0 +1,60 @@
+"""Collects the flat code of one procedure; code that no way leads to is not taken in."""
+
+from dataclasses import dataclass, field
+
+from ropsim.icr import OPCODES, Constant, Operand, Step
+
+
+@dataclass(eq=False, slots=True)
+class Label:
+    """A place in the code, known once it is placed."""
+
+    position: int = -1
+    is_used: bool = False
+
+
+@dataclass(slots=True)
+class Emitter:
+    """The code of one procedure.
+
+    Attributes:
+        line: source line of what is emitted next, 0 where unknown.
+        is_live: whether control can reach what is emitted next; otherwise it is dropped.
+    """
+
+    line: int = 0
+    is_live: bool = True
+    _code: list[tuple[str, tuple[Operand | Label, ...], int]] = field(default_factory=list)
+
+    def emit(self, mnemonic: str, *operands: Operand) -> None:
+        """Add one instruction."""
+        self._add(mnemonic, operands)
+
+    def push(self, constant: Constant) -> None:
+        """Add a PUSH."""
+        self._add("PUSH", (constant,))
+
+    def jump(self, mnemonic: str, label: Label) -> None:
+        """Add JMP, JF or JT to a label."""
+        if self.is_live:
+            label.is_used = True
+        self._add(mnemonic, (label,))
+
+    def place(self, label: Label) -> None:
+        """Let a label stand here; where it is jumped to, control reaches this place."""
+        self.is_live = self.is_live or label.is_used
+        label.position = len(self._code)
+
+    def finished(self, prologue: tuple[Step, ...] = ()) -> tuple[tuple[Step, ...], tuple[int, ...]]:
+        """Return the code and the source lines, with a prologue that no label stands in."""
+        shift = len(prologue)
+        steps = []
+        for mnemonic, operands, _ in self._code:
+            fixed = tuple(one.position + shift if isinstance(one, Label) else one for one in operands)
+            steps.append(Step(mnemonic, fixed))
+        return (*prologue, *steps), (*[0] * shift, *(line for *_, line in self._code))
+
+    def _add(self, mnemonic: str, operands: tuple[Operand | Label, ...]) -> None:
+        if self.is_live:
+            self._code.append((mnemonic, operands, self.line))
+            self.is_live = not OPCODES[mnemonic].ends_flow

@@ -1,0 +1,168 @@
+"""Branches and loops -> labels and jumps."""
+
+from ropsim.icr import TRAP_NOT_WHOLE, Type
+from ropsim.program import expressions as sir
+from ropsim.program import statements as st
+from ropsim.program.diagnostics import unsound
+from ropsim.program.emitter import Label
+from ropsim.program.lowering_expressions import evaluate, push, static_type
+from ropsim.program.scope import Loop, Scope
+
+PASS_TOLERANCE = 1e-9
+"""Share of a step by which the last value of a REAL loop may be missed through rounding."""
+
+
+def lower_if(scope: Scope, statement: st.If) -> None:
+    """Emit the branches in order; the first one whose condition holds is run."""
+    end = Label()
+    for condition, block in statement.branches:
+        other = Label()
+        evaluate(scope, condition, Type.BOOL)
+        scope.emitter.jump("JF", other)
+        scope.lower_block(scope, block)
+        scope.emitter.jump("JMP", end)
+        scope.emitter.place(other)
+    scope.lower_block(scope, statement.otherwise)
+    scope.emitter.place(end)
+
+
+def lower_while(scope: Scope, statement: st.While) -> None:
+    """Emit test, body, jump back."""
+    loop = Loop(Label(), Label(), scope.depth)
+    scope.emitter.place(loop.again)
+    evaluate(scope, statement.condition, Type.BOOL)
+    scope.emitter.jump("JF", loop.leave)
+    _body(scope, statement.body, loop)
+    scope.emitter.line = statement.span.line
+    scope.emitter.jump("JMP", loop.again)
+    scope.emitter.place(loop.leave)
+
+
+def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
+    """Emit a loop that counts down and is left where `until` holds after a pass."""
+    emitter = scope.emitter
+    top, loop = Label(), Loop(Label(), Label(), scope.depth)
+    left = _count(scope, statement.count) if statement.count is not None else ""
+    emitter.place(top)
+    if left:
+        emitter.emit("LOAD", left)
+        push(scope, Type.INT, 0)
+        emitter.emit("GT.I")
+        emitter.jump("JF", loop.leave)
+    _body(scope, statement.body, loop)
+    emitter.line = statement.span.line
+    emitter.place(loop.again)
+    if statement.until is not None:
+        evaluate(scope, statement.until, Type.BOOL)
+        emitter.jump("JT", loop.leave)
+    if left:
+        emitter.emit("LOAD", left)
+        push(scope, Type.INT, 1)
+        emitter.emit("SUB.I")
+        emitter.emit("STORE", left)
+    emitter.jump("JMP", top)
+    emitter.place(loop.leave)
+
+
+def lower_for(scope: Scope, statement: st.For) -> None:
+    """Emit a loop over values; the number of passes does not depend on what the body does to the variable.
+
+    The variable is `first + k·step`, not a running sum, so that rounding does not pile up over REAL passes.
+    """
+    emitter = scope.emitter
+    kind = scope.type_of(statement.variable)
+    if kind not in {Type.INT, Type.REAL}:
+        raise unsound(f"loop variable `{statement.variable}` is {kind.value}", statement.span)
+    step = _constant_step(statement)
+    suffix = ".I" if kind is Type.INT else ".R"
+    top, loop = Label(), Loop(Label(), Label(), scope.depth)
+    first, last, number = scope.hide("first", kind), scope.hide("last", kind), scope.hide("pass", Type.INT)
+    for name, value in ((first, statement.first), (last, statement.last)):
+        evaluate(scope, value, kind)
+        emitter.emit("STORE", name)
+    if kind is Type.REAL:
+        emitter.emit("LOAD", last)
+        push(scope, Type.REAL, step * PASS_TOLERANCE)
+        emitter.emit("ADD.R")
+        emitter.emit("STORE", last)
+    push(scope, Type.INT, 0)
+    emitter.emit("STORE", number)
+    emitter.place(top)
+    _value(scope, first, number, step, kind)
+    emitter.emit("LOAD", last)
+    emitter.emit(("LE" if step > 0 else "GE") + suffix)
+    emitter.jump("JF", loop.leave)
+    _value(scope, first, number, step, kind)
+    emitter.emit("STORE", statement.variable)
+    _body(scope, statement.body, loop)
+    emitter.line = statement.span.line
+    emitter.place(loop.again)
+    emitter.emit("LOAD", number)
+    push(scope, Type.INT, 1)
+    emitter.emit("ADD.I")
+    emitter.emit("STORE", number)
+    emitter.jump("JMP", top)
+    emitter.place(loop.leave)
+
+
+def leave_loop(scope: Scope, statement: st.Break | st.Continue) -> None:
+    """Emit break or continue: the modal states saved inside the loop are restored first."""
+    if not scope.loops:
+        raise unsound("`break` or `continue` outside a loop", statement.span)
+    loop = scope.loops[-1]
+    for _ in range(scope.depth - loop.depth):
+        scope.emitter.emit("MODAL.RESTORE")
+    scope.emitter.jump("JMP", loop.leave if isinstance(statement, st.Break) else loop.again)
+
+
+def _body(scope: Scope, body: st.Block, loop: Loop) -> None:
+    scope.loops.append(loop)
+    scope.lower_block(scope, body)
+    scope.loops.pop()
+
+
+def _count(scope: Scope, count: sir.Expression) -> str:
+    """Emit the evaluation of a repeat count, return the variable that holds it; 6.0 is right, 2.5 traps."""
+    left = scope.hide("left", Type.INT)
+    if static_type(scope, count) is Type.REAL:
+        whole = Label()
+        exact = scope.hide("count", Type.REAL)
+        evaluate(scope, count, Type.REAL)
+        scope.emitter.emit("STORE", exact)
+        scope.emitter.emit("LOAD", exact)
+        scope.emitter.emit("ROUND")
+        scope.emitter.emit("STORE", left)
+        scope.emitter.emit("LOAD", left)
+        scope.emitter.emit("I2R")
+        scope.emitter.emit("LOAD", exact)
+        scope.emitter.emit("EQ.R")
+        scope.emitter.jump("JT", whole)
+        scope.emitter.emit("TRAP", TRAP_NOT_WHOLE)
+        scope.emitter.place(whole)
+    else:
+        evaluate(scope, count, Type.INT)
+        scope.emitter.emit("STORE", left)
+    return left
+
+
+def _constant_step(statement: st.For) -> int | float:
+    sign, step = 1, statement.step
+    while isinstance(step, sir.Unary) and step.op in {"neg", "to_real"}:
+        sign = -sign if step.op == "neg" else sign
+        step = step.operand
+    value = step.value if isinstance(step, sir.Constant) else None
+    if isinstance(value, bool) or not isinstance(value, int | float) or value == 0:
+        raise unsound("the step of a loop must be a constant other than 0", statement.span)
+    return sign * value
+
+
+def _value(scope: Scope, first: str, number: str, step: float, kind: Type) -> None:
+    emitter = scope.emitter
+    emitter.emit("LOAD", first)
+    emitter.emit("LOAD", number)
+    if kind is Type.REAL:
+        emitter.emit("I2R")
+    push(scope, kind, int(step) if kind is Type.INT else float(step))
+    suffix = ".I" if kind is Type.INT else ".R"
+    emitter.emit("MUL" + suffix)
+    emitter.emit("ADD" + suffix)

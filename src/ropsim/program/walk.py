@@ -1,0 +1,28 @@
+"""Going through all statements of a block."""
+
+from collections.abc import Iterator
+
+from ropsim.program.statements import Block, For, If, Repeat, Statement, WaitUntil, While, With
+
+
+def parts(statement: Statement) -> tuple[Block, ...]:
+    """Return the blocks inside a statement."""
+    match statement:
+        case If():
+            return (*(block for _, block in statement.branches), statement.otherwise)
+        case While() | Repeat() | For() | With():
+            return (statement.body,)
+        case WaitUntil():
+            return (statement.otherwise,)
+        case _:
+            return ()
+
+
+def walk(block: Block) -> Iterator[Statement]:
+    """Yield all statements of a block and of the blocks inside, in the order of the text."""
+    work = list(reversed(block))
+    while work:
+        statement = work.pop()
+        yield statement
+        for part in reversed(parts(statement)):
+            work += reversed(part)

@@ -1,0 +1,67 @@
+"""What can go wrong when a robot is asked for by name (codes X860 to X869)."""
+
+from collections.abc import Iterable
+
+from ropsim.core import RopsimError, Severity, define, did_you_mean
+
+UNKNOWN_ROBOT = define(
+    "X860",
+    "unknown-robot",
+    Severity.ERROR,
+    "no built-in robot has this name",
+    """
+A cell or a script asks for a robot that the built-in library does not hold. Names are written in lower
+case, such as `puma560`.
+
+`ropsim.robots.names()` lists all of them:
+
+```python
+robot = ropsim.robots.load("puma560")
+```
+""",
+)
+
+NO_CONTROLLER = define(
+    "X861",
+    "no-default-controller",
+    Severity.ERROR,
+    "the robot has no built-in controller",
+    """
+Gains belong to drives. A robot without drive data (motors, gears, amplifiers) has no built-in
+controller, and neither has a model that is not in the library.
+
+Make a `ControllerModel` with gains of your own, or use a robot that has drives.
+""",
+)
+
+
+class UnknownRobotError(RopsimError):
+    """No robot of the library has the name asked for."""
+
+    def __init__(self, name: str, known: Iterable[str]) -> None:
+        names = tuple(known)
+        listed = ", ".join(f"`{each}`" for each in names)
+        super().__init__(
+            UNKNOWN_ROBOT.at(
+                None,
+                f"no robot is called `{name[:64]}`, there are {listed}",
+                hint=did_you_mean(name, names) or "choose one of these names",
+                data={"found": name, "allowed": names},
+            )
+        )
+
+
+class NoControllerError(RopsimError):
+    """The library holds no controller for the robot."""
+
+    def __init__(self, name: str, known: Iterable[str]) -> None:
+        names = tuple(known)
+        listed = ", ".join(f"`{each}`" for each in names)
+        super().__init__(
+            NO_CONTROLLER.at(
+                None,
+                f"`{name}` has no built-in controller, there is one for {listed}",
+                hint="give gains of your own in a `ControllerModel`",
+                data={"found": name, "allowed": names},
+            )
+        )

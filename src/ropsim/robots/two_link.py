@@ -1,0 +1,44 @@
+"""A planar arm of two links in a vertical plane: the textbook case with answers in closed form."""
+
+from functools import lru_cache
+from math import pi
+
+from ropsim.model import (
+    DhRow,
+    JointLimits,
+    ParameterOrigin,
+    RobotModel,
+    interface_from_dh,
+    joints_from_dh,
+    links_from_dh,
+)
+from ropsim.spatial import Pose, frozen
+
+_DH = (DhRow(a=1.0, alpha=0.0, d=0.0), DhRow(a=1.0, alpha=0.0, d=0.0))
+_LIMITS = JointLimits(-pi, pi, max_speed=3.0, max_acceleration=10.0, max_jerk=100.0)
+
+
+@lru_cache(maxsize=1)
+def model() -> RobotModel:
+    """Return two links of 1 m with point masses of 1 kg in their middles, without drives.
+
+    The arm moves in the x-z plane of the base frame; positive angles lift it. At rest the torques are
+    9.81·(2, 0.5) N·m for q = (0, 0) and 9.81·(1.5, 0) N·m for q = (0, π/2).
+    """
+    upright = Pose(frozen([0.0, 0.0, 0.0]), frozen([1.0, 1.0, 0.0, 0.0]))  # Rx(π/2): axes along -y
+    return RobotModel(
+        name="two_link",
+        title="Planar two-link arm",
+        joints=joints_from_dh(_DH, (_LIMITS, _LIMITS), upright),
+        links=links_from_dh(_DH, (1.0, 1.0), ((-0.5, 0.0, 0.0),) * 2, ((0.0, 0.0, 0.0),) * 2),
+        drives=(),
+        X_nM=interface_from_dh(_DH),
+        home=frozen([0.5, 1.0]),
+        dh=_DH,
+        origins=(
+            ParameterOrigin(
+                "lengths and masses", "published", "two-link case of Corke's Robotics Toolbox (unit tests)"
+            ),
+            ParameterOrigin("limits and home position", "estimated", "round numbers for teaching"),
+        ),
+    )

@@ -1,0 +1,16 @@
+"""Simulation of servo-driven arms and of whole cells."""
+
+from ropsim.simulation.fidelity import Fidelity as Fidelity
+from ropsim.simulation.fidelity import RunOptions as RunOptions
+from ropsim.simulation.recorder import Recorder as Recorder
+from ropsim.simulation.run import run as run
+from ropsim.simulation.servo import Servo as Servo
+from ropsim.simulation.servo_diagnostics import DivergedError as DivergedError
+from ropsim.simulation.servo_diagnostics import DriveDataError as DriveDataError
+from ropsim.simulation.servo_diagnostics import NoDrivesError as NoDrivesError
+from ropsim.simulation.servo_diagnostics import OptionError as OptionError
+from ropsim.simulation.servo_diagnostics import ServoArrayError as ServoArrayError
+from ropsim.simulation.servo_state import ServoState as ServoState
+from ropsim.simulation.servo_state import StateLayout as StateLayout
+from ropsim.simulation.simulate import SimulationOptions as SimulationOptions
+from ropsim.simulation.simulate import simulate as simulate

@@ -1,0 +1,46 @@
+"""How long each activation of a task lasts."""
+
+from dataclasses import dataclass, field
+
+from ropsim.flow import Event, Origin
+
+
+@dataclass(slots=True)
+class Activation:
+    """One run of one task: from its first to its last robot instruction."""
+
+    name: str
+    depth: int
+    start: int
+    end: int
+
+
+@dataclass(slots=True)
+class Activations:
+    """All activations of a run by their serial number (0 is `main`)."""
+
+    by_serial: dict[int, Activation] = field(default_factory=dict)
+
+    def add(self, origin: Origin, start: int, end: int) -> None:
+        """Count an instruction that lasted from tick `start` to tick `end` for all tasks around it."""
+        for depth, (name, serial) in enumerate(zip(origin.calls, origin.call_serials, strict=True)):
+            known = self.by_serial.get(serial)
+            if known is None:
+                self.by_serial[serial] = Activation(name, depth, start, end)
+            else:
+                known.end = max(known.end, end)
+
+    def events(self, control_hz: int) -> list[Event]:
+        """Return one `task` event per activation below `main`."""
+        return [
+            Event(
+                one.start / control_hz,
+                "task",
+                one.name,
+                None,
+                (one.end - one.start) / control_hz,
+                {"name": one.name, "serial": serial, "depth": one.depth},
+            )
+            for serial, one in sorted(self.by_serial.items())
+            if one.depth > 0
+        ]

@@ -1,0 +1,117 @@
+"""The running state of one simulated program: everything that changes while it runs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from ropsim.controller import MotionChain, ScriptedSensors
+from ropsim.core import Diagnostic
+from ropsim.flow import Event, JointReference, MoveInstruction, Origin
+from ropsim.kinematics import forward
+from ropsim.model import Cell, Payload, Tool
+from ropsim.simulation.activation import Activations
+from ropsim.simulation.parts import PartsState, payload
+from ropsim.simulation.plant import Plant
+from ropsim.simulation.track import Track
+from ropsim.spatial import Array, Pose
+
+
+@dataclass(frozen=True, slots=True)
+class MoveSpan:
+    """A move as it was carried out.
+
+    Attributes:
+        move: the instruction.
+        start: tick at which it began.
+        end: tick at which the reference reached its end.
+        settled: tick at which the arm was in position.
+        q_start: command coordinates at its start, shape (n,).
+        q_end: command coordinates at its end, shape (n,).
+        X_MT: tool frame in force.
+    """
+
+    move: MoveInstruction
+    start: int
+    end: int
+    settled: int
+    q_start: Array
+    q_end: Array
+    X_MT: Pose
+
+
+@dataclass(slots=True)
+class CellRun:
+    """Running state.
+
+    Attributes:
+        cell: static model.
+        chain: the slow side of the controller.
+        plant: joint controller, drives and arm, advanced by references.
+        sensors: channels of the cell.
+        q_command: command coordinates reached so far, shape (n,).
+        parts: where the parts are.
+        tool: tool in force.
+        payload: tool and grasped part as one body; one object as long as it does not change.
+        tick: control ticks done.
+        moves: moves done.
+        events: what happened.
+        findings: what was found.
+        tracks: piecewise constant channels by name.
+        activations: times of the tasks.
+        skipped: number of moves that could not be made.
+    """
+
+    cell: Cell
+    chain: MotionChain
+    plant: Plant
+    sensors: ScriptedSensors
+    q_command: Array
+    parts: PartsState
+    tool: Tool | None
+    payload: Payload
+    progress: Callable[[str], None]
+    tick: int = 0
+    moves: list[MoveSpan] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
+    findings: list[Diagnostic] = field(default_factory=list)
+    tracks: dict[str, Track] = field(default_factory=dict)
+    activations: Activations = field(default_factory=Activations)
+    skipped: int = 0
+
+    @property
+    def time(self) -> float:
+        """Return the simulated time [s]."""
+        return self.tick / self.cell.controller.rates.control_hz
+
+    def take(self, tool: Tool | None, parts: PartsState) -> None:
+        """Let `tool` be in force and the parts be where `parts` says; the payload follows."""
+        if tool is self.tool and parts is self.parts:
+            return
+        self.tool, self.parts = tool, parts
+        self.payload = payload(parts, tool)
+
+    def attained(self) -> Pose:
+        """Return the attained pose of the mechanical interface X_BM."""
+        return forward(self.cell.robot, self.plant.q)
+
+    def follow(self, reference: JointReference) -> None:
+        """Let the arm follow a reference to its end."""
+        if reference.ticks:
+            self.plant.follow(reference, self.payload)
+            self.tick += reference.ticks
+
+    def stand(self, ticks: int) -> None:
+        """Hold the command position for a number of control ticks."""
+        if ticks > 0:
+            self.plant.hold(self.q_command, ticks, self.payload)
+            self.tick += ticks
+
+    def track(self, name: str, value: float) -> None:
+        """Note that a piecewise constant channel has a new value from now on."""
+        self.tracks.setdefault(name, Track()).set(self.tick, value)
+
+    def note(self, kind: str, text: str, origin: Origin, since: int, /, **data: object) -> None:
+        """Enter an event that began at tick `since` and ends now."""
+        hz = self.cell.controller.rates.control_hz
+        data = {"visit": origin.visit, "calls": origin.calls, **data}
+        self.events.append(Event(since / hz, kind, text, origin.span, (self.tick - since) / hz, data))
+        self.activations.add(origin, since, self.tick)

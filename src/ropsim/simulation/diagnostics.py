@@ -1,0 +1,98 @@
+"""Diagnostics of simulated runs (S720 to S739; S700 to S719 belong to the servo)."""
+
+from ropsim.core import Severity, define
+
+NOT_IN_POSITION = define(
+    "S720",
+    "not-in-position",
+    Severity.WARNING,
+    "an arm did not come to rest at its target in time",
+    """
+A move ends when every joint is within `in_position` of its target. Here that did not happen within
+`settle_timeout`; the program went on from where the arm was.
+
+Usual reasons are dry friction that a low integral gain overcomes slowly, a payload that is heavy for the
+drive, and a speed loop that oscillates. Look at the plot of following errors in the report.
+""",
+)
+
+NOTHING_GRASPED = define(
+    "S721",
+    "nothing-grasped",
+    Severity.WARNING,
+    "a gripper closed where no part was",
+    """
+When a gripper closes, the part whose grasp point (the centre of its top) lies nearest to the TCP is taken,
+if it is within the `capture` distance of the tool. Here no part was.
+
+Compare the location in the program with the place of the part in `cell.toml`; a supply is empty after its
+`count` parts.
+""",
+)
+
+TOOL_CANNOT_GRASP = define(
+    "S722",
+    "tool-without-gripper",
+    Severity.ERROR,
+    "`open` or `close` without a gripper",
+    """
+`open` and `close` act on the gripper of the tool in force. Give the tool a line
+`gripper = { open_time = 0.2, close_time = 0.2, capture = 5 }` in `cell.toml`, or put a tool with a gripper in
+force with `set tool NAME`.
+""",
+)
+
+EFFORT_EXCEEDED = define(
+    "S730",
+    "effort-exceeded",
+    Severity.WARNING,
+    "a drive gave more torque than the joint allows",
+    """
+The simulated drive torque at a joint was higher than the limit in the arm's model. A real arm would trip its
+drive, or wear early. Lower the speed or acceleration on the line that is named, or the payload.
+""",
+)
+
+CURRENT_EXCEEDED = define(
+    "S731",
+    "current-exceeded",
+    Severity.WARNING,
+    "a motor drew more current than its amplifier allows",
+    """
+The simulated motor current was higher than the amplifier's limit in the arm's model. Lower the acceleration on
+the line that is named, or the payload.
+""",
+)
+
+SPEED_EXCEEDED = define(
+    "S732",
+    "speed-exceeded",
+    Severity.WARNING,
+    "a joint moved faster than its limit",
+    """
+The attained speed of a joint was higher than the limit in the arm's model by more than the two per cent that a
+servo may overshoot. Lower the speed on the line that is named.
+""",
+)
+
+LIMIT_OVERRUN = define(
+    "S733",
+    "limit-overrun",
+    Severity.WARNING,
+    "a joint overran its limit while it was servoed",
+    """
+The reference stayed inside the limits of the joint, the attained coordinate did not: the servo overshot. Keep
+more distance from the limit, or move more slowly towards it.
+""",
+)
+
+VOLTAGE_SATURATED = define(
+    "S734",
+    "voltage-saturated",
+    Severity.WARNING,
+    "an amplifier was at its voltage limit",
+    """
+The controller asked for more voltage than the amplifier has, for more than a twentieth of a second in all. While
+that lasts the arm does not follow its reference. Lower the speed or acceleration on the line that is named.
+""",
+)

@@ -1,0 +1,32 @@
+"""How true a run is, and how it is recorded."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Fidelity(Enum):
+    """What follows the references."""
+
+    DYNAMIC = "dynamic"
+    KINEMATIC = "kinematic"
+
+
+def silent(text: str) -> None:
+    """Take no notice of progress."""
+    del text
+
+
+@dataclass(frozen=True, slots=True)
+class RunOptions:
+    """Options of a run.
+
+    Attributes:
+        fidelity: servo drives and arm dynamics, or the ideal arm.
+        record_ticks: control ticks between two recorded rows.
+        progress: is told after every move what was done.
+    """
+
+    fidelity: Fidelity = Fidelity.DYNAMIC
+    record_ticks: int = 4
+    progress: Callable[[str], None] = silent

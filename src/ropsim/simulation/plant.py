@@ -1,0 +1,36 @@
+"""What follows joint references: the servo-driven arm, or the ideal arm of a kinematic run."""
+
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.flow import JointReference
+from ropsim.model import Payload
+from ropsim.spatial import Array
+
+
+class Plant(Protocol):
+    """Joint controller, drives and arm as one thing that is driven by references and recorded."""
+
+    @property
+    def q(self) -> Array:
+        """Return the attained joint coordinates [rad | m], shape (n,)."""
+        ...
+
+    def follow(self, reference: JointReference, payload: Payload) -> None:
+        """Advance by one control tick per row of `reference`."""
+        ...
+
+    def hold(self, q: Array, ticks: int, payload: Payload) -> None:
+        """Advance by `ticks` control ticks with a constant reference."""
+        ...
+
+    def log(self) -> dict[str, Array]:
+        """Return what was recorded: arrays (rows, n) by channel name, and `tick` (rows,)."""
+        ...
+
+
+def constant(q: Array, ticks: int) -> JointReference:
+    """Return the reference that stands still at `q`, shape (n,), for `ticks` control ticks."""
+    zeros = np.zeros((ticks, len(q)))
+    return JointReference(np.tile(q, (ticks, 1)), zeros, zeros)

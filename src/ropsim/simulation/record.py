@@ -1,0 +1,193 @@
+"""From the running state to the recording: channels, events, findings, header."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import Channel, Event, MotionKind, Recording
+from ropsim.icr import Program, program_id
+from ropsim.kinematics import forward_batch
+from ropsim.model import Cell
+from ropsim.simulation.cell_run import CellRun, MoveSpan
+from ropsim.simulation.fidelity import RunOptions
+from ropsim.simulation.verdicts import verdicts
+from ropsim.spatial import Array, Pose, quaternions_from_matrices
+from ropsim.version import __version__
+
+JOINT_CHANNELS = {
+    "q": ("rad", "attained joint coordinates"),
+    "qd": ("rad/s", "attained joint speeds"),
+    "q_ref": ("rad", "joint references"),
+    "qd_ref": ("rad/s", "reference joint speeds"),
+    "q_error": ("rad", "reference minus attained joint coordinates"),
+    "tau": ("N·m", "torque of the drive at the joint, before friction"),
+    "current": ("A", "motor current"),
+    "voltage": ("V", "motor voltage"),
+}
+
+
+def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recording:
+    """Return the recording of a run that has ended."""
+    log = state.plant.log()
+    ticks = log.pop("tick")
+    time = ticks / state.cell.controller.rates.control_hz
+    log["q_error"] = log["q_ref"] - log["q"]
+    columns = tuple(joint.name for joint in state.cell.robot.joints)
+    channels = {
+        name: Channel(log[name], unit, columns, text)
+        for name, (unit, text) in JOINT_CHANNELS.items()
+        if name in log
+    }
+    tool_poses = _tool_poses(state, ticks)
+    attained = forward_batch(state.cell.robot, log["q"]) @ tool_poses
+    command = forward_batch(state.cell.robot, log["q_ref"]) @ tool_poses
+    channels |= _pose_channels("attained", attained) | _pose_channels("command", command)
+    error = path_errors(state.moves, state.cell, ticks, attained[:, :3, 3])
+    channels["path_error"] = Channel(error, "m", (), "distance of the attained TCP from the commanded line")
+    for name in sorted(state.tracks):
+        unit = "kg" if name == "payload" else ""
+        channels[name] = Channel(
+            state.tracks[name].at(ticks), unit, (), TRACK_TEXT.get(name, "signal of the cell")
+        )
+    events = sorted(
+        [
+            *_moves_with_errors(state, ticks, error),
+            *state.activations.events(state.cell.controller.rates.control_hz),
+        ],
+        key=lambda event: event.time,
+    )
+    findings: tuple[Diagnostic, ...] = (
+        *state.findings,
+        *verdicts(state.cell, time, channels, program.source),
+    )
+    return Recording(time, channels, tuple(events), findings, state.time, header(state, program, options))
+
+
+TRACK_TEXT = {
+    "line": "active source line, 0 for none",
+    "move": "ordinal of the active move, -1 for none",
+    "gripper": "0 open, 1 closed",
+    "payload": "mass of tool and grasped part",
+}
+
+
+def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str, object]:
+    """Return what the recording says about itself; plain values only."""
+    cell, robot, rates = state.cell, state.cell.robot, state.cell.controller.rates
+    return {
+        "ropsim": __version__,
+        "project": cell.name,
+        "program": program.name,
+        "source": program.source,
+        "icr_id": program_id(program),
+        "fidelity": options.fidelity.value,
+        "record_hz": rates.control_hz / options.record_ticks,
+        "rates": {
+            "control_hz": rates.control_hz,
+            "interpolation_ticks": rates.interpolation_ticks,
+            "plant_steps": rates.plant_steps,
+        },
+        "skipped_moves": state.skipped,
+        "parts_left": list(state.parts.left),
+        "estimated": [one.parameters for one in robot.origins if one.kind == "estimated"],
+        "robot": {
+            "name": robot.name,
+            "title": robot.title,
+            "joint_names": [joint.name for joint in robot.joints],
+            "joint_types": [joint.type.value for joint in robot.joints],
+            "lower": robot.lower_limits.tolist(),
+            "upper": robot.upper_limits.tolist(),
+            "max_speed": robot.max_speeds.tolist(),
+            "max_effort": robot.max_efforts.tolist(),
+            "max_current": [drive.amplifier.max_current for drive in robot.drives],
+            "origins": [
+                {"parameters": one.parameters, "kind": one.kind, "source": one.source}
+                for one in robot.origins
+            ],
+        },
+    }
+
+
+def path_errors(moves: list[MoveSpan], cell: Cell, ticks: Array, attained: Array) -> Array:
+    """Return the distance of the attained TCP from the line of each LIN move, NaN elsewhere.
+
+    Args:
+        moves: as carried out.
+        cell: the cell.
+        ticks: recorded ticks, shape (k,).
+        attained: attained TCP positions in the base frame [m], shape (k, 3).
+
+    Returns:
+        Distances [m], shape (k,), in the sense of path accuracy AT_p of ISO 9283 for one cycle.
+    """
+    errors = np.full(len(ticks), np.nan)
+    lines = [move for move in moves if move.move.kind is MotionKind.LIN and move.end > move.start]
+    if not lines:
+        return errors
+    ends = forward_batch(cell.robot, np.array([q for move in lines for q in (move.q_start, move.q_end)]))
+    for k, move in enumerate(lines):
+        first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
+        a, b = ((ends[2 * k + side] @ move.X_MT.matrix())[:3, 3] for side in (0, 1))
+        errors[first:last] = distance_from_segment(attained[first:last], a, b)
+    return errors
+
+
+def distance_from_segment(points: Array, a: Array, b: Array) -> Array:
+    """Return the distances of `points` (k, 3) from the segment from `a` to `b`, shape (k,)."""
+    along = b - a
+    share = np.clip((points - a) @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(points - a - share[:, None] * along, axis=1))
+
+
+def _tool_poses(state: CellRun, ticks: Array) -> Array:
+    """Return X_MT at each recorded tick, shape (k, 4, 4): that of the latest move, before it of the first."""
+    if not state.moves:
+        tool = state.cell.tools.get(state.cell.default_tool)
+        return np.broadcast_to((tool.X_MT if tool else Pose()).matrix(), (len(ticks), 4, 4))
+    poses: list[Pose] = []
+    for move in state.moves:
+        if move.X_MT not in poses:
+            poses.append(move.X_MT)
+    which = np.array([poses.index(move.X_MT) for move in state.moves])
+    index = np.searchsorted(np.array([move.start for move in state.moves]), ticks, side="left") - 1
+    matrices: Array = np.stack([pose.matrix() for pose in poses])
+    return np.asarray(matrices[which[np.maximum(index, 0)]])
+
+
+def _pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
+    orientation = quaternions_from_matrices(matrices[:, :3, :3])
+    return {
+        f"{kind}_position": Channel(
+            np.ascontiguousarray(matrices[:, :3, 3]),
+            "m",
+            ("x", "y", "z"),
+            f"{kind} TCP position in the base frame",
+        ),
+        f"{kind}_orientation": Channel(
+            orientation,
+            "",
+            ("w", "x", "y", "z"),
+            f"{kind} TCP orientation in the base frame, unit quaternion",
+        ),
+    }
+
+
+def _moves_with_errors(state: CellRun, ticks: Array, errors: Array) -> list[Event]:
+    """Return the events; LIN moves get the largest path error on their way."""
+    result = []
+    for event in state.events:
+        if event.kind == "move" and event.data["kind"] == MotionKind.LIN.value:
+            move = state.moves[int(str(event.data["ordinal"]))]
+            first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
+            worst = float(np.max(errors[first:last], initial=0.0))
+            event = Event(  # noqa: PLW2901 - the enriched event takes the place of the plain one
+                event.time,
+                event.kind,
+                event.text,
+                event.span,
+                event.duration,
+                {**event.data, "path_error_max": worst},
+            )
+        result.append(event)
+    return result

@@ -1,0 +1,199 @@
+"""A whole program in a whole cell: interpreter, controller, drives, arm, parts.
+
+`run` is the main loop; it reads like the generic controller's block diagram: the interpreter hands over
+instructions, the slow side of the controller turns a move into joint references, the plant follows them.
+"""
+
+from ropsim.controller import Refusal, plan_move
+from ropsim.core import Diagnostic
+from ropsim.flow import (
+    GripAction,
+    GripInstruction,
+    Instruction,
+    MessageInstruction,
+    MoveInstruction,
+    OutputInstruction,
+    Recording,
+    SyncInstruction,
+    WaitInstruction,
+)
+from ropsim.icr import Finished, Machine, Program
+from ropsim.model import Cell, Tool
+from ropsim.simulation.cell_run import CellRun, MoveSpan
+from ropsim.simulation.diagnostics import NOT_IN_POSITION, NOTHING_GRASPED, TOOL_CANNOT_GRASP
+from ropsim.simulation.fidelity import RunOptions
+from ropsim.simulation.parts import close_on, release
+from ropsim.simulation.record import recording_of
+from ropsim.simulation.start import start_run
+from ropsim.simulation.world import SimulatedWorld
+
+
+def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
+    """Run a verified program in a cell and return the recording with all findings.
+
+    A move that cannot be made becomes a finding on its source line and is skipped; the program goes on,
+    so that one run shows every such line.
+
+    Args:
+        cell: static model.
+        program: verified ICR.
+        options: fidelity, rates of recording, progress.
+    """
+    state = start_run(cell, options)
+    machine = Machine(program, _world(state))
+    while True:
+        step = machine.advance()
+        if isinstance(step, Finished):
+            if step.trap is not None:
+                state.findings.append(step.trap)
+            return recording_of(state, program, options)
+        _carry_out(state, step)
+
+
+def _world(state: CellRun) -> SimulatedWorld:
+    hz = state.cell.controller.rates.control_hz
+
+    def stand(until: float) -> None:
+        state.stand(max(1, round(until * hz) - state.tick))
+
+    return SimulatedWorld(
+        state.sensors,
+        lambda: state.time,
+        stand,
+        state.cell.controller.rates.interpolation_period,
+    )
+
+
+def _carry_out(state: CellRun, step: Instruction) -> None:
+    span = step.origin.span
+    state.track("line", span.line if span else 0)
+    state.take(state.cell.tools.get(step.modal.tool or state.cell.default_tool), state.parts)
+    match step:
+        case MoveInstruction():
+            _move(state, step)
+        case GripInstruction():
+            _grip(state, step)
+        case WaitInstruction():
+            since = state.tick
+            state.stand(round(step.duration * state.cell.controller.rates.control_hz))
+            state.note("wait", f"wait {step.duration:g} s", step.origin, since)
+        case OutputInstruction():
+            state.sensors.set_output(step.channel, step.value)
+            state.track(f"signal.{step.channel}", float(step.value))
+            state.note(
+                "output", f"{step.channel} = {step.value}", step.origin, state.tick, channel=step.channel
+            )
+        case MessageInstruction():
+            state.note("message", step.text, step.origin, state.tick)
+        case SyncInstruction():
+            pass  # every instruction is carried out before the next one is taken
+
+
+def _move(state: CellRun, move: MoveInstruction) -> None:
+    planned = plan_move(state.chain, move, state.q_command)
+    since = state.tick
+    if isinstance(planned, Refusal):
+        state.findings.extend(planned.diagnostics)
+        state.skipped += 1
+        state.note("skip", f"{move.kind.value} not possible", move.origin, since, kind=move.kind.value)
+        return
+    state.findings.extend(planned.findings)
+    ordinal = len(state.moves)
+    state.track("move", ordinal)
+    state.follow(planned.reference)
+    end, q_start = state.tick, state.q_command
+    state.q_command = planned.q_end
+    settle = _settle(state, move)
+    state.moves.append(
+        MoveSpan(move, since, end, state.tick, q_start, planned.q_end, state.chain.tool_pose(move))
+    )
+    state.track("move", -1)
+    state.note(
+        "move",
+        f"{move.kind.value} pass {move.origin.visit}",
+        move.origin,
+        since,
+        kind=move.kind.value,
+        ordinal=ordinal,
+        settle=settle,
+        travel=planned.duration,
+    )
+    state.progress(f"move {ordinal + 1}")
+
+
+def _output(state: CellRun, step: OutputInstruction) -> None:
+    state.sensors.set_output(step.channel, step.value)
+    state.track(f"signal.{step.channel}", float(step.value))
+    state.note("output", f"{step.channel} = {step.value}", step.origin, state.tick, channel=step.channel)
+
+
+def _settle(state: CellRun, move: MoveInstruction) -> float:
+    """Stand until every joint is in position; return how long that took [s]."""
+    controller = state.cell.controller
+    start, limit = state.tick, round(controller.settle_timeout * controller.rates.control_hz)
+    while bool((abs(state.plant.q - state.q_command) > controller.in_position).any()):
+        if state.tick - start >= limit:
+            state.findings.append(_not_in_position(state, move))
+            break
+        state.stand(controller.rates.interpolation_ticks)
+    return (state.tick - start) / controller.rates.control_hz
+
+
+def _not_in_position(state: CellRun, move: MoveInstruction) -> Diagnostic:
+    controller = state.cell.controller
+    error = abs(state.plant.q - state.q_command)
+    joint = int((error / controller.in_position).argmax())
+    return NOT_IN_POSITION.at(
+        move.origin.span,
+        f"joint `{state.cell.robot.joints[joint].name}` is {error[joint] * 1e3:.3g} mrad from its target after "
+        f"{controller.settle_timeout:g} s, in position means {controller.in_position[joint] * 1e3:.3g} mrad",
+        label=f"pass {move.origin.visit}",
+        hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
+        data={"pass": move.origin.visit, "joint": joint + 1, "error_rad": float(error[joint])},
+    )
+
+
+def _grip(state: CellRun, grip: GripInstruction) -> None:
+    tool = state.cell.tools.get(grip.tool) if grip.tool else state.tool
+    since = state.tick
+    hz = state.cell.controller.rates.control_hz
+    if tool is None or tool.gripper is None:
+        state.findings.append(_cannot_grasp(grip, tool))
+        return
+    held = state.parts.grasp
+    if grip.action is GripAction.CLOSE:
+        state.stand(round(tool.gripper.close_time * hz))
+        state.take(state.tool, close_on(state.parts, state.cell, tool, state.attained()))
+        part = state.parts.grasp.part.name if state.parts.grasp else ""
+        if not part:
+            state.findings.append(_nothing_grasped(grip, tool))
+        kind, text = "grip", f"close on {part}" if part else "close on nothing"
+    else:
+        state.stand(round(tool.gripper.open_time * hz))
+        state.take(state.tool, release(state.parts, state.cell, state.attained()))
+        part = held.part.name if held else ""
+        kind, text = "release", f"release {part}" if part else "open"
+    state.track("gripper", 1.0 if grip.action is GripAction.CLOSE else 0.0)
+    state.track("payload", state.payload.mass)
+    state.note(kind, text, grip.origin, since, part=part)
+
+
+def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:
+    found = f"tool `{tool.name}` has no gripper" if tool else "no tool is in force"
+    return TOOL_CANNOT_GRASP.at(
+        grip.origin.span,
+        f"`{grip.action.value}` needs a gripper, but {found}",
+        hint="give the tool a `gripper` in cell.toml, or name another tool",
+        data={"pass": grip.origin.visit},
+    )
+
+
+def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
+    capture = tool.gripper.capture if tool.gripper else 0.0
+    return NOTHING_GRASPED.at(
+        grip.origin.span,
+        f"no part within {capture * 1e3:g} mm of the TCP when the gripper closed",
+        label=f"pass {grip.origin.visit}",
+        hint="check the location, the supply of parts and the tool's `capture`",
+        data={"pass": grip.origin.visit},
+    )

@@ -1,0 +1,89 @@
+"""What can be wrong with a servo simulation."""
+
+from ropsim.core import RopsimError, Severity, define
+
+NO_DRIVES = define(
+    "S700",
+    "model-without-drives",
+    Severity.ERROR,
+    "the arm has no drive data, so its servo loop cannot be simulated",
+    """
+The servo simulation computes motor currents from voltages and joint torques from currents. It needs motor,
+gear, friction and amplifier of every joint; the model of this arm has none.
+
+Run without dynamics (`ropsim run PATH --kinematic`), take an arm with drive data such as `puma560`, or give
+the missing data in the model; where nothing is published, give an estimate and mark it `estimated`.
+""",
+)
+
+DIVERGED = define(
+    "S701",
+    "state-not-finite",
+    Severity.ERROR,
+    "the simulated state has become NaN or infinite",
+    """
+Either reference, payload or gains hold NaN, or the integration step is too long for the fastest motion of the
+plant: a fixed-step Runge-Kutta integration is stable while step times fastest eigenvalue stays below about
+2.8. Very light links without motor inertia, very small inductances and very high gains make fast plants.
+
+Raise `plant_steps` in the controller's rates, or look for a gain, a mass or an inductance that is off by a
+power of ten.
+""",
+)
+
+BAD_REFERENCE = define(
+    "S702",
+    "reference-shape-mismatch",
+    Severity.ERROR,
+    "an array given to the servo does not fit the arm",
+    """
+A `JointReference` holds three arrays of the same shape (ticks, n), a start position has n numbers, a joint
+controller returns n voltages, and gains have n numbers each, where n is the number of joints. All numbers
+must be finite.
+""",
+)
+
+BAD_OPTIONS = define(
+    "S703",
+    "option-out-of-range",
+    Severity.ERROR,
+    "an option of the simulation is outside its range",
+    """
+Control rate, plant steps, slice length and record decimation are whole numbers of at least 1. The recording
+rate is the control rate divided by the decimation: 1000 Hz with a decimation of 4 makes 250 rows per second.
+""",
+)
+
+
+BAD_DRIVE = define(
+    "S704",
+    "drive-not-physical",
+    Severity.ERROR,
+    "a constant of a drive has a value that no drive can have",
+    """
+A DC motor needs a positive inductance, resistance and torque constant, a gear ratio other than zero (a
+negative one turns the joint against the motor), and an amplifier with a positive voltage.
+
+Look at the drive of the joint named in the message; units are V, A, ohm, H and N·m/A.
+""",
+)
+
+
+class DriveDataError(RopsimError):
+    """A constant of a drive is impossible."""
+
+
+class NoDrivesError(RopsimError):
+    """The arm has no drives."""
+
+
+class DivergedError(RopsimError):
+    """The state is no longer finite."""
+
+
+class ServoArrayError(RopsimError):
+    """An array does not fit the arm."""
+
+
+class OptionError(RopsimError):
+    """An option is outside its range."""

@@ -1,0 +1,40 @@
+"""The servo-driven arm as a plant: true drives and dynamics, in compiled slices."""
+
+from ropsim.flow import JointReference
+from ropsim.model import Cell, Payload
+from ropsim.simulation.plant import constant
+from ropsim.simulation.servo import Servo
+from ropsim.spatial import Array
+
+
+class ServoPlant:
+    """Follows references as drives, gears, friction and inertia allow.
+
+    Args:
+        cell: with the arm and its controller.
+        q: joint coordinates at time 0 [rad | m], shape (n,).
+        payload: body at the mechanical interface at time 0.
+        record_ticks: control ticks between two recorded rows.
+    """
+
+    def __init__(self, cell: Cell, q: Array, payload: Payload, record_ticks: int) -> None:
+        self._servo = Servo.build(cell.robot, cell.controller)
+        self._state = self._servo.initial_state(q, payload)
+        self._recorder = self._servo.recorder(self._state, record_ticks)
+
+    @property
+    def q(self) -> Array:
+        """Return the attained joint coordinates [rad | m], shape (n,)."""
+        return self._state.q
+
+    def follow(self, reference: JointReference, payload: Payload) -> None:
+        """Advance by one control tick per row of `reference`, in one compiled call."""
+        self._state = self._servo.run(self._state, reference, payload, self._recorder)
+
+    def hold(self, q: Array, ticks: int, payload: Payload) -> None:
+        """Advance by `ticks` control ticks with a constant reference."""
+        self.follow(constant(q, ticks), payload)
+
+    def log(self) -> dict[str, Array]:
+        """Return the recorded channels, and their ticks as `tick`."""
+        return {"tick": self._recorder.ticks, **self._recorder.channels()}

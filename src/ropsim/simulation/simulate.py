@@ -1,0 +1,123 @@
+"""Simulate an arm that follows joint references."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.codegen import Engine
+from ropsim.controller import CompiledLaw, PythonLaw
+from ropsim.flow import Channel, JointReference, Recording
+from ropsim.model import ControllerModel, JointType, Payload, RobotModel
+from ropsim.simulation.servo import Servo
+from ropsim.simulation.servo_checks import check_option
+from ropsim.spatial import Array
+from ropsim.version import __version__
+
+_UNITS = {
+    "q": "{0}",
+    "qd": "{0}/s",
+    "tau": "{1}",
+    "current": "A",
+    "voltage": "V",
+    "q_ref": "{0}",
+    "qd_ref": "{0}/s",
+    "q_error": "{0}",
+}
+_TEXTS = {
+    "q": "attained joint coordinates",
+    "qd": "attained joint speeds",
+    "tau": "torque of the drive at the joint, before friction",
+    "current": "motor current",
+    "voltage": "motor voltage",
+    "q_ref": "joint references",
+    "qd_ref": "reference joint speeds",
+    "q_error": "reference minus attained joint coordinates",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class SimulationOptions:
+    """How a simulation runs.
+
+    Attributes:
+        decimation: control ticks between two rows of the recording.
+        slice_ticks: control ticks per compiled call; does not change the result.
+        start: joint coordinates at time 0 [rad | m], shape (n,); None = the first row of the reference.
+        payload: body at the mechanical interface.
+        law: another joint controller than that of the controller model.
+        engine: who runs the generated code; None takes numba where it is installed.
+    """
+
+    decimation: int = 1
+    slice_ticks: int = 20
+    start: Array | None = None
+    payload: Payload = field(default_factory=Payload)
+    law: CompiledLaw | PythonLaw | None = None
+    engine: Engine | None = None
+
+
+def simulate(
+    robot: RobotModel,
+    controller: ControllerModel,
+    reference: JointReference,
+    options: SimulationOptions | None = None,
+) -> Recording:
+    """Return the recording of an arm that starts at rest and follows a reference.
+
+    Channels, shape (rows, n) with the joint names as columns: q, qd, tau, current, voltage, q_ref, qd_ref and
+    q_error. Row k is at time k · decimation / control_hz; row 0 is the start.
+
+    Args:
+        robot: arm with drives.
+        controller: rates and gains.
+        reference: one row per control tick, at least one; row 0 belongs to the end of the first tick.
+        options: None for the defaults.
+
+    Raises:
+        NoDrivesError: the model of the arm has no drives.
+        DriveDataError: a constant of a drive is impossible.
+        OptionError: an option or a rate is out of range.
+        ServoArrayError: reference, start or gains do not fit the arm.
+        DivergedError: the state has become NaN or infinite.
+    """
+    options = options or SimulationOptions()
+    check_option("decimation", options.decimation)
+    check_option("slice_ticks", options.slice_ticks)
+    check_option("reference.ticks", reference.ticks)
+    servo = Servo.build(robot, controller, options.law, options.engine)
+    state = servo.initial_state(reference.q[0] if options.start is None else options.start, options.payload)
+    recorder = servo.recorder(state, options.decimation)
+    for first in range(0, reference.ticks, options.slice_ticks):
+        rows = slice(first, first + options.slice_ticks)
+        part = JointReference(reference.q[rows], reference.qd[rows], reference.qdd[rows])
+        state = servo.run(state, part, options.payload, recorder)
+    log = recorder.channels()
+    log["q_error"] = log["q_ref"] - log["q"]
+    header = {
+        "ropsim": __version__,
+        "robot": robot.name,
+        "law": servo.law.name if servo.python_law is None else type(servo.python_law).__name__,
+        "control_hz": servo.control_hz,
+        "plant_steps": servo.plant_steps,
+        "decimation": options.decimation,
+    }
+    return Recording(
+        recorder.ticks / servo.control_hz,
+        _channels(robot, log),
+        (),
+        (),
+        state.tick / servo.control_hz,
+        header,
+    )
+
+
+def _channels(robot: RobotModel, log: dict[str, Array]) -> dict[str, Channel]:
+    types = {joint.type for joint in robot.joints}
+    length = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
+    effort = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
+    names = [" | ".join(units[kind] for kind in JointType if kind in types) for units in (length, effort)]
+    columns = tuple(joint.name for joint in robot.joints)
+    return {
+        name: Channel(np.asarray(log[name]), unit.format(*names), columns, _TEXTS[name])
+        for name, unit in _UNITS.items()
+    }

@@ -1,0 +1,43 @@
+"""The state of a run at time 0."""
+
+from ropsim.controller import ScriptedSensors, standard_chain
+from ropsim.model import Cell, Payload
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.fidelity import Fidelity, RunOptions
+from ropsim.simulation.kinematic_plant import KinematicPlant
+from ropsim.simulation.parts import initial_parts, payload
+from ropsim.simulation.plant import Plant
+from ropsim.simulation.servo_plant import ServoPlant
+from ropsim.spatial import Array, frozen
+
+
+def start_run(cell: Cell, options: RunOptions) -> CellRun:
+    """Return the running state of a cell whose arm stands at its start position."""
+    q: Array = cell.start if len(cell.start) else cell.robot.home
+    parts = initial_parts(cell)
+    tool = cell.tools.get(cell.default_tool)
+    load = payload(parts, tool)
+    state = CellRun(
+        cell=cell,
+        chain=standard_chain(cell),
+        plant=_plant(cell, q, load, options),
+        sensors=ScriptedSensors(cell.signals),
+        q_command=frozen(q),
+        parts=parts,
+        tool=tool,
+        payload=load,
+        progress=options.progress,
+    )
+    state.track("line", 0.0)
+    state.track("move", -1.0)
+    state.track("gripper", 0.0)
+    state.track("payload", load.mass)
+    for name, signal in cell.signals.items():
+        state.track(f"signal.{name}", signal.initial)
+    return state
+
+
+def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions) -> Plant:
+    if options.fidelity is Fidelity.KINEMATIC:
+        return KinematicPlant(q, options.record_ticks)
+    return ServoPlant(cell, q, load, options.record_ticks)

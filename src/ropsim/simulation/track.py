@@ -1,0 +1,37 @@
+"""A piecewise constant quantity over control ticks: active line, gripper, payload, signals."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.spatial import Array
+
+
+@dataclass(slots=True)
+class Track:
+    """Changes of one value; grows during a run.
+
+    Attributes:
+        ticks: control ticks at which the value changes, ascending.
+        values: value from that tick on.
+    """
+
+    ticks: list[int] = field(default_factory=list)
+    values: list[float] = field(default_factory=list)
+
+    def set(self, tick: int, value: float) -> None:
+        """Let the quantity be `value` from `tick` on."""
+        if self.values and self.values[-1] == value:
+            return
+        if self.ticks and self.ticks[-1] == tick:
+            self.values[-1] = value
+            return
+        self.ticks.append(tick)
+        self.values.append(value)
+
+    def at(self, ticks: Array) -> Array:
+        """Return the value in force during the control period that ends at each tick, shape as `ticks`."""
+        if not self.ticks:
+            return np.zeros(len(ticks))
+        index = np.searchsorted(np.array(self.ticks), ticks, side="left") - 1
+        return np.asarray(np.array(self.values)[np.maximum(index, 0)])

@@ -1,0 +1,29 @@
+"""What the figures of a report mean; short HTML texts by name."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+DEFINITIONS: Mapping[str, str] = MappingProxyType(
+    {
+        "cycle time": "From the start to the end of the last motion or instruction, settling included.",
+        "in motion": "Share of the cycle time in which the reference speed of at least one joint exceeds "
+        "1e-6 rad/s (m/s for a sliding joint).",
+        "settling": "Time after a move until every joint is in position, summed over all moves.",
+        "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
+        "that of the limit of the model.",
+        "following error": "Reference minus attained joint coordinate at the same instant; it contains "
+        "the delay of the servo.",
+        "path error, AT<sub>p</sub>": "Distance of the attained tool centre point from the commanded "
+        "straight line, its ends included. The largest one stands for the path accuracy "
+        "AT<sub>p</sub> of ISO 9283, here from one cycle instead of ten: the simulation has "
+        "no noise, so repeated cycles are equal and the path repeatability RT<sub>p</sub> is "
+        "zero by construction.",
+        "path velocity accuracy, AV": "(mean attained speed − command speed) / command speed, over the "
+        "middle half of the time in which the commanded speed of the move is within 1 % of "
+        "its largest value.",
+        "margin": "Smallest distance of the attained joint coordinate from the limit.",
+        "charts": "Drawn from the smallest and the largest sample of each short stretch, so peaks are "
+        "kept. Tables are computed from all samples.",
+    }
+)
+"""Name of a figure to its meaning."""

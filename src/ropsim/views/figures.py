@@ -1,0 +1,75 @@
+"""Numbers for people: degrees and millimetres, the sign for "unknown", sensible digits."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ropsim.model import JointType
+
+UNKNOWN = "–"
+"""What stands in place of a number that is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """How a quantity is shown: SI value times `factor` in `unit`."""
+
+    factor: float
+    unit: str
+
+
+DEGREES = Scale(180.0 / math.pi, "°")
+DEGREES_PER_SECOND = Scale(180.0 / math.pi, "°/s")
+MILLIMETRES = Scale(1000.0, "mm")
+MILLIMETRES_PER_SECOND = Scale(1000.0, "mm/s")
+TORQUE = Scale(1.0, "N·m")
+FORCE = Scale(1.0, "N")
+AMPERE = Scale(1.0, "A")
+PERCENT = Scale(100.0, "%")
+METRES = Scale(1.0, "m")
+
+
+def coordinate_scale(joint: JointType) -> Scale:
+    """Return how coordinates of such a joint are shown."""
+    return DEGREES if joint is JointType.REVOLUTE else MILLIMETRES
+
+
+def speed_scale(joint: JointType) -> Scale:
+    """Return how speeds of such a joint are shown."""
+    return DEGREES_PER_SECOND if joint is JointType.REVOLUTE else MILLIMETRES_PER_SECOND
+
+
+def effort_scale(joint: JointType) -> Scale:
+    """Return how torques or forces of such a joint are shown."""
+    return TORQUE if joint is JointType.REVOLUTE else FORCE
+
+
+def joined_units(scales: Iterable[Scale]) -> str:
+    """Return the units that a table column holds, such as `°` or `° or mm`."""
+    return " or ".join(dict.fromkeys(scale.unit for scale in scales))
+
+
+def fixed(value: float, scale: Scale, decimals: int) -> str:
+    """Return a number with fixed decimals and without its unit; `–` where it is not finite."""
+    if not math.isfinite(value):
+        return UNKNOWN
+    text = f"{value * scale.factor:.{decimals}f}"
+    return text.lstrip("-") if float(text) == 0.0 else text
+
+
+def with_unit(value: float, scale: Scale, decimals: int) -> str:
+    """Return a number with fixed decimals and its unit; `–` where it is not finite."""
+    if not math.isfinite(value):
+        return UNKNOWN
+    space = "" if scale.unit == "°" else "\u00a0"
+    return f"{fixed(value, scale, decimals)}{space}{scale.unit}"
+
+
+def seconds(value: float) -> str:
+    """Return a time in seconds with two decimals, `–` where it is not finite."""
+    return fixed(value, METRES, 2)
+
+
+def percent(share: float) -> str:
+    """Return a share in whole percent, `–` where it is not finite."""
+    return f"{share * 100.0:.0f}\u00a0%" if math.isfinite(share) else UNKNOWN

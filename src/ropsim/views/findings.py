@@ -1,0 +1,72 @@
+"""Findings put together: what repeats in every loop pass is said once and counted."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ropsim.core import Diagnostic, Severity
+
+PASS = "pass"
+"""Key of the loop pass in the data of a finding."""
+
+
+@dataclass(frozen=True, slots=True)
+class FindingGroup:
+    """The same finding at the same place.
+
+    Attributes:
+        first: the one that came first; its figures are shown.
+        count: how many there are.
+        passes: the loop passes (`pass` in the data) in which it came, in order, each once.
+    """
+
+    first: Diagnostic
+    count: int
+    passes: tuple[int, ...]
+
+
+def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
+    """Return groups of equal code and place, in the order of their first member.
+
+    Findings of a run (those with a loop `pass` in their data) are one group when code, span and joint
+    agree, whatever figures their messages quote; all others only when the message agrees as well, so
+    two different mistakes on one word stay two.
+    """
+    groups: dict[tuple[object, ...], list[Diagnostic]] = {}
+    for finding in findings:
+        repeats = finding.span is not None and PASS in finding.data
+        sameness = finding.data.get("joint") if repeats else finding.message
+        key = (finding.code, finding.severity, finding.span, repr(sameness))
+        groups.setdefault(key, []).append(finding)
+    return tuple(FindingGroup(group[0], len(group), _passes(group)) for group in groups.values())
+
+
+def count_text(findings: Iterable[Diagnostic]) -> str:
+    """Return such as `2 errors, 1 warning`; `no findings` for none."""
+    counts = dict.fromkeys(Severity, 0)
+    for finding in findings:
+        counts[finding.severity] += 1
+    parts = [plural(count, severity.value) for severity, count in counts.items() if count]
+    return ", ".join(parts) or "no findings"
+
+
+def passes_text(passes: tuple[int, ...], limit: int = 8) -> str:
+    """Return such as `passes 1-3, 7`, runs joined, at most `limit` of them."""
+    runs: list[list[int]] = []
+    for visit in passes:
+        if runs and visit == runs[-1][1] + 1:
+            runs[-1][1] = visit
+        else:
+            runs.append([visit, visit])
+    texts = [str(first) if first == last else f"{first}-{last}" for first, last in runs]
+    more = ["…"] if len(texts) > limit else []
+    return f"{'pass' if len(passes) == 1 else 'passes'} {', '.join(texts[:limit] + more)}"
+
+
+def plural(count: int, noun: str) -> str:
+    """Return `1 error`, `2 errors`."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def _passes(group: list[Diagnostic]) -> tuple[int, ...]:
+    visits = (finding.data.get(PASS) for finding in group)
+    return tuple(sorted({visit for visit in visits if isinstance(visit, int)}))

@@ -1,0 +1,71 @@
+"""Findings and skipped moves in the HTML report."""
+
+from collections.abc import Mapping
+
+from ropsim.core import SourceText
+from ropsim.flow import Event
+from ropsim.views.figures import seconds
+from ropsim.views.findings import FindingGroup, passes_text, plural
+from ropsim.views.markup import prose, text
+from ropsim.views.snippet import Mark, snippet
+from ropsim.views.style import Style, Tone
+from ropsim.views.summary import Summary
+
+SHOWN_FINDINGS = 200
+
+
+def findings_section(summary: Summary, sources: Mapping[str, SourceText]) -> str:
+    """Return the findings, each with the source line it speaks of."""
+    if not summary.findings:
+        return "<section><h2>Findings</h2><p>None.</p></section>\n"
+    shown = summary.findings[:SHOWN_FINDINGS]
+    more = len(summary.findings) - len(shown)
+    rest = f"<p>… and {plural(more, 'more finding')}.</p>" if more else ""
+    body = "".join(_finding(group, sources) for group in shown)
+    return f"<section><h2>Findings</h2>\n{body}{rest}</section>\n"
+
+
+def _finding(group: FindingGroup, sources: Mapping[str, SourceText]) -> str:
+    first = group.first
+    where = f" ({passes_text(group.passes)})" if group.passes else ""
+    repeats = (
+        f'<p class="quiet">{plural(group.count, "time")}{where}; the first is shown.</p>'
+        if group.count > 1
+        else ""
+    )
+    notes = "".join(f"<p>{prose(note)}</p>" for note in first.notes)
+    hint = f"<p>Hint: {prose(first.hint)}</p>" if first.hint else ""
+    severity = first.severity.value
+    return (
+        f'<div class="finding {severity}"><p class="head"><span class="kind">{severity}'
+        f"[{text(first.code)}]</span> {text(first.slug)}: {prose(first.message)}</p>\n"
+        f"{_quote(group, sources)}{notes}{hint}{repeats}</div>\n"
+    )
+
+
+def _quote(group: FindingGroup, sources: Mapping[str, SourceText]) -> str:
+    span = group.first.span
+    if span is None:
+        return ""
+    place = f'<p class="quiet">{text(str(span))}</p>'
+    source = sources.get(span.source)
+    if source is None:
+        return place
+    mark = Mark(span, group.first.label, "^", Tone.ERROR)
+    lines = snippet(source, span, (mark,), len(str(span.end_line)), Style.PLAIN)
+    return f"{place}<pre>{chr(10).join(text(line) for line in lines)}</pre>"
+
+
+def skipped_section(summary: Summary) -> str:
+    """Return the list of moves that were left out; empty where there is none."""
+    if not summary.skipped:
+        return ""
+    rows = "".join(_skipped(event) for event in summary.skipped[:SHOWN_FINDINGS])
+    more = len(summary.skipped) - SHOWN_FINDINGS
+    rest = f"<p>… and {more} more.</p>" if more > 0 else ""
+    return f"<section><h2>Skipped moves</h2>\n<ul>{rows}</ul>{rest}</section>\n"
+
+
+def _skipped(event: Event) -> str:
+    place = f" ({text(str(event.span))})" if event.span else ""
+    return f"<li>t = {seconds(event.time)} s: {text(event.text)}{place}</li>\n"

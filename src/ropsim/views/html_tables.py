@@ -1,0 +1,188 @@
+"""The tables of the HTML report."""
+
+import math
+from collections.abc import Mapping
+
+from ropsim.core import SourceText
+from ropsim.views.figures import (
+    MILLIMETRES,
+    MILLIMETRES_PER_SECOND,
+    PERCENT,
+    UNKNOWN,
+    coordinate_scale,
+    effort_scale,
+    fixed,
+    joined_units,
+    percent,
+    seconds,
+    speed_scale,
+)
+from ropsim.views.joint_summary import JointSummary, LimitApproach
+from ropsim.views.markup import table, text
+from ropsim.views.path_summary import PathLine
+from ropsim.views.summary import Summary
+
+NEAR = 0.9
+"""Share of a limit from which on a figure is marked."""
+
+
+def joint_table(joints: tuple[JointSummary, ...]) -> str:
+    """Return extremes per joint against their limits."""
+    types = [joint.facts.type for joint in joints]
+    coordinate = joined_units(map(coordinate_scale, types))
+    effort, speed = joined_units(map(effort_scale, types)), joined_units(map(speed_scale, types))
+    header = (
+        "joint",
+        f"peak torque<br>[{effort}]",
+        f"limit<br>[{effort}]",
+        "share",
+        f"peak speed<br>[{speed}]",
+        f"limit<br>[{speed}]",
+        "share",
+        "peak current<br>[A]",
+        f"following error<br>RMS [{coordinate}]",
+        f"following error<br>max [{coordinate}]",
+    )
+    return table("Peaks are magnitudes over the whole run.", header, [_joint_row(joint) for joint in joints])
+
+
+def approach_table(joints: tuple[JointSummary, ...]) -> str:
+    """Return the closest approaches of every joint to its limits."""
+    coordinate = joined_units(coordinate_scale(joint.facts.type) for joint in joints)
+    titles = tuple(
+        title
+        for side in ("lower", "upper")
+        for title in (
+            f"{side} limit<br>[{coordinate}]",
+            f"came to<br>[{coordinate}]",
+            f"margin<br>[{coordinate}]",
+            "at t [s]",
+            "line",
+        )
+    )
+    rows = [
+        (
+            text(joint.facts.name),
+            *_approach_cells(joint, joint.nearest_lower, joint.facts.lower),
+            *_approach_cells(joint, joint.nearest_upper, joint.facts.upper),
+        )
+        for joint in joints
+    ]
+    return table("Closest approach of each joint to its limits.", ("joint", *titles), rows)
+
+
+def task_table(summary: Summary) -> str:
+    """Return times per task."""
+    rows = [
+        (
+            text(task.name),
+            str(task.calls),
+            seconds(task.total),
+            _share(task.total, summary.cycle_time),
+            seconds(task.mean),
+            seconds(task.longest),
+        )
+        for task in summary.tasks
+    ]
+    header = ("task", "calls", "total [s]", "of cycle time", "mean [s]", "longest [s]")
+    return table(
+        "Time from the first to the last instruction of each activation, called tasks included.", header, rows
+    )
+
+
+def path_table(summary: Summary, sources: Mapping[str, SourceText]) -> str:
+    """Return the path accuracy of straight moves per source line."""
+    header = (
+        "line",
+        "moves",
+        "AT<sub>p</sub> max<br>[mm]",
+        "RMS<br>[mm]",
+        "worst<br>pass",
+        "at t [s]",
+        "command speed<br>[mm/s]",
+        "worst AV<br>[%]",
+        "source",
+    )
+    source = sources.get(summary.header.source)
+    rows = [_path_row(line, source) for line in summary.path.lines]
+    return table(
+        "Distance of the attained TCP from the commanded line, LIN moves by source line.", header, rows
+    )
+
+
+def origin_table(summary: Summary) -> str:
+    """Return where the parameters of the arm come from."""
+    rows = [
+        (
+            text(origin.parameters),
+            f'<span class="near">{text(origin.kind)}</span>'
+            if origin.kind == "estimated"
+            else text(origin.kind),
+            text(origin.source),
+        )
+        for origin in summary.header.origins
+    ]
+    return table("Parameters of the arm and their sources.", ("parameters", "kind", "source"), rows, "words")
+
+
+def _joint_row(joint: JointSummary) -> tuple[str, ...]:
+    facts = joint.facts
+    effort, speed, coordinate = (
+        effort_scale(facts.type),
+        speed_scale(facts.type),
+        coordinate_scale(facts.type),
+    )
+    return (
+        text(facts.name),
+        fixed(joint.effort.size, effort, 1),
+        fixed(facts.max_effort, effort, 1),
+        _marked(joint.effort_share),
+        fixed(joint.speed.size, speed, 1),
+        fixed(facts.max_speed, speed, 1),
+        _marked(joint.speed_share),
+        fixed(joint.current.size, effort, 2),
+        fixed(joint.following_rms, coordinate, 3),
+        fixed(joint.following_max.size, coordinate, 3),
+    )
+
+
+def _approach_cells(joint: JointSummary, approach: LimitApproach, limit: float) -> tuple[str, ...]:
+    scale = coordinate_scale(joint.facts.type)
+    margin = fixed(approach.margin, scale, 1)
+    return (
+        fixed(limit, scale, 1),
+        fixed(approach.coordinate, scale, 1),
+        f'<span class="mark">{margin} beyond</span>' if approach.margin < 0.0 else margin,
+        seconds(approach.time),
+        _line(approach.line),
+    )
+
+
+def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
+    worst, speed = line.worst, line.worst_speed
+    return (
+        _line(line.line),
+        str(len(line.moves)),
+        fixed(worst.max_error, MILLIMETRES, 3),
+        fixed(line.rms_error, MILLIMETRES, 3),
+        str(worst.visit) if worst.visit else UNKNOWN,
+        seconds(worst.time),
+        fixed(speed.command_speed if speed else math.nan, MILLIMETRES_PER_SECOND, 0),
+        fixed(speed.speed_accuracy if speed else math.nan, PERCENT, 2),
+        f"<code>{text(source.line(line.line).strip()[:60])}</code>" if source else UNKNOWN,
+    )
+
+
+def _line(line: int) -> str:
+    return str(line) if line else UNKNOWN
+
+
+def _share(part: float, whole: float) -> str:
+    return percent(part / whole) if whole > 0.0 else UNKNOWN
+
+
+def _marked(share: float) -> str:
+    shown = percent(share)
+    if share > 1.0:
+        return f'<span class="mark">{shown} over</span>'
+    return f'<span class="near">{shown} near</span>' if share >= NEAR else shown

@@ -1,0 +1,109 @@
+"""What each joint did in a run, measured against its limits."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.flow import Recording
+from ropsim.spatial import Array
+from ropsim.views.channels import Peak, line_at, matrix, peak, rms
+from ropsim.views.header import JointFacts
+
+
+@dataclass(frozen=True, slots=True)
+class LimitApproach:
+    """How near a coordinate came to one of its limits.
+
+    Attributes:
+        side: `lower` or `upper`.
+        margin: distance left to the limit [rad | m]; negative beyond it, NaN without samples.
+        coordinate: attained coordinate at that moment [rad | m].
+        time: when [s].
+        line: active source line, 0 for none.
+    """
+
+    side: str
+    margin: float = math.nan
+    coordinate: float = math.nan
+    time: float = math.nan
+    line: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class JointSummary:
+    """One joint in one run.
+
+    Attributes:
+        facts: name, type and limits.
+        effort: largest torque or force at the joint [N·m | N].
+        speed: largest attained speed [rad/s | m/s].
+        current: largest motor current [A].
+        nearest_lower: closest approach to the lower limit.
+        nearest_upper: closest approach to the upper limit.
+        following_max: largest following error (reference minus attained coordinate) [rad | m].
+        following_rms: root of its mean square [rad | m].
+    """
+
+    facts: JointFacts
+    effort: Peak
+    speed: Peak
+    current: Peak
+    nearest_lower: LimitApproach
+    nearest_upper: LimitApproach
+    following_max: Peak
+    following_rms: float
+
+    @property
+    def effort_share(self) -> float:
+        """Return the peak torque as a share of the limit; NaN where there is no limit."""
+        return share(self.effort.size, self.facts.max_effort)
+
+    @property
+    def speed_share(self) -> float:
+        """Return the peak speed as a share of the limit; NaN where there is no limit."""
+        return share(self.speed.size, self.facts.max_speed)
+
+    @property
+    def nearest(self) -> LimitApproach:
+        """Return the closer of the two approaches."""
+        lower, upper = self.nearest_lower, self.nearest_upper
+        return upper if not math.isfinite(lower.margin) or upper.margin < lower.margin else lower
+
+
+def share(value: float, limit: float) -> float:
+    """Return `value` / `limit`, or NaN where the limit is unknown or zero."""
+    return value / limit if math.isfinite(limit) and limit > 0.0 else math.nan
+
+
+def summarize_joints(recording: Recording, joints: tuple[JointFacts, ...]) -> tuple[JointSummary, ...]:
+    """Return the figures of every joint."""
+    n = len(joints)
+    q, qd, tau = (matrix(recording, name, n) for name in ("q", "qd", "tau"))
+    current, error = matrix(recording, "current", n), matrix(recording, "q_error", n)
+    return tuple(
+        JointSummary(
+            facts,
+            effort=peak(recording, tau[:, k]),
+            speed=peak(recording, qd[:, k]),
+            current=peak(recording, current[:, k]),
+            nearest_lower=_approach(recording, "lower", q[:, k] - facts.lower, q[:, k]),
+            nearest_upper=_approach(recording, "upper", facts.upper - q[:, k], q[:, k]),
+            following_max=peak(recording, error[:, k]),
+            following_rms=rms(error[:, k]),
+        )
+        for k, facts in enumerate(joints)
+    )
+
+
+def _approach(recording: Recording, side: str, margins: Array, coordinates: Array) -> LimitApproach:
+    if not np.any(np.isfinite(margins)):
+        return LimitApproach(side)
+    index = int(np.nanargmin(margins))
+    return LimitApproach(
+        side,
+        float(margins[index]),
+        float(coordinates[index]),
+        float(recording.time[index]),
+        line_at(recording, index),
+    )

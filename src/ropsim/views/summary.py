@@ -1,0 +1,114 @@
+"""The figures of a run on one page: what `ropsim run` prints and the report shows first."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.core import Severity
+from ropsim.flow import Event, Recording
+from ropsim.views.channels import invalid_samples, matrix
+from ropsim.views.findings import FindingGroup, group_findings
+from ropsim.views.header import RunHeader, number, run_header
+from ropsim.views.joint_summary import JointSummary, summarize_joints
+from ropsim.views.path_summary import PathSummary, summarize_path
+from ropsim.views.task_summary import TaskSummary, summarize_tasks
+
+MOVING = 1e-6
+"""Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """The figures of one run.
+
+    Attributes:
+        header: who ran what on which arm.
+        duration: simulated time [s].
+        cycle_time: end of the last motion or instruction [s].
+        moves: number of moves carried out, by kind (`PTP`, `LIN`).
+        grips: number of times a part or nothing was gripped.
+        releases: number of times the gripper was opened.
+        skipped: moves that were refused and left out; with any, the cycle time is not valid.
+        share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
+            (m/s for a sliding joint); NaN where unknown.
+        settle_total: time spent waiting for the arm to settle after moves [s].
+        tasks: time per task.
+        joints: extremes per joint.
+        path: accuracy of the straight moves.
+        findings: grouped findings, worst severity first.
+        error_count: number of findings of severity error, repeats included.
+        warning_count: number of warnings, repeats included.
+        invalid_samples: number of samples of q, qd and tau that are not finite.
+    """
+
+    header: RunHeader
+    duration: float
+    cycle_time: float
+    moves: Mapping[str, int]
+    grips: int
+    releases: int
+    skipped: tuple[Event, ...]
+    share_in_motion: float
+    settle_total: float
+    tasks: tuple[TaskSummary, ...]
+    joints: tuple[JointSummary, ...]
+    path: PathSummary
+    findings: tuple[FindingGroup, ...]
+    error_count: int
+    warning_count: int
+    invalid_samples: int
+
+    @property
+    def cycle_time_valid(self) -> bool:
+        """Return whether the whole program was carried out, so that the cycle time is that of the program."""
+        return not self.skipped and self.invalid_samples == 0
+
+
+def summarize(recording: Recording) -> Summary:
+    """Return the figures of a recording; absent channels and samples that are not finite give NaN."""
+    header = run_header(recording)
+    events = recording.events
+    cycle_time = max((event.time + event.duration for event in events), default=0.0)
+    groups = group_findings(recording.findings)
+    severities = [finding.severity for finding in recording.findings]
+    return Summary(
+        header=header,
+        duration=recording.duration,
+        cycle_time=cycle_time,
+        moves=_moves_by_kind(events),
+        grips=sum(event.kind == "grip" for event in events),
+        releases=sum(event.kind == "release" for event in events),
+        skipped=tuple(event for event in events if event.kind == "skip"),
+        share_in_motion=_share_in_motion(recording, len(header.joints), cycle_time),
+        settle_total=sum(_settle(event) for event in events if event.kind == "move"),
+        tasks=summarize_tasks(recording),
+        joints=summarize_joints(recording, header.joints),
+        path=summarize_path(recording),
+        findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
+        error_count=severities.count(Severity.ERROR),
+        warning_count=severities.count(Severity.WARNING),
+        invalid_samples=invalid_samples(recording),
+    )
+
+
+def _settle(event: Event) -> float:
+    settle = number(event.data.get("settle"), 0.0)
+    return settle if math.isfinite(settle) else 0.0
+
+
+def _moves_by_kind(events: tuple[Event, ...]) -> dict[str, int]:
+    counts: dict[str, int] = {}
+    for event in events:
+        if event.kind == "move":
+            kind = str(event.data.get("kind", "move"))
+            counts[kind] = counts.get(kind, 0) + 1
+    return dict(sorted(counts.items(), reverse=True))
+
+
+def _share_in_motion(recording: Recording, n: int, cycle_time: float) -> float:
+    speeds = matrix(recording, "qd_ref", n)[recording.time <= cycle_time]
+    if not np.any(np.isfinite(speeds)):
+        return math.nan
+    return float(np.mean(np.any(np.abs(speeds) > MOVING, axis=1)))

@@ -1,0 +1,54 @@
+"""How long each task took."""
+
+from dataclasses import dataclass
+
+from ropsim.flow import Event, Recording
+from ropsim.views.header import whole
+
+
+@dataclass(frozen=True, slots=True)
+class TaskSummary:
+    """All activations of one task.
+
+    Attributes:
+        name: name of the procedure.
+        depth: smallest depth in the calls (0 = the main program).
+        calls: number of activations.
+        total: time spent in it, called tasks included [s].
+        longest: longest activation [s].
+    """
+
+    name: str
+    depth: int
+    calls: int
+    total: float
+    longest: float
+
+    @property
+    def mean(self) -> float:
+        """Return the mean time of an activation [s]."""
+        return self.total / self.calls
+
+
+def summarize_tasks(recording: Recording) -> tuple[TaskSummary, ...]:
+    """Return the times of all tasks, callers before the called, the longest first within a depth."""
+    by_name: dict[str, list[Event]] = {}
+    for event in recording.events:
+        if event.kind == "task":
+            by_name.setdefault(task_name(event), []).append(event)
+    tasks = [
+        TaskSummary(
+            name,
+            depth=min(whole(event.data.get("depth"), 0) for event in events),
+            calls=len(events),
+            total=sum(event.duration for event in events),
+            longest=max(event.duration for event in events),
+        )
+        for name, events in by_name.items()
+    ]
+    return tuple(sorted(tasks, key=lambda task: (task.depth, -task.total, task.name)))
+
+
+def task_name(event: Event) -> str:
+    """Return the name of the task of a `task` event."""
+    return str(event.data.get("name", event.text))

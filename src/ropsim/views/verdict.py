@@ -1,0 +1,44 @@
+"""The verdict on a run in one sentence."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from ropsim.views.findings import plural
+from ropsim.views.summary import Summary
+
+
+class Verdict(Enum):
+    """How far a run can be relied on."""
+
+    GOOD = "good"
+    DOUBTFUL = "doubtful"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class VerdictText:
+    """A verdict and the sentence that gives its reasons."""
+
+    kind: Verdict
+    text: str
+
+
+def verdict(summary: Summary) -> VerdictText:
+    """Return the verdict: failed with errors, skipped moves or broken samples, doubtful with warnings."""
+    reasons = []
+    if summary.invalid_samples:
+        reasons.append(f"{plural(summary.invalid_samples, 'sample')} not finite: the integration failed")
+    if summary.skipped:
+        reasons.append(
+            f"{plural(len(summary.skipped), 'move')} skipped: the cycle time is not that of the program"
+        )
+    if summary.error_count:
+        reasons.append(plural(summary.error_count, "error"))
+    failed = bool(reasons)
+    if summary.warning_count:
+        reasons.append(plural(summary.warning_count, "warning"))
+    if failed:
+        return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
+    if reasons:
+        return VerdictText(Verdict.DOUBTFUL, "ran to the end with " + ", ".join(reasons))
+    return VerdictText(Verdict.GOOD, "ran to the end, no errors, no warnings")

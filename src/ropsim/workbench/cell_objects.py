@@ -1,0 +1,121 @@
+"""The parts, supplies and sinks of a cell file."""
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from ropsim.core import Span
+from ropsim.model import Part, Sink
+from ropsim.spatial import Array, Pose, frozen
+from ropsim.workbench import cell_diagnostics as kinds
+from ropsim.workbench.cell_poses import ORIGIN, Surroundings, read_pose
+from ropsim.workbench.quantity import MASS, Units
+from ropsim.workbench.toml_checks import Findings, TomlTable
+
+_MOST_PARTS = 10_000
+_SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
+
+
+def read_parts(
+    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], around: Surroundings
+) -> tuple[Part, ...]:
+    """Return single parts, then the parts of grids and supplies, in the order of the file."""
+    made = [_parts_of(table, around) for table in parts] + [_supply(table, around) for table in supplies]
+    tables = (*parts, *supplies)
+    if tables:
+        _report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)))
+    return tuple(part for group in made for part in group)
+
+
+def read_sinks(tables: tuple[TomlTable, ...], around: Surroundings) -> tuple[Sink, ...]:
+    """Return the places where released parts leave the cell."""
+    sinks = []
+    for table in tables:
+        table.require("name", "position", "radius")
+        centre = Pose(frozen(table.numbers("position", 3, around.units.position, ORIGIN)))
+        x, y, z = around.in_base(centre).position.tolist()
+        radius = table.number("radius", around.units.extent, _SMALL_EDGE)
+        sinks.append(Sink(table.text("name", ""), (x, y, z), radius))
+        table.finish()
+    if tables:
+        spans = ((sink.name, table.value_span("name")) for table, sink in zip(tables, sinks, strict=True))
+        _report_doubles(tables[0].findings, spans)
+    return tuple(sinks)
+
+
+def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
+    table.require("name", "size", "mass", "position")
+    name = table.text("name", "")
+    size, mass = _body(table, around.units)
+    X_WO = read_pose(table, around.units)
+    shifts = _grid(table.table("grid"), around.units) if "grid" in table else None
+    table.finish()
+    if shifts is None:
+        return [Part(name, size, mass, around.in_base(X_WO))]
+    return [
+        Part(f"{name}_{k}", size, mass, around.in_base(Pose(X_WO.position + shift, X_WO.orientation)))
+        for k, shift in enumerate(shifts, start=1)
+    ]
+
+
+def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
+    table.require("name", "size", "mass", "position", "count")
+    name = table.text("name", "")
+    size, mass = _body(table, around.units)
+    X_BO = around.in_base(read_pose(table, around.units))
+    count = table.integer("count", 1, _MOST_PARTS, 1)
+    table.finish()
+    return [Part(f"{name}_{turn + 1}", size, mass, X_BO, supply=name, turn=turn) for turn in range(count)]
+
+
+def _body(table: TomlTable, units: Units) -> tuple[Array, float]:
+    size = table.numbers("size", 3, units.extent, (_SMALL_EDGE,) * 3)
+    return frozen(size), table.number("mass", MASS, 0.0)
+
+
+def _grid(table: TomlTable, units: Units) -> list[Array]:
+    """Return the shifts in world axes [m], shape (3,) each; the first direction runs fastest."""
+    table.require("counts", "step")
+    counts = _items(table, "counts")
+    nx, ny = (table.integer_at(("counts", k), counts[k], 1, 100, 1) for k in range(2)) if counts else (1, 1)
+    steps = _items(table, "step")
+    directions = [
+        np.array(table.numbers_at(("step", k), step, 3, units.position, ORIGIN))
+        for k, step in enumerate(steps)
+    ]
+    table.finish()
+    if len(directions) != 2:
+        return [np.zeros(3)]
+    return [i * directions[0] + j * directions[1] for j in range(ny) for i in range(nx)]
+
+
+def _items(table: TomlTable, key: str) -> list[object]:
+    """Return the two items of a list, or nothing."""
+    value = table.values.get(key, []) if key in table else []
+    if not isinstance(value, list):
+        table.wrong_type((key,), value, "a list of two")
+        return []
+    if len(value) == 2 or key not in table:
+        return value
+    message = f"`{table.name_of(key)}` has {len(value)} items, needed are 2"
+    table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span(key), message)
+    return []
+
+
+def _named_spans(groups: Iterable[tuple[TomlTable, list[Part]]]) -> Iterator[tuple[str, Span]]:
+    for table, parts in groups:
+        span = table.value_span("name")
+        for part in parts:
+            yield part.name, span
+
+
+def _report_doubles(findings: Findings, named: Iterable[tuple[str, Span]]) -> None:
+    """Note each name that occurs again; empty names have been reported as missing."""
+    seen: dict[str, Span] = {}
+    reported = {""}
+    for name, span in named:
+        if name in seen and name not in reported:
+            hint = f"the other one stands in line {seen[name].line}"
+            findings.add(kinds.DUPLICATE_CELL_NAME, span, f"the name `{name}` is taken", hint)
+            reported.add(name)
+        seen.setdefault(name, span)

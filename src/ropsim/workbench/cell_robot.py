@@ -1,0 +1,164 @@
+"""The robot of a cell file: model, start and what the file changes in its controller."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ropsim import robots
+from ropsim.core import RopsimError
+from ropsim.model import CascadedGains, ControllerModel, JointType, PathDefaults, Rates, RobotModel
+from ropsim.spatial import Array, Pose, frozen
+from ropsim.workbench import cell_diagnostics as kinds
+from ropsim.workbench.cell_poses import read_pose
+from ropsim.workbench.quantity import NUMBER, SHARE, TIME, Quantity, Units
+from ropsim.workbench.toml_checks import TomlTable
+
+_GAIN = NUMBER.within(0.0, 1e6)
+_FEED_FORWARD = NUMBER.within(0.0, 2.0)
+_SETTLE = TIME.within(0.0, 60.0)
+_NARROWEST = 1e-9  # [rad | m], least window of a fine stop
+_WIDEST = 0.1  # [rad | m]
+_GRAVITY_ROUNDING = 1e-12  # [m/s²], of a rotation about the vertical
+_ROUNDING = 1e-9  # [rad | m], start written with decimals may touch a limit
+
+
+@dataclass(frozen=True, slots=True)
+class RobotSection:
+    """What `[robot]` and `[controller]` say.
+
+    Attributes:
+        model: the arm.
+        controller: its controller.
+        start: joint coordinates at time 0 [rad | m], shape (n,).
+    """
+
+    model: RobotModel
+    controller: ControllerModel
+    start: Array
+
+
+def read_base(table: TomlTable, units: Units) -> Pose:
+    """Return X_WB, the key `base` of `[robot]`."""
+    base = table.table("base")
+    pose = read_pose(base, units)
+    base.finish()
+    return pose
+
+
+def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -> RobotSection | None:
+    """Return the robot of `[robot]` under the controller that `[controller]` changes.
+
+    Keys that other readers ask for (`base`, `tool`) must have been asked for before; both sections are
+    finished here. Returns None where the robot is missing or unknown.
+
+    Args:
+        table: section `[robot]`.
+        settings: section `[controller]`.
+        X_WB: base frame in the world frame; a tilted base turns gravity in the base frame.
+        units: units of the file.
+    """
+    table.require("model")
+    override = table.number("speed_override", SHARE, 1.0)
+    start_given = "start" in table
+    loaded = _load(table)
+    if loaded is None:
+        table.finish()
+        return None
+    model, controller = loaded
+    start = _start(table, model, units) if start_given else model.home
+    table.finish()
+    controller = replace(_controller(settings, controller, model, units), speed_override=override)
+    settings.finish()
+    return RobotSection(_with_base(model, X_WB), controller, start)
+
+
+def _load(table: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
+    name = table.text("model", "")
+    if not name:
+        return None
+    try:
+        return robots.load(name), robots.default_controller(name)
+    except RopsimError as error:
+        table.findings.items.append(replace(error.diagnostic, span=table.value_span("model")))
+        return None
+
+
+def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
+    """Return the model with gravity as the base feels it; the model itself where the base is upright."""
+    gravity = X_WB.rotation().T @ model.gravity
+    if np.allclose(gravity, model.gravity, rtol=0.0, atol=_GRAVITY_ROUNDING):
+        return model
+    return replace(model, gravity=gravity)
+
+
+def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
+    start = _per_joint(table, "start", _coordinates(model, units), model.home)
+    for k, joint in enumerate(model.joints):
+        if joint.lower - _ROUNDING <= start[k] <= joint.upper + _ROUNDING:
+            continue
+        quantity = _coordinates(model, units)[k]
+        found, lower, upper = (
+            quantity.show(value / quantity.scale) for value in (float(start[k]), joint.lower, joint.upper)
+        )
+        message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
+        hint = "without `start` the arm starts at its home position"
+        table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
+    return frozen(start)
+
+
+def _controller(
+    table: TomlTable, controller: ControllerModel, model: RobotModel, units: Units
+) -> ControllerModel:
+    rates, gains = controller.rates, controller.gains
+    windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
+    return replace(
+        controller,
+        rates=Rates(
+            table.integer("control_hz", 50, 20_000, rates.control_hz),
+            table.integer("interpolation_ticks", 1, 1000, rates.interpolation_ticks),
+            table.integer("plant_steps", 1, 100, rates.plant_steps),
+        ),
+        gains=CascadedGains(
+            _per_joint(table, "kp", [_GAIN] * model.n, gains.kp),
+            _per_joint(table, "kv", [_GAIN] * model.n, gains.kv),
+            _per_joint(table, "ki", [_GAIN] * model.n, gains.ki),
+            _per_joint(table, "kf", [_FEED_FORWARD] * model.n, gains.kf),
+        ),
+        path=_path(table, controller.path, units),
+        in_position=_per_joint(table, "in_position", windows, controller.in_position),
+        settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
+    )
+
+
+def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:
+    return PathDefaults(
+        table.number("path_speed", units.path(1, 20.0), path.speed),
+        table.number("path_acceleration", units.path(2, 1e3), path.acceleration),
+        table.number("path_jerk", units.path(3, 1e5), path.jerk),
+        table.number("orientation_speed", units.orientation(1, 100.0), path.orientation_speed),
+        table.number("orientation_acceleration", units.orientation(2, 1e4), path.orientation_acceleration),
+        table.number("orientation_jerk", units.orientation(3, 1e6), path.orientation_jerk),
+    )
+
+
+def _coordinates(model: RobotModel, units: Units) -> list[Quantity]:
+    """Return how the coordinate of each joint is written: an angle or a length."""
+    return [units.turn if joint.type is JointType.REVOLUTE else units.position for joint in model.joints]
+
+
+def _per_joint(table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array) -> Array:
+    """Return one number per joint [SI], shape (n,)."""
+    if key not in table:
+        return default
+    value = table.values[key]
+    if not isinstance(value, list) or len(value) != len(quantities):
+        table.numbers(key, len(quantities), NUMBER, tuple(default.tolist()))  # says what is wrong
+        return default
+    pairs = zip(value, quantities, default.tolist(), strict=True)
+    return frozen(
+        [
+            table.number_at((key, k), item, quantity, fallback)
+            for k, (item, quantity, fallback) in enumerate(pairs)
+        ]
+    )

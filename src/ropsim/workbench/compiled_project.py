@@ -1,0 +1,60 @@
+"""Programs after compilation, from task text or from ICR text."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ropsim import icr, language, program
+from ropsim.core import Diagnostic, SourceText, did_you_mean
+from ropsim.model import Cell
+from ropsim.workbench.project_diagnostics import UNBOUND
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledProgram:
+    """One program.
+
+    Attributes:
+        source: its text.
+        program: structured program; None for an ICR text.
+        icr: executable program; None where there is none.
+        diagnostics: findings, in order of place.
+    """
+
+    source: SourceText
+    program: program.Program | None
+    icr: icr.Program | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledProject:
+    """All programs of a project by name, and every finding."""
+
+    programs: Mapping[str, CompiledProgram]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def compile_program(
+    text: SourceText, environment: language.Environment, cell: Cell | None
+) -> CompiledProgram:
+    """Return the compiled form of a task text or an ICR text (by its ending)."""
+    if not text.name.endswith(".icr"):
+        compiled = language.compile(text.text, environment, name=text.name)
+        return CompiledProgram(text, compiled.program, compiled.icr, compiled.diagnostics)
+    code, findings = icr.read_text(text.text, text.name)
+    if code is not None:
+        findings = (*findings, *icr.verify(code), *_unbound(code, cell))
+    return CompiledProgram(text, None, code, findings)
+
+
+def _unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
+    """Return the channels and tools that an ICR program names and the cell does not have."""
+    if cell is None:
+        return ()
+    signals = [("signals", channel.name, tuple(cell.signals)) for channel in code.channels]
+    tools = [("tools", tool.name, tuple(cell.tools)) for tool in code.tools if tool.pose is None]
+    return tuple(
+        UNBOUND.at(None, f"`{code.name}` names `{name}`, which is not under [{table}]", hint=did_you_mean(name, known))
+        for table, name, known in (*signals, *tools)
+        if name not in known
+    )

@@ -1,0 +1,118 @@
+"""NPZ archives that can be trusted: no pickles, bounded memory, the same bytes for the same arrays.
+
+The archives are those of `numpy.savez_compressed`, so `numpy.load` reads them. Reading is done here
+with every size checked before memory is taken, because a file may come from anywhere.
+"""
+
+import io
+import struct
+import zipfile
+import zlib
+from collections.abc import Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+Bytes = npt.NDArray[np.uint8]
+AnyArray = npt.NDArray[np.float64] | Bytes
+
+LIMIT = 4 << 30
+"""Largest sum of the unpacked sizes of all entries [bytes]."""
+
+LEVEL = 1
+"""Deflate level: higher ones take several times as long on sampled motion and save little."""
+
+EPOCH = (1980, 1, 1, 0, 0, 0)
+"""Time stamp of every entry, so that equal recordings are equal files."""
+
+_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+_DTYPES = {np.dtype("<f8"), np.dtype("u1")}
+_PROPERTIES = 0o600 << 16
+
+_BROKEN = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    ValueError,
+    EOFError,
+    OSError,
+    LookupError,
+    OverflowError,
+    SyntaxError,
+    RuntimeError,
+    MemoryError,
+)
+"""What the ZIP reader of the standard library raises on damaged archives, as found by fuzzing."""
+
+
+class ForeignFileError(ValueError):
+    """The bytes are no ZIP archive."""
+
+
+class DamagedFileError(ValueError):
+    """The archive is damaged; the message says where."""
+
+
+class TooLargeError(ValueError):
+    """The archive unpacks to more than `LIMIT` bytes."""
+
+
+def pack(arrays: Mapping[str, AnyArray]) -> bytes:
+    """Return an archive of arrays by name, in their order."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for name, array in arrays.items():
+            entry = zipfile.ZipInfo(f"{name}.npy", EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.create_system = 3
+            entry.external_attr = _PROPERTIES
+            content = io.BytesIO()
+            np.lib.format.write_array(
+                content, np.ascontiguousarray(array), version=(1, 0), allow_pickle=False
+            )
+            archive.writestr(entry, content.getvalue(), compresslevel=LEVEL)
+    return stream.getvalue()
+
+
+def unpack(content: bytes) -> dict[str, AnyArray]:
+    """Return the arrays of an archive by name.
+
+    Raises:
+        ForeignFileError: the bytes are no ZIP archive.
+        TooLargeError: the archive announces more than `LIMIT` bytes.
+        DamagedFileError: an entry is damaged, packed in another way, or no array of float64 or bytes.
+    """
+    if not zipfile.is_zipfile(io.BytesIO(content)):
+        raise ForeignFileError("no ZIP archive")
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            entries = archive.infolist()
+            _check_size(entries)
+            return {entry.filename.removesuffix(".npy"): _array(archive, entry) for entry in entries}
+    except (TooLargeError, DamagedFileError):
+        raise
+    except _BROKEN as error:
+        raise DamagedFileError("the archive cannot be unpacked") from error
+
+
+def _check_size(entries: list[zipfile.ZipInfo]) -> None:
+    if sum(entry.file_size for entry in entries) > LIMIT:
+        raise TooLargeError("too much data")
+
+
+def _array(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> AnyArray:
+    if entry.compress_type not in _METHODS:
+        raise DamagedFileError(f"entry `{entry.filename}` is packed in an unknown way")
+    with archive.open(entry) as packed:
+        content = packed.read(entry.file_size + 1)
+    stream = io.BytesIO(content)
+    if np.lib.format.read_magic(stream) != (1, 0):
+        raise DamagedFileError(f"entry `{entry.filename}` is no array of format 1.0")
+    shape, fortran, dtype = np.lib.format.read_array_header_1_0(stream)
+    body = content[stream.tell() :]
+    size = dtype.itemsize
+    for length in shape:
+        size *= length
+    if dtype not in _DTYPES or (fortran and len(shape) > 1) or min(shape, default=0) < 0 or size != len(body):
+        raise DamagedFileError(f"entry `{entry.filename}` is no array of numbers of its size")
+    return np.frombuffer(body, dtype).reshape(shape)

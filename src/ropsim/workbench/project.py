@@ -1,0 +1,104 @@
+"""A project folder: its cell, its programs, and what can be done with them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ropsim import icr
+from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
+from ropsim.model import Cell
+from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program
+from ropsim.workbench.environment import environment_of
+from ropsim.workbench.project_diagnostics import NO_CELL, NO_PROGRAM
+
+if TYPE_CHECKING:
+    from ropsim.flow import Recording
+    from ropsim.simulation import RunOptions
+    from ropsim.workbench.report import Report
+
+
+class ProjectError(RopsimError):
+    """A project that cannot be opened, or a program that cannot be run; carries the finding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """A project as it was read; nothing of it runs code.
+
+    Attributes:
+        folder: of the project.
+        cell: its work cell, None where `cell.toml` is absent or wrong.
+        sources: texts of the programs by name.
+        cell_text: text of `cell.toml`, None where absent.
+        diagnostics: findings of reading.
+    """
+
+    folder: Path
+    cell: Cell | None
+    sources: Mapping[str, SourceText]
+    cell_text: SourceText | None = None
+    diagnostics: tuple[Diagnostic, ...] = field(default=())
+
+    def compile(self) -> CompiledProject:
+        """Return all programs compiled, with the findings of the whole project."""
+        environment = environment_of(self.cell)
+        programs = {
+            name: compile_program(text, environment, self.cell) for name, text in self.sources.items()
+        }
+        found = [diagnostic for program in programs.values() for diagnostic in program.diagnostics]
+        return CompiledProject(programs, (*self.diagnostics, *found))
+
+    def program(self, name: str | None = None) -> CompiledProgram:
+        """Return one compiled program; without a name the default one.
+
+        Raises:
+            ProjectError: there is no such program.
+        """
+        wanted = name or (self.cell.program if self.cell else "main")
+        if name is None and wanted not in self.sources and len(self.sources) == 1:
+            wanted = next(iter(self.sources))
+        text = self.sources.get(wanted)
+        if text is None:
+            known = ", ".join(f"`{one}`" for one in sorted(self.sources)) or "none"
+            message = f"the project has no program `{wanted}`, it has {known}"
+            raise ProjectError(NO_PROGRAM.at(None, message, hint=did_you_mean(wanted, self.sources)))
+        return compile_program(text, environment_of(self.cell), self.cell)
+
+    def simulate(self, program: str | None = None, options: "RunOptions | None" = None) -> "Recording":
+        """Compile and run a program in the cell.
+
+        Args:
+            program: name; None for the default program.
+            options: fidelity and recording.
+
+        Raises:
+            ProjectError: no such program, no cell, or an error in one of them.
+        """
+        from ropsim.simulation import RunOptions, run
+
+        cell, code = self.runnable(program)
+        return run(cell, code, options or RunOptions())
+
+    def runnable(self, program: str | None = None) -> tuple[Cell, icr.Program]:
+        """Return cell and verified code of a program.
+
+        Raises:
+            ProjectError: what stands in the way; see `.diagnostic`.
+        """
+        compiled = self.program(program)
+        for diagnostic in (*self.diagnostics, *compiled.diagnostics):
+            if diagnostic.is_error:
+                raise ProjectError(diagnostic)
+        if self.cell is None or compiled.icr is None:
+            raise ProjectError(NO_CELL.at(None, f"`{compiled.source.name}` belongs to no cell"))
+        return self.cell, compiled.icr
+
+    def report(self, recording: "Recording") -> "Report":
+        """Return the report of a recording, with the program texts for quoting."""
+        from ropsim.workbench.report import Report
+
+        texts = {text.name: text for text in self.sources.values()}
+        if self.cell_text is not None:
+            texts[self.cell_text.name] = self.cell_text
+        return Report(recording, texts)

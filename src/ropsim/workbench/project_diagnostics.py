@@ -1,0 +1,94 @@
+"""Diagnostics of project folders and their files (X840 to X849)."""
+
+from ropsim.core import Severity, define
+
+MISSING_PATH = define(
+    "X840",
+    "missing-path",
+    Severity.ERROR,
+    "a file or folder that is not there",
+    """
+The path that was given does not exist. Paths are taken relative to the folder in which the command runs.
+""",
+)
+
+UNREADABLE = define(
+    "X841",
+    "unreadable-file",
+    Severity.ERROR,
+    "a file that cannot be read as text",
+    """
+Programs and cell files are text in UTF-8. This file cannot be opened, or holds bytes that are no UTF-8: it may
+be a binary file, or be saved in another encoding. Save it as UTF-8.
+""",
+)
+
+TOO_LARGE = define(
+    "X842",
+    "file-too-large",
+    Severity.ERROR,
+    "a file beyond what a program can be",
+    """
+Task files are read up to 5 MB, about a hundred thousand lines. A larger file is most likely no program.
+""",
+)
+
+NO_PROJECT = define(
+    "X843",
+    "not-a-project",
+    Severity.ERROR,
+    "a folder without `cell.toml`, or a file of unknown kind",
+    """
+A project is a folder with a `cell.toml` (robot, tools, frames, parts) and a folder `programs` with task files:
+
+    my_cell/
+      cell.toml
+      programs/main.task
+
+Give the folder, its `cell.toml`, or one of its programs.
+""",
+)
+
+NO_PROGRAM = define(
+    "X844",
+    "no-such-program",
+    Severity.ERROR,
+    "a program that the project does not have",
+    """
+Programs are the files `programs/*.task` and `programs/*.icr`; their names are the file names without the ending.
+Without a name, the program named in `[cell] program` runs, or else `main`.
+""",
+)
+
+NO_CELL = define(
+    "X845",
+    "program-without-cell",
+    Severity.ERROR,
+    "a program that cannot be simulated because it belongs to no cell",
+    """
+A program can be checked alone, but to simulate it needs a cell: a robot, tools, frames. Put the file into the
+folder `programs` of a project whose `cell.toml` describes them.
+""",
+)
+
+UNBOUND = define(
+    "X846",
+    "unbound-name",
+    Severity.ERROR,
+    "an ICR program names something that the cell does not have",
+    """
+An ICR program names its channels, frames and tools; the cell binds them. A channel that the program reads or
+writes must stand under `[signals]` in `cell.toml` (verifier rule V11).
+""",
+)
+
+NOT_WRITABLE = define(
+    "X847",
+    "cannot-write",
+    Severity.ERROR,
+    "a result file that cannot be written",
+    """
+The folder does not exist and cannot be made, or may not be written. Nothing was changed: result files are
+replaced in one step, so an older report or recording is still whole.
+""",
+)

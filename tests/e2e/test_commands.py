@@ -1,0 +1,218 @@
+"""The user's path on the command line, and everything that can be wrong on it."""
+
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+
+
+def ropsim(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    found = subprocess.run(
+        [sys.executable, "-m", "ropsim", *arguments],
+        capture_output=True,
+        text=True,
+        cwd=cwd,
+        timeout=300,
+        check=False,
+    )
+    assert "Traceback" not in found.stderr, found.stderr
+    assert "bug in ropsim" not in found.stderr, found.stderr
+    return found
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A copy of the palletizing cell that a test may spoil."""
+    folder = tmp_path / "cell"
+    shutil.copytree(EXAMPLES / "palletizing", folder, ignore=shutil.ignore_patterns("out"))
+    return folder
+
+
+def program(project: Path, text: str) -> Path:
+    (project / "programs" / "main.task").write_text(text)
+    return project
+
+
+def test_the_version_is_one_line() -> None:
+    found = ropsim("--version")
+    assert found.returncode == 0
+    assert found.stdout.startswith("ropsim ")
+
+
+def test_help_names_every_command() -> None:
+    text = ropsim("--help").stdout
+    assert all(f"    {name}" in text for name in ("check", "run", "icr", "robot", "explain"))
+
+
+@pytest.mark.parametrize("name", ["fig5", "palletizing"])
+def test_the_examples_are_right(name: str) -> None:
+    found = ropsim("check", str(EXAMPLES / name))
+    assert (found.returncode, found.stderr) == (0, "")
+
+
+def test_a_run_writes_report_and_recording(project: Path, tmp_path: Path) -> None:
+    report, record = tmp_path / "r" / "report.html", tmp_path / "r" / "run.npz"
+    found = ropsim("run", str(project), "--report", str(report), "--record", str(record), "--json")
+    assert found.returncode == 0, found.stderr
+    document = json.loads(found.stdout)
+    assert document["ok"] is True
+    assert document["summary"]["duration"] > 60
+    assert report.read_text().startswith("<!doctype html>")
+    assert record.stat().st_size > 1000
+
+
+def test_a_kinematic_run_needs_no_drives(project: Path) -> None:
+    found = ropsim("run", str(project), "--kinematic")
+    assert found.returncode == 0
+    assert "cycle time" in found.stdout.lower()
+
+
+def test_icr_can_be_compiled_verified_and_run(tmp_path: Path) -> None:
+    task = str(EXAMPLES / "fig5" / "programs" / "main.task")
+    code = tmp_path / "fig5.icr"
+    assert ropsim("icr", "compile", task, "-o", str(code)).returncode == 0
+    assert ropsim("icr", "verify", str(code)).returncode == 0
+    found = ropsim("icr", "run", str(code))
+    assert found.returncode == 0
+    assert "72 moves, 72 grips" in found.stdout
+
+
+def test_a_wrong_task_name_is_answered_in_the_words_of_the_paper(project: Path) -> None:
+    text = (
+        (EXAMPLES / "fig5" / "programs" / "main.task").read_text().replace("call release 2", "call relase 2")
+    )
+    found = ropsim("run", str(program(project, text)))
+    assert found.returncode == 1
+    assert "Task not defined: `relase`" in found.stderr
+    assert "did you mean `release`?" in found.stderr
+    assert found.stderr.count("error[") == 1
+
+
+def test_an_angle_out_of_range_names_joint_angle_limit_line_and_pass(project: Path) -> None:
+    text = "program far\nunits mm, deg\nrepeat 2\n  mov joints (0, 0, 170, 0, 0, 0)\nendr\n"
+    found = ropsim("run", str(program(project, text)))
+    assert found.returncode == 1
+    assert "M502" in found.stderr
+    assert "main.task:4" in found.stderr
+    for words in ("joint `3`", "170", "135", "pass"):
+        assert words in found.stderr
+
+
+def test_a_point_out_of_reach_is_a_finding_and_the_rest_goes_on(project: Path) -> None:
+    text = "program far\nunits mm, deg\nmov (3000, 0, 500)\nmov (450, 100, 400)\n"
+    found = ropsim("run", str(program(project, text)), "--json")
+    assert found.returncode == 1
+    document = json.loads(found.stdout)
+    assert [one["code"] for one in document["diagnostics"]] == ["M501"]
+    assert document["summary"]["duration"] > 0
+
+
+BAD_PROGRAMS = {
+    "empty": "",
+    "recursion": "task a\n  call b\nendp\ntask b\n  call a\nendp\ncall a\n",
+    "nan": "mov (nan, 0, 0)\n",
+    "absurd": "units mm\nmov (1e300, 0, 0)\n",
+    "infinite": "units mm\nmov (1e999, 0, 0)\n",
+    "endless": "x = 1\nwhile x > 0\n  x = 1\nendw\n",
+    "unclosed": "repeat 3\nmov (1, 2, 3)\n",
+    "binary": "\x00\x01\x02\x03",
+}
+
+
+@pytest.mark.parametrize("name", BAD_PROGRAMS)
+def test_a_bad_program_gets_a_diagnostic_and_no_report(name: str, project: Path) -> None:
+    report = project / "report.html"
+    report.write_text("the last good report")
+    found = ropsim("run", str(program(project, BAD_PROGRAMS[name])), "--report", str(report))
+    assert found.returncode == (0 if name == "empty" else 1), found.stderr
+    assert "[" in found.stderr
+    if name not in ("empty", "absurd", "endless"):  # these compile; their report says what happened
+        assert report.read_text() == "the last good report"
+
+
+def test_ten_megabytes_of_noise_are_no_program(project: Path) -> None:
+    noise = random.Random(1).randbytes(10_000_000)
+    (project / "programs" / "main.task").write_bytes(noise)
+    found = ropsim("run", str(project))
+    assert found.returncode == 1
+    assert "10.0 MB" in found.stderr
+
+
+def test_noise_of_allowed_size_is_answered_quickly(project: Path) -> None:
+    noise = random.Random(2).randbytes(2_000_000)
+    (project / "programs" / "main.task").write_bytes(noise)
+    assert ropsim("check", str(project)).returncode == 1
+    (project / "programs" / "main.task").write_text(noise.decode("latin-1"), encoding="utf-8")
+    found = ropsim("check", str(project))
+    assert found.returncode == 1
+    assert len(found.stderr) < 1_000_000
+
+
+def test_missing_things_are_wrong_usage(tmp_path: Path, project: Path) -> None:
+    assert ropsim("run", str(tmp_path / "nowhere")).returncode == 2
+    assert ropsim("run", str(tmp_path)).returncode == 2
+    found = ropsim("run", str(project), "mian")
+    assert found.returncode == 2
+    assert "did you mean `main`?" in found.stderr
+    assert ropsim("frobnicate").returncode == 2
+    assert ropsim("explain", "M999").returncode == 2
+
+
+def test_a_wrong_key_is_named_with_the_right_one(project: Path) -> None:
+    cell = project / "cell.toml"
+    cell.write_text(cell.read_text().replace("mass =", "maas =", 1))
+    found = ropsim("run", str(project))
+    assert found.returncode == 1
+    assert "`maas`" in found.stderr
+    assert "mass" in found.stderr
+    assert "cell.toml:" in found.stderr
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-5", "1e300", '"heavy"', "[1, 2]", "true"])
+def test_an_impossible_mass_is_a_finding(value: str, project: Path) -> None:
+    cell = project / "cell.toml"
+    lines = [
+        f"mass = {value}" if line.startswith("mass =") else line for line in cell.read_text().splitlines()
+    ]
+    cell.write_text("\n".join(lines))
+    found = ropsim("run", str(project))
+    assert found.returncode == 1
+    assert "mass" in found.stderr
+
+
+@pytest.mark.skipif(os.geteuid() == 0 if hasattr(os, "geteuid") else True, reason="root may write everywhere")
+def test_a_folder_without_write_permission_is_said(project: Path, tmp_path: Path) -> None:
+    locked = tmp_path / "locked"
+    locked.mkdir(mode=0o500)
+    assert ropsim("run", str(project), "--report", str(locked / "r.html")).returncode == 2
+
+
+def test_a_report_onto_a_folder_is_said(project: Path, tmp_path: Path) -> None:
+    found = ropsim("run", str(project), "--kinematic", "--report", str(tmp_path))
+    assert found.returncode == 2
+    assert "cannot be written" in found.stderr
+
+
+def test_every_code_can_be_explained() -> None:
+    listed = json.loads(ropsim("explain", "--json").stdout)["codes"]
+    assert len(listed) > 50
+    assert "out of range" in ropsim("explain", "M502").stdout
+
+
+def test_robots_speak_degrees_and_millimetres() -> None:
+    found = ropsim("robot", "fk", "puma560", "0", "45", "180", "0", "45", "0")
+    assert "x 596.303  y -150.050  z 657.476 mm" in found.stdout
+    listed = json.loads(
+        ropsim("robot", "ik", "puma560", "596.303", "-150.05", "657.476", "0", "90", "0", "--json").stdout
+    )
+    assert len(listed["solutions"]) == 2
+    assert ropsim("robot", "show", "puma650").returncode in (1, 2)
+    assert "estimated" in ropsim("robot", "show", "puma560").stdout

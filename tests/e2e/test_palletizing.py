@@ -1,0 +1,86 @@
+"""The palletizing cell: 36 boxes from an infeed to a pallet, with true servo and arm dynamics."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim.flow import Recording
+from ropsim.simulation import Fidelity, RunOptions
+
+CELL = Path(__file__).parents[2] / "examples" / "palletizing"
+#: A box set down by a servo with a millimetre's path error stands this near to its slot [m].
+PLACING = 1.0e-3
+
+
+@pytest.fixture(scope="module")
+def recording() -> Recording:
+    return ropsim.open(CELL).simulate()
+
+
+def test_nothing_goes_wrong(recording: Recording) -> None:
+    assert [str(found) for found in recording.findings if found.severity.value != "hint"] == []
+
+
+def test_every_box_is_gripped_and_released_once(recording: Recording) -> None:
+    gripped = [event.data["part"] for event in recording.events if event.kind == "grip"]
+    released = [event.data["part"] for event in recording.events if event.kind == "release"]
+    assert len(set(gripped)) == 36
+    assert gripped == released
+
+
+def test_boxes_are_set_down_on_the_6_by_6_pattern(recording: Recording) -> None:
+    cell = ropsim.open(CELL).cell
+    assert cell is not None
+    pallet = cell.frames["pallet"]
+    times = [event.time for event in recording.events if event.kind == "release"]
+    tcp = recording.channels["attained_position"].values[np.searchsorted(recording.time, times)]
+    slots = [[0.07 * i, 0.07 * j, 0.04] for i in range(6) for j in range(6)]
+    expected = np.array([pallet.position + pallet.rotation() @ np.array(slot) for slot in slots])
+    order = [int(np.argmin(np.linalg.norm(expected - point, axis=1))) for point in tcp]
+    assert sorted(order) == list(range(36))
+    assert np.linalg.norm(tcp - expected[order], axis=1).max() < PLACING
+
+
+def test_infeed_and_pallet_centre_are_half_a_metre_apart() -> None:
+    cell = ropsim.open(CELL).cell
+    assert cell is not None
+    centre = cell.frames["pallet"].position + cell.frames["pallet"].rotation() @ np.array(
+        [0.175, 0.175, 0.04]
+    )
+    assert float(np.linalg.norm(cell.locations["infeed"].position - centre)) >= 0.5
+
+
+def test_every_joint_works_for_its_living(recording: Recording) -> None:
+    travel = np.abs(np.diff(recording.channels["q"].values, axis=0)).sum(axis=0)
+    assert (travel > 1.0).all()
+
+
+def test_the_payload_changes_with_each_grasp(recording: Recording) -> None:
+    payload = recording.channels["payload"].values
+    assert np.ptp(payload) == pytest.approx(0.5)
+    assert int((np.diff(payload) > 0).sum()) == 36
+
+
+def test_approaches_run_at_their_speed_on_a_straight_line(recording: Recording) -> None:
+    error = recording.channels["path_error"].values
+    assert np.nanmax(error) < 2e-3
+    speeds = np.linalg.norm(np.diff(recording.channels["command_position"].values, axis=0), axis=1)
+    speed = np.max((speeds / np.diff(recording.time))[~np.isnan(error[1:]) & ~np.isnan(error[:-1])])
+    assert speed == pytest.approx(0.150, rel=1e-3)
+
+
+def test_the_same_project_gives_the_same_bits(recording: Recording) -> None:
+    again = ropsim.open(CELL).simulate()
+    for name, channel in recording.channels.items():
+        assert channel.values.tobytes() == again.channels[name].values.tobytes(), name
+    assert recording.events == again.events
+
+
+def test_the_kinematic_run_commands_the_same_path(recording: Recording) -> None:
+    ideal = ropsim.open(CELL).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    np.testing.assert_array_equal(ideal.channels["q"].values, ideal.channels["q_ref"].values)
+    moves = [(event.span, event.data["travel"]) for event in recording.events if event.kind == "move"]
+    assert moves == [(event.span, event.data["travel"]) for event in ideal.events if event.kind == "move"]
+    assert ideal.duration <= recording.duration

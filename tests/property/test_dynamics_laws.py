@@ -1,0 +1,74 @@
+"""Laws of arm dynamics on random arms."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ropsim.codegen import Engine
+from ropsim.dynamics import compiled, last_body
+from ropsim.model import Friction, RobotModel
+from support.arms import drive, random_arm, random_states
+
+FRICTION = Friction(1e-3, 0.3, -0.2)
+ROUNDING = 1e-8  # accelerations up to 1e3, condition of the mass matrix up to 1e4
+
+arms = st.builds(
+    lambda seed, types: random_arm(seed, types, (drive(friction=FRICTION),) * len(types)),
+    st.integers(0, 10_000),
+    st.text("RP", min_size=1, max_size=5),
+)
+LAWS = settings(max_examples=25, deadline=None, derandomize=True)
+
+
+@LAWS
+@given(robot=arms)
+def test_forward_dynamics_undo_inverse_dynamics(robot: RobotModel) -> None:
+    functions = compiled(robot, Engine.PYTHON)
+    load = last_body(robot)
+    for q, qd, qdd in random_states(robot, 2):
+        tau, back = np.empty(robot.n), np.empty(robot.n)
+        functions.inverse(q, qd, qdd, np.zeros(6), load, tau)
+        functions.forward(q, qd, tau, load, back)
+        np.testing.assert_allclose(back, qdd, rtol=0, atol=ROUNDING)
+
+
+@LAWS
+@given(robot=arms)
+def test_the_mass_matrix_is_symmetric_and_positive_definite(robot: RobotModel) -> None:
+    n = robot.n
+    for q, _, _ in random_states(robot, 2):
+        entries = np.empty(n * n)
+        compiled(robot, Engine.PYTHON).mass_matrix(q, last_body(robot), entries)
+        M = entries.reshape(n, n)
+        np.testing.assert_array_equal(M, M.T)
+        assert np.linalg.eigvalsh(M).min() > 0.0
+
+
+@LAWS
+@given(robot=arms)
+def test_columns_of_the_mass_matrix_are_torques_of_unit_accelerations(robot: RobotModel) -> None:
+    n = robot.n
+    functions, load = compiled(robot, Engine.PYTHON), last_body(robot)
+    rest = np.zeros(n)
+    q = random_states(robot, 1)[0, 0]
+    entries, still, moved = np.empty(n * n), np.empty(n), np.empty(n)
+    functions.mass_matrix(q, load, entries)
+    functions.inverse(q, rest, rest, np.zeros(6), load, still)
+    for k, unit in enumerate(np.eye(n)):
+        functions.inverse(q, rest, unit, np.zeros(6), load, moved)
+        np.testing.assert_allclose(moved - still, entries.reshape(n, n)[:, k], rtol=0, atol=ROUNDING)
+
+
+@LAWS
+@given(robot=arms, seed=st.integers(0, 1000))
+def test_a_wrench_at_the_tip_adds_linearly(robot: RobotModel, seed: int) -> None:
+    functions, load = compiled(robot, Engine.PYTHON), last_body(robot)
+    rest = np.zeros(robot.n)
+    q = random_states(robot, 1)[0, 0]
+    wrench = np.random.default_rng(seed).normal(size=6)
+    torques = []
+    for factor in (0.0, 1.0, 2.0):
+        tau = np.empty(robot.n)
+        functions.inverse(q, rest, rest, factor * wrench, load, tau)
+        torques.append(tau)
+    np.testing.assert_allclose(torques[2] - torques[1], torques[1] - torques[0], rtol=0, atol=ROUNDING)

@@ -1,0 +1,144 @@
+"""Laws of profiles and trajectories on random cases, with ruckig as the oracle of optimal time."""
+
+from collections.abc import Callable
+
+import numpy as np
+import ruckig
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from ropsim.motion import (
+    JointMotionLimits,
+    LineLimits,
+    Profile,
+    ProfileLimits,
+    durations,
+    evaluate,
+    joint_trajectory,
+    lengthen,
+    line_trajectory,
+    plan_profile,
+    stretch,
+)
+from ropsim.spatial import Pose
+
+SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
+ROUNDING = 1e-9  # relative; evaluated at 1 kHz by polynomials of third degree
+
+sizes = st.floats(-3.0, 2.0).map(lambda exponent: float(10.0**exponent))
+limits = st.builds(ProfileLimits, sizes, sizes, sizes)
+angles = st.lists(st.floats(-3.0, 3.0), min_size=6, max_size=6).map(np.array)
+vectors = st.lists(st.floats(0.5, 9.0), min_size=6, max_size=6).map(np.array)
+quaternions = st.lists(st.floats(-1.0, 1.0), min_size=4, max_size=4).filter(
+    lambda q: float(np.linalg.norm(q)) > 0.1
+)
+places = st.lists(st.floats(-1.0, 1.0), min_size=3, max_size=3)
+poses = st.builds(lambda p, q: Pose(np.array(p), np.array(q)), places, quaternions)
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(sizes, limits)
+def test_duration_is_that_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
+    request = ruckig.InputParameter(1)
+    request.current_position, request.target_position = [0.0], [distance]
+    request.max_velocity, request.max_acceleration = [bounds.speed], [bounds.acceleration]
+    request.max_jerk = [bounds.jerk]
+    oracle = ruckig.Trajectory(1)
+    assert ruckig.Ruckig(1).calculate(request, oracle) == ruckig.Result.Working
+    duration = plan_profile(distance, bounds).duration
+    assert abs(duration - oracle.duration) <= SAME_TIME * oracle.duration
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(sizes, limits)
+def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
+    request = ruckig.InputParameter(1)
+    request.current_position, request.target_position = [0.0], [distance]
+    request.max_velocity, request.max_acceleration = [bounds.speed], [bounds.acceleration]
+    request.max_jerk = [bounds.jerk]
+    oracle = ruckig.Trajectory(1)
+    ruckig.Ruckig(1).calculate(request, oracle)
+    profile = plan_profile(distance, bounds)
+    t = np.linspace(0.0, profile.duration, 41)
+    expected = np.array([oracle.at_time(float(time))[0][0] for time in t])
+    assert np.abs(evaluate(profile, t)[0] - expected).max() <= 1e-8 * distance
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(sizes, limits, st.floats(1.0, 3.0), st.sampled_from([stretch, lengthen]))
+def test_limits_hold_on_the_whole_way(
+    distance: float, bounds: ProfileLimits, longer: float, how: Callable[[Profile, float], Profile]
+) -> None:
+    fastest = plan_profile(distance, bounds)
+    profile = how(fastest, fastest.duration * longer)
+    t = np.linspace(0.0, profile.duration, 1001)
+    way, speed, acceleration = evaluate(profile, t)
+    within = 1.0 + ROUNDING
+    assert speed.max() <= bounds.speed * within
+    assert np.abs(acceleration).max() <= bounds.acceleration * within
+    jerk = np.diff(acceleration) / t[1]
+    assert np.abs(jerk).max() <= bounds.jerk * within + 1e-9 * bounds.acceleration / t[1]
+    assert way[-1] == distance
+    assert (np.diff(way) >= -ROUNDING * distance).all()
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(angles, angles, vectors, vectors, vectors)
+def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bound(
+    q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
+) -> None:
+    trajectory = joint_trajectory(q_start, q_end, JointMotionLimits(v, a, 10.0 * j))
+    if trajectory.duration == 0.0:
+        assert np.abs(q_end - q_start).max() < 1e-8
+        return
+    t = np.linspace(0.0, trajectory.duration, 1001)
+    speed, acceleration = trajectory.derivatives(t)
+    shares = [np.abs(speed) / v, np.abs(acceleration) / a]
+    assert max(share.max() for share in shares) <= 1.0 + ROUNDING
+    jerk_share = trajectory.profile.jerk * np.abs(q_end - q_start) / (10.0 * j)
+    assert jerk_share.max() <= 1.0 + ROUNDING
+    assert max(jerk_share.max(), *(share.max() for share in shares)) >= 1.0 - 1e-6
+
+
+@settings(max_examples=50, deadline=None, derandomize=True)
+@given(angles, angles, vectors)
+def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray) -> None:
+    bounds = JointMotionLimits(v, 4.0 * v, 40.0 * v)
+    trajectory = joint_trajectory(q_start, q_end, bounds)
+    q = trajectory.joints(np.linspace(0.0, trajectory.duration, 21))
+    way = q_end - q_start
+    along = (q - q_start) @ way / max(float(way @ way), 1e-300)
+    assert np.abs(q - q_start - along[:, None] * way).max() < 1e-12
+    assert durations(q_start, q_end[None], bounds)[0] == trajectory.duration
+
+
+LINE_LIMITS = LineLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(poses, poses)
+def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start: Pose, X_end: Pose) -> None:
+    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS)
+    t = np.linspace(0.0, trajectory.duration, 201)
+    matrices = trajectory.matrices(t)
+    way = X_end.position - X_start.position
+    offsets = matrices[:, :3, 3] - X_start.position
+    assert np.abs(np.cross(offsets, way)).max() < 1e-14
+    rotations = matrices[:, :3, :3]
+    assert np.abs(rotations @ np.swapaxes(rotations, 1, 2) - np.eye(3)).max() < 1e-13
+    axis = X_start.rotation() @ trajectory.axis
+    assert np.abs(rotations @ trajectory.axis - axis).max() < 1e-13
+    speed, turning = trajectory.speeds(t)
+    assert speed.max() <= LINE_LIMITS.speed * (1.0 + ROUNDING)
+    assert turning.max() <= LINE_LIMITS.orientation_speed * (1.0 + ROUNDING)
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(poses, poses)
+def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose) -> None:
+    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS)
+    assume(trajectory.duration > 0.0)
+    ends = trajectory.matrices(np.array([0.0, trajectory.duration]))
+    assert np.abs(ends[0] - X_start.matrix()).max() < 1e-14
+    assert np.abs(ends[1] - X_end.matrix()).max() < 1e-13
+    assert ends[1, :3, 3].tolist() == X_end.position.tolist()

@@ -1,0 +1,68 @@
+"""The PUMA 560 with its controller, two tools and a frame; helpers that plan moves."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim import robots
+from ropsim.controller import MotionChain, PlannedMove, Refusal, plan_move, standard_chain
+from ropsim.core import Diagnostic, Span
+from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
+from ropsim.kinematics import forward_batch
+from ropsim.model import Cell, Tool
+from ropsim.spatial import Array, Pose
+
+LINE = Span.on_line("cell.task", 14, 3, 14)
+PASS = 17
+FINE = ModalState()
+
+PUMA = robots.load("puma560")
+START: Array = np.array([0.2, -1.1, -0.5, 0.4, -0.9, 0.3])  # far from limits and singularities
+CELL = Cell(
+    "test",
+    PUMA,
+    robots.default_controller("puma560"),
+    tools={
+        "gripper": Tool("gripper", Pose(np.array([0.0, 0.0, 0.1]))),
+        "torch": Tool("torch", Pose(np.array([0.02, -0.03, 0.15]), np.array([0.9, 0.1, 0.2, 0.3]))),
+    },
+    frames={"pallet": Pose(np.array([0.4, -0.2, 0.1]), np.array([0.0, 1.0, 0.2, 0.0]))},
+)
+CHAIN = standard_chain(CELL)
+
+Target = Pose | tuple[float, ...] | None
+
+
+def ptp(target: Target, modal: ModalState = FINE, visit: int = PASS) -> MoveInstruction:
+    """Return a PTP move that stands in line 14."""
+    return MoveInstruction(MotionKind.PTP, target, modal, Origin(LINE, visit))
+
+
+def lin(target: Target, modal: ModalState = FINE, visit: int = PASS) -> MoveInstruction:
+    """Return a LIN move that stands in line 14."""
+    return MoveInstruction(MotionKind.LIN, target, modal, Origin(LINE, visit))
+
+
+def planned(move: MoveInstruction, q_start: Array = START, chain: MotionChain = CHAIN) -> PlannedMove:
+    """Return the planned move; fail where it is refused."""
+    result = plan_move(chain, move, q_start)
+    assert isinstance(result, PlannedMove), result
+    return result
+
+
+def refused(move: MoveInstruction, q_start: Array = START, chain: MotionChain = CHAIN) -> Diagnostic:
+    """Return the one reason why a move is refused; fail where it is planned."""
+    result = plan_move(chain, move, q_start)
+    assert isinstance(result, Refusal)
+    assert len(result.diagnostics) == 1
+    return result.diagnostics[0]
+
+
+def interface_pose(q: Array) -> Pose:
+    """Return X_BM of the PUMA."""
+    return Pose.from_matrix(forward_batch(PUMA, q[None])[0])
+
+
+def shifted(pose: Pose, x: float, y: float, z: float) -> Pose:
+    """Return the pose moved by (x, y, z) [m] in base axes."""
+    return replace(pose, position=pose.position + np.array([x, y, z]))

@@ -1,0 +1,213 @@
+"""A small pick-and-place run with the channels, events and header of a real one, made in closed form."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.core import Diagnostic, Severity, SourceText
+from ropsim.flow import Channel, Event, Recording
+from ropsim.spatial import Array
+
+JOINTS = ("1", "2", "3", "4", "5", "6")
+LAG = 0.012
+"""Time constant of the imagined servo [s]: the attained pose follows the command by it."""
+SOURCE = SourceText(
+    "palletize.task",
+    "task main\n  repeat 3\n    pick(infeed)\n    place(slot)\n  end\nend\n\ntask pick(at)\n  mov above(at)\n"
+    "  lin at\n  grip\n  lin above(at)\nend\n\ntask place(at)\n  mov above(at)\n  lin at\n  release\n"
+    "  lin above(at)\nend\n",
+)
+
+INFEED = (0.45, -0.30, 0.10)
+SLOT = (0.40, 0.30, 0.08)
+LIFT = 0.06
+
+
+@dataclass(slots=True)
+class _Tape:
+    """What the maker collects while it walks through the program."""
+
+    rate: float
+    position: tuple[float, float, float] = (0.45, 0.0, 0.40)
+    points: list[Array] = field(default_factory=list)
+    lines: list[int] = field(default_factory=list)
+    moves: list[int] = field(default_factory=list)
+    straight: list[bool] = field(default_factory=list)
+    closed: list[float] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
+    gripped: float = 0.0
+    ordinal: int = 0
+
+    @property
+    def now(self) -> float:
+        return len(self.points) / self.rate
+
+    def move(self, kind: str, target: tuple[float, float, float], line: int, visit: int) -> None:
+        start, distance = self.now, float(np.linalg.norm(np.subtract(target, self.position)))
+        seconds = distance / (0.12 if kind == "LIN" else 0.5) + 0.2
+        count = round(seconds * self.rate)
+        s = np.arange(1, count + 1)[:, None] / count
+        blend = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+        self._add(np.array(self.position) + blend * np.subtract(target, self.position), line, kind == "LIN")
+        data = {"kind": kind, "visit": visit, "ordinal": self.ordinal, "settle": 0.02}
+        text = f"{kind} pass {visit}"
+        self.events.append(Event(start, "move", text, SOURCE.span(line, 3, 6), self.now - start, data))
+        self.position = target
+        self.ordinal += 1
+
+    def grip(self, kind: str, line: int, state: float) -> None:
+        start, self.gripped = self.now, state
+        self._add(np.tile(self.position, (round(0.2 * self.rate), 1)), line, False)
+        span = SOURCE.span(line, 3, 4)
+        self.events.append(Event(start, kind, f"{kind} box", span, self.now - start, {"part": "box"}))
+
+    def task(self, name: str, start: float, serial: int, depth: int) -> None:
+        data = {"name": name, "serial": serial, "depth": depth}
+        self.events.append(Event(start, "task", name, None, self.now - start, data))
+
+    def _add(self, points: Array, line: int, straight: bool) -> None:
+        count = len(points)
+        self.points += list(points)
+        self.lines += [line] * count
+        self.moves += [self.ordinal] * count
+        self.straight += [straight] * count
+        self.closed += [self.gripped] * count
+
+
+def pick_and_place(passes: int = 3, rate: float = 100.0, findings: tuple[Diagnostic, ...] = ()) -> Recording:
+    """Return a run of `passes` cycles recorded at `rate` [Hz]."""
+    tape = _Tape(rate)
+    for visit in range(1, passes + 1):
+        for serial, (name, at, line, kind) in enumerate(
+            (("pick", INFEED, 9, "grip"), ("place", SLOT, 16, "release")), 2 * visit - 1
+        ):
+            start, above = tape.now, (at[0], at[1], at[2] + LIFT)
+            tape.move("PTP", above, line, visit)
+            tape.move("LIN", at, line + 1, visit)
+            tape.grip(kind, line + 2, 1.0 if kind == "grip" else 0.0)
+            tape.move("LIN", above, line + 3, visit)
+            tape.task(name, start, serial, 1)
+    tape.task("main", 0.0, 0, 0)
+    return _recording(tape, findings)
+
+
+def two_findings() -> tuple[Diagnostic, ...]:
+    """Return findings as a run makes them: one place in three passes, and a warning without a place."""
+    reached = [
+        Diagnostic(
+            "M502",
+            "joint-out-of-range",
+            Severity.ERROR,
+            f"command pose needs joint `3` at {170 + visit}.4°, the limit is 135.0°",
+            SOURCE.span(16, 3, 13),
+            label=f"reached in pass {visit}",
+            hint="lower `pallet` by 0.12 m",
+            data={"pass": visit},
+        )
+        for visit in (1, 2, 3)
+    ]
+    saturated = Diagnostic(
+        "S703", "torque-saturated", Severity.WARNING, "joint `2` asks for 190 N·m of 186 N·m"
+    )
+    return (saturated, *reached)
+
+
+def header() -> dict[str, object]:
+    """Return the header of the imagined run; limits as for a PUMA 560."""
+    degrees = [160.0, 125.0, 135.0, 140.0, 100.0, 266.0]
+    return {
+        "ropsim": "0.1.0",
+        "project": "palletizing",
+        "program": "main",
+        "robot": {
+            "name": "puma560",
+            "title": "Unimation PUMA 560",
+            "joint_names": list(JOINTS),
+            "joint_types": ["revolute"] * 6,
+            "lower": [-float(np.deg2rad(d)) for d in degrees],
+            "upper": [float(np.deg2rad(d)) for d in degrees],
+            "max_speed": [1.92, 1.92, 1.92, 4.0, 4.0, 4.0],
+            "max_current": [10.0] * 6,
+            "max_effort": [97.6, 186.4, 89.4, 24.2, 20.1, 21.3],
+            "origins": [
+                {
+                    "parameters": "link inertias",
+                    "kind": "published",
+                    "source": "Armstrong, Khatib & Burdick 1986",
+                },
+                {
+                    "parameters": "motor constants",
+                    "kind": "estimated",
+                    "source": "Corke & Armstrong-Hélouvry 1994",
+                },
+            ],
+        },
+        "rates": {"control_hz": 1000.0, "interpolation_ticks": 4, "plant_steps": 4},
+        "icr_id": "5f2c9a",
+        "source": SOURCE.name,
+        "fidelity": "dynamic",
+        "record_hz": 100.0,
+        "estimated": ["motor resistance and inductance", "joint speed limits"],
+    }
+
+
+def joints_of(tcp: Array) -> Array:
+    """Return imagined joint coordinates for TCP positions, shape (n, 6) [rad]; smooth, not a real arm."""
+    x, y, z = tcp.T
+    turn, reach = np.arctan2(y, x), np.hypot(x, y)
+    columns = [turn, z - 1.0, 2.0 * reach - 2.5, 0.3 * turn, 0.8 - z, 0.5 * turn - 0.2]
+    return np.stack(columns, axis=1)
+
+
+def _recording(tape: _Tape, findings: tuple[Diagnostic, ...]) -> Recording:
+    command = np.array(tape.points)
+    n = len(command)
+    time = np.arange(n) / tape.rate
+    attained = _lagging(command, tape.rate)
+    sag = 2e-5 + 1e-4 * np.sin(7.0 * time) ** 2
+    attained[:, 2] -= sag
+    q_ref, q = joints_of(command), joints_of(attained)
+    qd_ref, qd = np.gradient(q_ref, time, axis=0), np.gradient(q, time, axis=0)
+    payload = 0.5 * np.array(tape.closed)
+    weights = np.array([20.0, 60.0, 30.0, 5.0, 4.0, 2.0])
+    tau = weights * np.gradient(qd, time, axis=0) / 3.0 + weights * np.cos(q) * (0.4 + 0.1 * payload[:, None])
+    path_error = np.where(tape.straight, sag, np.nan)
+    upright = np.tile([0.0, 0.0, 1.0, 0.0], (n, 1))
+    xyz, wxyz = ("x", "y", "z"), ("w", "x", "y", "z")
+    channels = {
+        "q": Channel(q, "rad", JOINTS, "attained joint coordinates"),
+        "qd": Channel(qd, "rad/s", JOINTS, "attained joint speeds"),
+        "tau": Channel(tau, "N·m", JOINTS, "torques at the joints"),
+        "current": Channel(tau / 12.0, "A", JOINTS, "motor currents"),
+        "voltage": Channel(tau / 3.0, "V", JOINTS, "motor voltages"),
+        "q_ref": Channel(q_ref, "rad", JOINTS, "reference joint coordinates"),
+        "qd_ref": Channel(qd_ref, "rad/s", JOINTS, "reference joint speeds"),
+        "q_error": Channel(q_ref - q, "rad", JOINTS, "following errors"),
+        "command_position": Channel(command, "m", xyz, "command TCP in the base frame"),
+        "attained_position": Channel(attained, "m", xyz, "attained TCP in the base frame"),
+        "command_orientation": Channel(upright, "", wxyz, "command orientation of the tool"),
+        "attained_orientation": Channel(upright, "", wxyz, "attained orientation of the tool"),
+        "path_error": Channel(path_error, "m", (), "distance of the TCP from the commanded line"),
+        "line": Channel(np.array(tape.lines, dtype=float), "", (), "active source line"),
+        "move": Channel(np.array(tape.moves, dtype=float), "", (), "ordinal of the active move"),
+        "gripper": Channel(np.array(tape.closed), "", (), "0 open, 1 closed"),
+        "payload": Channel(payload, "kg", (), "mass at the mechanical interface"),
+        "signal.lamp": Channel((np.sin(time) > 0.0).astype(float), "", (), "digital output"),
+        "signal.pressure": Channel(4.0 + 0.2 * np.cos(3.0 * time), "bar", (), "analogue input"),
+    }
+    events = tuple(sorted(tape.events, key=lambda event: event.time))
+    return Recording(time, channels, events, findings, float(time[-1]) + 1.0 / tape.rate, header())
+
+
+def _lagging(command: Array, rate: float) -> Array:
+    """Return the command delayed by a first-order lag."""
+    alpha = 1.0 / (1.0 + LAG * rate)
+    result = command.copy()
+    for k in range(1, len(result)):
+        result[k] = result[k - 1] + alpha * (command[k] - result[k - 1])
+    return result
+
+
+def empty_recording() -> Recording:
+    """Return a recording without a sample, an event or a header."""
+    return Recording(np.empty(0), {}, (), (), 0.0)

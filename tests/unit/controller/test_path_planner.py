@@ -1,0 +1,173 @@
+"""Refusals and findings of the path planner: code, span, pass, figures; never an exception."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.controller import Refusal, plan_move, standard_chain
+from ropsim.core import Severity
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.kinematics import inverse
+from ropsim.model import Cell
+from ropsim.spatial import Pose
+from support.motion import (
+    CELL,
+    CHAIN,
+    LINE,
+    PASS,
+    PUMA,
+    START,
+    interface_pose,
+    lin,
+    planned,
+    ptp,
+    refused,
+    shifted,
+)
+
+FAR = Pose(np.array([2.0, 0.0, 0.5]), np.array([0.0, 0.0, 1.0, 0.0]))
+BEHIND = Pose(np.array([0.044, -0.15, -0.066]), np.array([0.0, 0.0, 1.0, 0.0]))  # reached beyond the limits
+
+
+@pytest.mark.parametrize("make", [ptp, lin])
+def test_a_pose_out_of_reach_is_refused_with_the_distance_of_the_wrist_centre(
+    make: Callable[[Pose], MoveInstruction],
+) -> None:
+    found = refused(make(FAR))
+    assert found.code == "M501"
+    assert found.span == LINE
+    assert found.label == "reached in pass 17"
+    assert "the arm reaches 864.08 mm" in found.message  # a2 + sqrt(a3² + d4²) of the PUMA
+    distance = found.data["distance_m"]
+    assert isinstance(distance, float)
+    assert distance > 0.864077
+    assert found.data["pass"] == PASS
+
+
+@pytest.mark.parametrize("make", [ptp, lin])
+def test_a_pose_beyond_the_joint_limits_is_refused_with_joint_angle_and_limit(
+    make: Callable[[Pose], MoveInstruction],
+) -> None:
+    found = refused(make(BEHIND))
+    assert found.code == "M502"
+    assert found.span == LINE
+    assert found.label == "reached in pass 17"
+    assert found.data["joint"] == "2"
+    assert found.data["limit_rad"] == pytest.approx(math.radians(-110.0))
+    value = found.data["value_rad"]
+    assert isinstance(value, float)
+    assert value < math.radians(-110.0)
+    assert f"joint `2` at {math.degrees(value):.1f}°, the limit is -110.0°" in found.message
+    assert found.notes == ("8 postures reach the command pose, none within the joint limits",)
+
+
+def test_joint_coordinates_out_of_range_are_refused_one_by_one() -> None:
+    result = plan_move(CHAIN, ptp((0.0, 2.0, -3.0, 0.0, 0.0, 0.0)), START)
+    assert isinstance(result, Refusal)
+    assert [finding.code for finding in result.diagnostics] == ["M502", "M502"]
+    assert [finding.data["joint"] for finding in result.diagnostics] == ["2", "3"]
+    assert "joint `3` at -171.9°, the limit is -135.0°" in result.diagnostics[1].message
+
+
+def test_joint_coordinates_on_the_limits_are_accepted() -> None:
+    assert planned(ptp(tuple(PUMA.upper_limits.tolist()))).q_end.tolist() == PUMA.upper_limits.tolist()
+
+
+def test_the_first_pass_is_not_mentioned() -> None:
+    assert refused(ptp(FAR, visit=1)).label == ""
+
+
+def test_an_unknown_tool_is_refused_with_the_near_name() -> None:
+    found = refused(ptp(interface_pose(START), ModalState(tool="griper")))
+    assert (found.code, found.span) == ("M506", LINE)
+    assert found.message == "tool `griper` is not defined, the tools of the cell are `gripper`, `torch`"
+    assert found.hint == "did you mean `gripper`?"
+
+
+def test_an_unknown_frame_without_a_pose_is_a_warning() -> None:
+    move = planned(ptp(interface_pose(START), ModalState(frame="palet"), visit=1))
+    assert [(finding.code, finding.severity) for finding in move.findings] == [("M512", Severity.WARNING)]
+    assert move.findings[0].hint == "did you mean `pallet`?"
+
+
+def test_a_zone_is_a_hint_once_per_line() -> None:
+    goal = shifted(interface_pose(START), 0.0, 0.05, 0.0)
+    zone = ModalState(zone=0.01)
+    for make in (ptp, lin):
+        first, later = planned(make(goal, zone, visit=1)), planned(make(goal, zone, visit=2))
+        assert [(finding.code, finding.severity) for finding in first.findings] == [("M507", Severity.HINT)]
+        assert "zone of 10 mm" in first.findings[0].message
+        assert later.findings == ()
+
+
+@pytest.mark.parametrize("count", [0, 3, 7])
+def test_a_wrong_number_of_joint_coordinates_is_refused(count: int) -> None:
+    for make in (ptp, lin):
+        found = refused(make((0.0,) * count))
+        assert (found.code, found.span) == ("M508", LINE)
+        assert found.message == f"target has {count} joint coordinates, `puma560` has 6 joints"
+
+
+BAD_STATES = {
+    "PTP speed": (ModalState(ptp_speed=0.0), ModalState(ptp_speed=1.5), ModalState(ptp_speed=math.nan)),
+    "PTP acceleration": (ModalState(ptp_acceleration=-0.1), ModalState(ptp_acceleration=math.inf)),
+    "path speed": (ModalState(path_speed=0.0), ModalState(path_speed=-1.0), ModalState(path_speed=math.nan)),
+    "path acceleration": (ModalState(path_acceleration=math.inf), ModalState(path_acceleration=1e300)),
+    "path jerk": (ModalState(path_jerk=0.0),),
+    "orientation speed": (ModalState(orientation_speed=-2.0),),
+    "orientation acceleration": (ModalState(orientation_acceleration=math.nan),),
+    "zone": (ModalState(zone=-0.001), ModalState(zone=math.nan), ModalState(zone=math.inf)),
+    "x of the task frame `k`": (ModalState(frame="k", X_BK=Pose(np.array([math.nan, 0.0, 0.0]))),),
+    "z of the tool `t`": (ModalState(tool="t", X_MT=Pose(np.array([0.0, 0.0, 1e9]))),),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "modal"), [(name, modal) for name, states in BAD_STATES.items() for modal in states]
+)
+def test_values_that_no_motion_can_have_are_refused(name: str, modal: ModalState) -> None:
+    for make in (ptp, lin):
+        found = refused(make(interface_pose(START), modal))
+        assert (found.code, found.span) == ("M509", LINE)
+        assert found.message.startswith(f"{name} is ")
+        assert ", allowed is " in found.message
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e4, 1e300])
+def test_targets_that_no_motion_can_have_are_refused(bad: float) -> None:
+    assert refused(ptp(Pose(np.array([0.0, bad, 0.0])))).message.startswith("y of the target is ")
+    assert refused(lin(Pose(np.array([0.0, bad, 0.0])))).code == "M509"
+    assert refused(ptp((0.0, 0.0, bad, 0.0, 0.0, 0.0))).message.startswith("joint coordinate 3 is ")
+
+
+def test_a_move_that_would_take_longer_than_ten_minutes_is_refused() -> None:
+    goal = shifted(interface_pose(START), 0.0, 0.05, 0.0)
+    found = refused(lin(goal, ModalState(path_speed=1e-6)))
+    assert (found.code, found.span) == ("M513", LINE)
+    assert found.data["limit_s"] == 600.0
+    assert refused(ptp(goal, ModalState(ptp_speed=1e-200))).code == "M513"
+
+
+def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
+    q_start = np.array([-0.06, 1.2, 1.64, -1.06, 0.2, -1.32])
+    goal = interface_pose(np.array([0.42, -0.5, -0.41, 2.9, -0.76, 0.92]))  # elbow down only
+    move = planned(ptp(goal, visit=1), q_start)
+    assert [(finding.code, finding.severity) for finding in move.findings] == [("M511", Severity.HINT)]
+    assert "elbow from up to down" in move.findings[0].message
+    solutions = inverse(PUMA, goal)
+    times = [
+        planned(ptp(tuple(q)), q_start).duration for q in (*solutions.solutions, *np.vstack(solutions.turns))
+    ]
+    assert move.duration == min(times)
+    assert planned(ptp(goal, visit=2), q_start).findings == ()
+
+
+def test_an_arm_without_closed_form_is_refused_for_poses_but_moves_to_joint_coordinates() -> None:
+    arm = robots.load("two_link")
+    chain = standard_chain(Cell("two", arm, CELL.controller))
+    found = refused(ptp(Pose()), np.zeros(2), chain)
+    assert (found.code, found.span) == ("M550", LINE)
+    assert planned(ptp((0.3, 0.4)), np.zeros(2), chain).q_end.tolist() == [0.3, 0.4]

@@ -1,0 +1,17 @@
+from ropsim.core import did_you_mean, near
+
+
+def test_a_misspelt_name_finds_the_right_one() -> None:
+    assert did_you_mean("relase", ["grip", "release", "Palletize"]) == "did you mean `release`?"
+
+
+def test_case_does_not_matter_and_the_known_spelling_is_kept() -> None:
+    assert near("palletise", ["Palletize", "grip"]) == ("Palletize",)
+
+
+def test_nothing_near_gives_an_empty_hint() -> None:
+    assert did_you_mean("xyz", ["grip", "release"]) == ""
+
+
+def test_a_huge_name_is_answered_quickly() -> None:
+    assert did_you_mean("a" * 1_000_000, ["release"] * 3) == ""

@@ -1,0 +1,78 @@
+"""The functions for callers with plain arrays."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import dynamics, robots
+from ropsim.codegen import Engine
+from ropsim.model import Link, Payload, RobotModel
+from support.arms import random_arm, random_states
+
+ROUNDING = 1e-11
+TWO_ENGINES = 1e-12  # elementary functions of two libraries
+
+
+@pytest.fixture(scope="module")
+def puma() -> RobotModel:
+    return robots.load("puma560")
+
+
+def test_torques_split_into_mass_bias_and_friction(puma: RobotModel) -> None:
+    for q, qd, qdd in random_states(puma, 20):
+        parts = dynamics.mass_matrix(puma, q) @ qdd + dynamics.bias(puma, q, qd) - dynamics.friction(puma, qd)
+        np.testing.assert_allclose(dynamics.inverse_dynamics(puma, q, qd, qdd), parts, rtol=0, atol=ROUNDING)
+
+
+def test_forward_dynamics_with_a_payload_undo_inverse_dynamics_with_it(puma: RobotModel) -> None:
+    payload = Payload(2.0, np.array([0.01, 0.02, 0.1]), np.diag([0.01, 0.02, 0.015]))
+    for q, qd, qdd in random_states(puma, 20):
+        tau = dynamics.inverse_dynamics(puma, q, qd, qdd, payload=payload)
+        back = dynamics.forward_dynamics(puma, q, qd, tau, payload)
+        np.testing.assert_allclose(back, qdd, rtol=0, atol=ROUNDING)
+
+
+def test_both_engines_agree(puma: RobotModel) -> None:
+    load = np.array(dynamics.last_body(puma))
+    for q, qd, tau in random_states(puma, 20):
+        results = []
+        for engine in Engine:
+            qdd = np.empty(6)
+            dynamics.compiled(puma, engine).forward(*(np.array(x) for x in (q, qd, tau)), load, qdd)
+            results.append(qdd)
+        np.testing.assert_allclose(results[0], results[1], rtol=TWO_ENGINES, atol=TWO_ENGINES)
+
+
+def test_a_wrong_shape_names_array_shape_and_what_is_allowed(puma: RobotModel) -> None:
+    with pytest.raises(
+        dynamics.StateShapeError, match=r"`qd` has shape `\(5,\)`; allowed is `\(6,\)`"
+    ) as caught:
+        dynamics.bias(puma, np.zeros(6), np.zeros(5))
+    assert caught.value.diagnostic.code == "M570"
+
+
+def test_a_wrench_needs_six_numbers(puma: RobotModel) -> None:
+    rest = np.zeros(6)
+    with pytest.raises(dynamics.StateShapeError, match="`wrench`"):
+        dynamics.inverse_dynamics(puma, rest, rest, rest, [1.0, 2.0, 3.0])
+
+
+def test_a_chain_that_is_too_long_is_refused_with_the_limit() -> None:
+    robot = random_arm(0, "R" * 13)
+    with pytest.raises(dynamics.ChainTooLongError, match="13 joints; code is generated for 1 to 12"):
+        dynamics.gravity(robot, np.zeros(13))
+
+
+def test_a_model_with_nan_is_refused_by_name_of_the_joint() -> None:
+    robot = random_arm(0, "RR")
+    broken = replace(robot, links=(robot.links[0], Link(float("nan"), np.zeros(3), np.eye(3))))
+    with pytest.raises(dynamics.ModelNumberError, match="joint `2`"):
+        dynamics.gravity(broken, np.zeros(2))
+
+
+def test_inputs_are_not_changed(puma: RobotModel) -> None:
+    q, qd, qdd = random_states(puma, 1)[0]
+    before = q.copy(), qd.copy(), qdd.copy()
+    dynamics.inverse_dynamics(puma, q, qd, qdd)
+    np.testing.assert_array_equal((q, qd, qdd), before)

@@ -1,0 +1,366 @@
+import pytest
+
+from ropsim.flow import (
+    GripAction,
+    GripInstruction,
+    Instruction,
+    MessageInstruction,
+    MotionKind,
+    MoveInstruction,
+    OutputInstruction,
+    SyncInstruction,
+    WaitInstruction,
+)
+from ropsim.icr import (
+    Finished,
+    Machine,
+    MachineOptions,
+    Program,
+    StillWorld,
+    UnverifiedError,
+    assemble,
+    run,
+    verify,
+)
+from ropsim.spatial import Pose
+
+HEAD = """ICR 1.0 t
+SOURCE "t.task"
+{cap}IO DI part BOOL
+IO AI count INT
+IO DO lamp BOOL
+FRAMEDEF f 1.0 0.0 0.0 1.0 0.0 0.0 0.0
+FRAMEDEF g 0.0 2.0 0.0 1.0 0.0 0.0 0.0
+TOOLDEF jaws 0.0 0.0 0.1 1.0 0.0 0.0 0.0
+TOOLDEF unknown
+"""
+TARGET = "PUSH POSE 0.1 0.2 0.3 1.0 0.0 0.0 0.0"
+
+
+def program(main: str, rest: str = "") -> Program:
+    """Return the verified program of the instructions of `main`, separated by `/`; capabilities are added."""
+    body = "".join(f"  {line.strip()}\n" for line in main.split("/"))
+    offers = {
+        "MOVE.LIN": "LIN",
+        "MOVE.PTP\n": "PTP",
+        "HOME": "PTP",
+        "ZONE": "ZONE",
+        "MSG": "MSG",
+        "GRIP": "GRIP",
+    }
+    offers |= {"IN part": "IO", "IN count": "IO", "OUT": "IO", "TIME": "CLOCK", "MOVE.PTP.J": "JNT"}
+    names = sorted({offer for word, offer in offers.items() if word in body + rest})
+    axes = "REQUIRE AXES 2\n" if "JOINTS" in body else ""
+    cap = axes + (f"REQUIRE CAP {' '.join(names)}\n" if names else "")
+    made = assemble(HEAD.format(cap=cap) + f"PROC main\n{body}END\n{rest}")
+    assert verify(made) == ()
+    return made
+
+
+def flow(main: str, rest: str = "", **inputs: bool | float) -> list[Instruction | Finished]:
+    """Return everything that the machine hands out, the end last."""
+    machine = Machine(program(main, rest), StillWorld(inputs))
+    handed: list[Instruction | Finished] = [machine.advance()]
+    while not isinstance(handed[-1], Finished):
+        handed.append(machine.advance())
+    return handed
+
+
+def trap(main: str, rest: str = "", **inputs: bool | float) -> str:
+    end = flow(main, rest, **inputs)[-1]
+    assert isinstance(end, Finished)
+    return end.trap.code if end.trap else ""
+
+
+def test_a_move_carries_target_frame_tool_and_a_snapshot_of_the_modal_state() -> None:
+    first, second, end = flow(
+        f"FRAME f/TOOL jaws/PUSH REAL 0.25/SPD.LIN/{TARGET}/LINE 4/MOVE.LIN/PUSH REAL 0.5/SPD.LIN/{TARGET}/MOVE.LIN/HALT"
+    )
+    assert isinstance(first, MoveInstruction)
+    assert isinstance(second, MoveInstruction)
+    assert (first.kind, first.target) == (
+        MotionKind.LIN,
+        Pose.from_tuple((0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.0)),
+    )
+    assert (first.modal.frame, first.modal.X_BK.as_tuple()[0]) == ("f", 1.0)
+    assert first.modal.X_MT is not None
+    assert (first.modal.tool, first.modal.X_MT.as_tuple()[2]) == ("jaws", 0.1)
+    assert (first.modal.path_speed, second.modal.path_speed) == (0.25, 0.5)
+    assert str(first.origin.span) == "t.task:4:1"
+    assert end == Finished(None, 12)
+
+
+def test_every_modal_instruction_sets_its_own_field() -> None:
+    settings = ["SPD.PTP", "SPD.LIN", "SPD.ORI", "ACC.PTP", "ACC.LIN", "ACC.ORI", "JERK", "ZONE.DIST"]
+    pushes = "/".join(f"PUSH REAL 0.{k}/{name}" for k, name in enumerate(settings, start=1))
+    (move, _) = flow(f"{pushes}/HOME/HALT")
+    assert isinstance(move, MoveInstruction)
+    modal = move.modal
+    found = (modal.ptp_speed, modal.path_speed, modal.orientation_speed, modal.ptp_acceleration)
+    found += (modal.path_acceleration, modal.orientation_acceleration, modal.path_jerk, modal.zone)
+    assert found == (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
+
+
+def test_saved_modal_states_come_back_also_through_calls() -> None:
+    rest = "PROC fast\n  MODAL.SAVE\n  PUSH REAL 0.9\n  SPD.PTP\n  HOME\n  MODAL.RESTORE\n  RET\nEND\n"
+    moves = flow("PUSH REAL 0.5/SPD.PTP/ZONE.FINE/CALL fast/HOME/HALT", rest)[:-1]
+    assert [move.modal.ptp_speed for move in moves if isinstance(move, MoveInstruction)] == [0.9, 0.5]
+
+
+def test_a_changed_modal_state_outlives_the_procedure_that_changed_it() -> None:
+    moves = flow("CALL slow/HOME/HALT", "PROC slow\n  PUSH REAL 0.1\n  SPD.PTP\n  RET\nEND\n")[:-1]
+    assert [move.modal.ptp_speed for move in moves if isinstance(move, MoveInstruction)] == [0.1]
+
+
+def test_the_other_robot_instructions_become_their_records() -> None:
+    text = 'PUSH JOINTS 0.1 0.2/MOVE.PTP.J/HOME/GRIP close jaws/PUSH BOOL TRUE/OUT lamp/PUSH REAL 0.2/WAIT.T/PUSH STR "a"/MSG/SYNC/HALT'
+    joints, home, grip, output, wait, message, sync, _ = flow(text)
+    assert isinstance(joints, MoveInstruction)
+    assert isinstance(home, MoveInstruction)
+    assert (joints.target, home.target, home.kind) == ((0.1, 0.2), None, MotionKind.PTP)
+    assert isinstance(grip, GripInstruction)
+    assert (grip.action, grip.tool) == (GripAction.CLOSE, "jaws")
+    assert isinstance(output, OutputInstruction)
+    assert (output.channel, output.value) == ("lamp", True)
+    assert isinstance(wait, WaitInstruction)
+    assert wait.duration == 0.2
+    assert isinstance(message, MessageInstruction)
+    assert message.text == "a"
+    assert isinstance(sync, SyncInstruction)
+
+
+def test_visits_count_how_often_one_instruction_was_carried_out() -> None:
+    loop = "PUSH INT 0/L0:/HOME/PUSH INT 1/ADD.I/DUP/PUSH INT 3/LT.I/JT L0/POP/HOME/HALT"
+    moves = flow(loop)[:-1]
+    assert [move.origin.visit for move in moves if isinstance(move, MoveInstruction)] == [1, 2, 3, 1]
+
+
+def test_origins_name_the_active_procedures_and_the_ordinals_of_their_activations() -> None:
+    rest = "PROC a\n  CALL b\n  RET\nEND\nPROC b\n  HOME\n  RET\nEND\n"
+    moves = flow("CALL a/CALL b/CALL a/HOME/HALT", rest)[:-1]
+    chains = [
+        (move.origin.calls, move.origin.call_serials) for move in moves if isinstance(move, MoveInstruction)
+    ]
+    assert chains == [
+        (("main", "a", "b"), (0, 1, 2)),
+        (("main", "b"), (0, 3)),
+        (("main", "a", "b"), (0, 4, 5)),
+        (("main",), (0,)),
+    ]
+
+
+def test_bare_interface_and_tool_left_to_the_cell_differ() -> None:
+    modals = [
+        one.modal
+        for one in flow("HOME/TOOL -/HOME/TOOL unknown/HOME/FRAME -/HOME/HALT")[:-1]
+        if not isinstance(one, Finished)
+    ]
+    assert [(modal.tool, modal.X_MT) for modal in modals] == [
+        ("", None),
+        ("", Pose()),
+        ("unknown", None),
+        ("unknown", None),
+    ]
+
+
+class Recorder:
+    """A world that notes when it is asked."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+
+    def read(self, channel: str) -> bool | int | float:
+        self.asked.append(f"read {channel}")
+        return 1
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:
+        self.asked.append(f"wait {channel} {value} {timeout}")
+        return True
+
+    def time(self) -> float:
+        self.asked.append("time")
+        return 2.5
+
+
+@pytest.mark.parametrize(
+    ("code", "asked"),
+    [
+        ("IN part/POP", "read part"),
+        ("TIME/POP", "time"),
+        ("PUSH BOOL TRUE/PUSH REAL 1.5/WAIT.IN part/POP", "wait part True 1.5"),
+        ("PUSH BOOL FALSE/PUSH REAL 0.0/WAIT.IN part/POP", "wait part False None"),
+    ],
+)
+def test_the_world_is_asked_only_after_a_synchronisation(code: str, asked: str) -> None:
+    world = Recorder()
+    machine = Machine(program(f"HOME/{code}/HALT"), world)
+    assert isinstance(machine.advance(), MoveInstruction)
+    assert isinstance(machine.advance(), SyncInstruction)
+    assert world.asked == []
+    assert machine.advance() == Finished(None, 2 + len(code.split("/")))
+    assert world.asked == [asked]
+
+
+def test_an_output_reads_back_as_it_was_set() -> None:
+    text = "PUSH BOOL TRUE/OUT lamp/IN lamp/JT L0/TRAP 100/L0:/HALT"
+    assert trap(text.replace("IN lamp", "IN part/POP/IN lamp")) == ""
+
+
+def test_stop_waits_for_the_motion_and_ends_with_its_category() -> None:
+    move, sync, end = flow("HOME/STOP 1")
+    assert isinstance(sync, SyncInstruction)
+    assert end == Finished(None, 2, 1)
+
+
+def test_the_end_stays_the_end() -> None:
+    machine = Machine(program("HALT"), StillWorld())
+    assert machine.advance() == machine.advance() == Finished(None, 1)
+
+
+def test_command_pose_is_seen_from_the_frame_and_tool_in_force() -> None:
+    instructions = flow(
+        f"FRAME f/TOOL jaws/{TARGET}/MOVE.PTP/CURPOSE/MOVE.LIN/FRAME g/TOOL -/CURPOSE/MOVE.LIN/HALT"
+    )
+    moves = [one for one in instructions if isinstance(one, MoveInstruction)]
+    poses = [move.target.as_tuple()[:3] for move in moves if isinstance(move.target, Pose)]
+    assert poses[0] == poses[1] == (0.1, 0.2, 0.3)
+    assert poses[2] == pytest.approx((1.1, -1.8, 0.2), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("PUSH INT 1/PUSH INT 0/DIV.I/POP", "I460"),
+        ("PUSH REAL 1.0/PUSH REAL 0.0/MOD.R/POP", "I460"),
+        ("PUSH REAL -1.0/SQRT/POP", "I461"),
+        ("PUSH REAL 1e308/DUP/ADD.R/POP", "I461"),
+        ("PUSH REAL 1e200/DUP/MUL.R/POP", "I461"),
+        ("PUSH REAL 2.0/ASIN/POP", "I461"),
+        ("PUSH REAL 0.0/PUSH REAL -1.0/POW/POP", "I461"),
+        ("PUSH REAL 1e30/TRUNC/POP", "I461"),
+        ("PUSH INT 9223372036854775807/PUSH INT 1/ADD.I/POP", "I461"),
+        ("PUSH INT -9223372036854775808/PUSH INT 1/SUB.I/POP", "I461"),
+        ("PUSH INT -9223372036854775808/NEG.I/POP", "I461"),
+        ("PUSH REAL 0.0/DUP/DUP/DUP/MKORI.Q/POP", "I461"),
+        ("PUSH VEC 1e308 0.0 0.0/DUP/ADD.V/POP", "I461"),
+        ("PUSH REAL 0.5/PUSH REAL 0.5/SUB.R/SPD.LIN", "I461"),
+        ("PUSH REAL 1.0/PUSH REAL 0.5/ADD.R/ACC.PTP", "I461"),
+        ("PUSH REAL 0.5/NEG.R/WAIT.T", "I461"),
+        ('PUSH STR "ab"/L0:/DUP/CAT/JMP L0', "I461"),
+        ("PUSH BOOL TRUE/PUSH REAL 0.0/WAIT.IN part/POP", "I462"),
+        ("TRAP 1", "I462"),
+        ("TRAP 2", "I461"),
+        ("TRAP 100", "I464"),
+        ("CURPOSE/POP", "I465"),
+        ("HOME/CURPOSE/POP", "I465"),
+        (f"{TARGET}/MOVE.PTP/TOOL unknown/CURPOSE/POP", "I465"),
+        ("L0:/NOP/JMP L0", "I463"),
+    ],
+)
+def test_a_fault_is_a_typed_trap(code: str, expected: str) -> None:
+    ends = code.startswith("TRAP") or "JMP" in code
+    made = program(f"LINE 12/{code}" + ("" if ends else "/HALT"))
+    end = run(made, budget=10_000).trap
+    assert end is not None
+    assert (end.code, str(end.span)) == (expected, "t.task:12:1")
+
+
+def test_a_trap_shows_the_active_procedures() -> None:
+    rest = "PROC a\n  LINE 9\n  PUSH INT 1\n  PUSH INT 0\n  DIV.I\n  POP\n  RET\nEND\n"
+    end = flow("CALL a/HALT", rest)[-1]
+    assert isinstance(end, Finished)
+    assert end.trap is not None
+    assert end.trap.notes == ("active procedures: main -> a",)
+    assert str(end.trap.span) == "t.task:9:1"
+
+
+def test_a_reading_that_is_not_finite_is_a_trap() -> None:
+    assert trap("IN count/POP/HALT", count=float("inf")) == "I461"
+    assert trap("IN count/POP/HALT", count=float("nan")) == "I461"
+
+
+def test_the_budget_ends_a_loop_exactly() -> None:
+    machine = Machine(program("L0:/NOP/JMP L0"), StillWorld(), MachineOptions(budget=1001))
+    end = machine.advance()
+    assert isinstance(end, Finished)
+    assert end.steps == 1001
+
+
+def test_a_trace_is_bounded_where_a_program_moves_for_ever() -> None:
+    found = run(program("L0:/SYNC/JMP L0")).trap
+    assert found is not None
+    assert found.code == "I463"
+
+
+def test_a_still_world_lets_time_pass_by_waiting() -> None:
+    text = (
+        "PUSH REAL 0.5/WAIT.T/PUSH BOOL TRUE/PUSH REAL 1.5/WAIT.IN part/JT L0/"
+        "TIME/FMT/MSG/L0:/PUSH BOOL FALSE/PUSH REAL 0.0/WAIT.IN part/FMT/MSG/HALT"
+    )
+    assert run(program(text)).messages == ("2", "true")
+
+
+def test_run_refuses_what_the_verifier_refuses() -> None:
+    with pytest.raises(UnverifiedError) as caught:
+        run(assemble("ICR 1.0 t\nPROC main\n  POP\n  HALT\nEND\n"))
+    assert [one.code for one in caught.value.diagnostics] == ["I416"]
+
+
+def test_a_trace_sorts_its_instructions() -> None:
+    trace = run(program('HOME/GRIP open -/PUSH BOOL FALSE/OUT lamp/PUSH STR "x"/MSG/SYNC/HALT'))
+    assert (len(trace.moves), len(trace.grips), len(trace.io), trace.messages) == (1, 1, 1, ("x",))
+    assert len(trace.instructions) == 4
+    assert (trace.trap, trace.steps) == (None, 8)
+
+
+RICH = """L0:/PUSH INT 1/IN count/ADD.I/POP/MODAL.SAVE/PUSH REAL 0.5/SPD.PTP/HOME/CALL a/MODAL.RESTORE/
+TIME/PUSH REAL 3.0/LT.R/JT L0/PUSH BOOL TRUE/OUT lamp/IN lamp/FMT/MSG/HALT"""
+RICH_REST = f"PROC a\n  {TARGET}\n  MOVE.PTP\n  CURPOSE\n  MOVE.LIN\n  PUSH REAL 1.0\n  WAIT.T\n  RET\nEND\n"
+
+
+class Ticking:
+    """A world whose every answer depends on how much has been carried out, counted outside the machine."""
+
+    def __init__(self) -> None:
+        self.clock = 0.0
+
+    def read(self, channel: str) -> bool | int | float:
+        return int(self.clock)
+
+    def wait(self, channel: str, value: bool, timeout: float | None) -> bool:
+        return True
+
+    def time(self) -> float:
+        return self.clock
+
+
+def test_a_resumed_machine_goes_on_in_exactly_the_same_way() -> None:
+    made = program(RICH.replace("\n", ""), RICH_REST)
+    world = Ticking()
+    machine = Machine(made, world)
+    straight: list[Instruction | Finished] = []
+    states = []
+    while not straight or not isinstance(straight[-1], Finished):
+        states.append((machine.snapshot(), world.clock))
+        straight.append(machine.advance())
+        world.clock += 0.25
+    states.append((machine.snapshot(), world.clock))
+    assert len(straight) > 20
+    for number, (state, clock) in enumerate(states):
+        world = Ticking()
+        world.clock = clock
+        resumed = Machine.resume(made, world, state)
+        assert resumed.snapshot() == state
+        for expected in straight[number:]:
+            assert resumed.advance() == expected
+            world.clock += 0.25
+
+
+def test_a_snapshot_does_not_change_when_the_machine_goes_on() -> None:
+    machine = Machine(program(RICH.replace("\n", ""), RICH_REST), Ticking())
+    state = machine.snapshot()
+    before = repr(state)
+    for _ in range(5):
+        machine.advance()
+    assert repr(state) == before
+    assert hash(state) == hash(state)

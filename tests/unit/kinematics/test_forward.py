@@ -1,0 +1,84 @@
+import subprocess
+import sys
+from math import pi
+
+import numpy as np
+import pytest
+
+from ropsim import kinematics, robots
+from ropsim.kinematics.forward_kernel import forward_rows
+from support.arms import random_arm
+
+ROUNDING = 1e-14
+"""A few rounding errors of numbers of the order of 1."""
+
+PUMA = robots.load("puma560")
+TWO_LINK = robots.load("two_link")
+
+
+def test_two_link_arm_points_where_geometry_says() -> None:
+    np.testing.assert_allclose(kinematics.forward(TWO_LINK, [0.0, 0.0]).position, [2, 0, 0], atol=ROUNDING)
+    np.testing.assert_allclose(kinematics.forward(TWO_LINK, [pi / 2, 0.0]).position, [0, 0, 2], atol=ROUNDING)
+    np.testing.assert_allclose(kinematics.forward(TWO_LINK, [0.0, pi / 2]).position, [1, 0, 1], atol=ROUNDING)
+
+
+@pytest.mark.parametrize("types", ["R", "P", "RPR", "PRRPRRR"])
+def test_compiled_and_plain_forward_kinematics_agree(types: str) -> None:
+    robot = random_arm(3, types)
+    Q = np.random.default_rng(1).uniform(-3.0, 3.0, (20, robot.n))
+    frames = kinematics.frames_batch(robot, Q)
+    np.testing.assert_allclose(kinematics.forward_batch(robot, Q), frames[:, -1], atol=10 * ROUNDING)
+    np.testing.assert_allclose(kinematics.joint_frames(robot, Q[7]), frames[7], atol=ROUNDING)
+    np.testing.assert_allclose(kinematics.forward(robot, Q[7]).matrix(), frames[7, -1], atol=10 * ROUNDING)
+
+
+def test_the_kernel_does_the_same_without_numba() -> None:
+    plain = getattr(forward_rows, "py_func", forward_rows)
+    Q = np.random.default_rng(2).uniform(-3.0, 3.0, (3, 6))
+    from ropsim.kinematics.arrays import chain_arrays
+
+    chain, out = chain_arrays(PUMA), np.empty((3, 4, 4))
+    plain(chain.R, chain.p, chain.slides, chain.offset, chain.X_nM, Q, out)
+    np.testing.assert_allclose(out, kinematics.forward_batch(PUMA, Q), atol=ROUNDING)
+
+
+def test_frames_have_the_joint_axes_as_z() -> None:
+    frames = kinematics.joint_frames(PUMA, np.zeros(6))
+    np.testing.assert_allclose(frames[0, :3, 2], [0, 0, 1], atol=ROUNDING)
+    np.testing.assert_allclose(frames[1, :3, 2], [0, -1, 0], atol=ROUNDING)
+    np.testing.assert_allclose(frames[1, :3, 3], [0, 0, 0.67183], atol=ROUNDING)
+
+
+def test_no_rows_give_no_poses() -> None:
+    assert kinematics.forward_batch(PUMA, np.empty((0, 6))).shape == (0, 4, 4)
+
+
+def test_a_row_with_nan_gives_a_pose_with_nan() -> None:
+    Q = np.zeros((2, 6))
+    Q[1, 0] = np.nan
+    T = kinematics.forward_batch(PUMA, Q)
+    assert np.isfinite(T[0]).all()
+    assert np.isnan(T[1]).any()
+
+
+def test_a_wrong_number_of_coordinates_names_array_and_shapes() -> None:
+    with pytest.raises(kinematics.ArrayShapeError) as caught:
+        kinematics.forward(PUMA, [0.0] * 5)
+    assert caught.value.diagnostic.code == "M551"
+    assert caught.value.diagnostic.message == "`q` has the shape (5,), allowed is (6,)"
+
+
+def test_a_vector_is_no_batch() -> None:
+    with pytest.raises(kinematics.ArrayShapeError, match=r"`Q` has the shape \(6,\), allowed is \(k, 6\)"):
+        kinematics.forward_batch(PUMA, np.zeros(6))
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_coordinates_that_are_not_finite_are_refused(value: float) -> None:
+    with pytest.raises(kinematics.NotFiniteError, match="M552"):
+        kinematics.forward(PUMA, [0.0, value, 0.0, 0.0, 0.0, 0.0])
+
+
+def test_importing_kinematics_and_robots_does_not_import_numba() -> None:
+    code = "import sys, ropsim.kinematics, ropsim.robots; sys.exit('numba' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,0 +1,58 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.core import RopsimError
+from ropsim.model import audit
+
+
+def test_all_names_load_a_robot_of_that_name() -> None:
+    assert {name: robots.load(name).name for name in robots.names()} == {
+        "puma560": "puma560",
+        "two_link": "two_link",
+    }
+
+
+def test_a_robot_is_made_once() -> None:
+    assert robots.load("puma560") is robots.load("puma560")
+
+
+def test_an_unknown_name_is_answered_with_a_near_one() -> None:
+    with pytest.raises(RopsimError) as caught:
+        robots.load("puma650")
+    assert caught.value.diagnostic.code == "X860"
+    assert caught.value.diagnostic.hint == "did you mean `puma560`?"
+    assert "`two_link`" in caught.value.diagnostic.message
+
+
+def test_the_controller_of_the_puma_has_gains_for_six_joints() -> None:
+    controller = robots.default_controller("puma560")
+    for gains in (controller.gains.kp, controller.gains.kv, controller.gains.ki, controller.gains.kf):
+        assert gains.shape == (6,)
+        assert (gains > 0.0).all()
+    assert (controller.in_position < 1e-3).all()
+
+
+def test_a_changed_model_keeps_the_controller_of_its_name() -> None:
+    changed = replace(robots.load("puma560"), home=np.zeros(6))
+    assert robots.default_controller(changed) is robots.default_controller("puma560")
+
+
+def test_a_robot_without_drives_has_no_controller() -> None:
+    with pytest.raises(robots.NoControllerError, match="X861"):
+        robots.default_controller("two_link")
+
+
+def test_the_controller_of_an_unknown_robot_is_an_unknown_robot() -> None:
+    with pytest.raises(robots.UnknownRobotError):
+        robots.default_controller("pumba")
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_every_group_of_parameters_states_where_it_comes_from(name: str) -> None:
+    origins = robots.load(name).origins
+    assert {origin.kind for origin in origins} <= {"published", "derived", "estimated"}
+    assert all(len(origin.source) > 10 for origin in origins)
+    assert not [finding for finding in audit(robots.load(name)) if finding.is_error]

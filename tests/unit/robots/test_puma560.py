@@ -1,0 +1,54 @@
+import numpy as np
+import pytest
+
+from ropsim import dynamics, robots
+from ropsim.kinematics import Elbow, Posture, Shoulder, Wrist, forward, posture
+
+PUMA = robots.load("puma560")
+
+
+def test_limits_are_those_of_wang_and_chen() -> None:
+    np.testing.assert_allclose(np.degrees(PUMA.upper_limits), [160, 110, 135, 266, 100, 266])
+    np.testing.assert_array_equal(PUMA.lower_limits, -PUMA.upper_limits)
+
+
+def test_home_points_the_tool_straight_down_in_front_of_the_arm() -> None:
+    X_BM = forward(PUMA, PUMA.home)
+    np.testing.assert_allclose(X_BM.rotation()[:, 2], [0.0, 0.0, -1.0], atol=1e-12)
+    assert X_BM.position[0] > 0.4
+    assert posture(PUMA, PUMA.home) == Posture(Shoulder.RIGHT, Elbow.DOWN, Wrist.NOFLIP)
+
+
+def test_home_is_clear_of_all_limits() -> None:
+    margin = np.minimum(PUMA.home - PUMA.lower_limits, PUMA.upper_limits - PUMA.home)
+    assert np.degrees(margin.min()) >= 10.0 - 1e-9
+
+
+@pytest.mark.parametrize("index", range(6))
+def test_the_amplifier_can_drive_the_joint_at_its_speed_limit(index: int) -> None:
+    """Back-EMF, friction and, at joints 2 and 3, gravity at full speed need no more than the voltage."""
+    joint, drive = PUMA.joints[index], PUMA.drives[index]
+    ratio, motor, friction = abs(drive.ratio), drive.motor, drive.friction
+    gravity = (0.0, 60.0, 10.0, 0.0, 0.0, 0.0)[index]  # arm stretched out, generously rounded [N·m]
+    coulomb = max(friction.coulomb_positive, -friction.coulomb_negative)
+    torque = friction.viscous * ratio**2 * joint.max_speed + coulomb * ratio + gravity
+    current = torque / (motor.torque_constant * ratio)
+    voltage = motor.back_emf_constant * ratio * joint.max_speed + motor.resistance * current
+    assert current < drive.amplifier.max_current
+    assert voltage < drive.amplifier.max_voltage
+
+
+def test_the_largest_current_gives_the_torque_limit() -> None:
+    for joint, drive in zip(PUMA.joints, PUMA.drives, strict=True):
+        torque = drive.amplifier.max_current * drive.motor.torque_constant * abs(drive.ratio)
+        assert torque == pytest.approx(joint.max_effort, rel=0.03)
+
+
+def test_speed_loops_are_fast_enough_and_below_half_the_electrical_pole() -> None:
+    kv = robots.default_controller(PUMA).gains.kv
+    for q in np.random.default_rng(1).uniform(PUMA.lower_limits, PUMA.upper_limits, (200, 6)):
+        inertias = np.diag(dynamics.mass_matrix(PUMA, q))
+        for drive, gain, inertia in zip(PUMA.drives, kv, inertias, strict=True):
+            motor = drive.motor
+            crossover = gain * motor.torque_constant * abs(drive.ratio) / (motor.resistance * inertia)
+            assert 120.0 < crossover < 0.5 * motor.resistance / motor.inductance

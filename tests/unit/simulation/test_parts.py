@@ -1,0 +1,74 @@
+import numpy as np
+
+from ropsim import robots
+from ropsim.model import Cell, Gripper, Part, Sink, Tool
+from ropsim.simulation.parts import close_on, initial_parts, payload, release
+from ropsim.spatial import Pose
+
+JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.1])), 1.0, gripper=Gripper(0.2, 0.2, 0.005))
+DOWN = np.array([0.0, 1.0, 0.0, 0.0])
+
+
+def part(name: str, x: float, supply: str = "", turn: int = 0) -> Part:
+    return Part(name, np.array([0.06, 0.06, 0.04]), 0.5, Pose(np.array([x, 0.0, 0.04])), supply, turn)
+
+
+def cell(*parts: Part) -> Cell:
+    robot = robots.load("puma560")
+    return Cell(
+        "c",
+        robot,
+        robots.default_controller("puma560"),
+        tools={"jaws": JAWS},
+        parts=parts,
+        sinks=(Sink("bin", (0.9, 0.0, 0.04), 0.02),),
+    )
+
+
+def at(x: float) -> Pose:
+    """Mechanical interface above x, tool pointing down, TCP at the height of the grasp points."""
+    return Pose(np.array([x, 0.0, 0.14]), DOWN)
+
+
+def test_closing_takes_the_nearest_part_within_the_capture() -> None:
+    scene = cell(part("a", 0.500), part("b", 0.501))
+    state = close_on(initial_parts(scene), scene, JAWS, at(0.5007))
+    assert state.grasp is not None
+    assert state.grasp.part.name == "b"
+    assert set(state.resting) == {"a"}
+
+
+def test_closing_beside_a_part_takes_nothing() -> None:
+    scene = cell(part("a", 0.5))
+    assert close_on(initial_parts(scene), scene, JAWS, at(0.506)).grasp is None
+
+
+def test_a_grasped_part_adds_its_mass_at_its_centre() -> None:
+    scene = cell(part("a", 0.5))
+    load = payload(close_on(initial_parts(scene), scene, JAWS, at(0.5)), JAWS)
+    assert load.mass == 1.5
+    # tool mass at the interface, part centre 20 mm beyond the TCP at 100 mm
+    np.testing.assert_allclose(load.com, [0.0, 0.0, 0.5 * 0.12 / 1.5], atol=1e-12)
+
+
+def test_a_supply_shows_the_next_part_when_one_is_taken() -> None:
+    scene = cell(part("a", 0.5, "infeed", 0), part("b", 0.5, "infeed", 1), part("c", 0.5, "infeed", 2))
+    state = initial_parts(scene)
+    assert set(state.resting) == {"a"}
+    state = close_on(state, scene, JAWS, at(0.5))
+    assert set(state.resting) == {"b"}
+    assert state.queued == {"c"}
+
+
+def test_a_released_part_stays_where_it_was_put() -> None:
+    scene = cell(part("a", 0.5))
+    state = release(close_on(initial_parts(scene), scene, JAWS, at(0.5)), scene, at(0.7))
+    assert state.grasp is None
+    np.testing.assert_allclose(state.resting["a"].position, [0.7, 0.0, 0.04], atol=1e-12)
+
+
+def test_a_part_released_at_a_sink_leaves() -> None:
+    scene = cell(part("a", 0.5))
+    state = release(close_on(initial_parts(scene), scene, JAWS, at(0.5)), scene, at(0.9))
+    assert state.left == ("a",)
+    assert not state.resting

@@ -1,0 +1,74 @@
+"""What is recorded, and when."""
+
+import numpy as np
+import pytest
+
+from ropsim.dynamics import torque_constants
+from ropsim.model import Payload
+from ropsim.simulation import OptionError, Servo
+from support.servo_cases import GOAL, START, puma, quintic, standing
+
+NOTHING = Payload()
+
+
+@pytest.fixture(scope="module")
+def servo() -> Servo:
+    return Servo.build(*puma())
+
+
+def test_row_zero_is_the_start_at_its_own_reference(servo: Servo) -> None:
+    start = servo.initial_state(START)
+    recorder = servo.recorder(start)
+    channels = recorder.channels()
+    assert recorder.ticks.tolist() == [0.0]
+    np.testing.assert_array_equal(channels["q"][0], START)
+    np.testing.assert_array_equal(channels["q_ref"][0], START)
+    resistance = [one.motor.resistance for one in servo.robot.drives]
+    np.testing.assert_allclose(channels["voltage"][0], resistance * start.current, rtol=1e-15)
+
+
+def test_a_row_holds_the_state_at_the_end_of_its_tick_beside_its_reference(servo: Servo) -> None:
+    reference = quintic(START, GOAL, 30)
+    state = servo.initial_state(START)
+    recorder = servo.recorder(state)
+    after = servo.run(state, reference, NOTHING, recorder)
+    channels = recorder.channels()
+    np.testing.assert_array_equal(channels["q"][-1], after.q)
+    np.testing.assert_array_equal(channels["qd"][-1], after.qd)
+    np.testing.assert_array_equal(channels["current"][-1], after.current)
+    np.testing.assert_array_equal(channels["q_ref"][1:], reference.q)
+    np.testing.assert_array_equal(channels["qd_ref"][1:], reference.qd)
+    np.testing.assert_array_equal(channels["tau"], channels["current"] * torque_constants(servo.robot.drives))
+
+
+@pytest.mark.parametrize("decimation", [1, 3, 10])
+def test_rows_are_equally_spaced_ticks_that_the_decimation_divides(servo: Servo, decimation: int) -> None:
+    state = servo.initial_state(START)
+    recorder = servo.recorder(state, decimation)
+    for ticks in (7, 1, 22):
+        state = servo.run(state, standing(START, ticks), NOTHING, recorder)
+    assert recorder.ticks.tolist() == list(range(0, 31, decimation))
+    assert recorder.channels()["q"].shape == (recorder.rows, 6)
+
+
+def test_a_recording_may_begin_between_two_rows(servo: Servo) -> None:
+    state = servo.initial_state(START)
+    state = servo.run(state, standing(START, 7), NOTHING, servo.recorder(state))
+    late = servo.recorder(state, 5)
+    servo.run(state, standing(START, 8), NOTHING, late)
+    assert late.ticks.tolist() == [10.0, 15.0]
+
+
+def test_a_decimation_below_one_is_refused(servo: Servo) -> None:
+    with pytest.raises(OptionError, match="`decimation` is `0`"):
+        servo.recorder(servo.initial_state(START), 0)
+
+
+def test_the_log_grows_and_keeps_what_it_holds(servo: Servo) -> None:
+    state = servo.initial_state(START)
+    recorder = servo.recorder(state)
+    state = servo.run(state, quintic(START, GOAL, 100), NOTHING, recorder)
+    early = recorder.channels()["q"].copy()
+    servo.run(state, standing(GOAL, 6000), NOTHING, recorder)
+    assert recorder.rows == 6101
+    np.testing.assert_array_equal(recorder.channels()["q"][:101], early)

@@ -1,0 +1,150 @@
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import numpy as np
+from support.recordings import SOURCE, empty_recording, header, pick_and_place, two_findings
+
+from ropsim.core import Diagnostic, Severity
+from ropsim.flow import Channel, Event, Recording
+from ropsim.views import html_report, summarize
+
+VOID = {"meta", "br"}
+HOSTILE = "<script>alert('x')</script>\"&\x00\x1b\ud800"
+LARGEST = 1_500_000
+"""Bytes that the report of a run of 220 s at 1 kHz may have."""
+
+
+class Outline(HTMLParser):
+    """Checks that elements nest, and gathers tags, ids and attributes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[str] = []
+        self.ids: list[str] = []
+        self.links: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        values = dict(attrs)
+        self.ids += [value for name, value in attrs if name == "id" and value]
+        self.links += [str(values[name]) for name in ("src", "href", "xlink:href") if name in values]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def page(recording: Recording) -> str:
+    return html_report(recording, summarize(recording), {SOURCE.name: SOURCE})
+
+
+def outline(text: str) -> Outline:
+    parser = Outline()
+    parser.feed(text)
+    parser.close()
+    assert parser.open == []
+    return parser
+
+
+def test_elements_nest_and_ids_are_unique() -> None:
+    found = outline(page(pick_and_place(findings=two_findings())))
+    assert len(found.ids) == len(set(found.ids))
+    assert found.tags.count("h1") == 1
+
+
+def test_page_needs_no_network() -> None:
+    text = page(pick_and_place(findings=two_findings()))
+    assert outline(text).links == []
+    assert "url(" not in text
+    assert "@import" not in text
+    assert "default-src &#39;none&#39;" in text
+
+
+def test_every_picture_has_title_and_description() -> None:
+    found = outline(page(pick_and_place()))
+    assert found.tags.count("svg") >= 9
+    assert found.tags.count("desc") == found.tags.count("svg")
+
+
+def test_every_chart_of_the_contract_is_there() -> None:
+    text = page(pick_and_place())
+    for name in ("q", "qd", "tau", "current", "q_error", "tcp", "top", "side", "schedule", "signals"):
+        assert f'id="chart-{name}-t"' in text
+
+
+def test_hostile_names_are_escaped_everywhere() -> None:
+    recording = pick_and_place(1)
+    finding = Diagnostic("M502", HOSTILE, Severity.ERROR, HOSTILE, SOURCE.span(9), HOSTILE, (), (HOSTILE,), HOSTILE)
+    robot = {**header()["robot"], "title": HOSTILE, "joint_names": [HOSTILE] * 6}  # type: ignore[dict-item]  # a mapping
+    hostile = replace(
+        recording,
+        header={**header(), "project": HOSTILE, "program": HOSTILE, "robot": robot, "icr_id": HOSTILE}
+        | {"estimated": [HOSTILE], "ropsim": HOSTILE},
+        findings=(finding,),
+        events=(
+            *recording.events,
+            Event(0.0, "task", HOSTILE, None, 1.0, {"name": HOSTILE}),
+            Event(0.0, "skip", HOSTILE, SOURCE.span(3)),
+            Event(0.0, "move", HOSTILE, None, 1.0, {"kind": HOSTILE}),
+        ),
+        channels={
+            **recording.channels,
+            f"signal.{HOSTILE}": Channel(recording.channels["payload"].values, HOSTILE),
+        },
+    )
+    text = page(hostile)
+    assert outline(text).tags.count("script") == 1
+    assert "alert('x')" not in text
+    assert not re.search("[\x00-\x08\x0b-\x1f\ud800-\udfff]", text)
+    text.encode("utf-8")
+
+
+def test_findings_quote_their_source_line() -> None:
+    text = page(pick_and_place(findings=two_findings()))
+    assert "16 |   mov above(at)" in text
+    assert "passes 1-3" in text
+
+
+def test_report_of_a_long_run_stays_small() -> None:
+    time = np.arange(220_000) / 1000.0
+    generator = np.random.default_rng(1)
+    short = pick_and_place(1)
+    channels = {
+        name: replace(channel, values=generator.normal(size=(time.size, *channel.values.shape[1:])))
+        for name, channel in short.channels.items()
+        if name not in {"line", "move"}
+    }
+    text = page(replace(short, time=time, channels=channels))
+    assert len(text.encode()) < LARGEST
+
+
+def test_peaks_survive_the_decimation() -> None:
+    recording = pick_and_place(2)
+    tau = np.zeros_like(recording.channels["tau"].values)
+    tau[321, 4] = 17.77
+    text = page(replace(recording, channels={**recording.channels, "tau": Channel(tau, "N·m")}))
+    assert "<tspan>17.8</tspan>" in text
+
+
+def test_empty_recording_has_a_page() -> None:
+    text = page(empty_recording())
+    outline(text)
+    assert "nan" not in text
+
+
+def test_run_that_is_not_finite_has_a_page() -> None:
+    recording = pick_and_place(1)
+    channels = {name: replace(c, values=np.full_like(c.values, np.nan)) for name, c in recording.channels.items()}
+    text = page(replace(recording, channels=channels))
+    outline(text)
+    assert "not finite: the integration failed" in text
+
+
+def test_same_recording_gives_the_same_page() -> None:
+    assert page(pick_and_place(1)) == page(pick_and_place(1))

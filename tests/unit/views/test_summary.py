@@ -1,0 +1,145 @@
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from support.recordings import empty_recording, header, pick_and_place, two_findings
+
+from ropsim.flow import Channel, Event, Recording
+from ropsim.views import summarize
+
+ROUNDING = 1e-12
+"""Sums of a few dozen floats."""
+
+
+def with_channel(recording: Recording, name: str, values: "np.typing.NDArray[np.float64]") -> Recording:
+    channel = replace(recording.channels[name], values=values)
+    return replace(recording, channels={**recording.channels, name: channel})
+
+
+def ramp(q: list[float], **channels: list[float]) -> Recording:
+    """A run of one joint at 10 Hz."""
+    time = np.arange(len(q)) / 10.0
+    table = {name: Channel(np.array(values)[:, None], "") for name, values in {"q": q, **channels}.items()}
+    return Recording(time, table, (), (), float(time[-1]), header())
+
+
+def test_cycle_time_is_the_end_of_the_last_event() -> None:
+    recording = replace(
+        pick_and_place(1), events=(Event(1.0, "move", "", duration=2.0), Event(2.5, "wait", "", duration=1.5))
+    )
+    assert summarize(recording).cycle_time == pytest.approx(4.0, abs=ROUNDING)
+
+
+def test_moves_are_counted_by_kind() -> None:
+    summary = summarize(pick_and_place(2))
+    assert dict(summary.moves) == {"PTP": 4, "LIN": 8}
+    assert (summary.grips, summary.releases) == (2, 2)
+
+
+def test_settle_times_add_up() -> None:
+    assert summarize(pick_and_place(2)).settle_total == pytest.approx(12 * 0.02, abs=ROUNDING)
+
+
+def test_share_in_motion_counts_samples_with_any_joint_reference_moving() -> None:
+    recording = pick_and_place(1)
+    moving = np.zeros_like(recording.channels["qd_ref"].values)
+    moving[: len(moving) // 4, 2] = 0.1
+    moving[len(moving) // 4 : len(moving) // 2, 5] = -0.1
+    share = summarize(with_channel(recording, "qd_ref", moving)).share_in_motion
+    assert share == pytest.approx(0.5, abs=1.0 / len(moving))
+
+
+def test_rounding_noise_of_a_reference_is_not_motion() -> None:
+    recording = pick_and_place(1)
+    noise = np.full_like(recording.channels["qd_ref"].values, 1e-9)
+    assert summarize(with_channel(recording, "qd_ref", noise)).share_in_motion == 0.0
+
+
+def test_tasks_have_calls_total_mean_and_longest() -> None:
+    events = (
+        Event(0.0, "task", "pick", None, 2.0, {"name": "pick", "serial": 1, "depth": 1}),
+        Event(2.0, "task", "pick", None, 4.0, {"name": "pick", "serial": 2, "depth": 1}),
+        Event(0.0, "task", "main", None, 6.0, {"name": "main", "serial": 0, "depth": 0}),
+    )
+    main, pick = summarize(replace(pick_and_place(1), events=events)).tasks
+    assert (main.name, main.depth) == ("main", 0)
+    assert (pick.calls, pick.total, pick.mean, pick.longest) == (2, 6.0, 3.0, 4.0)
+
+
+def test_peak_torque_is_the_largest_magnitude_with_its_time_and_line() -> None:
+    recording = pick_and_place(1)
+    tau = np.zeros_like(recording.channels["tau"].values)
+    tau[7, 0], tau[9, 0] = 20.0, -48.8
+    joint = summarize(with_channel(recording, "tau", tau)).joints[0]
+    assert joint.effort.value == -48.8
+    assert joint.effort.time == recording.time[9]
+    assert joint.effort.line == recording.channels["line"].values[9]
+    assert joint.effort_share == pytest.approx(0.5, abs=ROUNDING)
+
+
+def test_closest_approach_names_the_limit_and_the_moment() -> None:
+    lower, upper = math.radians(-160.0), math.radians(160.0)
+    joint = summarize(ramp([0.0, upper - 0.1, 0.0, lower + 0.3])).joints[0]
+    assert joint.nearest_upper.margin == pytest.approx(0.1, abs=ROUNDING)
+    assert joint.nearest_upper.time == 0.1
+    assert joint.nearest_lower.margin == pytest.approx(0.3, abs=ROUNDING)
+    assert joint.nearest.side == "upper"
+
+
+def test_margin_beyond_a_limit_is_negative() -> None:
+    joint = summarize(ramp([0.0, math.radians(161.0)])).joints[0]
+    assert joint.nearest.margin == pytest.approx(math.radians(-1.0), abs=ROUNDING)
+
+
+def test_following_error_has_rms_and_maximum() -> None:
+    joint = summarize(ramp([0.0] * 4, q_error=[3.0, -4.0, 0.0, 0.0])).joints[0]
+    assert joint.following_max.value == -4.0
+    assert joint.following_rms == pytest.approx(2.5, abs=ROUNDING)
+
+
+def test_samples_that_are_not_finite_do_not_count_but_are_reported() -> None:
+    recording = pick_and_place(1)
+    tau = recording.channels["tau"].values.copy()
+    tau[3, 0], tau[4, 1] = np.nan, np.inf
+    summary = summarize(with_channel(recording, "tau", tau))
+    assert math.isfinite(summary.joints[0].effort.value)
+    assert math.isfinite(summary.joints[1].effort.value)
+    assert summary.invalid_samples == 2
+    assert not summary.cycle_time_valid
+
+
+def test_skipped_moves_make_the_cycle_time_invalid() -> None:
+    recording = pick_and_place(1)
+    skipped = replace(recording, events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    assert summarize(recording).cycle_time_valid
+    assert not summarize(skipped).cycle_time_valid
+
+
+def test_findings_are_sorted_by_severity_and_counted_with_repeats() -> None:
+    summary = summarize(pick_and_place(1, findings=two_findings()))
+    assert [group.first.code for group in summary.findings] == ["M502", "S703"]
+    assert (summary.error_count, summary.warning_count) == (3, 1)
+
+
+def test_empty_recording_has_a_summary_of_nothing() -> None:
+    summary = summarize(empty_recording())
+    assert summary.joints == ()
+    assert summary.path.moves == ()
+    assert summary.cycle_time == 0.0
+    assert math.isnan(summary.share_in_motion)
+
+
+def test_kinematic_run_without_torques_has_unknown_torques() -> None:
+    recording = pick_and_place(1)
+    channels = {name: c for name, c in recording.channels.items() if name not in {"tau", "current", "voltage"}}
+    joint = summarize(replace(recording, channels=channels)).joints[0]
+    assert math.isnan(joint.effort.value)
+    assert math.isnan(joint.effort_share)
+
+
+@pytest.mark.parametrize("robot", [None, 3, {"joint_names": "x", "lower": [None], "joint_types": [["?"]]}])
+def test_odd_header_is_read_without_complaint(robot: object) -> None:
+    summary = summarize(replace(pick_and_place(1), header={"robot": robot, "rates": [], "estimated": 5}))
+    assert len(summary.joints) == 6
+    assert summary.header.estimated == ()

@@ -1,0 +1,68 @@
+import re
+from dataclasses import replace
+
+import numpy as np
+from support.golden import GOLDEN, check_golden
+from support.recordings import empty_recording, header, pick_and_place, two_findings
+
+from ropsim.flow import Channel, Event
+from ropsim.views import Style, summarize, terminal_report
+from ropsim.views.characters import width
+
+COLUMNS = 80
+
+
+def report(**changes: object) -> str:
+    recording = pick_and_place(3, findings=two_findings())
+    return terminal_report(summarize(replace(recording, **changes)), Style.PLAIN)  # type: ignore[arg-type]  # field names
+
+
+def test_report_looks_as_in_the_golden_file() -> None:
+    check_golden(GOLDEN / "views" / "report.txt", report())
+
+
+def test_report_fits_80_columns() -> None:
+    assert max(width(line) for line in report().splitlines()) <= COLUMNS
+
+
+def test_long_names_do_not_break_the_columns() -> None:
+    events = (Event(0.0, "task", "t" * 200, None, 1.0, {"name": "t" * 200, "depth": 9}),)
+    text = report(events=events, header={**header(), "project": "p" * 300})
+    assert max(width(line) for line in text.splitlines()) <= COLUMNS
+
+
+def test_skipped_moves_are_told_first_and_beside_the_cycle_time() -> None:
+    recording = pick_and_place(1)
+    text = report(events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    assert "1 move skipped: the cycle time is not that of the program" in text
+    assert re.search(r"cycle time .* not valid", text)
+
+
+def test_torque_beyond_its_limit_is_marked() -> None:
+    recording = pick_and_place(1)
+    tau = np.full_like(recording.channels["tau"].values, 10.0)
+    tau[5, 0] = 120.0
+    text = report(channels={**recording.channels, "tau": Channel(tau, "N·m")}, time=recording.time)
+    assert "123 % !!" in text
+
+
+def test_estimated_parameters_are_named() -> None:
+    assert "estimated, not from a published source: motor resistance" in report()
+
+
+def test_kinematic_run_says_that_torques_are_not_known() -> None:
+    assert "kinematic run" in report(header={**header(), "fidelity": "kinematic"})
+
+
+def test_empty_recording_has_a_report() -> None:
+    text = terminal_report(summarize(empty_recording()), Style.PLAIN)
+    assert "cycle time   0.00 s" in text
+    assert "nan" not in text
+
+
+def test_colour_changes_nothing_but_colour() -> None:
+    summary = summarize(pick_and_place(1, findings=two_findings()))
+    coloured = terminal_report(summary, Style.COLOR)
+    plain = terminal_report(summary, Style.PLAIN)
+    assert coloured != plain
+    assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == plain
