@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from ropsim.motion import (
     JointMotionLimits,
     LineLimits,
+    OrientationMode,
     Profile,
     ProfileLimits,
     durations,
@@ -126,17 +127,17 @@ def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start:
     assert np.abs(np.cross(offsets, way)).max() < 1e-14
     rotations = matrices[:, :3, :3]
     assert np.abs(rotations @ np.swapaxes(rotations, 1, 2) - np.eye(3)).max() < 1e-13
-    axis = X_start.rotation() @ trajectory.axis
-    assert np.abs(rotations @ trajectory.axis - axis).max() < 1e-13
+    axis = X_start.rotation() @ trajectory.turn.axis
+    assert np.abs(rotations @ trajectory.turn.axis - axis).max() < 1e-13
     speed, turning = trajectory.speeds(t)
     assert speed.max() <= LINE_LIMITS.speed * (1.0 + ROUNDING)
     assert turning.max() <= LINE_LIMITS.orientation_speed * (1.0 + ROUNDING)
 
 
 @settings(max_examples=100, deadline=None, derandomize=True)
-@given(poses, poses)
-def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose) -> None:
-    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS)
+@given(poses, poses, st.sampled_from(OrientationMode))
+def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose, mode: OrientationMode) -> None:
+    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS, mode)
     assume(trajectory.duration > 0.0)
     ends = trajectory.matrices(np.array([0.0, trajectory.duration]))
     assert np.abs(ends[0] - X_start.matrix()).max() < 1e-14

@@ -19,6 +19,7 @@ from ropsim.controller.joint_controller import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.joint_controller import external_law as external_law
 from ropsim.controller.joint_controller import law_of as law_of
 from ropsim.controller.joint_interpolator import SplineJointInterpolator as SplineJointInterpolator
+from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.sensor_interface import ScriptedSensors as ScriptedSensors
 from ropsim.controller.work_frames import WorkFrames as WorkFrames

@@ -1,5 +1,6 @@
 """Checks of the joint samples along a line: limits, speeds, accelerations, and what stops the joints."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -130,7 +131,7 @@ def speed_refusals(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic,
         f"the limit is {rate(joint, joint.max_speed, '/s')}",
         label=passes(line.move.origin),
         notes=_singularity_notes(robot, q[row]),
-        hint=f"lower the path speed to {100.0 / factor:.0f} % of what it is, or use PTP"
+        hint=f"lower the path speed to {math.floor(100.0 / factor)} % of what it is, or use PTP"
         if factor < 100.0
         else "keep away from the singularity, or use PTP",
         data={
@@ -167,14 +168,15 @@ def acceleration_findings(line: Line, q: Array, robot: RobotModel) -> tuple[Diag
 
 
 def end_findings(line: Line, q_end: Array) -> tuple[Diagnostic, ...]:
-    """Return M514 where the target was given in joint coordinates and the line ends in others."""
+    """Return M514 where a line to joint coordinates ends in others; only at its first visit."""
     target = line.move.target
+    if line.move.origin.visit > 1:
+        return ()
     if not isinstance(target, tuple) or float(np.abs(q_end - np.array(target)).max()) <= _SAME_JOINTS:
         return ()
     finding = OTHER_JOINTS_AT_LINE_END.at(
         line.move.origin.span,
         "the line reaches the pose of the target, but with other joint coordinates",
-        label=passes(line.move.origin),
         hint="use PTP to reach exactly these joint coordinates",
     )
     return (finding,)

@@ -19,6 +19,7 @@ from ropsim.motion import (
     JointTrajectory,
     LineLimits,
     LineTrajectory,
+    OrientationMode,
     joint_trajectory,
     line_trajectory,
     whole_periods,
@@ -41,6 +42,7 @@ class StandardPathPlanner:
         frames: task frames of the cell, X_BK by name.
         default_tool: tool in force where a program names none; empty for none.
         home: joint coordinates of a target without coordinates [rad | m], shape (n,).
+        orientation: how the tool turns on lines.
     """
 
     robot: RobotModel
@@ -49,6 +51,7 @@ class StandardPathPlanner:
     frames: Mapping[str, Pose]
     default_tool: str
     home: Array
+    orientation: OrientationMode = OrientationMode.FIXED_AXIS
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
@@ -119,7 +122,8 @@ class StandardPathPlanner:
             if isinstance(goal, Refusal):
                 return goal
             X_BT = self._tool_pose_at(goal, X_MT)
-        return line_trajectory(self._tool_pose_at(q_start, X_MT), X_BT, self._line_limits(move.modal))
+        X_start = self._tool_pose_at(q_start, X_MT)
+        return line_trajectory(X_start, X_BT, self._line_limits(move.modal), self.orientation)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
         return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT

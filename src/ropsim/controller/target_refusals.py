@@ -81,9 +81,9 @@ def posture_change(
     move: MoveInstruction, robot: RobotModel, q_start: Array, q_end: Array
 ) -> tuple[Diagnostic, ...]:
     """Return M511 for a move that cannot keep its posture; only at its first visit."""
-    if move.origin.visit > 1:
-        return ()
     before, after = posture(robot, q_start), posture(robot, q_end)
+    if move.origin.visit > 1 or before == after:
+        return ()
     changes = ", ".join(
         f"{part} from {old.name.lower()} to {new.name.lower()}"
         for part, old, new in (

@@ -149,7 +149,8 @@ def _close_down_to(stack: list[_Open], depth: int, report: Report) -> None:
 
 def _pop(stack: list[_Open], closer: Line | None) -> None:
     block = stack.pop().close(closer)
-    stack[-1].body.append(block)
+    if len(stack) <= MAX_DEPTH:  # what lies deeper was reported where it begins
+        stack[-1].body.append(block)
 
 
 def _opener(line: Line) -> str:

@@ -51,17 +51,25 @@ def compile(text: str, signatures: Environment = NO_SIGNATURES, name: str = "<te
     source = SourceText(name, text)
     report = Report(name)
     program = _structured(source, signatures, report)
-    icr = None
-    if program is not None and not any(d.is_error for d in report.found):
-        report.found.extend(recursion(program))
-        if not any(d.is_error for d in report.found):
-            report.found.extend(check_contracts(program))
-            icr = lower(program, name)
+    icr = _lowered(program, report) if program is not None and not report.has_errors else None
     return Compiled(program, icr, report.in_order(), source)
+
+
+def _lowered(program: Program, report: Report) -> IcrProgram | None:
+    """Return the executable form; None where tasks call each other in a circle."""
+    report.extend(recursion(program))
+    if report.has_errors:
+        return None
+    report.extend(check_contracts(program))
+    return lower(program, report.source)
 
 
 def _structured(source: SourceText, environment: Environment, report: Report) -> Program | None:
     """Run the phases; None where the text holds more wrong lines than are worth looking at."""
+    if len(source.lines) > texts.MAX_LINES:
+        message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
+        report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
+        return None
     try:
         lines = _lines(source, environment, report)
         tree = blocks.build(lines, report)
@@ -81,9 +89,6 @@ def _lines(source: SourceText, environment: Environment, report: Report) -> list
         faults += line.fault is not None
         if faults > 2 * MAX_FINDINGS:
             break
-    if len(source.lines) > texts.MAX_LINES:
-        message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
-        report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
     headers = (line.statement for line in read)
     names = frozenset(h.name.text for h in headers if isinstance(h, TaskHeader)) | frozenset(
         environment.tasks

@@ -1,5 +1,6 @@
 """Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
 
+from collections.abc import Iterable
 from typing import Protocol
 
 from ropsim.core import Diagnostic, Kind, Span, TextEdit
@@ -73,6 +74,19 @@ class Report:
             self.found.append(kinds.TOO_MANY.at(place, message, hint="mend the first ones and compile again"))
             raise TooManyFindingsError
         self.found.append(diagnostic)
+
+    def extend(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Keep diagnostics of later phases, as far as the list takes them."""
+        try:
+            for diagnostic in diagnostics:
+                self.add(diagnostic)
+        except TooManyFindingsError:
+            return
+
+    @property
+    def has_errors(self) -> bool:
+        """Return whether anything found is an error."""
+        return any(d.is_error for d in self.found)
 
     def in_order(self) -> tuple[Diagnostic, ...]:
         """Return the diagnostics by place, each once."""

@@ -55,8 +55,6 @@ class Line:
 def read(source: SourceText, cache: dict[str, Parsed]) -> Iterator[Line]:
     """Yield the lines of a text; `cache` keeps what lines of the same text were parsed to."""
     for logical in logical_lines(source):
-        if logical.number > MAX_LINES:
-            return
         parsed = cache.get(logical.text)
         if parsed is None:
             parsed = cache[logical.text] = parse_line(logical.text)

@@ -31,3 +31,6 @@ from ropsim.motion.ptp import JointMotionLimits as JointMotionLimits
 from ropsim.motion.ptp import JointTrajectory as JointTrajectory
 from ropsim.motion.ptp import durations as durations
 from ropsim.motion.ptp import joint_trajectory as joint_trajectory
+from ropsim.motion.turn import OrientationMode as OrientationMode
+from ropsim.motion.turn import Turn as Turn
+from ropsim.motion.turn import plan_turn as plan_turn

@@ -8,7 +8,8 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.motion.profile import Profile, ProfileLimits, evaluate, lengthen, plan_profile
 from ropsim.motion.ptp import ZERO_LENGTH
-from ropsim.spatial import Array, Pose, frozen, quaternion
+from ropsim.motion.turn import OrientationMode, Turn, plan_turn
+from ropsim.spatial import Array, Pose
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,28 +37,21 @@ class LineLimits:
 class LineTrajectory:
     """A straight line of the TCP over time, in the base frame B.
 
-    Position p(r) = (1 - r)·p_start + r·p_end; orientation R(r) = R_start·Rot(axis, r·angle), the turn of
-    least angle about an axis that is fixed in the tool and in the base frame (spherical linear
-    interpolation).
+    Position p(r) = (1 - r)·p_start + r·p_end; orientation R(r) = R_start·turn(r).
 
     Attributes:
         X_start: X_BT at time 0.
         X_end: X_BT at the end.
-        axis: unit axis of the turn in the tool frame, shape (3,).
-        angle: whole turn [rad], in [0, π].
+        turn: from one orientation to the other.
         profile: r over time, from 0 to 1.
         findings: what the planner has to say about it.
     """
 
     X_start: Pose
     X_end: Pose
-    axis: Array
-    angle: float
+    turn: Turn
     profile: Profile
     findings: tuple[Diagnostic, ...] = ()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "axis", frozen(self.axis))
 
     @property
     def duration(self) -> float:
@@ -73,7 +67,7 @@ class LineTrajectory:
         """Return X_BT at the times `t` [s], shape (k,) to homogeneous matrices (k, 4, 4)."""
         r = evaluate(self.profile, t)[0]
         result = np.zeros((len(r), 4, 4))
-        result[:, :3, :3] = self.X_start.rotation() @ _rotations(self.axis, r * self.angle)
+        result[:, :3, :3] = self.X_start.rotation() @ self.turn.rotations(r)
         result[:, :3, 3] = (1.0 - r)[:, None] * self.X_start.position + r[:, None] * self.X_end.position
         result[:, 3, 3] = 1.0
         return result
@@ -81,7 +75,7 @@ class LineTrajectory:
     def speeds(self, t: Array) -> tuple[Array, Array]:
         """Return the speed of the TCP [m/s] and the angular speed of the tool [rad/s] at `t`, each (k,)."""
         rd = evaluate(self.profile, t)[1]
-        return rd * self.length, rd * self.angle
+        return rd * self.length, rd * self.turn.size
 
     def stretched(self, duration: float) -> "LineTrajectory":
         """Return the same way in a longer time [s], at the same speed where possible.
@@ -92,7 +86,9 @@ class LineTrajectory:
         return replace(self, profile=lengthen(self.profile, duration))
 
 
-def line_trajectory(X_start: Pose, X_end: Pose, limits: LineLimits) -> LineTrajectory:
+def line_trajectory(
+    X_start: Pose, X_end: Pose, limits: LineLimits, mode: OrientationMode = OrientationMode.FIXED_AXIS
+) -> LineTrajectory:
     """Return the fastest motion on the straight line from `X_start` to `X_end`.
 
     Position and orientation share one normalised profile r(t), so that both start and end together; the
@@ -103,6 +99,7 @@ def line_trajectory(X_start: Pose, X_end: Pose, limits: LineLimits) -> LineTraje
         X_start: X_BT at the start.
         X_end: X_BT at the end.
         limits: of position and orientation.
+        mode: how the tool turns.
 
     Returns:
         the trajectory; of duration 0 where the tool neither moves by more than `ZERO_LENGTH` [m] nor turns by
@@ -111,16 +108,16 @@ def line_trajectory(X_start: Pose, X_end: Pose, limits: LineLimits) -> LineTraje
     Raises:
         ProfileError: M540, where a limit is not positive or a coordinate is not finite.
     """
-    axis, angle = _turn(X_start, X_end)
+    turn = plan_turn(X_start, X_end, mode)
     length = math.dist(X_start.position.tolist(), X_end.position.tolist())
-    if length <= ZERO_LENGTH and angle <= ZERO_LENGTH:
-        return LineTrajectory(X_start, X_end, axis, angle, Profile(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    if length <= ZERO_LENGTH and turn.size <= ZERO_LENGTH:
+        return LineTrajectory(X_start, X_end, turn, Profile(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     normalised = ProfileLimits(
-        _share(limits.speed, length, limits.orientation_speed, angle),
-        _share(limits.acceleration, length, limits.orientation_acceleration, angle),
-        _share(limits.jerk, length, limits.orientation_jerk, angle),
+        _share(limits.speed, length, limits.orientation_speed, turn.size),
+        _share(limits.acceleration, length, limits.orientation_acceleration, turn.size),
+        _share(limits.jerk, length, limits.orientation_jerk, turn.size),
     )
-    return LineTrajectory(X_start, X_end, axis, angle, plan_profile(1.0, normalised))
+    return LineTrajectory(X_start, X_end, turn, plan_profile(1.0, normalised))
 
 
 def _share(limit: float, length: float, orientation_limit: float, angle: float) -> float:

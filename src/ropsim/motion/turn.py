@@ -8,8 +8,8 @@ import numpy as np
 
 from ropsim.spatial import Array, Pose, frozen, quaternion
 
-_STRAIGHT = 1e-12  # sine of an angle that counts as 0 or π: the axis normal to both vectors is lost in rounding
-_APPROACH = np.array([0.0, 0.0, 1.0])
+_STRAIGHT = 1e-12  # a smaller sine of an angle says that two vectors are in line
+_APPROACH = frozen([0.0, 0.0, 1.0])
 
 
 class OrientationMode(Enum):
@@ -38,7 +38,7 @@ class Turn:
 
     @property
     def size(self) -> float:
-        """Return the angle that the angular speed adds up to [rad]: the two axes stay normal to each other."""
+        """Return the angle that the angular speed adds up to [rad]; the two axes stay normal."""
         return math.hypot(self.angle, self.roll)
 
     def rotations(self, r: Array) -> Array:
@@ -50,9 +50,9 @@ class Turn:
 def plan_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> Turn:
     """Return the turn of the tool from `X_start` to `X_end`.
 
-    With a fixed axis the tool turns by the least angle about one axis (spherical linear interpolation). With the
-    drive transform the approach vector swings to its goal about the axis normal to both, while the tool rolls
-    about it: the approach vector stays in one plane.
+    With a fixed axis the tool turns by the least angle about one axis (spherical linear interpolation).
+    With the drive transform the approach vector swings to its goal about the axis normal to both, while the
+    tool rolls about it: the approach vector stays in one plane.
 
     Args:
         X_start: X_BT at the start.
@@ -60,8 +60,9 @@ def plan_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> Turn:
         mode: which way.
 
     References:
-        Paul 1979, Manipulator Cartesian Path Control, IEEE Transactions on Systems, Man, and Cybernetics 9, for
-        the drive transform; Shoemake 1985, Animating Rotation with Quaternion Curves, for the fixed axis.
+        Paul 1979, Manipulator Cartesian Path Control, IEEE Transactions on Systems, Man, and Cybernetics 9,
+        for the drive transform; Shoemake 1985, Animating Rotation with Quaternion Curves, for the fixed
+        axis.
     """
     if mode is OrientationMode.DRIVE_TRANSFORM:
         return _drive(X_start.rotation().T @ X_end.rotation())

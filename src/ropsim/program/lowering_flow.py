@@ -67,40 +67,33 @@ def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
 def lower_for(scope: Scope, statement: st.For) -> None:
     """Emit a loop over values; the number of passes does not depend on what the body does to the variable.
 
-    The variable is `first + k·step`, not a running sum, so that rounding does not pile up over REAL passes.
+    A REAL variable is `first + pass·step`, not a running sum, so that rounding does not pile up.
     """
-    emitter = scope.emitter
     kind = scope.type_of(statement.variable)
     if kind not in {Type.INT, Type.REAL}:
         raise unsound(f"loop variable `{statement.variable}` is {kind.value}", statement.span)
     step = _constant_step(statement)
-    suffix = ".I" if kind is Type.INT else ".R"
+    emitter, suffix = scope.emitter, ".I" if kind is Type.INT else ".R"
     top, loop = Label(), Loop(Label(), Label(), scope.depth)
-    first, last, number = scope.hide("first", kind), scope.hide("last", kind), scope.hide("pass", Type.INT)
-    for name, value in ((first, statement.first), (last, statement.last)):
-        evaluate(scope, value, kind)
-        emitter.emit("STORE", name)
+    last = scope.hide("last", kind)
+    evaluate(scope, statement.first, kind)
+    value = _IntSteps(scope, int(step)) if kind is Type.INT else _RealSteps(scope, float(step))
+    evaluate(scope, statement.last, kind)
     if kind is Type.REAL:
-        emitter.emit("LOAD", last)
         push(scope, Type.REAL, step * PASS_TOLERANCE)
         emitter.emit("ADD.R")
-        emitter.emit("STORE", last)
-    push(scope, Type.INT, 0)
-    emitter.emit("STORE", number)
+    emitter.emit("STORE", last)
     emitter.place(top)
-    _value(scope, first, number, step, kind)
+    value.load()
     emitter.emit("LOAD", last)
     emitter.emit(("LE" if step > 0 else "GE") + suffix)
     emitter.jump("JF", loop.leave)
-    _value(scope, first, number, step, kind)
+    value.load()
     emitter.emit("STORE", statement.variable)
     _body(scope, statement.body, loop)
     emitter.line = statement.span.line
     emitter.place(loop.again)
-    emitter.emit("LOAD", number)
-    push(scope, Type.INT, 1)
-    emitter.emit("ADD.I")
-    emitter.emit("STORE", number)
+    value.advance()
     emitter.jump("JMP", top)
     emitter.place(loop.leave)
 
@@ -156,13 +149,47 @@ def _constant_step(statement: st.For) -> int | float:
     return sign * value
 
 
-def _value(scope: Scope, first: str, number: str, step: float, kind: Type) -> None:
-    emitter = scope.emitter
-    emitter.emit("LOAD", first)
-    emitter.emit("LOAD", number)
-    if kind is Type.REAL:
-        emitter.emit("I2R")
-    push(scope, kind, int(step) if kind is Type.INT else float(step))
-    suffix = ".I" if kind is Type.INT else ".R"
-    emitter.emit("MUL" + suffix)
-    emitter.emit("ADD" + suffix)
+class _IntSteps:
+    """The value of an INT loop, kept in a variable of its own; starts with what is on the stack."""
+
+    def __init__(self, scope: Scope, step: int) -> None:
+        self.scope = scope
+        self.step = step
+        self.name = scope.hide("next", Type.INT)
+        scope.emitter.emit("STORE", self.name)
+
+    def load(self) -> None:
+        """Emit code that pushes the value of this pass."""
+        self.scope.emitter.emit("LOAD", self.name)
+
+    def advance(self) -> None:
+        """Emit code that goes on to the next pass."""
+        self.load()
+        push(self.scope, Type.INT, self.step)
+        self.scope.emitter.emit("ADD.I")
+        self.scope.emitter.emit("STORE", self.name)
+
+
+class _RealSteps:
+    """The value of a REAL loop, computed from the number of the pass; starts with what is on the stack."""
+
+    def __init__(self, scope: Scope, step: float) -> None:
+        self.scope = scope
+        self.step = step
+        self.first = scope.hide("first", Type.REAL)
+        scope.emitter.emit("STORE", self.first)
+        push(scope, Type.INT, 0)
+        self.number = _IntSteps(scope, 1)
+
+    def load(self) -> None:
+        """Emit code that pushes the value of this pass."""
+        self.scope.emitter.emit("LOAD", self.first)
+        self.number.load()
+        self.scope.emitter.emit("I2R")
+        push(self.scope, Type.REAL, self.step)
+        self.scope.emitter.emit("MUL.R")
+        self.scope.emitter.emit("ADD.R")
+
+    def advance(self) -> None:
+        """Emit code that goes on to the next pass."""
+        self.number.advance()

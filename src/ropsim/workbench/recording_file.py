@@ -19,8 +19,8 @@ from ropsim.workbench.recording_diagnostics import (
     TOO_LARGE,
     UNREADABLE,
     VERSION,
-    RecordingFileError,
 )
+from ropsim.workbench.recording_diagnostics import RecordingFileError as RecordingFileError
 from ropsim.workbench.recording_document import FORMAT, ChannelFacts, DocumentError, document, read_document
 from ropsim.workbench.recording_document import VERSION as KNOWN_VERSION
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.controller import standard_chain
+from ropsim.controller import StandardPathPlanner, standard_chain
 from ropsim.flow import ModalState
 from ropsim.kinematics import forward_batch, posture
-from ropsim.motion import JointTrajectory, LineTrajectory
+from ropsim.motion import JointTrajectory, LineTrajectory, OrientationMode
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, planned, ptp, shifted
 
@@ -95,6 +95,19 @@ def test_tcp_of_a_tool_stays_on_the_straight_line_and_turns_to_the_goal() -> Non
     assert offsets[TICKS - 1 :: TICKS].max() < AT_SAMPLES
     assert offsets.max() < BETWEEN_SAMPLES
     assert np.abs(matrices[-1] - turned.matrix()).max() < AT_SAMPLES
+
+
+def test_a_planner_with_the_drive_transform_swings_the_tool_in_a_plane() -> None:
+    planner = CHAIN.planner
+    assert isinstance(planner, StandardPathPlanner)
+    chain = replace(CHAIN, planner=replace(planner, orientation=OrientationMode.DRIVE_TRANSFORM))
+    start = interface_pose(START)
+    goal = Pose(start.position, (start @ _turn(0.4)).orientation)
+    move = planned(lin(goal), START, chain)
+    assert np.abs(interface_pose(move.q_end).matrix() - goal.matrix()).max() < AT_SAMPLES
+    approach = forward_batch(PUMA, move.reference.q)[:, :3, 2]
+    normal = np.cross(start.rotation()[:, 2], goal.rotation()[:, 2])
+    assert np.abs(approach @ normal).max() < BETWEEN_SAMPLES
 
 
 def test_targets_are_meant_in_the_task_frame_of_the_cell() -> None:

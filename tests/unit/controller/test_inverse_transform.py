@@ -60,8 +60,9 @@ def test_lowering_the_path_speed_as_hinted_makes_the_line_possible() -> None:
     near = np.array([0.2, -1.0, -0.6, 0.3, 0.05, 0.1])
     q_start = start_of_line_through(near, 0.0, 0.1, 0.0)
     goal = shifted(interface_pose(near), 0.0, 0.1, 0.0)
-    assert "lower the path speed to 70 %" in refused(lin(goal), q_start).hint
+    assert "lower the path speed to 69 %" in refused(lin(goal), q_start).hint
     planned(lin(goal, ModalState(path_speed=0.25 * 0.69)), q_start)
+    assert refused(lin(goal, ModalState(path_speed=0.25 * 0.72)), q_start).code == "M504"
 
 
 def test_a_line_through_the_wrist_singularity_is_refused_as_a_jump() -> None:
@@ -114,7 +115,7 @@ def test_too_much_acceleration_is_a_warning_and_the_move_is_made() -> None:
 
 def test_a_line_to_joint_coordinates_ends_there_where_the_posture_agrees() -> None:
     goal = START + np.array([0.05, 0.02, -0.03, 0.0, 0.02, 0.1])
-    move = planned(lin(tuple(goal.tolist())))
+    move = planned(lin(tuple(goal.tolist()), visit=1))
     assert np.abs(move.q_end - goal).max() < 1e-9
     assert move.findings == ()
 
@@ -122,7 +123,7 @@ def test_a_line_to_joint_coordinates_ends_there_where_the_posture_agrees() -> No
 def test_a_line_to_joint_coordinates_of_another_posture_reaches_their_pose_with_a_hint() -> None:
     near = START + np.array([0.05, 0.02, -0.03, 0.0, 0.02, 0.1])
     flipped = near * np.array([1.0, 1.0, 1.0, 1.0, -1.0, 1.0]) + np.array([0, 0, 0, -np.pi, 0, -np.pi])
-    move = planned(lin(tuple(flipped.tolist())))
+    move = planned(lin(tuple(flipped.tolist()), visit=1))
     assert [finding.code for finding in move.findings] == ["M514"]
     poses = forward_batch(PUMA, np.array([move.q_end, flipped]))
     assert np.abs(poses[0] - poses[1]).max() < 1e-9

@@ -170,4 +170,5 @@ def test_an_arm_without_closed_form_is_refused_for_poses_but_moves_to_joint_coor
     chain = standard_chain(Cell("two", arm, CELL.controller))
     found = refused(ptp(Pose()), np.zeros(2), chain)
     assert (found.code, found.span) == ("M550", LINE)
+    assert refused(lin((0.3, 0.4)), np.zeros(2), chain).code == "M550"
     assert planned(ptp((0.3, 0.4)), np.zeros(2), chain).q_end.tolist() == [0.3, 0.4]

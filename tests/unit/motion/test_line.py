@@ -45,7 +45,7 @@ def test_half_the_time_is_half_the_way_and_half_the_turn() -> None:
 
 def test_the_tool_turns_the_short_way() -> None:
     trajectory = line_trajectory(turned(3.0), turned(-3.0), LIMITS)
-    assert trajectory.angle == pytest.approx(2.0 * math.pi - 6.0, rel=ROUNDING)
+    assert trajectory.turn.angle == pytest.approx(2.0 * math.pi - 6.0, rel=ROUNDING)
 
 
 def test_speed_of_the_tcp_is_constant_on_the_plateau() -> None:

@@ -1,9 +1,8 @@
 import re
 
-from support.golden import GOLDEN, check_golden
-
 from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, TextEdit
 from ropsim.views import Style, diagnostic_text, diagnostics_text
+from support.golden import GOLDEN, check_golden
 
 SOURCE = SourceText(
     "palletize.task",

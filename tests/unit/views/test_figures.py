@@ -3,7 +3,15 @@ import math
 import pytest
 
 from ropsim.model import JointType
-from ropsim.views.figures import DEGREES, MILLIMETRES, coordinate_scale, fixed, joined_units, percent, with_unit
+from ropsim.views.figures import (
+    DEGREES,
+    MILLIMETRES,
+    coordinate_scale,
+    fixed,
+    joined_units,
+    percent,
+    with_unit,
+)
 
 
 def test_angles_are_shown_in_degrees_and_lengths_in_millimetres() -> None:

@@ -1,8 +1,7 @@
-from support.recordings import two_findings
-
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.views import count_text, group_findings
 from ropsim.views.findings import passes_text
+from support.recordings import two_findings
 
 PLACE = Span("a.task", 3, 1, 3, 4)
 

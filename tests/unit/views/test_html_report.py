@@ -3,11 +3,11 @@ from dataclasses import replace
 from html.parser import HTMLParser
 
 import numpy as np
-from support.recordings import SOURCE, empty_recording, header, pick_and_place, two_findings
 
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, Event, Recording
 from ropsim.views import html_report, summarize
+from support.recordings import SOURCE, empty_recording, header, pick_and_place, two_findings
 
 VOID = {"meta", "br"}
 HOSTILE = "<script>alert('x')</script>\"&\x00\x1b\ud800"
@@ -34,7 +34,9 @@ class Outline(HTMLParser):
             self.open.append(tag)
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append(tag)
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.open.pop()
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
@@ -80,7 +82,9 @@ def test_every_chart_of_the_contract_is_there() -> None:
 
 def test_hostile_names_are_escaped_everywhere() -> None:
     recording = pick_and_place(1)
-    finding = Diagnostic("M502", HOSTILE, Severity.ERROR, HOSTILE, SOURCE.span(9), HOSTILE, (), (HOSTILE,), HOSTILE)
+    finding = Diagnostic(
+        "M502", HOSTILE, Severity.ERROR, HOSTILE, SOURCE.span(9), HOSTILE, (), (HOSTILE,), HOSTILE
+    )
     robot = {**header()["robot"], "title": HOSTILE, "joint_names": [HOSTILE] * 6}  # type: ignore[dict-item]  # a mapping
     hostile = replace(
         recording,
@@ -140,7 +144,9 @@ def test_empty_recording_has_a_page() -> None:
 
 def test_run_that_is_not_finite_has_a_page() -> None:
     recording = pick_and_place(1)
-    channels = {name: replace(c, values=np.full_like(c.values, np.nan)) for name, c in recording.channels.items()}
+    channels = {
+        name: replace(c, values=np.full_like(c.values, np.nan)) for name, c in recording.channels.items()
+    }
     text = page(replace(recording, channels=channels))
     outline(text)
     assert "not finite: the integration failed" in text

@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.recordings import empty_recording, pick_and_place
 
 from ropsim.flow import Channel, Event, Recording
 from ropsim.views import summarize
+from support.recordings import empty_recording, pick_and_place
 
 RATE = 100.0
 DIFFERENCING = 1e-9

@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.recordings import empty_recording, header, pick_and_place, two_findings
 
 from ropsim.flow import Channel, Event, Recording
 from ropsim.views import summarize
+from support.recordings import empty_recording, header, pick_and_place, two_findings
 
 ROUNDING = 1e-12
 """Sums of a few dozen floats."""
@@ -132,7 +132,9 @@ def test_empty_recording_has_a_summary_of_nothing() -> None:
 
 def test_kinematic_run_without_torques_has_unknown_torques() -> None:
     recording = pick_and_place(1)
-    channels = {name: c for name, c in recording.channels.items() if name not in {"tau", "current", "voltage"}}
+    channels = {
+        name: c for name, c in recording.channels.items() if name not in {"tau", "current", "voltage"}
+    }
     joint = summarize(replace(recording, channels=channels)).joints[0]
     assert math.isnan(joint.effort.value)
     assert math.isnan(joint.effort_share)

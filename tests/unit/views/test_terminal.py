@@ -2,12 +2,12 @@ import re
 from dataclasses import replace
 
 import numpy as np
-from support.golden import GOLDEN, check_golden
-from support.recordings import empty_recording, header, pick_and_place, two_findings
 
 from ropsim.flow import Channel, Event
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
+from support.golden import GOLDEN, check_golden
+from support.recordings import empty_recording, header, pick_and_place, two_findings
 
 COLUMNS = 80
 

@@ -1,9 +1,10 @@
 """A value to the type that its place needs: units of bare numbers, whole numbers to real ones."""
 
 from ropsim.language.check import fold, units
-from ropsim.language.check.body import Body, Placed
+from ropsim.language.check.body import Body
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, bind, known
 from ropsim.language.findings import types as kinds
+from ropsim.language.report import Placed
 from ropsim.program import Constant, Expression, ValueType
 
 _REAL, _INT = ValueType.REAL, ValueType.INT

@@ -10,6 +10,7 @@ from ropsim.language.syntax.nodes import Name
 from ropsim.language.syntax.words import NOT_YET_MODIFIERS, RESERVED
 
 MAX_OPERATORS = 100
+MAX_NESTING = 30
 
 _END = Token("end", "", "", 0, 0)
 
@@ -17,7 +18,7 @@ _END = Token("end", "", "", 0, 0)
 class Cursor:
     """Reads tokens from left to right; raises `LineFaultError` where the line is wrong."""
 
-    __slots__ = ("index", "length", "line", "operators", "tokens")
+    __slots__ = ("depth", "index", "length", "line", "operators", "tokens")
 
     def __init__(self, tokens: list[Token], line: str) -> None:
         self.tokens = tokens
@@ -25,6 +26,7 @@ class Cursor:
         self.index = 0
         self.length = len(tokens)
         self.operators = 0
+        self.depth = 0
 
     @property
     def token(self) -> Token:
@@ -102,6 +104,20 @@ class Cursor:
                 f"more than {MAX_OPERATORS} operators and parentheses in one statement",
                 "split it with a variable",
             )
+
+    def open_parenthesis(self) -> None:
+        """Step over `(`, one level deeper."""
+        self.expect("(")
+        self.count_operator()
+        self.depth += 1
+        if self.depth > MAX_NESTING:
+            message = f"parentheses nest deeper than {MAX_NESTING}"
+            self.fault(kinds.DEPTH, self.end - 1, self.end, message, "split the expression with a variable")
+
+    def close_parenthesis(self) -> None:
+        """Step over `)`, one level up."""
+        self.expect(")")
+        self.depth -= 1
 
     def finish(self) -> None:
         """Make sure that nothing is left over."""

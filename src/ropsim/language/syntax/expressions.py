@@ -180,18 +180,16 @@ def _binary(cursor: Cursor, left: Node, op: str, operand: Callable[[Cursor], Nod
 
 
 def _function(cursor: Cursor, name: Name) -> Function:
-    cursor.expect("(")
-    cursor.count_operator()
+    cursor.open_parenthesis()
     arguments = () if cursor.word == ")" else listed(cursor)
-    cursor.expect(")")
+    cursor.close_parenthesis()
     return Function(name, arguments, name.start, cursor.end)
 
 
 def _joints(cursor: Cursor) -> Joints:
     start = cursor.start
     cursor.advance()
-    cursor.expect("(")
-    cursor.count_operator()
+    cursor.open_parenthesis()
     values = listed(cursor)
-    cursor.expect(")")
+    cursor.close_parenthesis()
     return Joints(values, start, cursor.end)

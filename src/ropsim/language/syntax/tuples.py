@@ -25,8 +25,7 @@ _AXES = frozenset(a + b + c for a in "XYZ" for b in "XYZ" for c in "XYZ" if a !=
 def parenthesis(cursor: Cursor) -> Node:
     """Read `( … )`: grouping with one plain member, else a tuple."""
     start = cursor.start
-    cursor.expect("(")
-    cursor.count_operator()
+    cursor.open_parenthesis()
     items: list[Item] = []
     if cursor.word != ")":
         items.append(item(cursor))
@@ -35,7 +34,7 @@ def parenthesis(cursor: Cursor) -> Node:
     turns: tuple[Turn, ...] = ()
     if cursor.accept(";"):
         turns = _turns(cursor)
-    cursor.expect(")")
+    cursor.close_parenthesis()
     if len(items) == 1 and not turns and items[0].name is None:
         return items[0].value
     return Tuple(tuple(items), turns, start, cursor.end)
