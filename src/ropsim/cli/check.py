@@ -11,8 +11,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
     """Compile every program of a project and return the exit code."""
     project = open_project(options.path)
     compiled = project.compile()
-    sources = {text.name: text for text in (*project.sources.values(), *filter(None, [project.cell_text]))}
-    code = output.findings(compiled.diagnostics, sources)
+    code = output.findings(compiled.diagnostics, project.texts)
     if code == 0:
         names = ", ".join(sorted(compiled.programs)) or "no program"
         output.text(f"checked {names}: no errors")

@@ -96,11 +96,8 @@ def instruction_text(one: Instruction) -> str:
 
 def _open(path: str) -> tuple[Project, CompiledProgram]:
     project = open_project(path)
-    for diagnostic in project.diagnostics:
-        if diagnostic.is_error:
-            raise ProjectError(diagnostic)
     return project, project.program()
 
 
 def _report(project: Project, found: tuple[Diagnostic, ...], output: Output) -> int:
-    return output.findings(found, {text.name: text for text in project.sources.values()})
+    return output.findings(found, project.texts)

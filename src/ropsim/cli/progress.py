@@ -1,5 +1,6 @@
 """Progress of long work on the error stream: nothing in the first second, then one current line."""
 
+import math
 import shutil
 import sys
 import time
@@ -63,7 +64,7 @@ class Progress:
             return
         self._next = now + (REFRESH if self._live else SPARSE)
         self._drawn = True
-        share = min(max(done, 0.0), 1.0) if done == done else 0.0  # noqa: PLR0124 - the test for NaN
+        share = 0.0 if math.isnan(done) else min(max(done, 0.0), 1.0)
         line = self._line(share, text, now - self._start)
         self._put(f"\r{line}\x1b[K" if self._live else f"{line}\n")
 

@@ -15,9 +15,9 @@ from ropsim.workbench.diagnostic_json import diagnostic_document, plain
 def run(options: argparse.Namespace, output: Output) -> int:
     """Run a program of a project and return the exit code."""
     project = open_project(options.path)
-    compiled = project.program(options.program)
-    sources = {text.name: text for text in (*project.sources.values(), *filter(None, [project.cell_text]))}
-    before = (*project.diagnostics, *compiled.diagnostics)
+    sources = project.texts
+    compiled = () if project.is_broken else project.program(options.program).diagnostics
+    before = (*project.diagnostics, *compiled)
     if any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
+
 
 class Fidelity(Enum):
     """What follows the references."""
@@ -25,8 +27,14 @@ class RunOptions:
         fidelity: servo drives and arm dynamics, or the ideal arm.
         record_ticks: control ticks between two recorded rows.
         progress: is told after every move what was done.
+        chain: other entities between instruction and joint controller; None takes the standard ones.
+        law: another joint controller than that of the cell; None takes the cell's.
+        sensors: delivers the channels that the program reads; None takes the signals of the cell.
     """
 
     fidelity: Fidelity = Fidelity.DYNAMIC
     record_ticks: int = 4
     progress: Callable[[str], None] = silent
+    chain: MotionChain | None = None
+    law: CompiledLaw | PythonLaw | None = None
+    sensors: SensorInterface | None = None

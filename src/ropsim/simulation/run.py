@@ -40,7 +40,7 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
         options: fidelity, rates of recording, progress.
     """
     state = start_run(cell, options)
-    machine = Machine(program, _world(state))
+    machine = Machine(program, _world(state, options))
     while True:
         step = machine.advance()
         if isinstance(step, Finished):
@@ -50,14 +50,14 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
         _carry_out(state, step)
 
 
-def _world(state: CellRun) -> SimulatedWorld:
+def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
     hz = state.cell.controller.rates.control_hz
 
     def stand(until: float) -> None:
         state.stand(max(1, round(until * hz) - state.tick))
 
     return SimulatedWorld(
-        state.sensors,
+        options.sensors or state.sensors,
         lambda: state.time,
         stand,
         state.cell.controller.rates.interpolation_period,

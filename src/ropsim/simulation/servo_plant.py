@@ -2,6 +2,7 @@
 
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Payload
+from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.plant import constant
 from ropsim.simulation.servo import Servo
 from ropsim.spatial import Array
@@ -14,13 +15,13 @@ class ServoPlant:
         cell: with the arm and its controller.
         q: joint coordinates at time 0 [rad | m], shape (n,).
         payload: body at the mechanical interface at time 0.
-        record_ticks: control ticks between two recorded rows.
+        options: the joint controller and how densely to record.
     """
 
-    def __init__(self, cell: Cell, q: Array, payload: Payload, record_ticks: int) -> None:
-        self._servo = Servo.build(cell.robot, cell.controller)
+    def __init__(self, cell: Cell, q: Array, payload: Payload, options: RunOptions) -> None:
+        self._servo = Servo.build(cell.robot, cell.controller, options.law)
         self._state = self._servo.initial_state(q, payload)
-        self._recorder = self._servo.recorder(self._state, record_ticks)
+        self._recorder = self._servo.recorder(self._state, options.record_ticks)
 
     @property
     def q(self) -> Array:

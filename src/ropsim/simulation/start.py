@@ -19,7 +19,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     load = payload(parts, tool)
     state = CellRun(
         cell=cell,
-        chain=standard_chain(cell),
+        chain=options.chain or standard_chain(cell),
         plant=_plant(cell, q, load, options),
         sensors=ScriptedSensors(cell.signals),
         q_command=frozen(q),
@@ -34,10 +34,12 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     state.track("payload", load.mass)
     for name, signal in cell.signals.items():
         state.track(f"signal.{name}", signal.initial)
+        for time, value in signal.changes:
+            state.tracks[f"signal.{name}"].set(round(time * cell.controller.rates.control_hz), value)
     return state
 
 
 def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
         return KinematicPlant(q, options.record_ticks)
-    return ServoPlant(cell, q, load, options.record_ticks)
+    return ServoPlant(cell, q, load, options)

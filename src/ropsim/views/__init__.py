@@ -8,6 +8,7 @@ from ropsim.views.findings import group_findings as group_findings
 from ropsim.views.header import JointFacts as JointFacts
 from ropsim.views.header import RunHeader as RunHeader
 from ropsim.views.html_report import html_report as html_report
+from ropsim.views.joint_summary import Closeness as Closeness
 from ropsim.views.joint_summary import JointSummary as JointSummary
 from ropsim.views.joint_summary import LimitApproach as LimitApproach
 from ropsim.views.path_summary import PathLine as PathLine

@@ -21,9 +21,12 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "path velocity accuracy, AV": "(mean attained speed − command speed) / command speed, over the "
         "middle half of the time in which the commanded speed of the move is within 1 % of "
         "its largest value.",
+        "near, beyond": "Near: from 90 % of the limit. Beyond: above the limit, for speeds by more than 2 %, "
+        "which the servo may overshoot.",
         "margin": "Smallest distance of the attained joint coordinate from the limit.",
         "charts": "Drawn from the smallest and the largest sample of each short stretch, so peaks are "
-        "kept. Tables are computed from all samples.",
+        "kept; values at the time cursor are read off the drawn curves. "
+        "Tables are computed from all samples.",
     }
 )
 """Name of a figure to its meaning."""

@@ -63,6 +63,11 @@ class RunHeader:
     estimated: tuple[str, ...]
     origins: tuple[ParameterOrigin, ...]
 
+    @property
+    def title(self) -> str:
+        """Return project and program, each once, or `run` where neither has a name."""
+        return " / ".join(dict.fromkeys(part for part in (self.project, self.program) if part)) or "run"
+
 
 def run_header(recording: Recording) -> RunHeader:
     """Return the header of a recording; texts that are absent are empty, numbers NaN or infinite."""

@@ -139,7 +139,8 @@ def _path_accuracy(recording: Recording) -> str:
         tuple(rows),
         _straight_moves(recording),
     )
-    return figure("TCP speed and path error", ("attained", "command", "band", "peak"), time_chart(chart))
+    band = ("band",) if chart.bands else ()
+    return figure("TCP speed and path error", ("attained", "command", *band, "peak"), time_chart(chart))
 
 
 def _straight_moves(recording: Recording) -> list[Stretch]:
@@ -170,7 +171,8 @@ def _path_views(recording: Recording) -> str:
         )
         for ident, name, axes in (("top", "top view", "xy"), ("side", "side view", "xz"))
     )
-    keys = ("way", "straight", "grip", "release")
+    line = ("straight",) if np.any(straight) else ()
+    keys = ("way", *line, "grip", "release")
     return figure(
         "TCP path in the base frame: top view and side view", keys, f'<div class="pair">{views}</div>'
     )

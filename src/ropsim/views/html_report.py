@@ -10,8 +10,8 @@ from ropsim.flow import Recording
 from ropsim.views.cursor import SCRIPT
 from ropsim.views.definitions import DEFINITIONS
 from ropsim.views.figures import seconds
+from ropsim.views.html_cards import key_figures
 from ropsim.views.html_charts import active_lines, figures
-from ropsim.views.html_figures import key_figures
 from ropsim.views.html_findings import findings_section, skipped_section
 from ropsim.views.html_tables import approach_table, joint_table, origin_table, path_table, task_table
 from ropsim.views.markup import text
@@ -32,7 +32,7 @@ def html_report(recording: Recording, summary: Summary, sources: Mapping[str, So
         summary: its figures, from `summarize(recording)`.
         sources: program texts by the names that spans use, for quoting; may be empty.
     """
-    name = " / ".join(part for part in (summary.header.project, summary.header.program) if part) or "run"
+    name = summary.header.title
     body = [
         _header(name, summary),
         key_figures(summary),

@@ -17,13 +17,10 @@ from ropsim.views.figures import (
     seconds,
     speed_scale,
 )
-from ropsim.views.joint_summary import JointSummary, LimitApproach
+from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach
 from ropsim.views.markup import table, text
 from ropsim.views.path_summary import PathLine
 from ropsim.views.summary import Summary
-
-NEAR = 0.9
-"""Share of a limit from which on a figure is marked."""
 
 
 def joint_table(joints: tuple[JointSummary, ...]) -> str:
@@ -136,10 +133,10 @@ def _joint_row(joint: JointSummary) -> tuple[str, ...]:
         text(facts.name),
         fixed(joint.effort.size, effort, 1),
         fixed(facts.max_effort, effort, 1),
-        _marked(joint.effort_share),
+        _marked(joint.effort_share, joint.effort_closeness),
         fixed(joint.speed.size, speed, 1),
         fixed(facts.max_speed, speed, 1),
-        _marked(joint.speed_share),
+        _marked(joint.speed_share, joint.speed_closeness),
         fixed(joint.current.size, effort, 2),
         fixed(joint.following_rms, coordinate, 3),
         fixed(joint.following_max.size, coordinate, 3),
@@ -152,7 +149,7 @@ def _approach_cells(joint: JointSummary, approach: LimitApproach, limit: float) 
     return (
         fixed(limit, scale, 1),
         fixed(approach.coordinate, scale, 1),
-        f'<span class="mark">{margin} beyond</span>' if approach.margin < 0.0 else margin,
+        f'<span class="mark">beyond {margin}</span>' if approach.margin < 0.0 else margin,
         seconds(approach.time),
         _line(approach.line),
     )
@@ -181,8 +178,8 @@ def _share(part: float, whole: float) -> str:
     return percent(part / whole) if whole > 0.0 else UNKNOWN
 
 
-def _marked(share: float) -> str:
-    shown = percent(share)
-    if share > 1.0:
-        return f'<span class="mark">{shown} over</span>'
-    return f'<span class="near">{shown} near</span>' if share >= NEAR else shown
+def _marked(share: float, closeness: Closeness) -> str:
+    if closeness is Closeness.FAR:
+        return percent(share)
+    kind = "mark" if closeness is Closeness.BEYOND else "near"
+    return f'<span class="{kind}">{closeness.value} {percent(share)}</span>'

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
@@ -9,6 +10,20 @@ from ropsim.flow import Recording
 from ropsim.spatial import Array
 from ropsim.views.channels import Peak, line_at, matrix, peak, rms
 from ropsim.views.header import JointFacts
+
+NEAR = 0.9
+"""Share of a limit from which on a peak is marked as near it."""
+
+OVERSHOOT = 0.02
+"""Share by which an attained speed may exceed its limit and still count as at the limit (servo overshoot)."""
+
+
+class Closeness(Enum):
+    """How a peak stands to its limit."""
+
+    FAR = "far"
+    NEAR = "near"
+    BEYOND = "beyond"
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +80,16 @@ class JointSummary:
         return share(self.speed.size, self.facts.max_speed)
 
     @property
+    def effort_closeness(self) -> Closeness:
+        """Return how the peak torque stands to its limit."""
+        return _closeness(self.effort_share, 1.0)
+
+    @property
+    def speed_closeness(self) -> Closeness:
+        """Return how the peak speed stands to its limit; an overshoot of 2 % counts as at the limit."""
+        return _closeness(self.speed_share, 1.0 + OVERSHOOT)
+
+    @property
     def nearest(self) -> LimitApproach:
         """Return the closer of the two approaches."""
         lower, upper = self.nearest_lower, self.nearest_upper
@@ -74,6 +99,12 @@ class JointSummary:
 def share(value: float, limit: float) -> float:
     """Return `value` / `limit`, or NaN where the limit is unknown or zero."""
     return value / limit if math.isfinite(limit) and limit > 0.0 else math.nan
+
+
+def _closeness(share: float, most: float) -> Closeness:
+    if share > most:
+        return Closeness.BEYOND
+    return Closeness.NEAR if share >= NEAR else Closeness.FAR
 
 
 def summarize_joints(recording: Recording, joints: tuple[JointFacts, ...]) -> tuple[JointSummary, ...]:

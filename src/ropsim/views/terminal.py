@@ -21,21 +21,25 @@ from ropsim.views.figures import (
     with_unit,
 )
 from ropsim.views.findings import FindingGroup, passes_text, plural
-from ropsim.views.joint_summary import JointSummary
+from ropsim.views.joint_summary import Closeness, JointSummary
 from ropsim.views.path_summary import PathMove, PathSummary
 from ropsim.views.style import Style, Tone, paint
 from ropsim.views.summary import Summary
 from ropsim.views.verdict import Verdict, verdict
 
 COLUMNS = 80
-NEAR = 0.9
-"""Share of a limit from which on a peak is marked with `!`; above 1 it is marked with `!!`."""
+_LEGEND = (
+    "  largest torque and speed and their share of the limit: ! from 90 %, !! beyond",
+    "  (speeds by more than 2 %); lag: largest reference minus attained coordinate",
+)
 
 NAMES = 24
 SHOWN_TASKS = 10
 SHOWN_FINDINGS = 8
 
 _TONES = {Severity.ERROR: Tone.ERROR, Severity.WARNING: Tone.WARNING, Severity.HINT: Tone.HINT}
+_SIGNS = {Closeness.FAR: "", Closeness.NEAR: " !", Closeness.BEYOND: " !!"}
+_SIGN_TONES = {Closeness.NEAR: Tone.WARNING, Closeness.BEYOND: Tone.ERROR}
 _VERDICT_TONES = {Verdict.FAILED: Tone.ERROR, Verdict.DOUBTFUL: Tone.WARNING, Verdict.GOOD: Tone.GOOD}
 
 
@@ -56,7 +60,7 @@ def terminal_report(summary: Summary, style: Style) -> str:
 
 def _title(summary: Summary, style: Style) -> list[str]:
     header = summary.header
-    what = " / ".join(clean(part) for part in (header.project, header.program) if part) or "run"
+    what = clean(header.title)
     robot = f" on {clean(header.robot)}" if header.robot else ""
     state = verdict(summary)
     is_kinematic = header.fidelity == "kinematic"
@@ -111,8 +115,7 @@ def _joints(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
         f"lag {joined_units(map(coordinate_scale, types))}",
     )
     rows = [_joint_row(joint) for joint in joints]
-    legend = "  peaks, and their share of the limit (! from 90 %, !! above it); lag = largest"
-    return [*columns_text(title, rows, style), legend, "  difference of reference and attained coordinate"]
+    return [*columns_text(title, rows, style), *_LEGEND]
 
 
 def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
@@ -122,19 +125,17 @@ def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
     return (
         Cell(fit(clean(facts.name), 8)),
         Cell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
-        _limit_cell(joint.effort_share),
+        _limit_cell(joint.effort_share, joint.effort_closeness),
         Cell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
-        _limit_cell(joint.speed_share),
+        _limit_cell(joint.speed_share, joint.speed_closeness),
         _margin_cell(f"{fixed(near.margin, coordinate, 1)} {near.side}", near.margin),
         Cell(str(near.line) if near.line else ""),
         Cell(fixed(joint.following_max.size, coordinate, 3)),
     )
 
 
-def _limit_cell(share: float) -> Cell:
-    if share > 1.0:
-        return Cell(f"{percent(share)} !!", Tone.ERROR)
-    return Cell(f"{percent(share)} !", Tone.WARNING) if share >= NEAR else Cell(percent(share))
+def _limit_cell(share: float, closeness: Closeness) -> Cell:
+    return Cell(percent(share) + _SIGNS[closeness], _SIGN_TONES.get(closeness))
 
 
 def _margin_cell(text: str, margin: float) -> Cell:

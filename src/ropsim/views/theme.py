@@ -29,7 +29,7 @@ p { margin: 0 0 10px; max-width: 76ch; }
 a { color: var(--c1); }
 section { background: var(--sheet); border: 1px solid var(--line); border-radius: 10px; padding: 20px 22px;
   margin: 18px 0 0; }
-.quiet { color: var(--quiet); }
+.quiet { color: var(--quiet); } p.screen { max-width: none; }
 .verdict { display: inline-block; margin: 12px 0 0; padding: 6px 12px; border-radius: 8px; font-weight: 600;
   border: 1.5px solid currentColor; }
 .good { color: var(--good); } .doubtful { color: var(--doubt); } .failed { color: var(--bad); }
@@ -88,6 +88,7 @@ svg .zero { stroke: var(--quiet); stroke-width: .6; } svg .band { fill: var(--ba
 svg .bar { fill: var(--bar); }
 svg .limit { stroke: var(--limit); stroke-width: 1.4; stroke-dasharray: 6 4; }
 svg polyline { fill: none; stroke-width: 1.25; stroke-linejoin: round; }
+svg.plane polyline { stroke-width: .9; } svg.plane .c2 polyline { stroke-width: 1.8; }
 svg .c1 polyline { stroke: var(--c1); } svg .c2 polyline { stroke: var(--c2); }
 svg .c1 .value { fill: var(--c1); } svg .c2 .value { fill: var(--c2); }
 svg .spot { fill: var(--sheet); stroke: var(--text); stroke-width: 1.5; }

@@ -40,8 +40,23 @@ class Project:
     cell_text: SourceText | None = None
     diagnostics: tuple[Diagnostic, ...] = field(default=())
 
+    @property
+    def is_broken(self) -> bool:
+        """Return whether reading found errors; then programs are not compiled.
+
+        Without its cell a program would be blamed for every name that the cell was to give it.
+        """
+        return any(diagnostic.is_error for diagnostic in self.diagnostics)
+
+    @property
+    def texts(self) -> Mapping[str, SourceText]:
+        """Return all texts of the project, by the names that spans use."""
+        return {text.name: text for text in (*self.sources.values(), self.cell_text) if text is not None}
+
     def compile(self) -> CompiledProject:
         """Return all programs compiled, with the findings of the whole project."""
+        if self.is_broken:
+            return CompiledProject({}, self.diagnostics)
         environment = environment_of(self.cell)
         programs = {
             name: compile_program(text, environment, self.cell) for name, text in self.sources.items()
@@ -53,8 +68,11 @@ class Project:
         """Return one compiled program; without a name the default one.
 
         Raises:
-            ProjectError: there is no such program.
+            ProjectError: the project is broken, or there is no such program.
         """
+        for diagnostic in self.diagnostics:
+            if diagnostic.is_error:
+                raise ProjectError(diagnostic)
         wanted = name or (self.cell.program if self.cell else "main")
         if name is None and wanted not in self.sources and len(self.sources) == 1:
             wanted = next(iter(self.sources))
@@ -87,7 +105,7 @@ class Project:
             ProjectError: what stands in the way; see `.diagnostic`.
         """
         compiled = self.program(program)
-        for diagnostic in (*self.diagnostics, *compiled.diagnostics):
+        for diagnostic in compiled.diagnostics:
             if diagnostic.is_error:
                 raise ProjectError(diagnostic)
         if self.cell is None or compiled.icr is None:
@@ -98,7 +116,4 @@ class Project:
         """Return the report of a recording, with the program texts for quoting."""
         from ropsim.workbench.report import Report
 
-        texts = {text.name: text for text in self.sources.values()}
-        if self.cell_text is not None:
-            texts[self.cell_text.name] = self.cell_text
-        return Report(recording, texts)
+        return Report(recording, self.texts)

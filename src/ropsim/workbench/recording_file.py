@@ -19,10 +19,12 @@ from ropsim.workbench.recording_diagnostics import (
     TOO_LARGE,
     UNREADABLE,
     VERSION,
+    RecordingFileError,
 )
-from ropsim.workbench.recording_diagnostics import RecordingFileError as RecordingFileError
 from ropsim.workbench.recording_document import FORMAT, ChannelFacts, DocumentError, document, read_document
 from ropsim.workbench.recording_document import VERSION as KNOWN_VERSION
+
+__all__ = ["RecordingFileError", "read", "recording_bytes", "write"]
 
 HEADER = "header"
 TIME = "time"

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 from ropsim.core import Span
 from ropsim.program import Block, Call, Program, Repeat, Statement, Task, recursion
 
@@ -39,7 +41,5 @@ def test_unknown_tasks_are_no_concern_of_this_check() -> None:
 
 def test_a_long_chain_does_not_exhaust_the_python_stack() -> None:
     names = [f"t{k}" for k in range(3000)]
-    tasks: dict[str, Block] = {
-        name: (call(following, 1),) for name, following in zip(names, names[1:], strict=False)
-    }
+    tasks: dict[str, Block] = {name: (call(following, 1),) for name, following in pairwise(names)}
     assert messages(**tasks, t2999=(call("t0", 9),))[0].startswith("t.task:9:1: task `t0` calls itself")

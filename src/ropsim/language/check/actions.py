@@ -3,7 +3,7 @@
 from ropsim.flow import GripAction, MotionKind
 from ropsim.language.check import convert, fold, settings, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import BOOL, JOINTS, NUMBER, POSE, STR, TIME, Type, known
+from ropsim.language.check.types import BOOL, JOINTS, NUMBER, POSE, STR, TIME, Type, article, known
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
@@ -115,7 +115,7 @@ def stop(body: Body, node: syntax.Stop) -> Block:
             body.fail(
                 kinds.WRONG_TYPE,
                 node.message,
-                f"`stop` takes a text, found a {kind}",
+                f"`stop` takes a text, found {article(kind)}",
                 'write it in quotes: `stop "no parts"`',
             )
     return (Stop(text, body.statement_span),)

@@ -2,7 +2,7 @@
 
 from ropsim.language.check import convert, fold, units
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, bind, known
+from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Expression, ValueType
@@ -113,7 +113,7 @@ def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
                 if op in "+-"
                 else "compare locations by `dist(a, b)`"
             )
-        body.fail(kinds.WRONG_TYPE, node, f"`{op}` needs numbers, found a {kind}", hint)
+        body.fail(kinds.WRONG_TYPE, node, f"`{op}` needs numbers, found {article(kind)}", hint)
     return kind
 
 

@@ -2,7 +2,18 @@
 
 from ropsim.language.check import calls, convert, fold, poses, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, INT, LENGTH, POSE, AnyType, Type, Unknown, Value, known
+from ropsim.language.check.types import (
+    ANGLE,
+    INT,
+    LENGTH,
+    POSE,
+    AnyType,
+    Type,
+    Unknown,
+    Value,
+    article,
+    known,
+)
 from ropsim.language.check.world import Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
@@ -82,7 +93,7 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
         body.fail(
             name_kinds.UNKNOWN_MEMBER,
             member,
-            f"a {kind} has no component `{member.text}`",
+            f"{article(kind)} has no component `{member.text}`",
             "locations have components",
         )
     index, member_type = values.member(body, member)
@@ -108,20 +119,28 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
 
 def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block:
     signature = body.world.signatures[call.name.text]
-    arguments = tuple(nodes.Item(None, a) for a in call.arguments)
+    arguments = tuple(_item(argument) for argument in call.arguments)
     statement = calls.call(body, syntax.Call(call.name, arguments, call.start, call.end))
     if signature.result is None:
         hint = "give its header a result: `-> type`"
         body.fail(kinds.WRONG_TYPE, call, f"task `{signature.name}` returns no value", hint)
     variable = target(body, node.name, signature.result)
     kind = known(variable.type)
-    if isinstance(kind, Type) and kind != signature.result:
-        message = f"`{node.name.text}` is a {kind}, task `{signature.name}` returns a {signature.result}"
+    if isinstance(kind, Unknown):
+        bind(kind, signature.result)
+    elif kind != signature.result:
+        returned = article(signature.result)
+        message = f"`{node.name.text}` is {article(kind)}, task `{signature.name}` returns {returned}"
         body.fail(kinds.WRONG_TYPE, call, message, "use a variable of its own for the result")
-    convert.to(
-        body, Value(statement.arguments[0], signature.result), variable.type, call, "the result"
-    ) if isinstance(kind, Unknown) and statement.arguments else None
     return (calls.with_result(statement, variable.name),)
+
+
+def _item(argument: nodes.Node) -> nodes.Item:
+    """Return an argument; what reads as a comparison `name = value` in an expression is one by name here."""
+    match argument:
+        case nodes.Binary(op="=", left=nodes.Name() as name, right=value):
+            return nodes.Item(name, value)
+    return nodes.Item(None, argument)
 
 
 def _type_of(value: Value) -> AnyType:

@@ -2,7 +2,7 @@
 
 from ropsim.language.check import fold, units
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import AnyType, Type, Unknown, Value, bind, known
+from ropsim.language.check.types import AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.report import Placed
 from ropsim.program import Constant, Expression, ValueType
@@ -40,7 +40,10 @@ def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> E
         return _whole(body, value, found, place, what)
     if found.value is not wanted.value:
         body.fail(
-            kinds.WRONG_TYPE, place, f"{what} must be a {wanted}, found a {found}", _hint(wanted, found)
+            kinds.WRONG_TYPE,
+            place,
+            f"{what} must be {article(wanted)}, found {article(found)}",
+            _hint(wanted, found),
         )
     return value.expression
 
@@ -63,9 +66,13 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
         return expression
     if not value.is_bare or wanted.dimension == units.SHARE:
         hint = "write a unit" if value.is_bare else _dimension_hint(wanted, found)
-        body.fail(kinds.WRONG_DIMENSION, place, f"{what} must be a {wanted}, found a {found}", hint)
+        body.fail(
+            kinds.WRONG_DIMENSION, place, f"{what} must be {article(wanted)}, found {article(found)}", hint
+        )
     if body.world.is_strict and fold.number_of(expression) != 0:
-        body.warn(kinds.BARE, place, f"{what} is a {wanted} without unit", "write the unit behind the number")
+        body.warn(
+            kinds.BARE, place, f"{what} is {article(wanted)} without unit", "write the unit behind the number"
+        )
     factor = body.world.units.factor(wanted.dimension)
     return fold.binary("mul", expression, fold.real(factor), _REAL)
 
@@ -80,7 +87,7 @@ def _whole(body: Body, value: Value, found: Type, place: Placed, what: str) -> E
         body.fail(
             kinds.NOT_WHOLE,
             place,
-            f"{what} must be a whole number, found a {found}",
+            f"{what} must be a whole number, found {article(found)}",
             "divide by one unit and `round` it",
         )
     shown = f"{number:g}" if number is not None else "a number that may have a fraction"

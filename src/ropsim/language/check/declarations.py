@@ -198,7 +198,8 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         vector = convert.constant(body, poses.shift(body, step, "a step of a grid"), step, "a step of a grid")
         assert isinstance(vector.value, tuple)
         x, y, z = vector.value
-        steps.append(quaternion.rotate(X_KF[3:], (x, y, z)))
+        turned = quaternion.rotate(X_KF[3:], (x, y, z))
+        steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
     order = node.order.text if node.order is not None else "row"
     return Pattern((counts[0], counts[1], counts[2]), origin, tuple(steps), order)
 
@@ -216,3 +217,8 @@ def _unique(body: Body, name: nodes.Name, declared: set[str]) -> None:
     if name.text in declared:
         body.fail(name_kinds.DUPLICATE, name, f"`{name.text}` is declared twice", "rename one of them")
     declared.add(name.text)
+
+
+def _snapped(length: float) -> float:
+    """Return 0 for what rounding leaves of a turned zero; a step of less than 1 pm is none."""
+    return 0.0 if abs(length) < 1e-12 else length

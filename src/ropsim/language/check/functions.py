@@ -5,7 +5,7 @@ from typing import NoReturn
 
 from ropsim.language.check import arithmetic, convert, fold, units, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, known
+from ropsim.language.check.types import ANGLE, INT, LENGTH, NUMBER, POSE, Type, Value, article, known
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -83,7 +83,7 @@ def _root(body: Body, node: nodes.Function) -> Value:
         body.fail(
             kinds.WRONG_DIMENSION,
             argument,
-            f"`sqrt` has no meaning for a {kind}",
+            f"`sqrt` has no meaning for {article(kind)}",
             "its operand is a number or a square",
         )
     return Value(fold.unary("sqrt", convert.real(value), _REAL), Type(_REAL, rooted), value.is_bare)
@@ -94,7 +94,7 @@ def _absolute(body: Body, node: nodes.Function) -> Value:
     value = values.check(body, argument)
     kind = known(value.type)
     if isinstance(kind, Type) and not kind.is_number:
-        body.fail(kinds.WRONG_TYPE, argument, f"`abs` needs a number, found a {kind}")
+        body.fail(kinds.WRONG_TYPE, argument, f"`abs` needs a number, found {article(kind)}")
     return Value(
         fold.unary("abs", value.expression, kind.value if isinstance(kind, Type) else _REAL),
         kind,
@@ -108,7 +108,7 @@ def _extreme(body: Body, node: nodes.Function) -> Value:
     for value, argument in ((left, node.arguments[0]), (right, node.arguments[1])):
         kind = known(value.type)
         if isinstance(kind, Type) and not kind.is_number:
-            body.fail(kinds.WRONG_TYPE, argument, f"`{name}` needs numbers, found a {kind}")
+            body.fail(kinds.WRONG_TYPE, argument, f"`{name}` needs numbers, found {article(kind)}")
     a, b, kind = arithmetic.alike(body, name, left, right, node)
     is_bare = left.is_bare and right.is_bare
     return Value(fold.binary(name, a, b, kind.value if isinstance(kind, Type) else _REAL), kind, is_bare)

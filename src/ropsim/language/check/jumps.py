@@ -2,6 +2,7 @@
 
 from ropsim.language.check import fold, values
 from ropsim.language.check.body import Body
+from ropsim.language.check.types import article
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.findings import types as type_kinds
 from ropsim.language.syntax import statements as syntax
@@ -33,7 +34,9 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
         return (Return(None, body.statement_span),)
     if node.value is None:
         body.fail(
-            type_kinds.NO_RETURN, node, f"`return` needs a value: task `{body.task}` returns a {body.result}"
+            type_kinds.NO_RETURN,
+            node,
+            f"`return` needs a value: task `{body.task}` returns {article(body.result)}",
         )
     value = values.expect(body, node.value, body.result, "the value of `return`")
     return (Return(value, body.statement_span),)

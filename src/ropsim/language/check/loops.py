@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ropsim.language.check import convert, fold, values
 from ropsim.language.check.body import Body, Loop
-from ropsim.language.check.types import BOOL, INT, POSE, AnyType, Type, known
+from ropsim.language.check.types import BOOL, INT, POSE, AnyType, Type, article, known
 from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
@@ -81,7 +81,10 @@ def for_header(body: Body, node: syntax.For) -> tuple[str, Expression, Expressio
         is_whole = not isinstance(found, Type) or found.value is _INT
         if not is_whole:
             body.fail(
-                kinds.ARGUMENTS, node, f"`for` over a {found} needs a `step`", "write `step` and a constant"
+                kinds.ARGUMENTS,
+                node,
+                f"`for` over {article(found)} needs a `step`",
+                "write `step` and a constant",
             )
         return variable.name, low, high, fold.whole(1)
     way = convert.to(body, step, variable.type, node.step, "the step of `for`")

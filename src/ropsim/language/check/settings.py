@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ropsim.language.check import convert, fold, units, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import LENGTH, Type, Value, known
+from ropsim.language.check.types import LENGTH, Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax.statements import Motion, Setting
 from ropsim.program import Expression, Settings, ValueType
@@ -89,7 +89,7 @@ def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
     if value.is_bare or not isinstance(kind, Type):
         return _BARE[setting.word]
     if kind.value is not _REAL or (setting.word, kind.dimension) not in _FIELDS:
-        message = f"`{setting.word}` needs {_ALLOWED[setting.word]}, found a {kind}"
+        message = f"`{setting.word}` needs {_ALLOWED[setting.word]}, found {article(kind)}"
         body.fail(kinds.WRONG_DIMENSION, setting.value, message, "write a unit behind the number")
     return kind.dimension
 

@@ -95,6 +95,12 @@ class Unknown:
 AnyType = Type | Unknown
 
 
+def article(kind: AnyType) -> str:
+    """Return the words for a type with their article: `a length`, `an angle`."""
+    words = str(kind)
+    return f"an {words}" if words[0] in "aeiou" else f"a {words}"
+
+
 def known(kind: AnyType) -> AnyType:
     """Return the known type, or the cell where there is none yet."""
     return kind.root() if isinstance(kind, Unknown) else kind

@@ -18,6 +18,7 @@ from ropsim.language.check.types import (
     Type,
     Unknown,
     Value,
+    article,
     bind,
     known,
 )
@@ -198,7 +199,7 @@ def _member(body: Body, node: nodes.Member) -> Value:
         body.fail(
             name_kinds.UNKNOWN_MEMBER,
             node.name,
-            f"a {kind} has no component `{node.name.text}`",
+            f"{article(kind)} has no component `{node.name.text}`",
             "locations have components",
         )
     index, member_type = member(body, node.name)

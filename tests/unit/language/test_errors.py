@@ -1,0 +1,113 @@
+"""One finding per wrong line; all other lines still compile."""
+
+import pytest
+
+from support.tasks import codes, compiled, only
+
+PROGRAM = """program p
+units mm, deg, s
+task Pick(part: loc, clear: length = 60 mm)
+  mov part above clear
+  lin part
+  close
+endp
+task Place(slot: loc)
+  mov slot
+  open
+endp
+Pick infeed
+Place (1, 2, 3) in pallet
+"""
+
+
+def test_the_words_of_paper_one_with_the_nearest_name() -> None:
+    found = only("task release\n mov l\nendp\nrelase infeed\n")
+    assert found.message == "Task not defined: `relase`"
+    assert found.hint == "did you mean `release`?"
+    assert found.fix is not None
+    assert found.fix.replacement == "release"
+
+
+def test_other_lines_of_a_wrong_text_still_compile() -> None:
+    result = compiled(PROGRAM.replace("lin part", "lin part speed 5 s"))
+    assert [d.code for d in result.diagnostics] == ["T302"]
+    assert result.icr is None
+    assert result.program is not None
+    assert [len(t.body) for t in result.program.tasks] == [2, 2]
+    assert len(result.program.main) == 2
+
+
+def test_a_wrong_first_value_is_not_reported_again_at_each_use() -> None:
+    assert codes("x = 5 s + 3 mm\ny = x + 1\nmov (x, y, 0)") == ["T302"]
+
+
+@pytest.mark.parametrize("header", ["for i = 1 too 5", "repeat 2 2", "if part_ok ok", "while", "with sped 3"])
+def test_a_broken_opener_still_opens_its_block(header: str) -> None:
+    closer = {"for": "endf", "repeat": "endr", "if": "endif", "while": "endw", "with": "endwith"}
+    assert codes(f"{header}\nopen\n{closer[header.split(maxsplit=1)[0]]}\nmov home") == ["L101"]
+
+
+def test_a_broken_task_header_spoils_nothing_else() -> None:
+    assert codes(PROGRAM.replace("(part: loc,", "(part loc,")) == ["L101"]
+
+
+def test_an_unclosed_parenthesis_ends_at_the_next_statement() -> None:
+    found = only("mov (1, 2, 3\nclose\nmov home")
+    assert found.span is not None
+    assert (found.code, found.span.line) == ("L101", 1)
+
+
+def test_a_statement_may_go_on_in_the_next_lines() -> None:
+    assert codes("units mm\nmov (1,\n 2,\n 3)\nlin infeed \\\n speed 20 mm/s") == []
+    found = only("units mm\nmov (1,\n 2 s,\n 3)")
+    assert found.span is not None
+    assert (found.span.line, found.span.column, found.span.end_column) == (3, 2, 5)
+
+
+def test_tabs_line_ends_and_byte_order_mark_keep_columns() -> None:
+    found = only("\ufeffunits mm\r\n\tmov nowhere\r")
+    assert found.span is not None
+    assert (found.span.line, found.span.column, found.span.end_column) == (2, 6, 13)
+
+
+def test_break_leaves_all_loops_of_a_pattern() -> None:
+    from ropsim.icr import run
+
+    text = """units mm
+pattern s = grid 3 x 3 from (0, 0, 0) step (1, 0, 0), (0, 1, 0)
+for each q in s
+  if q.row = 2 then break
+  mov q
+endf
+"""
+    result = compiled(text)
+    assert result.icr is not None
+    assert len(run(result.icr).moves) == 3
+
+
+def test_recursion_is_refused_with_the_chain() -> None:
+    found = only("task a\n b\nendp\ntask b\n a\nendp\na\n")
+    assert "a -> b -> a" in found.message
+
+
+def test_crossed_blocks_have_one_finding() -> None:
+    assert codes("repeat 2\nif true\nopen\nendr\nendif") == ["L106"]
+
+
+def test_an_empty_text_is_a_warning() -> None:
+    found = only("")
+    assert (found.code, found.is_error) == ("L111", False)
+
+
+def test_the_list_of_findings_ends_after_two_hundred() -> None:
+    found = compiled("mov nowhere\n" * 1000).diagnostics
+    assert len(found) == 201
+    assert found[-1].code == "L110"
+
+
+def test_every_kind_has_an_explanation() -> None:
+    from ropsim.core import catalogue
+
+    kinds = [k for k in catalogue().values() if k.code[0] in "LNT"]
+    assert len(kinds) >= 38
+    assert all(len(k.explanation) > 80 for k in kinds)

@@ -1,0 +1,118 @@
+"""Types and units: bare numbers, dimensions, whole numbers."""
+
+import math
+
+import pytest
+
+from ropsim.program import Assign, Constant, Repeat, ValueType, Wait
+from support.tasks import codes, compiled, only
+
+
+def value(expression: str, head: str = "") -> object:
+    """Return the constant that an expression is folded to."""
+    result = compiled(f"{head}\nzz = {expression}")
+    assert result.program is not None
+    last = result.program.main[-1]
+    assert isinstance(last, Assign), result.diagnostics
+    assert isinstance(last.value, Constant), last
+    return last.value.value
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("5 mm", 0.005),
+        ("2 inch", 0.0508),
+        ("90 deg", math.pi / 2),
+        ("3 min", 180.0),
+        ("250 ms", 0.25),
+        ("30 %", 0.3),
+        ("150 mm/s", 0.15),
+        ("2 m/s2", 2.0),
+        ("180 deg/s", math.pi),
+        ("1 kg * 2 m/s2", 2.0),
+        ("5 mm + 5", 0.055),
+        ("10 - 2 cm", 0.08),
+        ("sqrt(9 mm * 1 m) ", math.sqrt(0.009)),
+        ("100 mm / 50 mm/s", 2.0),
+        ("sin(30)", 0.5),
+        ("atan2(1, 1)", math.pi / 4),
+        ("acos(0)", math.pi / 2),
+        ("min(3 mm, 1)", 0.003),
+        ("abs(-3 mm)", 0.003),
+    ],
+)
+def test_quantities_are_si(text: str, expected: float) -> None:
+    assert value(text) == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [("7 mod 3", 1), ("2 * 3 + 1", 7), ("round(2.5)", 3), ("trunc(-2.7)", -2), ("-(-3)", 3), ("- - 3", 3)],
+)
+def test_whole_numbers_stay_whole(text: str, expected: int) -> None:
+    assert value(text) == expected
+    assert isinstance(value(text), int)
+
+
+def test_a_bare_number_takes_the_unit_of_its_place() -> None:
+    result = compiled("units mm, deg, s\nx = 0 mm\nx = (10 + 5) * 2\nwait 3")
+    assert result.program is not None
+    second, third = result.program.main[1:]
+    assert isinstance(second, Assign)
+    assert second.value == Constant(pytest.approx(0.03), ValueType.REAL)
+    assert isinstance(third, Wait)
+    assert third.duration == Constant(3.0, ValueType.REAL)
+
+
+def test_classic_bare_lengths_are_centimetres() -> None:
+    assert value("5 + 0 mm") == pytest.approx(0.05)
+
+
+def test_a_variable_gets_its_type_from_a_later_use() -> None:
+    result = compiled("units mm\nx = 5\nmov (x, 0, 0)\nn = 3\nrepeat n\nopen\nendr")
+    assert result.program is not None
+    assert [v.type for v in result.program.main_locals] == [ValueType.REAL, ValueType.INT]
+    first = result.program.main[0]
+    assert isinstance(first, Assign)
+    assert first.value == Constant(0.005, ValueType.REAL)
+
+
+def test_the_printed_count_may_be_written_as_a_real() -> None:
+    result = compiled("repeat 6.0\nopen\nendr")
+    assert result.program is not None
+    loop = result.program.main[0]
+    assert isinstance(loop, Repeat)
+    assert loop.count == Constant(6, ValueType.INT)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("x = 5 s + 3 mm", "T302"),
+        ("wait 5 mm", "T302"),
+        ("mov infeed above 30 %", "T302"),
+        ("repeat 2.5\nendr", "T304"),
+        ("x = infeed + 1", "T301"),
+        ("if 3 then open", "T301"),
+        ('x = "a" + 1', "T301"),
+        ("x = sqrt(-1)", "T306"),
+        ("x = 1 / 0", "T306"),
+        ("mov infeed speed 101 %", "T306"),
+        ("x = 1e999", "L104"),
+        ("x = true = 3", "L101"),
+    ],
+)
+def test_wrong_types_and_dimensions_have_one_finding_each(text: str, code: str) -> None:
+    assert codes(text) == [code]
+
+
+def test_the_message_names_what_was_found_and_what_is_allowed() -> None:
+    found = only("wait 5 mm")
+    assert found.message == "the time of `wait` must be a time, found a length"
+    assert found.span is not None
+    assert (found.span.line, found.span.column, found.span.end_column) == (1, 6, 10)
+
+
+def test_strict_wants_units_and_declarations() -> None:
+    assert codes("strict\nvar d: length\nd = 5\nd = 0\nm = 3\nmov home") == ["T307", "T311"]

@@ -1,0 +1,163 @@
+"""Each entity of the generic controller can be replaced in a whole run."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.controller import (
+    PathPlanner,
+    Refusal,
+    Sample,
+    SplineJointInterpolator,
+    StandardInterpolator,
+    standard_chain,
+)
+from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints, Recording
+from ropsim.model import Cell, Signal, Tool
+from ropsim.motion import JointTrajectory, LineTrajectory
+from ropsim.simulation import RunOptions, run
+from ropsim.spatial import Array
+
+PROGRAM = """\
+program replace_me
+units mm, deg
+signal go = input 1
+mov (500, -150, 150)
+lin (500, 50, 150) speed 200 mm/s
+wait until go timeout 9 s
+mov home
+"""
+
+
+@pytest.fixture(scope="module")
+def cell() -> Cell:
+    robot = robots.load("puma560")
+    return Cell(
+        "c",
+        robot,
+        robots.default_controller("puma560"),
+        tools={"": Tool("")},
+        start=robot.home,
+        signals={"go": Signal("go", is_input=True, changes=((3.0, 1.0),))},
+    )
+
+
+@pytest.fixture(scope="module")
+def program(cell: Cell) -> icr.Program:
+    from ropsim.workbench import environment_of
+
+    compiled = ropsim.language.compile(PROGRAM.replace("signal go = input 1\n", ""), environment_of(cell))
+    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
+    assert compiled.icr is not None
+    return compiled.icr
+
+
+@pytest.fixture(scope="module")
+def standard(cell: Cell, program: icr.Program) -> Recording:
+    recording = run(cell, program, RunOptions())
+    assert [str(found) for found in recording.findings if found.is_error] == []
+    return recording
+
+
+@dataclass(frozen=True)
+class SlowPlanner:
+    """Plans like another planner, at half the path speed."""
+
+    inner: PathPlanner
+
+    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
+        speed = move.modal.path_speed
+        modal = replace(move.modal, path_speed=speed / 2 if speed else None)
+        return self.inner.plan(replace(move, modal=modal), q_start)
+
+
+def test_another_path_planner(cell: Cell, program: icr.Program, standard: Recording) -> None:
+    chain = standard_chain(cell)
+    slow = run(cell, program, RunOptions(chain=replace(chain, planner=SlowPlanner(chain.planner))))
+    times = [
+        [event.data["travel"] for event in one.events if event.kind == "move"] for one in (slow, standard)
+    ]
+    assert times[0][1] == pytest.approx(2 * times[1][1], rel=0.2)
+    assert times[0][0] == times[1][0]
+
+
+class CountingInterpolator(StandardInterpolator):
+    """The standard one; counts how often it is asked."""
+
+    asked = 0
+
+    def sample(
+        self, trajectory: JointTrajectory | LineTrajectory, period: float
+    ) -> JointSamples | PoseSetpoints:
+        type(self).asked += 1
+        return super().sample(trajectory, period)
+
+
+def test_another_interpolator(cell: Cell, program: icr.Program, standard: Recording) -> None:
+    chain = replace(standard_chain(cell), interpolator=CountingInterpolator())
+    again = run(cell, program, RunOptions(chain=chain))
+    assert CountingInterpolator.asked == 3
+    np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
+
+
+class StepInterpolator:
+    """Holds every sample: the crude form of joint interpolation."""
+
+    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
+        del q_start
+        q = np.repeat(samples.q, ticks_per_sample, axis=0)
+        return JointReference(q, np.zeros_like(q), np.zeros_like(q))
+
+
+def test_another_joint_interpolator_shows_in_the_following_error(
+    cell: Cell, program: icr.Program, standard: Recording
+) -> None:
+    assert isinstance(standard_chain(cell).joint_interpolator, SplineJointInterpolator)
+    chain = replace(standard_chain(cell), joint_interpolator=StepInterpolator())
+    crude = run(cell, program, RunOptions(chain=chain))
+    worst = [np.abs(one.channels["q_error"].values).max() for one in (crude, standard)]
+    assert worst[0] > 3 * worst[1]
+
+
+class PdLaw:
+    """A plain PD controller in Python."""
+
+    def __init__(self, n: int) -> None:
+        self._n = n
+
+    def reset(self, q: Array) -> None:
+        assert q.shape == (self._n,)
+
+    def step(self, ref: Array, meas: Array, t: float) -> Array:
+        del t
+        error = 50.0 * (ref[0] - meas[0]) + ref[1] - meas[1]
+        return np.asarray(np.clip(60.0 * error, -40.0, 40.0))
+
+
+def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard: Recording) -> None:
+    recording = run(cell, program, RunOptions(law=PdLaw(cell.robot.n)))
+    final = recording.channels["q"].values[-1]
+    np.testing.assert_allclose(final, standard.channels["q"].values[-1], atol=2e-2)
+    assert (recording.channels["q"].values != standard.channels["q"].values[: len(recording.time)][0]).any()
+
+
+class EarlySensor:
+    """Says `go` two seconds earlier than the cell file does."""
+
+    def read(self, channel: str, time: float) -> Sample:
+        return Sample(value=channel == "go" and time >= 1.0, valid=True, age=0.0)
+
+
+def test_another_sensor_interface_ends_a_wait_earlier(
+    cell: Cell, program: icr.Program, standard: Recording
+) -> None:
+    early = run(cell, program, RunOptions(sensors=EarlySensor()))
+    assert early.duration < standard.duration - 0.5
+
+
+def test_scripted_inputs_are_recorded_as_they_change(standard: Recording) -> None:
+    go = standard.channels["signal.go"].values
+    assert standard.time[np.argmax(go)] == pytest.approx(3.004)
