@@ -6,7 +6,7 @@ Run with `make bench`; figures go into docs/explanation/performance.md.
 import subprocess
 import sys
 
-from pytest_benchmark.fixture import BenchmarkFixture
+from measuring import Measure
 
 import ropsim
 
@@ -32,12 +32,11 @@ def program_of(lines: int) -> str:
     return head + "\n".join(UNIT.format(k=k + 1) for k in range(lines // UNIT.count("\n")))
 
 
-def test_compile_10k_lines(benchmark: BenchmarkFixture) -> None:
+def test_compile_10k_lines(measure: Measure) -> None:
     text = program_of(10_000)
-    compiled = benchmark.pedantic(ropsim.language.compile, (text,), rounds=5, warmup_rounds=1)
+    compiled, time = measure(lambda: ropsim.language.compile(text))
     assert compiled.diagnostics == ()
-    lines = text.count("\n")
-    benchmark.extra_info["lines_per_second"] = round(lines / benchmark.stats.stats.median)
+    measure.figure("lines per second", text.count("\n") / time.median)
 
 
 LOOP = """\
@@ -69,16 +68,17 @@ END
 """
 
 
-def test_icr_instructions(benchmark: BenchmarkFixture) -> None:
+def test_icr_instructions(measure: Measure) -> None:
     program = ropsim.icr.assemble(LOOP)
-    trace = benchmark.pedantic(ropsim.icr.run, (program,), rounds=5, warmup_rounds=1)
+    trace, time = measure(lambda: ropsim.icr.run(program))
     assert trace.trap is None
-    benchmark.extra_info["instructions_per_second"] = round(trace.steps / benchmark.stats.stats.median)
+    measure.figure("instructions per second", trace.steps / time.median)
 
 
 def start_up() -> None:
     subprocess.run([sys.executable, "-m", "ropsim", "--version"], check=True, stdout=subprocess.DEVNULL)
 
 
-def test_start_up_of_version(benchmark: BenchmarkFixture) -> None:
-    benchmark.pedantic(start_up, rounds=10, warmup_rounds=1)
+def test_start_up_of_version(measure: Measure) -> None:
+    _, time = measure(start_up, rounds=10)
+    measure.figure("seconds", time.median)

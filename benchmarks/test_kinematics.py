@@ -1,7 +1,7 @@
 """Forward and inverse kinematics of the PUMA 560."""
 
 import numpy as np
-from pytest_benchmark.fixture import BenchmarkFixture
+from measuring import Measure
 
 import ropsim
 
@@ -10,19 +10,20 @@ RNG = np.random.default_rng(1)
 JOINTS = RNG.uniform(ROBOT.lower_limits, ROBOT.upper_limits, (10_000, 6))
 
 
-def test_inverse_batch(benchmark: BenchmarkFixture) -> None:
+def test_inverse_batch(measure: Measure) -> None:
     targets = ropsim.kinematics.forward_batch(ROBOT, JOINTS)
-    found = benchmark(ropsim.kinematics.inverse_batch, ROBOT, targets)
+    found, time = measure(lambda: ropsim.kinematics.inverse_batch(ROBOT, targets), rounds=20)
     assert found.shape == (10_000, 8, 6)
-    benchmark.extra_info["us_per_pose_all_branches"] = 1e6 * benchmark.stats.stats.median / len(JOINTS)
+    measure.figure("us per pose, all branches", 1e6 * time.best / len(JOINTS))
 
 
-def test_inverse_of_one_pose(benchmark: BenchmarkFixture) -> None:
+def test_inverse_of_one_pose(measure: Measure) -> None:
     pose = ropsim.kinematics.forward(ROBOT, ROBOT.home)
-    found = benchmark(ropsim.kinematics.inverse, ROBOT, pose)
+    found, time = measure(lambda: ropsim.kinematics.inverse(ROBOT, pose), rounds=200)
     assert len(found.solutions) > 0
+    measure.figure("us per pose, from Python", 1e6 * time.median)
 
 
-def test_forward_batch(benchmark: BenchmarkFixture) -> None:
-    benchmark(ropsim.kinematics.forward_batch, ROBOT, JOINTS)
-    benchmark.extra_info["us_per_pose"] = 1e6 * benchmark.stats.stats.median / len(JOINTS)
+def test_forward_batch(measure: Measure) -> None:
+    _, time = measure(lambda: ropsim.kinematics.forward_batch(ROBOT, JOINTS), rounds=20)
+    measure.figure("us per pose", 1e6 * time.best / len(JOINTS))

@@ -7,16 +7,17 @@ import time
 from pathlib import Path
 
 import numpy as np
-from pytest_benchmark.fixture import BenchmarkFixture
+from measuring import Measure
 
 import ropsim
-from ropsim.codegen import kernel
+from ropsim.codegen import Compiled, kernel
 from ropsim.controller import Refusal, plan_move, standard_chain
 from ropsim.dynamics import compiled, last_body
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.servo import Servo
+from ropsim.spatial import Array
 
 CELL = Path(__file__).parents[1] / "examples" / "palletizing"
 ROBOT = ropsim.robots.load("puma560")
@@ -40,7 +41,10 @@ def three_moves() -> JointReference:
 
 
 @kernel
-def repeat_forward(forward, q, qd, tau, load, qdd, times):  # type: ignore[no-untyped-def]  # compiled loop
+def repeat_forward(
+    forward: Compiled, q: Array, qd: Array, tau: Array, load: Array, qdd: Array, times: int
+) -> None:
+    """Call the forward dynamics `times` times; each call depends on the one before."""
     for _ in range(times):
         forward(q, qd, tau, load, qdd)
         q[0] += 1e-9 * qdd[0]
@@ -49,24 +53,19 @@ def repeat_forward(forward, q, qd, tau, load, qdd, times):  # type: ignore[no-un
 def bare_dynamics() -> float:
     """Return the time of one forward dynamics of the arm inside a compiled loop [s], best of five."""
     n = ROBOT.n
-    arrays = [
-        np.array(ROBOT.home),
-        np.zeros(n),
-        np.zeros(n),
-        np.array(last_body(ROBOT, Payload())),
-        np.zeros(n),
-    ]
+    q, qd, tau, qdd = np.array(ROBOT.home), np.zeros(n), np.zeros(n), np.zeros(n)
+    load = np.array(last_body(ROBOT, Payload()))
     function = compiled(ROBOT).forward
-    repeat_forward(function, *arrays, 10)
+    repeat_forward(function, q, qd, tau, load, qdd, 10)
     best = np.inf
     for _ in range(5):
         start = time.perf_counter()
-        repeat_forward(function, *arrays, 100_000)
+        repeat_forward(function, q, qd, tau, load, qdd, 100_000)
         best = min(best, time.perf_counter() - start)
     return float(best) / 100_000
 
 
-def test_servo_tick(benchmark: BenchmarkFixture) -> None:
+def test_servo_tick(measure: Measure) -> None:
     """1 kHz control, 4 kHz Runge-Kutta plant, motors, friction, every tick recorded, slices of 20 ms."""
     reference = three_moves()
     servo = Servo.build(ROBOT, CONTROLLER)
@@ -79,31 +78,30 @@ def test_servo_tick(benchmark: BenchmarkFixture) -> None:
             part = JointReference(reference.q[rows], reference.qd[rows], reference.qdd[rows])
             state = servo.run(state, part, Payload(), recorder)
 
-    benchmark.pedantic(run, rounds=7, warmup_rounds=1)
-    best = benchmark.stats.stats.min
+    _, time_ = measure(run, rounds=9)
     bare = bare_dynamics()
-    benchmark.extra_info["times_real_time"] = SECONDS / best
-    benchmark.extra_info["us_per_control_tick"] = 1e6 * best / reference.ticks
-    benchmark.extra_info["us_per_bare_forward_dynamics"] = 1e6 * bare
-    benchmark.extra_info["share_of_bare_dynamics"] = 16 * bare * reference.ticks / best
+    measure.figure("times real time", SECONDS / time_.best)
+    measure.figure("us per control tick", 1e6 * time_.best / reference.ticks)
+    measure.figure("us per bare forward dynamics", 1e6 * bare)
+    measure.figure("share of the bare dynamics in it", 16 * bare * reference.ticks / time_.best)
 
 
-def test_whole_run_warm(benchmark: BenchmarkFixture) -> None:
+def test_whole_run_warm(measure: Measure) -> None:
     project = ropsim.open(CELL)
-    recording = benchmark.pedantic(project.simulate, rounds=3, warmup_rounds=1)
-    benchmark.extra_info["simulated_seconds"] = recording.duration
-    benchmark.extra_info["times_real_time"] = recording.duration / benchmark.stats.stats.min
+    recording, time_ = measure(project.simulate)
+    measure.figure("simulated seconds", recording.duration)
+    measure.figure("times real time", recording.duration / time_.best)
 
 
-def test_kinematic_run_warm(benchmark: BenchmarkFixture) -> None:
+def test_kinematic_run_warm(measure: Measure) -> None:
     """The slow side alone: interpreter, planning, inverse kinematics, interpolation, recording."""
     project = ropsim.open(CELL)
     options = RunOptions(Fidelity.KINEMATIC)
-    recording = benchmark.pedantic(lambda: project.simulate(options=options), rounds=3, warmup_rounds=1)
-    benchmark.extra_info["times_real_time"] = recording.duration / benchmark.stats.stats.min
+    recording, time_ = measure(lambda: project.simulate(options=options))
+    measure.figure("times real time", recording.duration / time_.best)
 
 
-def test_planning_of_the_whole_program(benchmark: BenchmarkFixture) -> None:
+def test_planning_of_the_whole_program(measure: Measure) -> None:
     cell, program = ropsim.open(CELL).runnable()
     moves = ropsim.icr.run(program).moves
 
@@ -115,37 +113,30 @@ def test_planning_of_the_whole_program(benchmark: BenchmarkFixture) -> None:
             q, ticks = planned.q_end, ticks + planned.reference.ticks
         return ticks
 
-    ticks = benchmark.pedantic(plan, rounds=5, warmup_rounds=1)
-    benchmark.extra_info["ms_per_move"] = 1e3 * benchmark.stats.stats.min / len(moves)
-    benchmark.extra_info["times_real_time"] = ticks / 1000 / benchmark.stats.stats.min
+    ticks, time_ = measure(plan)
+    measure.figure("ms per move", 1e3 * time_.best / len(moves))
+    measure.figure("times real time", ticks / 1000 / time_.best)
 
 
-def test_whole_demo_as_a_process(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
+def demo(report: Path, environment: dict[str, str]) -> None:
+    command = [sys.executable, "-m", "ropsim", "run", str(CELL), "--report", str(report)]
+    subprocess.run(command, check=True, capture_output=True, env={**os.environ, **environment})
+
+
+def test_whole_demo_as_a_process(measure: Measure, tmp_path: Path) -> None:
     """`ropsim run` with compiled code in its cache: what a user waits for every time."""
-    command = [sys.executable, "-m", "ropsim", "run", str(CELL), "--report", str(tmp_path / "report.html")]
-    benchmark.pedantic(
-        lambda: subprocess.run(command, check=True, capture_output=True), rounds=3, warmup_rounds=1
-    )
+    _, time_ = measure(lambda: demo(tmp_path / "report.html", {}), rounds=3)
+    measure.figure("seconds", time_.median)
 
 
-def test_very_first_demo_as_a_process(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
+def test_very_first_demo_as_a_process(measure: Measure, tmp_path: Path) -> None:
     """`ropsim run` with empty caches: everything is generated and compiled."""
     runs = iter(range(100))
 
     def first() -> None:
-        environment = {
-            "ROPSIM_CACHE_DIR": str(tmp_path / str(next(runs))),
-            "NUMBA_CACHE_DIR": str(tmp_path / f"n{next(runs)}"),
-        }
-        command = [
-            sys.executable,
-            "-m",
-            "ropsim",
-            "run",
-            str(CELL),
-            "--report",
-            str(tmp_path / "report.html"),
-        ]
-        subprocess.run(command, check=True, capture_output=True, env={**os.environ, **environment})
+        place = tmp_path / str(next(runs))
+        caches = {"ROPSIM_CACHE_DIR": str(place / "ropsim"), "NUMBA_CACHE_DIR": str(place / "numba")}
+        demo(tmp_path / "report.html", caches)
 
-    benchmark.pedantic(first, rounds=2)
+    _, time_ = measure(first, rounds=2, warmup=0)
+    measure.figure("seconds", time_.median)

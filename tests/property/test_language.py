@@ -11,9 +11,8 @@ from support.tasks import CELL, compiled
 
 FIG5 = (Path(__file__).parents[1] / "golden" / "task" / "fig5.task").read_text(encoding="utf-8")
 MODERN = (Path(__file__).parents[1] / "golden" / "task" / "everything.task").read_text(encoding="utf-8")
-WORDS = sorted(
-    set((FIG5 + MODERN).split()) | {"(", ")", ",", ";", ".", '"', "\\", "1e999", "endr", "\t", "#"}
-)
+SIGNS = {"(", ")", ",", ";", ".", '"', "\\", "1e999", "endr", "\t", "#"}
+WORDS = sorted(set((FIG5 + MODERN).split()) | SIGNS)
 TASKS = """program p
 units mm, deg, s
 task Pick(part: loc, clear: length = 60 mm)

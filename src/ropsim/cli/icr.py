@@ -75,7 +75,8 @@ def instruction_text(one: Instruction) -> str:
             x, y, z = (1e3 * float(c) for c in pose.position)
             w, i, j, k = (float(c) for c in pose.orientation)
             yaw, pitch, roll = (57.29577951308232 * angle for angle in to_zyx((w, i, j, k)))
-            what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
+            what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
+            what += f"roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
             what += f" in {one.modal.frame}" if one.modal.frame else ""
         case MoveInstruction(kind=kind, target=None):
             what = f"{kind.value} home"

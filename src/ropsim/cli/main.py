@@ -62,7 +62,8 @@ def _fault(error: Exception, arguments: Sequence[str]) -> int:
     frame = traceback.extract_tb(error.__traceback__)[-1]
     place = f"{os.path.basename(frame.filename)}:{frame.lineno}"  # noqa: PTH119 - a name for a message
     print(
-        f"this is a bug in ropsim {__version__}, not in your input: {type(error).__name__}: {error} ({place})\n"
+        f"this is a bug in ropsim {__version__}, not in your input: "
+        f"{type(error).__name__}: {error} ({place})\n"
         f"  = note: reproduce it with `ROPSIM_DEBUG=1 {shlex.join(['ropsim', *arguments])}`",
         file=sys.stderr,
     )

@@ -86,9 +86,7 @@ def _icr(commands: Any) -> None:  # noqa: ANN401
     group = commands.add_parser(
         "icr",
         help="work with ICR, the neutral robot program",
-        description=(
-            "ICR is the flat, verifiable, robot-independent program that the simulator and every robot port run."
-        ),
+        description=("ICR is the flat, verifiable, robot-independent program that the simulator runs."),
     )
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
     compile_ = _command(actions, "compile", "icr:compile_", "print the ICR of a task program")

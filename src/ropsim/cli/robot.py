@@ -47,7 +47,8 @@ def show(options: argparse.Namespace, output: Output) -> int:
     for joint in robot.joints:
         scale, unit = _display(joint.type)
         lines.append(
-            f"{joint.name:6} {joint.type.value:10} {joint.lower * scale:8.1f} .. {joint.upper * scale:6.1f} {unit:4}"
+            f"{joint.name:6} {joint.type.value:10}"
+            f" {joint.lower * scale:7.1f} .. {joint.upper * scale:6.1f} {unit:4}"
             f" {joint.max_speed * scale:7.1f} {unit}/s {joint.max_acceleration * scale:7.0f} {unit}/s²"
             f" {joint.max_effort:9.1f} N·m"
         )

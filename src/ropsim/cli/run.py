@@ -44,7 +44,8 @@ def _simulate(project: Project, options: argparse.Namespace) -> Recording:
     cell, program = project.runnable(options.program)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm")
-        from ropsim.simulation import Fidelity, RunOptions, run as simulate
+        from ropsim.simulation import Fidelity, RunOptions
+        from ropsim.simulation import run as simulate
 
         fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
         return simulate(cell, program, RunOptions(fidelity, progress=_counted(program, progress)))

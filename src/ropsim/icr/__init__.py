@@ -26,6 +26,7 @@ from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE
 from ropsim.icr.trap_kinds import TRAP_TIMED_OUT as TRAP_TIMED_OUT
 from ropsim.icr.types import Constant as Constant
 from ropsim.icr.types import Type as Type
+from ropsim.icr.types import Value as Value
 from ropsim.icr.verifier import capabilities as capabilities
 from ropsim.icr.verifier import verify as verify
 from ropsim.icr.world import StillWorld as StillWorld

@@ -10,6 +10,7 @@ from ropsim.icr.program import VERSION, Procedure, Program
 from ropsim.icr.tokens import Token, cut, is_name, shown
 
 MAX_DIAGNOSTICS = 200
+MAX_LINE = 1_000_000
 _FORMS = {
     "ICR": "ICR 1.0 name",
     "SOURCE": 'SOURCE "name of the source text"',
@@ -65,8 +66,11 @@ class _Reader:
         """Read all lines; stop where nearly everything is wrong."""
         for number, line in enumerate(self.source.lines, start=1):
             self.number = number
-            words = cut(line)
-            if isinstance(words, int):
+            words = cut(line) if len(line) <= MAX_LINE else ()
+            if len(line) > MAX_LINE:
+                message = f"the line has {len(line)} characters, allowed are {MAX_LINE}"
+                self._fault(kinds.RECORD_MALFORMED, self.source.span(number), message)
+            elif isinstance(words, int):
                 message = "text in quotes is not closed, or has an unknown escape"
                 self._fault(kinds.LITERAL_MALFORMED, self.source.span(number, words), message)
             elif words:

@@ -52,9 +52,11 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
     """Yield the lines with prose lines joined to their clause; report the faults of all others.
 
     A clause runs on until a full stop at the end of a line, a line that starts with a statement word, an
-    assignment, a header in listing style, or the call of a known task.
+    assignment, a header in listing style, or the call of a known task. A prose line that looks like a
+    misspelt statement is kept as a broken one as well, so that nobody draws conclusions from its absence.
     """
     clause: Line | None = None
+    swallowed: list[Line] = []
     for line in lines:
         statement = line.statement
         if isinstance(statement, ContractClause):
@@ -62,18 +64,21 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
                 yield clause
             clause = line
         elif clause and statement is not None and _is_prose(line, task_names) and _is_open(clause):
-            _warn_if_statement(line, task_names, report)
+            if _warned(line, task_names, report):
+                swallowed.append(replace(line, statement=Broken("", "", line.start, line.end)))
             clause = _joined(clause, line)
         elif statement is not None:
             if clause:
                 yield clause
-                clause = None
+                yield from swallowed
+                clause, swallowed = None, []
             if line.fault:
                 fault = line.fault
                 report.at(fault.kind, line, fault, fault.message, fault.hint)
             yield line
     if clause:
         yield clause
+        yield from swallowed
 
 
 def _is_open(clause: Line) -> bool:
@@ -98,15 +103,17 @@ def _joined(clause: Line, line: Line) -> Line:
     return replace(clause, statement=replace(clause.statement, text=text))
 
 
-def _warn_if_statement(line: Line, task_names: frozenset[str], report: Report) -> None:
+def _warned(line: Line, task_names: frozenset[str], report: Report) -> bool:
+    """Return whether a line looks like a misspelt statement, which is then reported."""
     if not isinstance(line.statement, Call):
-        return
+        return False
     name = line.statement.name
     near = [word for word in (*VERBS, *sorted(task_names)) if _is_near(name.text.lower(), word.lower())]
     if near:
         message = f"`{name.text}` was read as prose of the contract above"
         hint = f"did you mean `{near[0]}`? else end the prose above with a full stop"
         report.at(kinds.PROSE, line, name, message, hint, fix=near[0])
+    return bool(near)
 
 
 def _is_near(a: str, b: str) -> bool:

@@ -1,7 +1,7 @@
 """Expressions -> stack code."""
 
 from ropsim.icr import Constant as IcrConstant
-from ropsim.icr import Type
+from ropsim.icr import Type, Value
 from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
 from ropsim.program.scope import Scope, icr_type
@@ -53,7 +53,7 @@ def static_type(scope: Scope, expression: sir.Expression) -> Type:
     return icr_type(expression.type)
 
 
-def push(scope: Scope, kind: Type, value: bool | float | str | tuple[float, ...]) -> None:  # noqa: FBT001 - a value
+def push(scope: Scope, kind: Type, value: Value) -> None:
     """Emit a PUSH."""
     scope.emitter.push(IcrConstant(kind, value))
 
@@ -61,7 +61,7 @@ def push(scope: Scope, kind: Type, value: bool | float | str | tuple[float, ...]
 def zero(scope: Scope, kind: Type) -> IcrConstant:
     """Return the value that a variable has where a program reads it before it gives it one."""
     identity = (1.0, 0.0, 0.0, 0.0)
-    values: dict[Type, bool | int | float | str | tuple[float, ...]] = {
+    values: dict[Type, Value] = {
         Type.BOOL: False,
         Type.INT: 0,
         Type.REAL: 0.0,

@@ -58,6 +58,7 @@ class CellRun:
         tracks: piecewise constant channels by name.
         activations: times of the tasks.
         skipped: number of moves that could not be made.
+        waiting: whether the last instruction did nothing but wait for the ones before it.
     """
 
     cell: Cell
@@ -76,6 +77,7 @@ class CellRun:
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
     skipped: int = 0
+    waiting: bool = False
 
     @property
     def time(self) -> float:

@@ -42,6 +42,17 @@ force with `set tool NAME`.
 """,
 )
 
+RUN_TOO_LONG = define(
+    "S723",
+    "run-too-long",
+    Severity.ERROR,
+    "a program that does not end in reasonable time",
+    """
+A run is stopped after an hour of simulated time; the recording holds what happened until then. Cell programs
+that run for ever, such as `while true`, are simulated pass by pass: give the loop a count.
+""",
+)
+
 EFFORT_EXCEEDED = define(
     "S730",
     "effort-exceeded",
@@ -59,8 +70,8 @@ CURRENT_EXCEEDED = define(
     Severity.WARNING,
     "a motor drew more current than its amplifier allows",
     """
-The simulated motor current was higher than the amplifier's limit in the arm's model. Lower the acceleration on
-the line that is named, or the payload.
+The simulated motor current was higher than the amplifier's limit in the arm's model. Lower the acceleration
+on the line that is named, or the payload.
 """,
 )
 
@@ -70,8 +81,8 @@ SPEED_EXCEEDED = define(
     Severity.WARNING,
     "a joint moved faster than its limit",
     """
-The attained speed of a joint was higher than the limit in the arm's model by more than the two per cent that a
-servo may overshoot. Lower the speed on the line that is named.
+The attained speed of a joint was higher than the limit in the arm's model by more than the two per cent that
+a servo may overshoot. Lower the speed on the line that is named.
 """,
 )
 
@@ -92,7 +103,8 @@ VOLTAGE_SATURATED = define(
     Severity.WARNING,
     "an amplifier was at its voltage limit",
     """
-The controller asked for more voltage than the amplifier has, for more than a twentieth of a second in all. While
-that lasts the arm does not follow its reference. Lower the speed or acceleration on the line that is named.
+The controller asked for more voltage than the amplifier has, for more than a twentieth of a second in all.
+While that lasts the arm does not follow its reference. Lower the speed or acceleration on the line that is
+named.
 """,
 )

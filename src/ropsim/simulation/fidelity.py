@@ -26,6 +26,7 @@ class RunOptions:
     Attributes:
         fidelity: servo drives and arm dynamics, or the ideal arm.
         record_ticks: control ticks between two recorded rows.
+        longest: simulated time after which a program is stopped [s].
         progress: is told after every move what was done.
         chain: other entities between instruction and joint controller; None takes the standard ones.
         law: another joint controller than that of the cell; None takes the cell's.
@@ -34,6 +35,7 @@ class RunOptions:
 
     fidelity: Fidelity = Fidelity.DYNAMIC
     record_ticks: int = 4
+    longest: float = 3600.0
     progress: Callable[[str], None] = silent
     chain: MotionChain | None = None
     law: CompiledLaw | PythonLaw | None = None

@@ -10,21 +10,11 @@ from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
 from ropsim.simulation.cell_run import CellRun, MoveSpan
+from ropsim.simulation.channels import joint_channels
 from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, Pose, quaternions_from_matrices
 from ropsim.version import __version__
-
-JOINT_CHANNELS = {
-    "q": ("rad", "attained joint coordinates"),
-    "qd": ("rad/s", "attained joint speeds"),
-    "q_ref": ("rad", "joint references"),
-    "qd_ref": ("rad/s", "reference joint speeds"),
-    "q_error": ("rad", "reference minus attained joint coordinates"),
-    "tau": ("N·m", "torque of the drive at the joint, before friction"),
-    "current": ("A", "motor current"),
-    "voltage": ("V", "motor voltage"),
-}
 
 
 def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recording:
@@ -33,12 +23,7 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
     ticks = log.pop("tick")
     time = ticks / state.cell.controller.rates.control_hz
     log["q_error"] = log["q_ref"] - log["q"]
-    columns = tuple(joint.name for joint in state.cell.robot.joints)
-    channels = {
-        name: Channel(log[name], unit, columns, text)
-        for name, (unit, text) in JOINT_CHANNELS.items()
-        if name in log
-    }
+    channels = joint_channels(state.cell.robot, log)
     tool_poses = _tool_poses(state, ticks)
     attained = forward_batch(state.cell.robot, log["q"]) @ tool_poses
     command = forward_batch(state.cell.robot, log["q_ref"]) @ tool_poses

@@ -20,7 +20,12 @@ from ropsim.flow import (
 from ropsim.icr import Finished, Machine, Program
 from ropsim.model import Cell, Tool
 from ropsim.simulation.cell_run import CellRun, MoveSpan
-from ropsim.simulation.diagnostics import NOT_IN_POSITION, NOTHING_GRASPED, TOOL_CANNOT_GRASP
+from ropsim.simulation.diagnostics import (
+    NOT_IN_POSITION,
+    NOTHING_GRASPED,
+    RUN_TOO_LONG,
+    TOOL_CANNOT_GRASP,
+)
 from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.parts import close_on, release
 from ropsim.simulation.record import recording_of
@@ -41,13 +46,15 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
     """
     state = start_run(cell, options)
     machine = Machine(program, _world(state, options))
-    while True:
-        step = machine.advance()
-        if isinstance(step, Finished):
-            if step.trap is not None:
-                state.findings.append(step.trap)
-            return recording_of(state, program, options)
+    step = machine.advance()
+    while not isinstance(step, Finished) and state.time < options.longest:
         _carry_out(state, step)
+        step = machine.advance()
+    if not isinstance(step, Finished):
+        state.findings.append(_too_long(step, options))
+    elif step.trap is not None:
+        state.findings.append(step.trap)
+    return recording_of(state, program, options)
 
 
 def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
@@ -61,6 +68,16 @@ def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
         lambda: state.time,
         stand,
         state.cell.controller.rates.interpolation_period,
+    )
+
+
+def _too_long(step: Instruction, options: RunOptions) -> Diagnostic:
+    return RUN_TOO_LONG.at(
+        step.origin.span,
+        f"the program still runs after {options.longest:g} s of simulated time, it was stopped here",
+        label=f"pass {step.origin.visit}",
+        hint="give the loop an end, or simulate fewer passes of it",
+        data={"pass": step.origin.visit},
     )
 
 
@@ -86,7 +103,10 @@ def _carry_out(state: CellRun, step: Instruction) -> None:
         case MessageInstruction():
             state.note("message", step.text, step.origin, state.tick)
         case SyncInstruction():
-            pass  # every instruction is carried out before the next one is taken
+            # A program that does nothing but look at channels must see time pass.
+            if state.waiting:
+                state.stand(state.cell.controller.rates.interpolation_ticks)
+    state.waiting = isinstance(step, SyncInstruction)
 
 
 def _move(state: CellRun, move: MoveInstruction) -> None:
@@ -145,8 +165,9 @@ def _not_in_position(state: CellRun, move: MoveInstruction) -> Diagnostic:
     joint = int((error / controller.in_position).argmax())
     return NOT_IN_POSITION.at(
         move.origin.span,
-        f"joint `{state.cell.robot.joints[joint].name}` is {error[joint] * 1e3:.3g} mrad from its target after "
-        f"{controller.settle_timeout:g} s, in position means {controller.in_position[joint] * 1e3:.3g} mrad",
+        f"joint `{state.cell.robot.joints[joint].name}` is {error[joint] * 1e3:.3g} mrad from its target "
+        f"after {controller.settle_timeout:g} s, "
+        f"in position means {controller.in_position[joint] * 1e3:.3g} mrad",
         label=f"pass {move.origin.visit}",
         hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
         data={"pass": move.origin.visit, "joint": joint + 1, "error_rad": float(error[joint])},

@@ -2,37 +2,15 @@
 
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, PythonLaw
-from ropsim.flow import Channel, JointReference, Recording
-from ropsim.model import ControllerModel, JointType, Payload, RobotModel
+from ropsim.flow import JointReference, Recording
+from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.simulation.channels import joint_channels
 from ropsim.simulation.servo import Servo
 from ropsim.simulation.servo_checks import check_option
 from ropsim.spatial import Array
 from ropsim.version import __version__
-
-_UNITS = {
-    "q": "{0}",
-    "qd": "{0}/s",
-    "tau": "{1}",
-    "current": "A",
-    "voltage": "V",
-    "q_ref": "{0}",
-    "qd_ref": "{0}/s",
-    "q_error": "{0}",
-}
-_TEXTS = {
-    "q": "attained joint coordinates",
-    "qd": "attained joint speeds",
-    "tau": "torque of the drive at the joint, before friction",
-    "current": "motor current",
-    "voltage": "motor voltage",
-    "q_ref": "joint references",
-    "qd_ref": "reference joint speeds",
-    "q_error": "reference minus attained joint coordinates",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,21 +81,9 @@ def simulate(
     }
     return Recording(
         recorder.ticks / servo.control_hz,
-        _channels(robot, log),
+        joint_channels(robot, log),
         (),
         (),
         state.tick / servo.control_hz,
         header,
     )
-
-
-def _channels(robot: RobotModel, log: dict[str, Array]) -> dict[str, Channel]:
-    types = {joint.type for joint in robot.joints}
-    length = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
-    effort = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
-    names = [" | ".join(units[kind] for kind in JointType if kind in types) for units in (length, effort)]
-    columns = tuple(joint.name for joint in robot.joints)
-    return {
-        name: Channel(np.asarray(log[name]), unit.format(*names), columns, _TEXTS[name])
-        for name, unit in _UNITS.items()
-    }

@@ -1,12 +1,13 @@
 """What a recording proves against the limits of the arm: torque, current, speed, range, voltage."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.flow import Channel
-from ropsim.model import Cell
+from ropsim.model import Cell, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     CURRENT_EXCEEDED,
     EFFORT_EXCEEDED,
@@ -23,6 +24,24 @@ SATURATION_TIME = 0.05
 #: Overrun of a joint limit that is a finding [rad | m]: well above rounding, below any end stop's play.
 OVERRUN = 1e-4
 
+_SHOWN = {
+    "speed": {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC: (1e3, "mm/s")},
+    "overrun": {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")},
+    "torque": {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")},
+    "current": dict.fromkeys(JointType, (1.0, "A")),
+    "time at full voltage": dict.fromkeys(JointType, (1.0, "s")),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Check:
+    """One kind of limit; `values` (k, n) and `limits` (n,) in SI units."""
+
+    kind: Kind
+    quantity: str
+    values: Array
+    limits: Array
+
 
 def verdicts(cell: Cell, time: Array, channels: Mapping[str, Channel], source: str) -> tuple[Diagnostic, ...]:
     """Return one finding per joint and kind of limit that was broken, at the line of the worst moment.
@@ -33,54 +52,52 @@ def verdicts(cell: Cell, time: Array, channels: Mapping[str, Channel], source: s
         channels: as recorded.
         source: name of the text that the channel `line` counts in.
     """
-    robot = cell.robot
-    line = channels["line"].values if "line" in channels else np.zeros(len(time))
-    found: list[Diagnostic] = []
-
-    def judge(kind: Kind, what: str, values: Array, limits: Array, unit: str, scale: float) -> None:
-        for joint in range(robot.n):
-            worst = int(np.argmax(np.abs(values[:, joint])))
-            value = float(abs(values[worst, joint]))
-            if value > limits[joint]:
+    lines = channels["line"].values
+    found = []
+    for check in _checks(cell.robot, time, channels):
+        rows = np.argmax(np.abs(check.values), axis=0)
+        for joint, row in enumerate(rows):
+            value = float(abs(check.values[row, joint]))
+            if value > check.limits[joint]:
                 found.append(
-                    _finding(kind, what, joint, value * scale, float(limits[joint]) * scale, unit, worst)
+                    _finding(cell.robot, check, joint, value, float(time[row]), int(lines[row]), source)
                 )
-
-    def _finding(
-        kind: Kind, what: str, joint: int, value: float, limit: float, unit: str, row: int
-    ) -> Diagnostic:
-        number = int(line[row])
-        return kind.at(
-            Span.on_line(source, number, 1) if number else None,
-            f"{what} of joint `{robot.joints[joint].name}` reached {value:.4g} {unit}, the limit is {limit:.4g} {unit}",
-            label=f"at t = {time[row]:.2f} s",
-            hint="lower the speed or acceleration here, or the payload",
-            data={"joint": joint + 1, "value": value, "limit": limit, "time_s": float(time[row])},
-        )
-
-    judge(
-        SPEED_EXCEEDED,
-        "speed",
-        channels["qd"].values,
-        robot.max_speeds * (1 + SPEED_OVERSHOOT),
-        "°/s",
-        np.degrees(1),
-    )
-    beyond = np.maximum(channels["q"].values - robot.upper_limits, robot.lower_limits - channels["q"].values)
-    judge(LIMIT_OVERRUN, "overrun", np.maximum(beyond, 0.0), np.full(robot.n, OVERRUN), "°", np.degrees(1))
-    if "tau" in channels:
-        judge(EFFORT_EXCEEDED, "torque", channels["tau"].values, robot.max_efforts, "N·m", 1.0)
-        currents = np.array([drive.amplifier.max_current for drive in robot.drives])
-        judge(CURRENT_EXCEEDED, "current", channels["current"].values, currents, "A", 1.0)
-        voltages = np.array([drive.amplifier.max_voltage for drive in robot.drives])
-        period = float(time[1] - time[0]) if len(time) > 1 else 0.0
-        full = np.abs(channels["voltage"].values) >= voltages * (1 - 1e-9)
-        for joint in np.flatnonzero(full.sum(axis=0) * period > SATURATION_TIME):
-            seconds = float(full[:, joint].sum() * period)
-            row = int(np.argmax(full[:, joint]))
-            found.append(
-                _finding(
-                    VOLTAGE_SATURATED, "time at full voltage", int(joint), seconds, SATURATION_TIME, "s", row
-                )
-            )
     return tuple(found)
+
+
+def _checks(robot: RobotModel, time: Array, channels: Mapping[str, Channel]) -> list[_Check]:
+    q = channels["q"].values
+    beyond = np.maximum(np.maximum(q - robot.upper_limits, robot.lower_limits - q), 0.0)
+    checks = [
+        _Check(SPEED_EXCEEDED, "speed", channels["qd"].values, robot.max_speeds * (1 + SPEED_OVERSHOOT)),
+        _Check(LIMIT_OVERRUN, "overrun", beyond, np.full(robot.n, OVERRUN)),
+    ]
+    if "tau" not in channels:
+        return checks
+    currents = np.array([drive.amplifier.max_current for drive in robot.drives])
+    voltages = np.array([drive.amplifier.max_voltage for drive in robot.drives])
+    period = float(time[1] - time[0]) if len(time) > 1 else 0.0
+    full = np.abs(channels["voltage"].values) >= voltages * (1 - 1e-9)
+    # the time at full voltage so far, kept only where it grows: its maximum is at the last such row
+    lasting = np.where(full, np.cumsum(full, axis=0) * period, 0.0)
+    return [
+        *checks,
+        _Check(EFFORT_EXCEEDED, "torque", channels["tau"].values, robot.max_efforts),
+        _Check(CURRENT_EXCEEDED, "current", channels["current"].values, currents),
+        _Check(VOLTAGE_SATURATED, "time at full voltage", lasting, np.full(robot.n, SATURATION_TIME)),
+    ]
+
+
+def _finding(
+    robot: RobotModel, check: _Check, joint: int, value: float, time: float, line: int, source: str
+) -> Diagnostic:
+    scale, unit = _SHOWN[check.quantity][robot.joints[joint].type]
+    limit = float(check.limits[joint])
+    return check.kind.at(
+        Span.on_line(source, line, 1) if line else None,
+        f"{check.quantity} of joint `{robot.joints[joint].name}` reached {value * scale:.4g} {unit}, "
+        f"the limit is {limit * scale:.4g} {unit}",
+        label=f"at t = {time:.2f} s",
+        hint="lower the speed or acceleration here, or the payload",
+        data={"joint": joint + 1, "value": value, "limit": limit, "time_s": time},
+    )

@@ -13,7 +13,7 @@ from ropsim.views.task_summary import task_name
 SHOWN_TASKS = 12
 SHOWN_SIGNALS = 24
 
-_INSTRUCTIONS = ("grip", "release", "wait")
+_INSTRUCTIONS = {"grip": "closing", "release": "opening", "wait": "waiting"}
 
 
 def schedule(recording: Recording, summary: Summary) -> str:
@@ -30,7 +30,10 @@ def schedule(recording: Recording, summary: Summary) -> str:
             lanes.setdefault(event.kind, []).append(stretch)
     names = [task.name for task in summary.tasks if task.name in tasks][:SHOWN_TASKS]
     kinds = sorted(lanes, key=lambda kind: (kind in _INSTRUCTIONS, kind))
-    rows = [*(SpanRow(name, tasks[name]) for name in names), *(SpanRow(kind, lanes[kind]) for kind in kinds)]
+    rows = [
+        *(SpanRow(name, tasks[name]) for name in names),
+        *(SpanRow(_INSTRUCTIONS.get(kind, kind), lanes[kind]) for kind in kinds),
+    ]
     if not rows:
         return ""
     chart = TimeChart(

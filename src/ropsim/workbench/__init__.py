@@ -5,7 +5,7 @@ from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import compile_program as compile_program
 from ropsim.workbench.environment import environment_of as environment_of
-from ropsim.workbench.open_project import open_project as open_project
+from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE

@@ -40,7 +40,10 @@ def compile_program(
     """Return the compiled form of a task text or an ICR text (by its ending)."""
     if not text.name.endswith(".icr"):
         compiled = language.compile(text.text, environment, name=text.name)
-        return CompiledProgram(text, compiled.program, compiled.icr, compiled.diagnostics)
+        findings = compiled.diagnostics
+        if compiled.icr is not None and not any(one.is_error for one in findings):
+            findings = (*findings, *icr.verify(compiled.icr))
+        return CompiledProgram(text, compiled.program, compiled.icr, findings)
     code, findings = icr.read_text(text.text, text.name)
     if code is not None:
         findings = (*findings, *icr.verify(code), *_unbound(code, cell))
@@ -54,7 +57,11 @@ def _unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
     signals = [("signals", channel.name, tuple(cell.signals)) for channel in code.channels]
     tools = [("tools", tool.name, tuple(cell.tools)) for tool in code.tools if tool.pose is None]
     return tuple(
-        UNBOUND.at(None, f"`{code.name}` names `{name}`, which is not under [{table}]", hint=did_you_mean(name, known))
+        UNBOUND.at(
+            None,
+            f"`{code.name}` names `{name}`, which is not under [{table}]",
+            hint=did_you_mean(name, known),
+        )
         for table, name, known in (*signals, *tools)
         if name not in known
     )

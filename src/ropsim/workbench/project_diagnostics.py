@@ -18,8 +18,8 @@ UNREADABLE = define(
     Severity.ERROR,
     "a file that cannot be read as text",
     """
-Programs and cell files are text in UTF-8. This file cannot be opened, or holds bytes that are no UTF-8: it may
-be a binary file, or be saved in another encoding. Save it as UTF-8.
+Programs and cell files are text in UTF-8. This file cannot be opened, or holds bytes that are no UTF-8: it
+may be a binary file, or be saved in another encoding. Save it as UTF-8.
 """,
 )
 
@@ -39,7 +39,7 @@ NO_PROJECT = define(
     Severity.ERROR,
     "a folder without `cell.toml`, or a file of unknown kind",
     """
-A project is a folder with a `cell.toml` (robot, tools, frames, parts) and a folder `programs` with task files:
+A project is a folder with a `cell.toml` (robot, tools, frames, parts) and a folder `programs` with tasks:
 
     my_cell/
       cell.toml
@@ -55,8 +55,8 @@ NO_PROGRAM = define(
     Severity.ERROR,
     "a program that the project does not have",
     """
-Programs are the files `programs/*.task` and `programs/*.icr`; their names are the file names without the ending.
-Without a name, the program named in `[cell] program` runs, or else `main`.
+Programs are the files `programs/*.task` and `programs/*.icr`; their names are those of the files without the
+ending. Without a name, the program named in `[cell] program` runs, or else `main`.
 """,
 )
 

@@ -134,3 +134,7 @@ def test_a_hyphen_is_no_tool_and_a_quoted_one_is() -> None:
     code = assemble(text).procedures[0].code
     assert (code[0].operands, code[1].operands) == (("",), ("-",))
     assert disassemble(assemble(text)) == text
+
+
+def test_a_line_without_end_is_refused_at_once() -> None:
+    assert found(HEADER + "a " * 600_000) == [("I401", 2, 1)]

@@ -1,4 +1,5 @@
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -205,14 +206,15 @@ def test_halt_may_leave_saved_modal_states() -> None:
     assert codes("ICR 1.0 t\nPROC main\n  MODAL.SAVE\n  HALT\nEND\n") == []
 
 
-def in_python(*code: Step, **fields: object) -> list[str]:
-    program = Program("t", (Procedure("main", code=(*code, Step("HALT"))),), **fields)  # type: ignore[arg-type]
-    return [one.code for one in verify(program)]
+def in_python(*code: Step, base: Program | None = None) -> list[str]:
+    """Return the codes found in a program whose `main` has this code and a HALT."""
+    main = Procedure("main", code=(*code, Step("HALT")))
+    return [one.code for one in verify(replace(base or Program("t", ()), procedures=(main,)))]
 
 
 def test_programs_made_in_python_are_checked_as_well() -> None:
     push = Step("PUSH", (Constant(Type.REAL, math.inf),))
-    assert in_python(version="2.0") == ["I410"]
+    assert in_python(base=Program("t", (), version="2.0")) == ["I410"]
     assert in_python(Step("MOVE.SPIRAL")) == ["I412"]
     assert in_python(Step("JMP", (99,))) == ["I414"]
     assert in_python(Step("JMP", ("L0",))) == ["I414"]
@@ -222,6 +224,6 @@ def test_programs_made_in_python_are_checked_as_well() -> None:
     assert in_python(push, Step("POP")) == ["I424"]
     assert in_python(Step("NOP", ("x",))) == ["I414"]
     assert in_python(Step("LOAD", (1,))) == ["I414"]
-    assert in_python(channels=(IoChannel("a", "XX", Type.BOOL),)) == ["I414"]
-    assert in_python(channels=(IoChannel("", "DI", Type.BOOL),)) == ["I413"]
-    assert in_python(channels=(IoChannel("a", "DI", Type.BOOL),) * 2) == ["I403"]
+    assert in_python(base=Program("t", (), channels=(IoChannel("a", "XX", Type.BOOL),))) == ["I414"]
+    assert in_python(base=Program("t", (), channels=(IoChannel("", "DI", Type.BOOL),))) == ["I413"]
+    assert in_python(base=Program("t", (), channels=(IoChannel("a", "DI", Type.BOOL),) * 2)) == ["I403"]

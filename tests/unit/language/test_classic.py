@@ -127,3 +127,14 @@ def test_five_numbers_approach_along_the_azimuth_of_the_point() -> None:
     target = run(lowered).moves[0].target
     assert isinstance(target, Pose)
     assert target.rotation()[:, 2] == pytest.approx([math.sqrt(0.5), math.sqrt(0.5), 0.0])
+
+
+def test_a_broken_line_of_a_classic_task_does_not_spoil_its_calls() -> None:
+    text = "task grip\n needs one reference location\n mov l speed\n close\nendp\ngrip infeed\n"
+    assert codes(text) == ["L101"]
+
+
+def test_a_warning_never_drops_a_call() -> None:
+    text = "task grip\n needs one reference location\n mvo l\n close\nendp\ngrip infeed\n"
+    assert codes(text) == ["L112", "T303"]
+    assert not compiled(text).ok

@@ -72,7 +72,8 @@ def test_a_frame_set_in_a_task_ends_with_it() -> None:
 
 
 def test_a_component_is_seen_and_set_in_the_frame_in_force() -> None:
-    text = "units mm\nq = (10, 20, 30) in table\nwith frame table\nq.x = q.x + 5\nmov q\nendwith"
+    change = "with frame table\nq.x = q.x + 5\nendwith"
+    text = f"units mm\nq = (10, 20, 30) in table\n{change}\nmov q"
     assert base_positions(text)[0] == pytest.approx((0.48, 0.015, 0.23), abs=ROUNDING)
 
 

@@ -12,6 +12,7 @@ from ropsim.language.check.types import (
     Unknown,
     Value,
     article,
+    bind,
     known,
 )
 from ropsim.language.check.world import Poison, Variable
@@ -107,13 +108,15 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
 
 
 def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Block:
-    """Change a component as seen in the frame in force: into that frame, change, and back."""
+    """Change a component as seen in the frame in force, on a copy: `value` may read `name` itself."""
     here = VariableExpression(name, POSE.value)
+    copy = body.declare(f"{name}__seen", POSE).name
+    seen = VariableExpression(copy, POSE.value)
     span = body.statement_span
     return (
-        Assign(name, poses.numbers_in_frame(body, here), span),
-        AssignComponent(name, index, value, span),
-        Assign(name, fold.compose(fold.pose(body.X_KC), here), span),
+        Assign(copy, poses.numbers_in_frame(body, here), span),
+        AssignComponent(copy, index, value, span),
+        Assign(name, fold.compose(fold.pose(body.X_KC), seen), span),
     )
 
 

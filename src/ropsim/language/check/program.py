@@ -7,7 +7,7 @@ from ropsim.language.check import declarations, flow, signatures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
-from ropsim.language.check.world import Formal, Signature, Variable, World
+from ropsim.language.check.world import Signature, Variable, World
 from ropsim.language.environment import Environment
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.findings import types as kinds
@@ -68,11 +68,7 @@ def _find_types(
     report.muted = False
     found = {name: body.types() for name, body in bodies.items()}
     for name, signature in world.signatures.items():
-        formals = tuple(Formal(f.name, settled(f.type), f.default) for f in signature.formals)
-        references = tuple(f.name for f in formals if f.type == POSE)
-        is_implicit = name in tasks and tasks[name].has_implicit_parameters
-        kept = signature.references if is_implicit else references
-        world.signatures[name] = Signature(name, formals, kept, signature.result, signature.is_known)
+        world.signatures[name] = signatures.final(world, tasks.get(name), signature, report)
     for name, symbol in world.symbols.items():
         if isinstance(symbol, Variable):
             world.symbols[name] = Variable(symbol.name, settled(symbol.type), symbol.is_fixed)
@@ -120,7 +116,9 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
 
 
 def _check_counts(body: Body, task: TaskText, signature: Signature, clause: Clause) -> None:
-    if task.header is None:
+    first = task.block.sections[0].body[:1]
+    has_prose = bool(first) and isinstance(first[0], Line) and isinstance(first[0].statement, syntax.Broken)
+    if has_prose or not signature.is_known:  # what the line would have used is not known
         return
     locations = sum(settled(f.type) == POSE for f in signature.formals)
     scalars = len(signature.formals) - locations

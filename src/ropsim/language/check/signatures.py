@@ -1,15 +1,19 @@
 """How tasks are called: written parameter lists, implicit ones of classic tasks, library tasks."""
 
-from ropsim.language.check import convert, implicit, values
-from ropsim.language.check.body import Body, RejectedError
+from dataclasses import replace
+
+from ropsim.language.blocks import Block
+from ropsim.language.check import convert, fold, implicit, values
+from ropsim.language.check.body import Body, RejectedError, settled
 from ropsim.language.check.tasks import TaskText
-from ropsim.language.check.types import NAMED, NUMBER, POSE, Type, Unknown
+from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unknown
 from ropsim.language.check.world import Formal, Signature, World
 from ropsim.language.environment import TaskSignature
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.report import Report
+from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.program import Local, ValueType
+from ropsim.program import Expression, Local, ValueType
 
 
 def of_library(library: TaskSignature) -> Signature:
@@ -40,7 +44,22 @@ def of_text(world: World, task: TaskText, report: Report) -> Signature:
         return Signature(task.name, (), (), result)
     references, scalars = implicit.uses(task.block, lambda n: n in world.symbols, world.signatures)
     formals = (*(Formal(n, POSE) for n in references), *(Formal(n, Unknown()) for n in scalars))
-    return Signature(task.name, formals, references, result)
+    return Signature(task.name, formals, references, result, is_known=not _has_broken_line(task.block))
+
+
+def _has_broken_line(block: Block) -> bool:
+    """Return whether a line could not be read; it may have named a parameter, so nobody knows them all.
+
+    Prose that looks like a statement does not count: it is a warning only, and its task stays callable.
+    """
+    for section in block.sections:
+        for item in section.body:
+            line = item.opener if isinstance(item, Block) else item
+            if isinstance(line.statement, syntax.Broken) and line.fault is not None:
+                return True
+            if isinstance(item, Block) and _has_broken_line(item):
+                return True
+    return False
 
 
 def _explicit(
@@ -57,11 +76,32 @@ def _explicit(
         kind = NAMED[parameter.type.text] if parameter.type is not None else Unknown()
         default = None
         if parameter.default is not None:
-            what = f"the default of `{parameter.name.text}`"
-            try:
-                value = values.expect(body, parameter.default, kind, what)
-                default = convert.constant(body, value, parameter.default, what)
-            except RejectedError:
-                default = None
+            default = _default(body, parameter.name.text, parameter.default, kind)
         formals.append(Formal(parameter.name.text, kind, default))
     return tuple(formals)
+
+
+def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expression:
+    what = f"the default of `{name}`"
+    try:
+        return convert.constant(body, values.expect(body, node, kind, what), node, what)
+    except RejectedError:
+        return fold.real(0.0)  # the finding stands; calls without this argument are not reported as well
+
+
+def final(world: World, task: TaskText | None, signature: Signature, report: Report) -> Signature:
+    """Return the signature with the types that use has told, and its defaults read anew as those."""
+    formals = [Formal(f.name, settled(f.type), f.default) for f in signature.formals]
+    references = tuple(f.name for f in formals if f.type == POSE)
+    if task is None or task.header is None:
+        return replace(signature, formals=tuple(formals), references=references)
+    if task.header.parameters is None:
+        return replace(signature, formals=tuple(formals))
+    body = Body(world, report, None, task.name)
+    body.line = task.block.opener
+    nodes_by_name = {p.name.text: p.default for p in task.header.parameters if p.default is not None}
+    for k, formal in enumerate(formals):
+        node = nodes_by_name.get(formal.name)
+        if node is not None:
+            formals[k] = replace(formal, default=_default(body, formal.name, node, formal.type))
+    return replace(signature, formals=tuple(formals), references=references)

@@ -32,8 +32,6 @@ def block(body: Body, tree: SyntaxBlock) -> Block:
                 return loops.for_each(body, node, lambda: _walk_then_return_to(body, first))
             case syntax.With():
                 return _with(body, first, node)
-            case syntax.TaskHeader():
-                body.fail(kinds.MISPLACED, node, "a task inside another block", "close the block before it")
     except RejectedError:
         flow.poison_targets(body, node)
     return _only_checked(body, tree)

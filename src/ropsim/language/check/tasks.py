@@ -21,11 +21,6 @@ class TaskText:
     header: syntax.TaskHeader | None
     clauses: tuple[tuple[Line, Clause], ...]
 
-    @property
-    def has_implicit_parameters(self) -> bool:
-        """Return whether the header is written without a parameter list."""
-        return self.header is not None and self.header.parameters is None
-
 
 def is_task(item: Line | Block) -> bool:
     """Return whether an item of the tree is a task, also one whose header is broken."""
@@ -68,11 +63,17 @@ def _split_contract(block: Block) -> tuple[Block, tuple[tuple[Line, Clause], ...
     first = block.sections[0]
     clauses: list[tuple[Line, Clause]] = []
     rest = list(first.body)
-    while rest and isinstance(rest[0], Line) and isinstance(rest[0].statement, syntax.ContractClause):
-        line = rest.pop(0)
-        assert isinstance(line, Line)
-        assert isinstance(line.statement, syntax.ContractClause)
-        clauses.append((line, understand(line.statement.text)))
+    place = 0
+    while place < len(rest):
+        line = rest[place]
+        statement = line.statement if isinstance(line, Line) else None
+        if isinstance(line, Line) and isinstance(statement, syntax.ContractClause):
+            clauses.append((line, understand(statement.text)))
+            del rest[place]
+        elif isinstance(statement, syntax.Broken):
+            place += 1
+        else:
+            break
     section = type(first)(first.header, tuple(rest))
     return Block((section, *block.sections[1:]), block.closer), tuple(clauses)
 

@@ -28,8 +28,10 @@ class LogicalLine:
 
     def span(self, source: str, start: int, end: int) -> Span:
         """Return the span of the characters from offset `start` to `end` (exclusive)."""
-        line, column = self._place(min(start, max(len(self.text) - 1, 0)))
-        end_line, end_column = self._place(max(start + 1, min(end, len(self.text))) - 1)
+        first = min(start, max(len(self.text) - 1, 0))
+        last = max(first, min(end, len(self.text)) - 1)
+        line, column = self._place(first)
+        end_line, end_column = self._place(last)
         return Span(source, line, column, end_line, end_column + 1)
 
     def _place(self, offset: int) -> tuple[int, int]:

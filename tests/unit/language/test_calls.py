@@ -1,0 +1,89 @@
+"""Calls: arguments by place and by name, defaults, results, library tasks."""
+
+from dataclasses import replace
+
+import pytest
+
+from ropsim.core import Span
+from ropsim.flow import MotionKind
+from ropsim.language import TaskSignature
+from ropsim.program import Assign, Call, Constant, Local, Move, Settings, Task, ValueType, Variable
+from support.tasks import CELL, codes, compiled
+
+HEAD = """program p
+units mm, deg, s
+task Pick(part: loc, clear: length = 60, n: int = 1)
+  mov part above clear
+endp
+"""
+INFEED = (0.4, 0.3, 0.1, 0.0, 1.0, 0.0, 0.0)
+
+
+def arguments(call: str, head: str = HEAD) -> list[object]:
+    """Return the constants that the last statement passes."""
+    result = compiled(head + call)
+    assert result.program is not None
+    last = result.program.main[-1]
+    assert isinstance(last, Call), result.diagnostics
+    return [a.value for a in last.arguments if isinstance(a, Constant)]
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("Pick infeed", [INFEED, 0.06, 1]),
+        ("call Pick infeed, 5 mm", [INFEED, 0.005, 1]),
+        ("Pick(infeed, 5 mm, 2)", [INFEED, 0.005, 2]),
+        ("Pick(infeed, n = 4)", [INFEED, 0.06, 4]),
+        ("Pick infeed, n = 4, clear = 7", [INFEED, 0.007, 4]),
+        ("Pick part = infeed", [INFEED, 0.06, 1]),
+        ("Pick (1, 2, 3)", [(0.001, 0.002, 0.003, 0.0, 1.0, 0.0, 0.0), 0.06, 1]),
+    ],
+)
+def test_arguments_find_their_parameters(call: str, expected: list[object]) -> None:
+    assert arguments(call) == expected
+
+
+def test_a_default_takes_the_type_that_the_body_tells() -> None:
+    head = "program p\nunits mm\ntask t(q: loc, d = 60)\nmov q above d\nendp\n"
+    assert arguments("t infeed", head) == [INFEED, 0.06]
+
+
+def test_the_result_of_a_task_goes_to_a_variable() -> None:
+    text = (
+        "program p\ntask h(q: loc, b: length = 1 mm) -> length\nreturn q.z + b\nendp\nx = h(infeed, b = 2 mm)"
+    )
+    result = compiled(text)
+    assert result.ok, result.diagnostics
+    assert result.program is not None
+    call = result.program.main[0]
+    assert isinstance(call, Call)
+    assert call.result == "x"
+    assert [v.type for v in result.program.main_locals] == [ValueType.REAL]
+
+
+def test_library_tasks_are_called_like_those_of_the_text() -> None:
+    span = Span.on_line("library", 1, 1)
+    move = Move(MotionKind.PTP, Variable("at_", ValueType.POSE), Settings(), span)
+    parameters = (Local("at_", ValueType.POSE), Local("d", ValueType.REAL))
+    task = Task("Visit", parameters, (), None, (move,), (), span)
+    environment = replace(CELL, tasks={"Visit": TaskSignature(task, {"d": "length"})})
+    result = compiled("units mm\nVisit infeed, 5", environment)
+    assert result.ok, result.diagnostics
+    assert result.program is not None
+    assert [t.name for t in result.program.tasks] == ["Visit"]
+    call = result.program.main[0]
+    assert isinstance(call, Call)
+    assert call.arguments[1] == Constant(0.005, ValueType.REAL)
+    assert codes("Visit infeed, 5 s", environment) == ["T302"]
+
+
+def test_globals_are_seen_in_tasks_when_declared() -> None:
+    text = "program p\nvar n: int = 2\ntask t\nn = n + 1\nendp\nt\nrepeat n\nopen\nendr"
+    result = compiled(text)
+    assert result.ok, result.diagnostics
+    assert result.program is not None
+    assert isinstance(result.program.main[0], Assign)
+    assert [v.name for v in result.program.main_locals] == ["n"]
+    assert result.program.tasks[0].locals == ()
+    assert codes("program p\nn = 2\ntask t\nm = n + 1\nendp\nt") == ["N202"]

@@ -1,0 +1,92 @@
+"""Lines to statements: a result depends on the characters of its line only."""
+
+import pytest
+
+from ropsim.core import SourceText
+from ropsim.language.syntax import nodes
+from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.lines import logical_lines
+from ropsim.language.syntax.statements import Assign, Broken, Call, ContractClause, Motion, TaskHeader
+
+
+def test_the_same_characters_give_the_same_node() -> None:
+    assert parse_line("mov part above 50 mm") == parse_line("mov part above 50 mm")
+
+
+def test_positions_are_offsets_in_the_line() -> None:
+    statement, fault = parse_line("  mov part speed 30 %  # slowly")
+    assert fault is None
+    assert isinstance(statement, Motion)
+    assert (statement.start, statement.end) == (2, 21)
+    assert (statement.target.start, statement.target.end) == (6, 10)
+
+
+@pytest.mark.parametrize("line", ["open.", "open .", "open # x", "open // x", "OPEN"])
+def test_final_period_comment_and_case_change_nothing(line: str) -> None:
+    statement, fault = parse_line(line)
+    assert fault is None
+    assert type(statement).__name__ == "Gripper"
+
+
+def test_units_belong_to_numbers_only() -> None:
+    statement, _ = parse_line("m = s * 5 m")
+    assert isinstance(statement, Assign)
+    assert isinstance(statement.value, nodes.Binary)
+    assert isinstance(statement.value.left, nodes.Name)
+    assert isinstance(statement.value.right, nodes.Number)
+    assert statement.value.right.unit == "m"
+
+
+def test_one_member_in_parentheses_is_grouping() -> None:
+    statement, _ = parse_line("Pick (infeed)")
+    assert isinstance(statement, Call)
+    assert isinstance(statement.arguments[0].value, nodes.Name)
+
+
+def test_p_before_a_parenthesis_is_only_a_marker() -> None:
+    statement, _ = parse_line("Palletize p (13,5,8), (6,3,2), 0.1, 6.")
+    assert isinstance(statement, Call)
+    assert [type(a.value).__name__ for a in statement.arguments] == ["Tuple", "Tuple", "Number", "Number"]
+
+
+def test_task_names_may_be_quoted_and_numbered() -> None:
+    statement, fault = parse_line('3. Task "Palletize"')
+    assert fault is None
+    assert isinstance(statement, TaskHeader)
+    assert (statement.name.text, statement.parameters) == ("Palletize", None)
+
+
+def test_contracts_are_not_parsed() -> None:
+    statement, fault = parse_line("  Needs “anything” at all")
+    assert fault is None
+    assert isinstance(statement, ContractClause)
+
+
+def test_a_broken_line_keeps_its_head_and_name() -> None:
+    statement, fault = parse_line("for each slot inn slots")
+    assert fault is not None
+    assert isinstance(statement, Broken)
+    assert (statement.head, statement.name) == ("for", "slot")
+
+
+@pytest.mark.parametrize(
+    ("line", "kind"),
+    [
+        ("x = " + "(" * 200 + "1" + ")" * 200, "L113"),
+        ("x = " + "-" * 500 + "1", "L113"),
+        ("x = " + "+".join("1" * 400), "L113"),
+        ("x" * 5000, "L114"),
+        ("x = 1" + "0" * 100, "L104"),
+        ('print "', "L103"),
+        ("mov \x00", "L102"),
+    ],
+)
+def test_absurd_lines_have_a_finding(line: str, kind: str) -> None:
+    _, fault = parse_line(line)
+    assert fault is not None
+    assert fault.kind.code == kind
+
+
+def test_lines_are_joined_after_a_parenthesis_but_not_into_a_statement() -> None:
+    lines = [(x.number, x.text) for x in logical_lines(SourceText("t", "a (1,\n2)\nb (3\nmov x\nc \\\nd"))]
+    assert lines == [(1, "a (1,\n2)"), (3, "b (3"), (4, "mov x"), (5, "c  \nd")]

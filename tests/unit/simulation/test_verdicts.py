@@ -1,0 +1,60 @@
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.flow import Channel
+from ropsim.model import Cell
+from ropsim.simulation.verdicts import verdicts
+
+ROBOT = robots.load("puma560")
+CELL = Cell("c", ROBOT, robots.default_controller("puma560"), start=ROBOT.home)
+TIME = np.arange(100) * 0.004
+
+
+def quiet() -> dict[str, Channel]:
+    """A recording in which nothing happens; the source line counts up."""
+    names = {"qd": 0.0, "tau": 0.0, "current": 0.0, "voltage": 0.0}
+    channels = {name: Channel(np.full((100, 6), value), "") for name, value in names.items()}
+    channels["q"] = Channel(np.tile(ROBOT.home, (100, 1)), "rad")
+    channels["line"] = Channel(np.arange(100.0), "")
+    return channels
+
+
+def test_an_arm_at_rest_breaks_no_limit() -> None:
+    assert verdicts(CELL, TIME, quiet(), "a.task") == ()
+
+
+@pytest.mark.parametrize(
+    ("channel", "row", "joint", "value", "code"),
+    [
+        ("tau", 40, 1, -200.0, "S730"),
+        ("current", 41, 2, 9.5, "S731"),
+        ("qd", 42, 0, 2.0, "S732"),
+        ("q", 43, 5, 5.0, "S733"),
+    ],
+)
+def test_a_peak_beyond_a_limit_is_found_with_joint_and_line(
+    channel: str, row: int, joint: int, value: float, code: str
+) -> None:
+    channels = quiet()
+    channels[channel].values[row, joint] = value
+    (found,) = verdicts(CELL, TIME, channels, "a.task")
+    assert found.code == code
+    assert found.span is not None
+    assert found.span.line == row
+    assert f"joint `{joint + 1}`" in found.message
+
+
+def test_a_servo_may_overshoot_the_speed_limit_by_two_per_cent() -> None:
+    channels = quiet()
+    channels["qd"].values[10, 0] = 1.019 * ROBOT.max_speeds[0]
+    assert verdicts(CELL, TIME, channels, "a.task") == ()
+
+
+def test_full_voltage_counts_only_when_it_lasts() -> None:
+    channels = quiet()
+    channels["voltage"].values[20:30, 3] = 40.0
+    assert verdicts(CELL, TIME, channels, "a.task") == ()
+    channels["voltage"].values[20:35, 3] = -40.0
+    (found,) = verdicts(CELL, TIME, channels, "a.task")
+    assert (found.code, found.data["value"]) == ("S734", pytest.approx(0.060))
