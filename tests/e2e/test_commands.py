@@ -216,3 +216,30 @@ def test_robots_speak_degrees_and_millimetres() -> None:
     assert len(listed["solutions"]) == 2
     assert ropsim("robot", "show", "puma650").returncode in (1, 2)
     assert "estimated" in ropsim("robot", "show", "puma560").stdout
+
+
+def test_a_new_project_runs_at_once(tmp_path: Path) -> None:
+    made = ropsim("new", "mine", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert ropsim("run", "mine", cwd=tmp_path).returncode == 0
+    again = ropsim("new", "mine", cwd=tmp_path)
+    assert again.returncode == 2
+    assert "not an empty folder" in again.stderr
+
+
+def test_every_example_can_be_copied(tmp_path: Path) -> None:
+    names = json.loads(ropsim("examples", "--json").stdout)["examples"]
+    assert set(names) == {"fig5", "first_cell", "palletizing"}
+    for name in names:
+        assert ropsim("new", name, "--example", name, cwd=tmp_path).returncode == 0
+        assert ropsim("check", name, cwd=tmp_path).returncode == 0
+    found = ropsim("new", "x", "--example", "fig6", cwd=tmp_path)
+    assert found.returncode == 2
+    assert "did you mean `fig5`?" in found.stderr
+    assert not (tmp_path / "x").exists()
+
+
+def test_the_tutorial_shows_the_starter_as_it_is() -> None:
+    tutorial = (ROOT / "docs" / "tutorials" / "first-cell.md").read_text()
+    for file in ("cell.toml", "programs/main.task"):
+        assert (EXAMPLES / "first_cell" / file).read_text().rstrip() in tutorial

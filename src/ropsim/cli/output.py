@@ -13,7 +13,7 @@ from ropsim.workbench import NOT_WRITABLE
 from ropsim.workbench.diagnostic_json import diagnostic_document
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
-USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X877", "U900", "U901"})
+USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X848", "X849", "X877", "U900", "U901"})
 
 
 @dataclass(frozen=True, slots=True)

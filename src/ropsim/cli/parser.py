@@ -9,7 +9,8 @@ from ropsim.version import __version__
 
 EPILOG = """\
 A project is a folder with `cell.toml` and `programs/*.task`. Start with
-  ropsim run examples/palletizing --report report.html
+  ropsim new my_cell
+  ropsim run my_cell --report report.html
 
 Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 """
@@ -25,6 +26,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", "-V", action="version", version=f"ropsim {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _new(commands)
     _check(commands)
     _run(commands)
     _icr(commands)
@@ -50,6 +52,13 @@ def _lazy(function: str) -> Callable[..., int]:
         return code
 
     return call
+
+
+def _new(commands: Any) -> None:  # noqa: ANN401
+    parser = _command(commands, "new", "new:new", "make a project folder from an example")
+    parser.add_argument("path", metavar="DIR", help="folder to make")
+    parser.add_argument("--example", metavar="NAME", help="which example (default: first_cell)")
+    _command(commands, "examples", "new:examples", "list the examples")
 
 
 def _check(commands: Any) -> None:  # noqa: ANN401

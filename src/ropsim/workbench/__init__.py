@@ -5,6 +5,10 @@ from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import compile_program as compile_program
 from ropsim.workbench.environment import environment_of as environment_of
+from ropsim.workbench.example_projects import STARTER as STARTER
+from ropsim.workbench.example_projects import example_names as example_names
+from ropsim.workbench.example_projects import example_summary as example_summary
+from ropsim.workbench.example_projects import new_project as new_project
 from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError

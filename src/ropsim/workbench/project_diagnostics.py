@@ -92,3 +92,22 @@ The folder does not exist and cannot be made, or may not be written. Nothing was
 replaced in one step, so an older report or recording is still whole.
 """,
 )
+
+NO_EXAMPLE = define(
+    "X848",
+    "no-such-example",
+    Severity.ERROR,
+    "an example that does not come with ropsim",
+    "`ropsim examples` lists the examples; `ropsim new DIR --example NAME` makes a project from one.",
+)
+
+PLACE_TAKEN = define(
+    "X849",
+    "place-taken",
+    Severity.ERROR,
+    "a new project cannot be made there",
+    """
+`ropsim new` makes a folder that is not there yet, or fills an empty one. It never changes files that exist:
+choose another name, or remove the folder yourself.
+""",
+)

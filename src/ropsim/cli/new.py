@@ -1,0 +1,22 @@
+"""`ropsim new` and `ropsim examples`: start from something that runs."""
+
+import argparse
+
+from ropsim.cli.output import Output
+from ropsim.workbench import STARTER, example_names, example_summary, new_project
+
+
+def new(options: argparse.Namespace, output: Output) -> int:
+    """Make a project folder from an example."""
+    place = new_project(options.path, options.example or STARTER)
+    output.text(f"made {place}; next: ropsim run {place}")
+    output.document({"ok": True, "path": str(place)})
+    return 0
+
+
+def examples(options: argparse.Namespace, output: Output) -> int:
+    """List the examples."""
+    del options
+    output.text("\n".join(f"{name:14} {example_summary(name)}" for name in example_names()))
+    output.document({"examples": {name: example_summary(name) for name in example_names()}})
+    return 0

@@ -1,0 +1,59 @@
+"""The example projects that come with ropsim, and new projects made from them."""
+
+import shutil
+import tempfile
+from pathlib import Path
+
+import ropsim
+from ropsim.core import did_you_mean
+from ropsim.workbench.project import ProjectError
+from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
+
+#: What `ropsim new` copies when no example is named.
+STARTER = "first_cell"
+_LEFT_OUT = shutil.ignore_patterns("out", "__pycache__")
+
+
+def example_names() -> tuple[str, ...]:
+    """Return the names of the examples."""
+    return tuple(sorted(path.parent.name for path in _folder().glob("*/cell.toml")))
+
+
+def example_summary(name: str) -> str:
+    """Return the first comment line of an example's cell file."""
+    first = (_folder() / name / "cell.toml").read_text(encoding="utf-8").partition("\n")[0]
+    return first.lstrip("# ")
+
+
+def new_project(place: str | Path, example: str = STARTER) -> Path:
+    """Make a project folder from an example and return it; all files appear at once or none does.
+
+    Raises:
+        ProjectError: no such example, or the place is taken or cannot be written.
+    """
+    target = Path(place)
+    if example not in example_names():
+        known = ", ".join(f"`{name}`" for name in example_names())
+        message = f"there is no example `{example}`, there are {known}"
+        raise ProjectError(NO_EXAMPLE.at(None, message, hint=did_you_mean(example, example_names())))
+    if target.exists() and (not target.is_dir() or any(target.iterdir())):
+        raise ProjectError(PLACE_TAKEN.at(None, f"`{place}` exists and is not an empty folder"))
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=target.parent, prefix=f".{target.name}.") as work:
+            made = Path(work) / "project"
+            shutil.copytree(_folder() / example, made, ignore=_LEFT_OUT)
+            if target.exists():
+                target.rmdir()
+            made.replace(target)
+    except OSError as error:
+        message = f"`{place}` cannot be made: {error.strerror or error}"
+        raise ProjectError(PLACE_TAKEN.at(None, message)) from error
+    return target
+
+
+def _folder() -> Path:
+    """Return the folder of the examples: inside an installed package, or beside `src` in a checkout."""
+    package = Path(ropsim.__file__).parent
+    installed = package / "examples"
+    return installed if installed.is_dir() else package.parents[1] / "examples"
