@@ -9,23 +9,25 @@ from ropsim.flow import Recording
 from ropsim.spatial import Array
 
 ROOT = Path(__file__).parents[1]
-WIDTH, HEIGHT = 1000, 440
+WIDTH, HEIGHT = 1000, 460
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 STYLE = "font-family:system-ui,sans-serif;font-size:13px;fill:#333"
 
 
 def polyline(x: Array, y: Array, colour: str, width: float) -> str:
+    """Return a line through points."""
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y, strict=True))
     return f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="{width}"/>'
 
 
 def label(x: float, y: float, text: str, anchor: str = "start", colour: str = "#333") -> str:
+    """Return a text."""
     return f'<text x="{x:.0f}" y="{y:.0f}" text-anchor="{anchor}" style="{STYLE};fill:{colour}">{text}</text>'
 
 
 def top_view(recording: Recording) -> str:
     """Return the TCP path seen from above: x to the right, y up, equal scales."""
-    path = recording.channels["attained_position"].values[::5]
+    path = recording.channels["attained_position"].values[::9]
     low, high = path[:, :2].min(axis=0), path[:, :2].max(axis=0)
     scale = min(400 / (high[0] - low[0]), 370 / (high[1] - low[1]))
     middle = (low + high) / 2
@@ -39,8 +41,8 @@ def top_view(recording: Recording) -> str:
             cx, cy = 215 + (spot[0] - middle[0]) * scale, 225 - (spot[1] - middle[1]) * scale
             half = 0.03 * scale
             parts.append(
-                f'<rect x="{cx - half:.1f}" y="{cy - half:.1f}" width="{2 * half:.1f}" height="{2 * half:.1f}" '
-                f'fill="#d55e00" fill-opacity="0.25" stroke="#d55e00" stroke-width="0.8"/>'
+                f'<rect x="{cx - half:.1f}" y="{cy - half:.1f}" width="{2 * half:.1f}" '
+                f'height="{2 * half:.1f}" fill="#d55e00" fill-opacity="0.25" stroke="#d55e00" stroke-width="0.8"/>'
             )
     return "".join(parts)
 
@@ -66,6 +68,7 @@ def torques(recording: Recording, seconds: float = 16.0) -> str:
 
 
 def main() -> None:
+    """Run the cell and write the picture."""
     recording = ropsim.open(ROOT / "examples" / "palletizing").simulate()
     caption = (
         f"36 boxes, PUMA 560, true servo and arm dynamics: cycle time {recording.duration:.1f} s, "

@@ -28,8 +28,9 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     for name, library in environment.tasks.items():
         world.signatures.setdefault(name, signatures.of_library(library))
     order = callee_first(tasks)
+    callable_names = frozenset(tasks) | frozenset(environment.tasks)
     for name in order:
-        world.signatures[name] = signatures.of_text(world, tasks[name], report)
+        world.signatures[name] = signatures.of_text(world, tasks[name], callable_names, report)
     settled_types = _find_types(world, tasks, order, tree, report)
     bodies = {name: _task(world, tasks[name], settled_types[name], report) for name in order}
     main_body = Body(world, report, settled_types[_MAIN])

@@ -30,8 +30,15 @@ def _library_type(parameter: Local, library: TaskSignature) -> Type:
     return Type(parameter.type)
 
 
-def of_text(world: World, task: TaskText, report: Report) -> Signature:
-    """Return how a task of the text is called; types not written are left open for use to tell."""
+def of_text(world: World, task: TaskText, task_names: frozenset[str], report: Report) -> Signature:
+    """Return how a task of the text is called; types not written are left open for use to tell.
+
+    Args:
+        world: what is declared outside the bodies.
+        task: the task.
+        task_names: all tasks that can be called.
+        report: takes findings.
+    """
     header = task.header
     if header is None:
         return Signature(task.name, (), (), None, is_known=False)
@@ -44,20 +51,28 @@ def of_text(world: World, task: TaskText, report: Report) -> Signature:
         return Signature(task.name, (), (), result)
     references, scalars = implicit.uses(task.block, lambda n: n in world.symbols, world.signatures)
     formals = (*(Formal(n, POSE) for n in references), *(Formal(n, Unknown()) for n in scalars))
-    return Signature(task.name, formals, references, result, is_known=not _has_broken_line(task.block))
+    return Signature(
+        task.name, formals, references, result, is_known=not _has_wrong_line(task.block, task_names)
+    )
 
 
-def _has_broken_line(block: Block) -> bool:
-    """Return whether a line could not be read; it may have named a parameter, so nobody knows them all.
+def _has_wrong_line(block: Block, task_names: frozenset[str]) -> bool:
+    """Return whether a line could not be read, or calls a task that is not defined.
 
-    Prose that looks like a statement does not count: it is a warning only, and its task stays callable.
+    Such a line may have named a parameter, so nobody knows them all: `call relase 2` in place of
+    `call release 2` hides the second reference location. The line has its own finding; callers are not to be
+    blamed as well. Prose that looks like a statement does not count: it is a warning only, and its task stays
+    callable.
     """
     for section in block.sections:
         for item in section.body:
             line = item.opener if isinstance(item, Block) else item
-            if isinstance(line.statement, syntax.Broken) and line.fault is not None:
+            statement = line.statement
+            if isinstance(statement, syntax.Broken) and line.fault is not None:
                 return True
-            if isinstance(item, Block) and _has_broken_line(item):
+            if isinstance(statement, syntax.Call) and statement.name.text not in task_names:
+                return True
+            if isinstance(item, Block) and _has_wrong_line(item, task_names):
                 return True
     return False
 

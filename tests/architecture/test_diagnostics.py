@@ -1,0 +1,63 @@
+"""Codes: in the band of their package, each with an up-to-date page."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import ropsim
+
+ROOT = Path(__file__).parents[2]
+SOURCE = Path(ropsim.__file__).parent
+
+BANDS = {
+    "language": {"L1", "N2", "T3"},
+    "program": {"I4", "N2", "T3"},
+    "icr": {"I4"},
+    "motion": {"M5"},
+    "kinematics": {"M5"},
+    "dynamics": {"M5"},
+    "controller": {"C6"},
+    "simulation": {"S7"},
+    "model": {"X8"},
+    "robots": {"X8"},
+    "workbench": {"X8"},
+    "cli": {"U9"},
+}
+
+
+def defined_codes() -> dict[str, str]:
+    """Return the package of every code that some source file defines."""
+    codes: dict[str, str] = {}
+    for path in SOURCE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            match node:
+                case ast.Call(func=ast.Name("define"), args=[ast.Constant(str() as code), *_]):
+                    codes[code] = path.relative_to(SOURCE).parts[0]
+                case _:
+                    pass
+    return codes
+
+
+def test_codes_stand_in_the_band_of_their_package() -> None:
+    strays = {code: package for code, package in defined_codes().items() if code[:2] not in BANDS[package]}
+    assert strays == {}
+
+
+def test_explain_knows_every_code_that_is_defined() -> None:
+    program = "from ropsim.cli.catalogue import all_kinds; print(*all_kinds())"
+    listed = subprocess.run(  # a process of its own: tests define kinds too
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert sorted(listed.stdout.split()) == sorted(defined_codes())
+
+
+def test_every_code_has_its_page_and_every_page_its_code() -> None:
+    result = subprocess.run(
+        [sys.executable, "tools/diagnostic_pages.py", "--check"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (result.returncode, result.stderr) == (0, ""), result.stdout

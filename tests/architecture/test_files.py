@@ -1,0 +1,60 @@
+"""Files: no path of one machine, no registry host, no broken link between pages."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FOREIGN = re.compile(
+    r"registry\.npm"
+    + r"js|pypi\.o"
+    + r"rg|python"
+    + r"hosted|deb\.deb"
+    + r"ian|/(?:work|root|home|Users|opt)/[\w.-]+"
+)
+LINK = re.compile(r"\[[^\]\n]*\]\(([^)#\s]+)(?:#[^)]*)?\)")
+BINARY = {".png", ".npz", ".ico", ".jpg"}
+
+
+def project_files() -> list[Path]:
+    """Return what git tracks or would track; outside of a checkout, the folders that belong to the project."""
+    listing = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, capture_output=True, check=False
+    )
+    if listing.returncode == 0:
+        names = listing.stdout.decode().split("\0")
+        return [ROOT / name for name in names if name and (ROOT / name).is_file()]
+    folders = ("src", "tests", "docs", "examples", "tools", "benchmarks")
+    files = [path for folder in folders for path in (ROOT / folder).rglob("*") if path.is_file()]
+    return [path for path in files if "__pycache__" not in path.parts and "out" not in path.parts]
+
+
+TEXTS = [path for path in project_files() if path.suffix not in BINARY]
+PAGES = [path for path in TEXTS if path.suffix == ".md"]
+
+
+def test_no_file_names_a_place_of_one_machine_or_a_registry() -> None:
+    found = [
+        f"{path.relative_to(ROOT)}: {match[0]}"
+        for path in TEXTS
+        if (match := FOREIGN.search(path.read_text("utf-8", errors="replace")))
+    ]
+    assert found == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_between_pages_lead_somewhere(page: Path) -> None:
+    text = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL)
+    targets = [
+        target for target in LINK.findall(text) if "://" not in target and not target.startswith("mailto:")
+    ]
+    assert [target for target in targets if not (page.parent / target).exists()] == []
+
+
+def test_every_pinned_version_is_exact() -> None:
+    lines = (ROOT / "constraints.txt").read_text("utf-8").splitlines()
+    pins = [line for line in lines if line and not line.startswith("#")]
+    assert [pin for pin in pins if not re.fullmatch(r"[A-Za-z0-9_.-]+==[\w.]+", pin)] == []
+    assert any(pin.startswith("numpy==") for pin in pins)

@@ -1,0 +1,52 @@
+"""Fronts: every public name exists, is imported from one place and has a docstring."""
+
+import inspect
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import ropsim
+
+SOURCE = Path(ropsim.__file__).parent
+PACKAGES = sorted(path.parent.name for path in SOURCE.glob("*/__init__.py"))
+
+
+@pytest.mark.parametrize("name", ropsim.__all__)
+def test_every_name_of_the_root_can_be_had(name: str) -> None:
+    assert getattr(ropsim, name) is not None
+
+
+def test_an_unknown_name_of_the_root_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'simulatoin'"):
+        _ = ropsim.simulatoin  # type: ignore[attr-defined]  # a misspelling is what this test is about
+
+
+def test_the_root_offers_every_package_that_users_call() -> None:
+    inner = {"cli", "codegen"}
+    assert set(PACKAGES) - inner <= set(ropsim.__all__)
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_function_and_class_of_a_front_says_what_it_is(package: str) -> None:
+    front = import_module(f"ropsim.{package}")
+    assert front.__doc__
+    silent = [
+        name
+        for name, value in vars(front).items()
+        if not name.startswith("_")
+        and (inspect.isfunction(value) or inspect.isclass(value))
+        and not inspect.getdoc(value)
+    ]
+    assert silent == []
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_no_package_is_an_empty_room(package: str) -> None:
+    modules = [path for path in (SOURCE / package).rglob("*.py") if path.name != "__init__.py"]
+    assert modules
+
+
+def test_every_folder_with_code_is_a_package() -> None:
+    folders = {path.parent for path in SOURCE.rglob("*.py")}
+    assert [folder.name for folder in folders if not (folder / "__init__.py").exists()] == []

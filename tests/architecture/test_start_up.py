@@ -1,0 +1,41 @@
+"""What start-up must not load: heavy packages come when they are needed."""
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ("numpy", "numba", "scipy", "pandas")
+
+
+def loaded_after(program: str) -> set[str]:
+    ending = "; import sys; print('\\n' + ' '.join(sys.modules))"
+    result = subprocess.run(
+        [sys.executable, "-c", program + ending], capture_output=True, text=True, check=True
+    )
+    return set(result.stdout.split("\n")[-2].split())
+
+
+@pytest.mark.parametrize("argument", ["--version", "--help"])
+def test_version_and_help_import_neither_numpy_nor_numba(argument: str) -> None:
+    program = f"import contextlib, ropsim.cli.main as m\nwith contextlib.suppress(SystemExit): m.main(['{argument}'])\npass"
+    loaded = loaded_after(program)
+    assert "ropsim.cli.main" in loaded
+    assert loaded.isdisjoint(HEAVY)
+
+
+def test_the_root_alone_imports_next_to_nothing() -> None:
+    loaded = loaded_after("import ropsim")
+    assert {name for name in loaded if name.startswith("ropsim")} == {"ropsim", "ropsim.version"}
+
+
+@pytest.mark.parametrize("package", ["language", "program", "icr", "model", "workbench", "views"])
+def test_compiling_and_reading_do_not_import_numba(package: str) -> None:
+    assert "numba" not in loaded_after(f"import ropsim.{package}")
+
+
+def test_the_module_is_the_command() -> None:
+    result = subprocess.run(
+        [sys.executable, "-m", "ropsim", "--version"], capture_output=True, text=True, check=True
+    )
+    assert "0.1.0" in result.stdout
