@@ -19,7 +19,7 @@ BINARY = {".png", ".npz", ".ico", ".jpg"}
 
 
 def project_files() -> list[Path]:
-    """Return what git tracks or would track; outside of a checkout, the folders that belong to the project."""
+    """Return what git tracks or would track; without git, the folders of the project."""
     listing = subprocess.run(
         ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, capture_output=True, check=False
     )

@@ -19,7 +19,7 @@ def test_every_name_of_the_root_can_be_had(name: str) -> None:
 
 def test_an_unknown_name_of_the_root_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="no attribute 'simulatoin'"):
-        _ = ropsim.simulatoin  # type: ignore[attr-defined]  # a misspelling is what this test is about
+        _ = ropsim.simulatoin
 
 
 def test_the_root_offers_every_package_that_users_call() -> None:

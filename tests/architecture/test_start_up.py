@@ -18,7 +18,11 @@ def loaded_after(program: str) -> set[str]:
 
 @pytest.mark.parametrize("argument", ["--version", "--help"])
 def test_version_and_help_import_neither_numpy_nor_numba(argument: str) -> None:
-    program = f"import contextlib, ropsim.cli.main as m\nwith contextlib.suppress(SystemExit): m.main(['{argument}'])\npass"
+    program = (
+        "import contextlib, ropsim.cli.main as m\n"
+        f"with contextlib.suppress(SystemExit): m.main([{argument!r}])\n"
+        "pass"
+    )
     loaded = loaded_after(program)
     assert "ropsim.cli.main" in loaded
     assert loaded.isdisjoint(HEAVY)

@@ -11,7 +11,7 @@ from ropsim.program.calls import recursion
 from ropsim.program.diagnostics import unsound
 from ropsim.program.lowering_expressions import evaluate, push, zero
 from ropsim.program.program import Local, Program, Task
-from ropsim.program.scope import Scope, Used, icr_type
+from ropsim.program.scope import Scope, Used
 from ropsim.spatial import PoseTuple, quaternion
 
 
@@ -63,7 +63,7 @@ def _procedures(program: Program, source: str, used: Used) -> dict[str, Scope]:
         _block(scope, task.body)
         if scope.emitter.is_live:
             if task.result is not None:
-                scope.emitter.push(zero(scope, icr_type(task.result)))
+                scope.emitter.push(zero(scope, task.result))
             scope.emitter.line = 0
             scope.emitter.emit("RET")
         scopes[name] = scope
@@ -85,7 +85,7 @@ def _assembled(
                 name,
                 _variables(task.parameters) if task else (),
                 (_variables(task.locals) if task else ()) + hidden,
-                (icr_type(task.result),) if task and task.result else (),
+                (task.result,) if task and task.result else (),
                 code,
                 lines,
             )
@@ -121,7 +121,7 @@ def _canonical(pose: PoseTuple) -> PoseTuple:
 
 
 def _variables(variables: tuple[Local, ...]) -> tuple[Variable, ...]:
-    return tuple(Variable(one.name, icr_type(one.type)) for one in variables)
+    return tuple(Variable(one.name, one.type) for one in variables)
 
 
 def _start(scope: Scope, name: str) -> tuple[icr.Step, ...]:
@@ -168,12 +168,12 @@ def _call(scope: Scope, statement: st.Call) -> None:
         found, allowed = len(statement.arguments), len(task.parameters)
         raise unsound(f"task `{task.name}` is given {found} arguments, it takes {allowed}", statement.span)
     for argument, parameter in zip(statement.arguments, task.parameters, strict=True):
-        evaluate(scope, argument, icr_type(parameter.type))
+        evaluate(scope, argument, parameter.type)
     scope.emitter.emit("CALL", _procedure_name(scope.program, task.name))
     if statement.result:
         if task.result is None:
             raise unsound(f"task `{task.name}` returns no value", statement.span)
-        if icr_type(task.result) is Type.INT and scope.type_of(statement.result) is Type.REAL:
+        if task.result is Type.INT and scope.type_of(statement.result) is Type.REAL:
             scope.emitter.emit("I2R")
         scope.emitter.emit("STORE", statement.result)
     elif task.result is not None:
@@ -197,7 +197,7 @@ def _return(scope: Scope, statement: st.Return) -> None:
         _end(scope)
         return
     if scope.task.result is not None:
-        result = icr_type(scope.task.result)
+        result = scope.task.result
         if statement.value is None:
             scope.emitter.push(zero(scope, result))
         else:

@@ -4,7 +4,7 @@ from ropsim.icr import Constant as IcrConstant
 from ropsim.icr import Type, Value
 from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
-from ropsim.program.scope import Scope, icr_type
+from ropsim.program.scope import Scope
 from ropsim.spatial import quaternion
 
 _ARITHMETIC = {"add", "sub", "mul", "div", "mod", "min", "max"}
@@ -50,7 +50,7 @@ def static_type(scope: Scope, expression: sir.Expression) -> Type:
         return scope.type_of(expression.name)
     if isinstance(expression, sir.SignalValue):
         return scope.channel(expression.name).type
-    return icr_type(expression.type)
+    return expression.type
 
 
 def push(scope: Scope, kind: Type, value: Value) -> None:
@@ -117,7 +117,7 @@ def _all(scope: Scope, values: tuple[sir.Expression, ...], mnemonic: str, *opera
 
 
 def _constant(scope: Scope, constant: sir.Constant) -> Type:
-    kind, value = icr_type(constant.type), constant.value
+    kind, value = constant.type, constant.value
     if isinstance(value, tuple):
         numbers = tuple(float(number) for number in value)
         if kind in {Type.ORI, Type.POSE}:
@@ -135,7 +135,7 @@ def _constant(scope: Scope, constant: sir.Constant) -> Type:
 def _unary(scope: Scope, expression: sir.Unary) -> Type:
     operation, operand = expression.op, expression.operand
     kind = static_type(scope, operand)
-    result = icr_type(expression.type)
+    result = expression.type
     if operation in _PLAIN:
         mnemonic, need = _PLAIN[operation]
         evaluate(scope, operand, need)
@@ -160,7 +160,7 @@ def _unary(scope: Scope, expression: sir.Unary) -> Type:
 
 def _binary(scope: Scope, expression: sir.Binary) -> Type:
     operation, left, right = expression.op, expression.left, expression.right
-    result = icr_type(expression.type)
+    result = expression.type
     kinds = {static_type(scope, left), static_type(scope, right)}
     need = Type.REAL if Type.REAL in kinds or result is Type.REAL else static_type(scope, left)
     if operation in _PLAIN:

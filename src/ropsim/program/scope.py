@@ -8,12 +8,6 @@ from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Emitter, Label
 from ropsim.program.program import Program, Task
 from ropsim.program.statements import Block
-from ropsim.program.types import ValueType
-
-
-def icr_type(value_type: ValueType) -> Type:
-    """Return the ICR type of the same name."""
-    return Type(value_type.value)
 
 
 @dataclass(slots=True)
@@ -71,7 +65,7 @@ class Scope:
         own = (*self.task.parameters, *self.task.locals) if self.task else ()
         for local in (*own, *self.program.main_locals):
             if local.name == name:
-                return icr_type(local.type)
+                return local.type
         raise unsound(f"variable `{name}` is not declared")
 
     def hide(self, purpose: str, kind: Type) -> str:
@@ -93,7 +87,7 @@ class Scope:
         """
         for signal in self.program.signals:
             if signal.name == name:
-                kind = icr_type(signal.type)
+                kind = signal.type
                 letters = ("D" if kind is Type.BOOL else "A") + ("I" if signal.is_input else "O")
                 return self.used.channels.setdefault(name, IoChannel(name, letters, kind))
         raise unsound(f"signal `{name}` is not declared")

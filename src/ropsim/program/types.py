@@ -1,16 +1,5 @@
-"""The value types of the structured program, the same as those of ICR."""
+"""The value types of the structured program: those of ICR."""
 
-from enum import Enum
+from ropsim.icr import Type as ValueType
 
-
-class ValueType(Enum):
-    """Type of a value; all numbers are SI."""
-
-    BOOL = "BOOL"
-    INT = "INT"
-    REAL = "REAL"
-    STR = "STR"
-    VEC = "VEC"
-    ORI = "ORI"
-    POSE = "POSE"
-    JOINTS = "JOINTS"
+__all__ = ["ValueType"]
