@@ -42,7 +42,7 @@ def top_view(recording: Recording) -> str:
             half = 0.03 * scale
             parts.append(
                 f'<rect x="{cx - half:.1f}" y="{cy - half:.1f}" width="{2 * half:.1f}" '
-                f'height="{2 * half:.1f}" fill="#d55e00" fill-opacity="0.25" stroke="#d55e00" stroke-width="0.8"/>'
+                f'height="{2 * half:.1f}" fill="#d55e00" fill-opacity="0.25" stroke="#d55e00"/>'
             )
     return "".join(parts)
 

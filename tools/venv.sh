@@ -40,6 +40,8 @@ find_python() {
         say "$bare has no venv: install it (Debian, Ubuntu: apt install python3-venv), then run make again"
     elif [ -n "$old" ]; then
         say "$old is too old: install Python 3.11 or newer, or run make PYTHON=/path/to/python3"
+    elif [ -n "${PYTHON:-}" ]; then
+        say "PYTHON=$PYTHON does not run: give the path of Python 3.11 or newer"
     else
         say "no Python found: install Python 3.11 or newer (Debian, Ubuntu: apt install python3 python3-venv)"
     fi

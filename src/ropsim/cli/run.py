@@ -43,7 +43,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
 def _simulate(project: Project, options: argparse.Namespace) -> Recording:
     cell, program = project.runnable(options.program)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
-        progress(0.0, "preparing the arm")
+        progress(0.0, "preparing the arm (compiled once, then cached)")
         from ropsim.simulation import Fidelity, RunOptions
         from ropsim.simulation import run as simulate
 

@@ -7,9 +7,7 @@ from ropsim.spatial import Array
 
 
 @kernel
-def forward_rows(  # noqa: PLR0917 - numba takes plain arrays, no records
-    R: Array, p: Array, slides: Array, offset: Array, X_nM: Array, Q: Array, out: Array
-) -> None:
+def forward_rows(R: Array, p: Array, slides: Array, offset: Array, X_nM: Array, Q: Array, out: Array) -> None:
     """Write X_BM of every row of Q (k, n) to out (k, 4, 4); arguments as in `ChainArrays`."""
     n = Q.shape[1]
     for k in range(Q.shape[0]):

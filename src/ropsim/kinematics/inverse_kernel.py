@@ -24,7 +24,7 @@ WRIST_SLACK = 1e-10
 
 
 @kernel
-def inverse_rows(  # noqa: PLR0917 - numba takes plain arrays, no records
+def inverse_rows(
     lengths: Array,
     signs: Array,
     zeros: Array,
@@ -112,9 +112,7 @@ def _direction(x: float, y: float, fallback: float) -> tuple[float, float]:
 
 
 @kernel
-def _wrist_rotation(  # noqa: PLR0917 - as above
-    R_F: Array, c23: float, s23: float, c1: float, s1: float, G: Array, N: Array
-) -> None:
+def _wrist_rotation(R_F: Array, c23: float, s23: float, c1: float, s1: float, G: Array, N: Array) -> None:
     """Write R_F·Ry(θ23)·Rz(-θ1)·G to N."""
     for c in range(3):
         level = c1 * G[0, c] + s1 * G[1, c]

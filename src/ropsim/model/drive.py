@@ -7,8 +7,8 @@ from dataclasses import dataclass
 class Friction:
     """Viscous and Coulomb friction on the motor side of the gear.
 
-    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with Tc+
-    for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
+    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
+    Tc+ for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
 
     Attributes:
         viscous: B [N·m·s/rad] at the motor.

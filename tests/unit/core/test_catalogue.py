@@ -4,25 +4,31 @@ from ropsim.core import Severity, SourceText, Span, catalogue, define
 
 
 def test_a_kind_makes_diagnostics_with_its_code_and_severity() -> None:
-    kind = define("L999", "only-in-this-test", Severity.WARNING, "a test", "Nothing to mend.")
+    kind = define("Q999", "only-in-this-test", Severity.WARNING, "a test", "Nothing to mend.")
     span = Span.on_line("a.task", 3, 7, 2)
     found = kind.at(span, "found `x`, allowed `y`", hint="write `y`", data={"x": 1})
-    assert (found.code, found.slug, found.severity) == ("L999", "only-in-this-test", Severity.WARNING)
-    assert str(found) == "a.task:3:7: warning[L999] only-in-this-test: found `x`, allowed `y`"
-    assert catalogue()["L999"] is kind
+    assert (found.code, found.slug, found.severity) == ("Q999", "only-in-this-test", Severity.WARNING)
+    assert str(found) == "a.task:3:7: warning[Q999] only-in-this-test: found `x`, allowed `y`"
+    assert catalogue()["Q999"] is kind
 
 
 def test_a_code_cannot_be_used_twice() -> None:
-    define("L998", "first-use", Severity.ERROR, "one", "One.")
-    with pytest.raises(ValueError, match="L998"):
-        define("L998", "second-use", Severity.ERROR, "two", "Two.")
+    define("Q998", "first-use", Severity.ERROR, "one", "One.")
+    with pytest.raises(ValueError, match="Q998"):
+        define("Q998", "second-use", Severity.ERROR, "two", "Two.")
     with pytest.raises(ValueError, match="first-use"):
-        define("L997", "first-use", Severity.ERROR, "two", "Two.")
+        define("Q997", "first-use", Severity.ERROR, "two", "Two.")
 
 
 def test_source_lines_count_from_one_with_any_line_end() -> None:
     text = SourceText("a", "one\r\ntwo\rthree\n")
-    assert (text.line(1), text.line(2), text.line(3), text.line(4), text.line(9)) == ("one", "two", "three", "", "")
+    assert (text.line(1), text.line(2), text.line(3), text.line(4), text.line(9)) == (
+        "one",
+        "two",
+        "three",
+        "",
+        "",
+    )
 
 
 def test_joined_spans_reach_from_the_first_start_to_the_last_end() -> None:

@@ -12,4 +12,5 @@ def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
     table = Recording(time, channels, (), (), 0.004).to_pandas()
     assert list(table.columns) == ["q[1]", "q[2]", "line"]
     assert table.index.name == "time"
-    assert table.loc[0.004, "q[2]"] == 4.0
+    assert table["q[2]"].tolist() == [2.0, 4.0]
+    assert table.index.tolist() == [0.0, 0.004]

@@ -78,7 +78,8 @@ def test_another_path_planner(cell: Cell, program: icr.Program, standard: Record
     chain = standard_chain(cell)
     slow = run(cell, program, RunOptions(chain=replace(chain, planner=SlowPlanner(chain.planner))))
     times = [
-        [event.data["travel"] for event in one.events if event.kind == "move"] for one in (slow, standard)
+        [float(str(event.data["travel"])) for event in one.events if event.kind == "move"]
+        for one in (slow, standard)
     ]
     assert times[0][1] == pytest.approx(2 * times[1][1], rel=0.2)
     assert times[0][0] == times[1][0]

@@ -8,7 +8,7 @@ from ropsim.simulation.verdicts import verdicts
 
 ROBOT = robots.load("puma560")
 CELL = Cell("c", ROBOT, robots.default_controller("puma560"), start=ROBOT.home)
-TIME = np.arange(100) * 0.004
+TIME = np.arange(100.0) / 250.0
 
 
 def quiet() -> dict[str, Channel]:
