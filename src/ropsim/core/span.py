@@ -7,6 +7,8 @@ from dataclasses import dataclass
 class Span:
     """A stretch of a source text; lines and columns count from 1, the end column is exclusive.
 
+    A span of no characters at the start of a line stands for the whole line: see `whole_line`.
+
     Attributes:
         source: name of the text, usually the path as the user gave it.
         line: first line.
@@ -25,6 +27,16 @@ class Span:
     def on_line(cls, source: str, line: int, column: int, length: int = 1) -> "Span":
         """Return the span of `length` characters from `column` on one line."""
         return cls(source, line, column, line, column + max(length, 1))
+
+    @classmethod
+    def whole_line(cls, source: str, line: int) -> "Span":
+        """Return the span of a line of which nobody knows the columns, as in an executed program."""
+        return cls(source, line, 1, line, 1)
+
+    @property
+    def is_whole_line(self) -> bool:
+        """Return whether the span stands for a whole line."""
+        return (self.column, self.end_line, self.end_column) == (1, self.line, 1)
 
     def to(self, other: "Span") -> "Span":
         """Return the span from the start of this one to the end of `other`."""

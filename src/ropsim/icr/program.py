@@ -161,5 +161,5 @@ def source_place(program: Program, procedure: Procedure, index: int) -> Span | N
     """Return the source line of an instruction, or its place in the ICR text where no line is known."""
     line = procedure.lines[index]
     if line > 0:
-        return Span.on_line(program.source or program.name, line, 1)
+        return Span.whole_line(program.source or program.name, line)
     return procedure.places[index] if index < len(procedure.places) else None

@@ -94,7 +94,7 @@ def _finding(
     scale, unit = _SHOWN[check.quantity][robot.joints[joint].type]
     limit = float(check.limits[joint])
     return check.kind.at(
-        Span.on_line(source, line, 1) if line else None,
+        Span.whole_line(source, line) if line else None,
         f"{check.quantity} of joint `{robot.joints[joint].name}` reached {value * scale:.4g} {unit}, "
         f"the limit is {limit * scale:.4g} {unit}",
         label=f"at t = {time:.2f} s",

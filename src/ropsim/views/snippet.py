@@ -94,8 +94,12 @@ def _excerpt_start(text: str, number: int, span: Span) -> int:
 
 def _row(text: str, base: int, number: int, span: Span) -> _Row:
     """Return a line (from character `base`) made visible and where a span marks it."""
-    first = span.column - 1 if number == span.line else len(text) - len(text.lstrip())
-    after = span.end_column - 1 if number == span.end_line else len(text)
+    indent = len(text) - len(text.lstrip())
+    if span.is_whole_line:
+        first, after = indent, len(text.rstrip())
+    else:
+        first = span.column - 1 if number == span.line else indent
+        after = span.end_column - 1 if number == span.end_line else len(text)
     parts: list[str] = []
     column = start = 0
     end = -1

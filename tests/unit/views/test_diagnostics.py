@@ -138,3 +138,8 @@ def test_colour_changes_nothing_but_colour() -> None:
     coloured = diagnostics_text([finding], SOURCES, Style.COLOR)
     assert coloured != diagnostics_text([finding], SOURCES, Style.PLAIN)
     assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == diagnostics_text([finding], SOURCES, Style.PLAIN)
+
+
+def test_a_span_of_a_whole_line_marks_the_text_between_its_blanks() -> None:
+    text = diagnostic_text(error(Span.whole_line(SOURCE.name, 14)), SOURCES, Style.PLAIN)
+    assert mark_of(text) == ("  mov slot(i, j)", "  ^^^^^^^^^^^^^^ here")
