@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim import dynamics, robots
+from ropsim import dynamics, kinematics, robots
 from ropsim.model import Friction, RobotModel
 from support.arms import drive, random_arm
 
@@ -55,6 +55,11 @@ def test_joint_space_inertia(puma: RobotModel) -> None:
     _agree(np.diag(M), table)
     for row, column, value in table["off_diagonal"]:
         assert M[row, column] == pytest.approx(value, abs=table["tolerance"])
+
+
+def test_task_space_inertia(puma: RobotModel) -> None:
+    J_inverse = np.linalg.inv(kinematics.jacobian(puma, QN))
+    _agree(np.diag(J_inverse.T @ dynamics.mass_matrix(puma, QN) @ J_inverse), NUMBERS["inertia_x"])
 
 
 def test_accelerations(puma: RobotModel) -> None:

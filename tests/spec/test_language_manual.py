@@ -78,15 +78,18 @@ def test_an_example_without_its_wrong_lines_runs_as_it_says(block: Block) -> Non
     trace = icr.run(result.icr)
     at: dict[int, list[tuple[float, ...]]] = {}
     says: dict[int, list[str]] = {}
-    for one in trace.instructions:
-        line = one.origin.span.line if one.origin.span else 0
-        if isinstance(one, MoveInstruction) and isinstance(one.target, Pose):
-            at.setdefault(line, []).append(position(one))
-        elif isinstance(one, MessageInstruction):
-            says.setdefault(line, []).append(one.text)
+    for step in trace.instructions:
+        line = step.origin.span.line if step.origin.span else 0
+        if isinstance(step, MoveInstruction) and isinstance(step.target, Pose):
+            at.setdefault(line, []).append(position(step))
+        elif isinstance(step, MessageInstruction):
+            says.setdefault(line, []).append(step.text)
     for line, text in said(block, "at").items():
         wanted = [tuple(map(float, point.split())) for point in text.split(";")]
-        assert at.get(line) == [pytest.approx(point, abs=TOLERANCE) for point in wanted], f"line {line}"
+        found_at = at.get(line, [])
+        assert len(found_at) == len(wanted), f"line {line}"
+        for one, point in zip(found_at, wanted, strict=True):
+            assert one == pytest.approx(point, abs=TOLERANCE), f"line {line}"
     for line, text in said(block, "says").items():
         assert says.get(line) == text.split("; "), f"line {line}"
     trap = trace.trap

@@ -56,11 +56,12 @@ def _fault(error: Exception, arguments: Sequence[str]) -> int:
     import os
     import shlex
     import traceback
+    from pathlib import Path
 
     if os.environ.get("ROPSIM_DEBUG"):
         traceback.print_exception(error)
     frame = traceback.extract_tb(error.__traceback__)[-1]
-    place = f"{os.path.basename(frame.filename)}:{frame.lineno}"  # noqa: PTH119 - a name for a message
+    place = f"{Path(frame.filename).name}:{frame.lineno}"
     print(
         f"this is a bug in ropsim {__version__}, not in your input: "
         f"{type(error).__name__}: {error} ({place})\n"

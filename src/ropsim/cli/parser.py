@@ -3,9 +3,11 @@
 import argparse
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
+from typing import TypeAlias
 
 from ropsim.version import __version__
+
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 EPILOG = """\
 A project is a folder with `cell.toml` and `programs/*.task`. Start with
@@ -35,10 +37,10 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _command(commands: Any, name: str, function: str, text: str, more: str = "") -> argparse.ArgumentParser:  # noqa: ANN401 - argparse keeps its type private
-    parser: argparse.ArgumentParser = commands.add_parser(
-        name, help=text, description=f"{text[0].upper()}{text[1:]}. {more}".strip()
-    )
+def _command(
+    commands: Commands, name: str, function: str, text: str, more: str = ""
+) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=text, description=f"{text[0].upper()}{text[1:]}. {more}".strip())
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     parser.set_defaults(command=_lazy(function))
     return parser
@@ -54,14 +56,14 @@ def _lazy(function: str) -> Callable[..., int]:
     return call
 
 
-def _new(commands: Any) -> None:  # noqa: ANN401
+def _new(commands: Commands) -> None:
     parser = _command(commands, "new", "new:new", "make a project folder from an example")
     parser.add_argument("path", metavar="DIR", help="folder to make")
     parser.add_argument("--example", metavar="NAME", help="which example (default: first_cell)")
     _command(commands, "examples", "new:examples", "list the examples")
 
 
-def _check(commands: Any) -> None:  # noqa: ANN401
+def _check(commands: Commands) -> None:
     parser = _command(
         commands,
         "check",
@@ -72,7 +74,7 @@ def _check(commands: Any) -> None:  # noqa: ANN401
     parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or a .task or .icr file")
 
 
-def _run(commands: Any) -> None:  # noqa: ANN401
+def _run(commands: Commands) -> None:
     parser = _command(
         commands,
         "run",
@@ -91,7 +93,7 @@ def _run(commands: Any) -> None:  # noqa: ANN401
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
 
 
-def _icr(commands: Any) -> None:  # noqa: ANN401
+def _icr(commands: Commands) -> None:
     group = commands.add_parser(
         "icr",
         help="work with ICR, the neutral robot program",
@@ -109,7 +111,7 @@ def _icr(commands: Any) -> None:  # noqa: ANN401
     run.add_argument("path", metavar="FILE")
 
 
-def _robot(commands: Any) -> None:  # noqa: ANN401
+def _robot(commands: Commands) -> None:
     group = commands.add_parser("robot", help="list, show and move robot models", description="Robot models.")
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
     _command(actions, "list", "robot:list_", "list the built-in robots")
@@ -131,6 +133,6 @@ def _robot(commands: Any) -> None:  # noqa: ANN401
     )
 
 
-def _explain(commands: Any) -> None:  # noqa: ANN401
+def _explain(commands: Commands) -> None:
     parser = _command(commands, "explain", "explain:explain", "explain a diagnostic code such as M502")
     parser.add_argument("code", metavar="CODE", nargs="?", help="without a code: list all")

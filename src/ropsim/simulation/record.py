@@ -1,6 +1,7 @@
 """From the running state to the recording: channels, events, findings, header."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -160,19 +161,13 @@ def _pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
 
 def _moves_with_errors(state: CellRun, ticks: Array, errors: Array) -> list[Event]:
     """Return the events; LIN moves get the largest path error on their way."""
-    result = []
-    for event in state.events:
-        if event.kind == "move" and event.data["kind"] == MotionKind.LIN.value:
-            move = state.moves[int(str(event.data["ordinal"]))]
-            first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
-            worst = float(np.max(errors[first:last], initial=0.0))
-            event = Event(  # noqa: PLW2901 - the enriched event takes the place of the plain one
-                event.time,
-                event.kind,
-                event.text,
-                event.span,
-                event.duration,
-                {**event.data, "path_error_max": worst},
-            )
-        result.append(event)
-    return result
+
+    def with_error(event: Event) -> Event:
+        if event.kind != "move" or event.data["kind"] != MotionKind.LIN.value:
+            return event
+        move = state.moves[int(str(event.data["ordinal"]))]
+        first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
+        worst = float(np.max(errors[first:last], initial=0.0))
+        return replace(event, data={**event.data, "path_error_max": worst})
+
+    return [with_error(event) for event in state.events]
