@@ -28,6 +28,7 @@ check:
 	.venv/bin/lint-imports
 	.venv/bin/codespell
 	.venv/bin/python tools/diagnostic_pages.py --check
+	.venv/bin/python tools/icr_table.py --check
 
 bench:
 	@$(VENV) test
@@ -36,6 +37,7 @@ bench:
 docs:
 	@$(VENV)
 	.venv/bin/python tools/diagnostic_pages.py
+	.venv/bin/python tools/icr_table.py
 
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis

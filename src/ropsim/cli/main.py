@@ -25,16 +25,18 @@ def main(arguments: Sequence[str]) -> int:
         print(f"ropsim {__version__}")
         return 0
     from ropsim.cli.parser import build_parser
+    from ropsim.cli.streams import OutputLostError, prepare_streams
 
+    prepare_streams()
     options = build_parser().parse_args(arguments)
     try:
         return _run(options)
     except KeyboardInterrupt:
         print("interrupted; nothing was left half-written", file=sys.stderr)
         return 130
-    except BrokenPipeError:
-        sys.stderr.close()  # the reader went away, as `| head` does
-        return 0
+    except OutputLostError as error:
+        print(f"the results cannot be written to standard output: {error.strerror}", file=sys.stderr)
+        return 1
     except Exception as error:
         return _fault(error, arguments)
 

@@ -7,13 +7,14 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from ropsim.cli.streams import say
 from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
 from ropsim.views import Style, diagnostics_text
 from ropsim.workbench import NOT_WRITABLE
 from ropsim.workbench.diagnostic_json import diagnostic_document
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
-USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X848", "X849", "X877", "U900", "U901"})
+USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "U900", "U901"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,18 +38,18 @@ class Output:
     def text(self, text: str) -> None:
         """Print a text result, unless JSON was asked for."""
         if not self.json:
-            print(text)
+            say(text, sys.stdout)
 
     def document(self, document: Mapping[str, object]) -> None:
         """Print a JSON document, if that was asked for."""
         if self.json:
-            print(json.dumps(document, indent=2, allow_nan=False))
+            say(json.dumps(document, indent=2, allow_nan=False), sys.stdout)
 
     def findings(self, found: Iterable[Diagnostic], sources: Mapping[str, SourceText]) -> int:
         """Print diagnostics as text on stderr and return the exit code that they mean."""
         diagnostics = tuple(found)
         if diagnostics and not self.json:
-            print(diagnostics_text(diagnostics, sources, self.style), file=sys.stderr)
+            say(diagnostics_text(diagnostics, sources, self.style), sys.stderr)
         return 1 if any(one.severity is Severity.ERROR for one in diagnostics) else 0
 
     def failure(self, diagnostic: Diagnostic) -> None:

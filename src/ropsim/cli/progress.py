@@ -8,6 +8,8 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import TextIO
 
+from ropsim.cli.streams import drop
+
 PATIENCE = 1.0
 """Work shorter than this says nothing [s]."""
 
@@ -79,8 +81,11 @@ class Progress:
 
     def _put(self, text: str) -> None:
         encoding = getattr(self._stream, "encoding", None) or "ascii"
-        self._stream.write(text.encode(encoding, "replace").decode(encoding))
-        self._stream.flush()
+        try:
+            self._stream.write(text.encode(encoding, "replace").decode(encoding))
+            self._stream.flush()
+        except OSError:  # whoever read the progress has gone away: the work goes on
+            drop(self._stream)
 
 
 def _bar_signs(stream: TextIO) -> tuple[str, str]:

@@ -72,8 +72,9 @@ def show(options: argparse.Namespace, output: Output) -> int:
 def audit(options: argparse.Namespace, output: Output) -> int:
     """Say what is doubtful in a model."""
     found = audit_model(robots.load(options.name))
-    output.document(diagnostic_document(found))
-    return output.findings(found, {})
+    code = output.findings(found, {})
+    output.document({"ok": code == 0, **diagnostic_document(found)})
+    return code
 
 
 def fk(options: argparse.Namespace, output: Output) -> int:
@@ -83,9 +84,9 @@ def fk(options: argparse.Namespace, output: Output) -> int:
         message = f"`{robot.name}` has {robot.n} joints, {len(options.q)} coordinates were given"
         raise JointCountError(WRONG_COUNT.at(None, message))
     pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
-    x, y, z = (1e3 * float(c) for c in pose.position)
+    x, y, z = (_shown(1e3 * float(c), 3) for c in pose.position)
     w, i, j, k = (float(c) for c in pose.orientation)
-    yaw, pitch, roll = (math.degrees(angle) for angle in to_zyx((w, i, j, k)))
+    yaw, pitch, roll = (_shown(math.degrees(angle), 4) for angle in to_zyx((w, i, j, k)))
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0
@@ -99,7 +100,7 @@ def ik(options: argparse.Namespace, output: Output) -> int:
     result = kinematics.inverse(robot, Pose(np.array([x, y, z]) / 1e3, np.array(turn)))
     scales = _scales(robot)
     for q, posture in zip(result.solutions, result.postures, strict=True):
-        output.text("  ".join(f"{c:9.3f}" for c in q * scales) + f"   {posture}")
+        output.text("  ".join(f"{_shown(c, 3):9.3f}" for c in q * scales) + f"   {posture}")
     if not len(result.solutions):
         output.text(f"no solution: {result.status.value}")
     output.document({"status": result.status.value, "solutions": result.solutions.tolist()})
@@ -112,3 +113,8 @@ def _display(kind: JointType) -> tuple[float, str]:
 
 def _scales(robot: RobotModel) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     return np.array([_display(joint.type)[0] for joint in robot.joints])
+
+
+def _shown(value: float, decimals: int) -> float:
+    """Return a number rounded for printing, without a negative zero."""
+    return round(float(value), decimals) + 0.0

@@ -5,6 +5,7 @@ of it, and knows the user's cache folder.
 """
 
 import os
+import stat
 import sys
 import tempfile
 from pathlib import Path
@@ -22,18 +23,27 @@ def read_bytes(path: Path) -> bytes:
 def replace_file(path: Path, content: bytes) -> None:
     """Write `content` to `path` in one step: a crash leaves the old file, never half a new one.
 
+    A link stays a link, its target is replaced; a replaced file keeps its permissions. A device or a pipe,
+    such as `/dev/null`, is written to, because it cannot be replaced.
+
     Raises:
-        OSError: the folder cannot be written.
+        OSError: the folder cannot be written, or the device takes no more.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    place = Path(os.path.realpath(path))  # Path.resolve raises RuntimeError where links go round
+    mode = _mode(place)
+    if mode is not None and not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+        with place.open("wb") as stream:
+            stream.write(content)
+        return
+    place.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(prefix=".ropsim-", dir=place.parent)
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
-        Path(name).chmod(0o666 & ~_umask())
-        Path(name).replace(path)
+        Path(name).chmod(0o666 & ~_umask() if mode is None else stat.S_IMODE(mode))
+        Path(name).replace(place)
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
@@ -54,6 +64,14 @@ def cache_folder() -> Path:
     else:
         base = Path(os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache")))
     return base / "ropsim"
+
+
+def _mode(path: Path) -> int | None:
+    """Return type and permissions of what is at a path, None where nothing is."""
+    try:
+        return path.stat().st_mode
+    except FileNotFoundError:
+        return None
 
 
 def _umask() -> int:

@@ -5,12 +5,22 @@ from collections.abc import Iterable
 
 
 def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...]:
-    """Return the candidates that look like `name`, best first; case is ignored."""
+    """Return the candidates that look like `name`, best first; case is ignored.
+
+    A candidate that `name` begins with, or the other way round, comes first: `degrees` means `deg`.
+    """
     by_lower: dict[str, str] = {}
     for candidate in sorted(candidates):
         by_lower.setdefault(candidate.lower(), candidate)
-    close = difflib.get_close_matches(name.lower()[:64], list(by_lower), n=limit, cutoff=0.6)
-    return tuple(by_lower[key] for key in close)
+    wanted = name.lower()[:64]
+    begun = [key for key in by_lower if min(len(key), len(wanted)) >= 3 and _begins(key, wanted)]
+    close = difflib.get_close_matches(wanted, list(by_lower), n=limit, cutoff=0.6)
+    ordered = dict.fromkeys([*sorted(begun, key=lambda key: abs(len(key) - len(wanted))), *close])
+    return tuple(by_lower[key] for key in list(ordered)[:limit])
+
+
+def _begins(one: str, other: str) -> bool:
+    return one.startswith(other) or other.startswith(one)
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:

@@ -7,7 +7,7 @@ from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
 from ropsim.dynamics.inertia import last_body
 from ropsim.model import Payload, RobotModel
-from ropsim.spatial import Array
+from ropsim.spatial import Array, real_numbers
 
 
 def inverse_dynamics(
@@ -147,10 +147,11 @@ def _load(robot: RobotModel, payload: Payload | None) -> Array:
 
 
 def _array(name: str, values: npt.ArrayLike, size: int) -> Array:
-    array = np.array(values, dtype=np.float64)
-    if array.shape != (size,):
-        message = f"array `{name}` has shape `{array.shape}`; allowed is `({size},)`"
+    array = real_numbers(values)
+    if array is None or array.shape != (size,):
+        found = "no real numbers" if array is None else f"shape `{array.shape}`"
+        message = f"array `{name}` has {found}; allowed is `({size},)`"
         raise StateShapeError(
             WRONG_SHAPE.at(None, message, hint="call once per state with one number per joint")
         )
-    return array
+    return np.array(array)  # compiled functions take contiguous writable arrays only

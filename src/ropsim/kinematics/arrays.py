@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.kinematics.diagnostics import ArrayShapeError, NotFiniteError
 from ropsim.model import JointType, RobotModel, interface_matrices, placement_matrices
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, real_numbers
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,9 +49,9 @@ def joint_vector(robot: RobotModel, q: npt.ArrayLike) -> Array:
 
     Raises:
         ArrayShapeError: M551, another shape.
-        NotFiniteError: M552, NaN or infinity.
+        NotFiniteError: M552, NaN, infinity or no numbers.
     """
-    array = np.asarray(q, dtype=np.float64)
+    array = _numbers("q", q)
     if array.shape != (robot.n,):
         raise ArrayShapeError("q", array.shape, f"({robot.n},)")
     if not np.isfinite(array).all():
@@ -64,8 +64,9 @@ def joint_rows(robot: RobotModel, Q: npt.ArrayLike) -> Array:
 
     Raises:
         ArrayShapeError: M551, another shape.
+        NotFiniteError: M552, no numbers.
     """
-    array = np.ascontiguousarray(Q, dtype=np.float64)
+    array = np.ascontiguousarray(_numbers("Q", Q))
     if array.ndim != 2 or array.shape[1] != robot.n:
         raise ArrayShapeError("Q", array.shape, f"(k, {robot.n})")
     return array
@@ -76,8 +77,17 @@ def pose_rows(T: npt.ArrayLike) -> Array:
 
     Raises:
         ArrayShapeError: M551, another shape.
+        NotFiniteError: M552, no numbers.
     """
-    array = np.ascontiguousarray(T, dtype=np.float64)
+    array = np.ascontiguousarray(_numbers("T", T))
     if array.ndim != 3 or array.shape[1:] != (4, 4):
         raise ArrayShapeError("T", array.shape, "(k, 4, 4)")
+    return array
+
+
+def _numbers(name: str, values: npt.ArrayLike) -> Array:
+    """Return any array as float64."""
+    array = real_numbers(values)
+    if array is None:
+        raise NotFiniteError(name, "something that is no real number")
     return array

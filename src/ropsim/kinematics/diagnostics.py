@@ -74,13 +74,13 @@ class ArrayShapeError(RopsimError):
 
 
 class NotFiniteError(RopsimError):
-    """An array holds NaN or infinity (M552)."""
+    """An array holds NaN, infinity or no numbers (M552)."""
 
-    def __init__(self, array: str) -> None:
+    def __init__(self, array: str, found: str = "NaN or infinity") -> None:
         super().__init__(
             NOT_FINITE.at(
                 None,
-                f"`{array}` holds NaN or infinity, allowed are finite numbers",
+                f"`{array}` holds {found}, allowed are finite numbers",
                 hint="check the computation before this call",
                 data={"array": array},
             )

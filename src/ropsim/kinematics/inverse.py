@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import joint_vector, pose_rows
+from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.posture import POSTURES, Posture
 from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits, LimitViolation, Reach
 from ropsim.kinematics.wrist import WristArm, wrist_arm
@@ -53,10 +54,12 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     Raises:
         NoClosedFormError: M550, the arm is outside the class.
         ArrayShapeError: M551, `options.near` has another shape than (6,).
-        NotFiniteError: M552, `options.near` holds NaN or infinity.
+        NotFiniteError: M552, the pose or `options.near` holds NaN or infinity.
     """
     chosen = options or IkOptions()
     arm = wrist_arm(robot)
+    if not np.isfinite(pose.position).all():
+        raise NotFiniteError("pose")
     free = np.zeros(6) if chosen.near is None else joint_vector(robot, chosen.near)
     branches = _solve(arm, pose.matrix()[np.newaxis], free)[0]
     rows = _distinct(branches)

@@ -12,7 +12,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
 from ropsim.language.syntax.statements import TaskHeader
 from ropsim.language.text import Line
-from ropsim.program import Program, check_contracts, lower, recursion
+from ropsim.program import Program, check_contracts, lower_with_findings, recursion
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class Compiled:
 
     Attributes:
         program: the structured program of all lines that are right; None where the text was given up.
-        icr: the executable form; None where a line is wrong or tasks call each other in a circle.
+        icr: the executable form; None where anything found is an error.
         diagnostics: all findings in order of their place.
         source: the text.
     """
@@ -61,7 +61,9 @@ def _lowered(program: Program, report: Report) -> IcrProgram | None:
     if report.has_errors:
         return None
     report.extend(check_contracts(program))
-    return lower(program, report.source)
+    code, findings = lower_with_findings(program, report.source)
+    report.extend(findings)
+    return None if report.has_errors else code
 
 
 def _structured(source: SourceText, environment: Environment, report: Report) -> Program | None:

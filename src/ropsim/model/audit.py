@@ -123,7 +123,7 @@ def _origins(robot: RobotModel) -> Iterator[Diagnostic]:
     for origin in robot.origins:
         if origin.kind == "estimated":
             yield kinds.ESTIMATED_PARAMETERS.at(
-                None, f"{origin.parameters} of `{robot.name}` are estimated", notes=(origin.source,)
+                None, f"estimated in `{robot.name}`: {origin.parameters}", notes=(origin.source,)
             )
 
 

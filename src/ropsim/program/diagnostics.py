@@ -1,5 +1,6 @@
 """Kinds of diagnostics about structured programs."""
 
+from ropsim import icr
 from ropsim.core import Diagnostic, RopsimError, Severity, Span, define
 
 RECURSION = define(
@@ -36,6 +37,38 @@ Open or close the gripper before the call, or change the contract. The check fol
 branches; where the state depends on the way taken, it says nothing.
 """,
 )
+NO_VALUE = define(
+    "T391",
+    "number-without-value",
+    Severity.WARNING,
+    "a variable may be read before it has a value",
+    """
+On at least one way through the program the line reads a variable that nothing has given a value yet. It reads
+as 0, false or an empty text then. A loop whose count is not a constant may run no pass at all.
+
+Give the variable a value before the branch or loop: `x = 0`.
+""",
+)
+NO_LOCATION = define(
+    "T392",
+    "location-without-value",
+    Severity.ERROR,
+    "a location may be used before it has a value",
+    """
+On at least one way through the program the line uses a location, or joint coordinates, that nothing has given
+a value yet. An arm must not move to a place that nobody chose, so the program is refused. A loop whose count
+is not a constant may run no pass at all.
+
+```
+if part_ok
+  q = (300, 0, 100)
+endif
+lin q            # error: where to, when part_ok is off?
+```
+
+Give the location a value before the branch or loop.
+""",
+)
 UNSOUND = define(
     "I450",
     "structured-program-unsound",
@@ -51,6 +84,26 @@ never do. If you built the program in Python, mend the statement that the messag
 
 class LoweringError(RopsimError):
     """A structured program contradicts itself and has no ICR."""
+
+
+def without_value(program: icr.Program, procedure: str, name: str, kind: icr.Type, index: int) -> Diagnostic:
+    """Return the finding that an instruction may read variable `name` of type `kind` without a value.
+
+    Args:
+        program: where it stands.
+        procedure: its procedure.
+        name: the variable.
+        kind: its type.
+        index: the instruction.
+    """
+    code = next(one for one in program.procedures if one.name == procedure)
+    line = code.lines[index] if index < len(code.lines) else 0
+    is_place = kind in (icr.Type.POSE, icr.Type.JOINTS)
+    return (NO_LOCATION if is_place else NO_VALUE).at(
+        Span.whole_line(program.source, line) if line else None,
+        f"`{name}` may have no value here" + ("" if is_place else ", it reads as zero then"),
+        hint=f"give `{name}` a value on every way to this line",
+    )
 
 
 def unsound(message: str, span: Span | None = None) -> LoweringError:

@@ -3,12 +3,13 @@
 from collections.abc import Callable
 
 from ropsim import icr
+from ropsim.core import Diagnostic
 from ropsim.icr import Type, Variable
 from ropsim.program import lowering_flow as flow
 from ropsim.program import lowering_robot as robot
 from ropsim.program import statements as st
 from ropsim.program.calls import recursion
-from ropsim.program.diagnostics import unsound
+from ropsim.program.diagnostics import unsound, without_value
 from ropsim.program.lowering_expressions import evaluate, push, zero
 from ropsim.program.program import Local, Program, Task
 from ropsim.program.scope import Scope, Used
@@ -16,7 +17,14 @@ from ropsim.spatial import PoseTuple, quaternion
 
 
 def lower(program: Program, source: str) -> icr.Program:
-    """Return the ICR of a structured program; it passes `icr.verify`.
+    """Return the ICR of a structured program; see `lower_with_findings`."""
+    return lower_with_findings(program, source)[0]
+
+
+def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
+    """Return the ICR of a structured program, which passes `icr.verify`, and what its author should know.
+
+    The findings name variables that may be read before they have a value (T391, T392).
 
     Tasks that `main` does not reach are left out; the others stand in the order of their first call.
     Variables that could be read before they have a value start with the zero of their type.
@@ -28,17 +36,24 @@ def lower(program: Program, source: str) -> icr.Program:
     Raises:
         LoweringError: the program contradicts itself.
     """
-    used = Used()
+    used = Used.by(program)
     scopes = _procedures(program, source, used)
     draft = _assembled(program, source, scopes, {})
     if recursion(program):
-        return draft
+        return draft, ()
     starts = {}
+    findings: tuple[Diagnostic, ...] = ()
     for name, needs in icr.unassigned(draft).items():
         scope = scopes[name]
         names = sorted({need.slot.name for need in needs})
         starts[name] = tuple(step for one in names for step in _start(scope, one))
-    return _assembled(program, source, scopes, starts) if starts else draft
+        seen = [
+            (need.slot.name, scope.type_of(need.slot.name), need.at)
+            for need in needs
+            if need.slot.name not in scope.hidden
+        ]
+        findings += tuple(without_value(draft, name, *one) for one in seen)
+    return (_assembled(program, source, scopes, starts) if starts else draft), findings
 
 
 def _procedures(program: Program, source: str, used: Used) -> dict[str, Scope]:
@@ -56,7 +71,7 @@ def _procedures(program: Program, source: str, used: Used) -> dict[str, Scope]:
     work = list(reversed(main.callees))
     while work:
         task = main.callee(work.pop())
-        name = _procedure_name(program, task.name)
+        name = _procedure_name(main, task.name)
         if name in scopes:
             continue
         scope = Scope(program, task, used, source, _block)
@@ -129,10 +144,10 @@ def _start(scope: Scope, name: str) -> tuple[icr.Step, ...]:
     return icr.Step("PUSH", (zero(scope, kind),)), icr.Step("STORE", (name,))
 
 
-def _procedure_name(program: Program, task: str) -> str:
+def _procedure_name(scope: Scope, task: str) -> str:
     """Return the name of the procedure of a task; `main` is taken by the control statements."""
-    name, taken = task, {one.name for one in program.tasks}
-    while name == "main" or (name != task and name in taken):
+    name = task
+    while name == "main" or (name != task and name in scope.used.tasks):
         name += "_"
     return name
 
@@ -169,7 +184,7 @@ def _call(scope: Scope, statement: st.Call) -> None:
         raise unsound(f"task `{task.name}` is given {found} arguments, it takes {allowed}", statement.span)
     for argument, parameter in zip(statement.arguments, task.parameters, strict=True):
         evaluate(scope, argument, parameter.type)
-    scope.emitter.emit("CALL", _procedure_name(scope.program, task.name))
+    scope.emitter.emit("CALL", _procedure_name(scope, task.name))
     if statement.result:
         if task.result is None:
             raise unsound(f"task `{task.name}` returns no value", statement.span)

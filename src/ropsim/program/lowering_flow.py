@@ -1,5 +1,7 @@
 """Branches and loops -> labels and jumps."""
 
+import math
+
 from ropsim.icr import TRAP_NOT_WHOLE, Type
 from ropsim.program import expressions as sir
 from ropsim.program import statements as st
@@ -39,16 +41,19 @@ def lower_while(scope: Scope, statement: st.While) -> None:
 
 
 def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
-    """Emit a loop that counts down and is left where `until` holds after a pass."""
+    """Emit a loop that counts down and is left where `until` holds after a pass.
+
+    Whether there is a first pass is asked only where the count does not say so: what the body of `repeat 6`
+    assigns has a value behind it, and the verifier can see that.
+    """
     emitter = scope.emitter
     top, loop = Label(), Loop(Label(), Label(), scope.depth)
     left = _count(scope, statement.count) if statement.count is not None else ""
-    emitter.place(top)
-    if left:
-        emitter.emit("LOAD", left)
-        push(scope, Type.INT, 0)
-        emitter.emit("GT.I")
+    runs = statement.count is None or _number(statement.count, 0) >= 1
+    if not runs:
+        _more(scope, left)
         emitter.jump("JF", loop.leave)
+    emitter.place(top)
     _body(scope, statement.body, loop)
     emitter.line = statement.span.line
     emitter.place(loop.again)
@@ -60,14 +65,25 @@ def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
         push(scope, Type.INT, 1)
         emitter.emit("SUB.I")
         emitter.emit("STORE", left)
-    emitter.jump("JMP", top)
+        _more(scope, left)
+        emitter.jump("JT", top)
+    else:
+        emitter.jump("JMP", top)
     emitter.place(loop.leave)
+
+
+def _more(scope: Scope, left: str) -> None:
+    """Emit the question whether passes are left."""
+    scope.emitter.emit("LOAD", left)
+    push(scope, Type.INT, 0)
+    scope.emitter.emit("GT.I")
 
 
 def lower_for(scope: Scope, statement: st.For) -> None:
     """Emit a loop over values; the number of passes does not depend on what the body does to the variable.
 
-    A REAL variable is `first + pass·step`, not a running sum, so that rounding does not pile up.
+    Whether there is a first pass is asked only where constant bounds do not say so. A REAL variable is
+    `first + pass·step`, not a running sum, so that rounding does not pile up.
     """
     kind = scope.type_of(statement.variable)
     if kind not in {Type.INT, Type.REAL}:
@@ -83,18 +99,25 @@ def lower_for(scope: Scope, statement: st.For) -> None:
         push(scope, Type.REAL, step * PASS_TOLERANCE)
         emitter.emit("ADD.R")
     emitter.emit("STORE", last)
+
+    def more() -> None:
+        value.load()
+        emitter.emit("LOAD", last)
+        emitter.emit(("LE" if step > 0 else "GE") + suffix)
+
+    way = (_number(statement.last, math.nan) - _number(statement.first, math.nan)) * step
+    if not way >= 0:  # unknown bounds give NaN
+        more()
+        emitter.jump("JF", loop.leave)
     emitter.place(top)
-    value.load()
-    emitter.emit("LOAD", last)
-    emitter.emit(("LE" if step > 0 else "GE") + suffix)
-    emitter.jump("JF", loop.leave)
     value.load()
     emitter.emit("STORE", statement.variable)
     _body(scope, statement.body, loop)
     emitter.line = statement.span.line
     emitter.place(loop.again)
     value.advance()
-    emitter.jump("JMP", top)
+    more()
+    emitter.jump("JT", top)
     emitter.place(loop.leave)
 
 
@@ -139,13 +162,21 @@ def _count(scope: Scope, count: sir.Expression) -> str:
 
 
 def _constant_step(statement: st.For) -> int | float:
-    sign, step = 1, statement.step
-    while isinstance(step, sir.Unary) and step.op in {"neg", "to_real"}:
-        sign = -sign if step.op == "neg" else sign
-        step = step.operand
-    value = step.value if isinstance(step, sir.Constant) else None
-    if isinstance(value, bool) or not isinstance(value, int | float) or value == 0:
+    step = _number(statement.step, 0)
+    if step == 0:
         raise unsound("the step of a loop must be a constant other than 0", statement.span)
+    return step
+
+
+def _number(expression: sir.Expression, otherwise: float) -> int | float:
+    """Return the value of a constant number, `otherwise` for anything else."""
+    sign = 1
+    while isinstance(expression, sir.Unary) and expression.op in {"neg", "to_real"}:
+        sign = -sign if expression.op == "neg" else sign
+        expression = expression.operand
+    value = expression.value if isinstance(expression, sir.Constant) else None
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return otherwise
     return sign * value
 
 

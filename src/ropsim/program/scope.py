@@ -1,22 +1,30 @@
 """What lowering knows: the names in sight, the loops around, and what the whole program has used so far."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.icr import IoChannel, Type
 from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Emitter, Label
-from ropsim.program.program import Program, Task
+from ropsim.program.program import Program, SignalUse, Task
 from ropsim.program.statements import Block
 
 
 @dataclass(slots=True)
 class Used:
-    """What the program uses; only that is declared in ICR."""
+    """What the program defines, by name, and what of it is used; only that is declared in ICR."""
 
+    tasks: Mapping[str, Task]
+    signals: Mapping[str, SignalUse]
     channels: dict[str, IoChannel] = field(default_factory=dict)
     tools: dict[str, None] = field(default_factory=dict)
     axes: int | None = None
+
+    @classmethod
+    def by(cls, program: Program) -> "Used":
+        """Return the names of a program, nothing used yet; of two equal names the first one counts."""
+        tasks = {task.name: task for task in reversed(program.tasks)}
+        return cls(tasks, {signal.name: signal for signal in reversed(program.signals)})
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +51,7 @@ class Scope:
         callees: tasks called, in the order of the calls.
         loops: loops around, innermost last.
         depth: modal states saved here.
+        types: of the variables in sight, by name; locals hide globals.
     """
 
     program: Program
@@ -55,25 +64,26 @@ class Scope:
     callees: dict[str, None] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     depth: int = 0
+    types: dict[str, Type] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        own = (*self.task.parameters, *self.task.locals) if self.task else ()
+        self.types = {local.name: local.type for local in (*self.program.main_locals, *own)}
 
     def type_of(self, name: str) -> Type:
-        """Return the type of a variable in sight; locals hide globals.
+        """Return the type of a variable in sight.
 
         Raises:
             LoweringError: there is no such variable.
         """
-        own = (*self.task.parameters, *self.task.locals) if self.task else ()
-        for local in (*own, *self.program.main_locals):
-            if local.name == name:
-                return local.type
-        raise unsound(f"variable `{name}` is not declared")
+        if name not in self.types:
+            raise unsound(f"variable `{name}` is not declared")
+        return self.types[name]
 
     def hide(self, purpose: str, kind: Type) -> str:
         """Return a new local whose name no variable of the program has."""
-        own = (*self.task.parameters, *self.task.locals) if self.task else ()
-        taken = {local.name for local in (*own, *self.program.main_locals)} | self.hidden.keys()
         number = 1
-        while f"{purpose}.{number}" in taken:
+        while f"{purpose}.{number}" in self.types or f"{purpose}.{number}" in self.hidden:
             number += 1
         name = f"{purpose}.{number}"
         self.hidden[name] = kind
@@ -85,12 +95,11 @@ class Scope:
         Raises:
             LoweringError: there is no such signal.
         """
-        for signal in self.program.signals:
-            if signal.name == name:
-                kind = signal.type
-                letters = ("D" if kind is Type.BOOL else "A") + ("I" if signal.is_input else "O")
-                return self.used.channels.setdefault(name, IoChannel(name, letters, kind))
-        raise unsound(f"signal `{name}` is not declared")
+        signal = self.used.signals.get(name)
+        if signal is None:
+            raise unsound(f"signal `{name}` is not declared")
+        letters = ("D" if signal.type is Type.BOOL else "A") + ("I" if signal.is_input else "O")
+        return self.used.channels.setdefault(name, IoChannel(name, letters, signal.type))
 
     def callee(self, name: str) -> Task:
         """Return a task and note the call.
@@ -98,8 +107,8 @@ class Scope:
         Raises:
             LoweringError: there is no such task.
         """
-        for task in self.program.tasks:
-            if task.name == name:
-                self.callees.setdefault(name)
-                return task
-        raise unsound(f"task `{name}` is not defined")
+        task = self.used.tasks.get(name)
+        if task is None:
+            raise unsound(f"task `{name}` is not defined")
+        self.callees.setdefault(name)
+        return task

@@ -120,6 +120,11 @@ _ORIGINS = (
         "friction smoothing speed", "estimated", "0.3 degrees per second, far below any programmed speed"
     ),
     ParameterOrigin("home position", "estimated", "tool straight down in front of the arm, clear of limits"),
+    ParameterOrigin(
+        "controller gains",
+        "estimated",
+        "speed loops of about 130 rad/s at the largest inertias, position loops of 50 rad/s",
+    ),
 )
 
 _SMOOTHING_SPEED = 5e-3

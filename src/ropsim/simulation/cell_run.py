@@ -14,6 +14,9 @@ from ropsim.simulation.plant import Plant
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array, Pose
 
+_SLICE = 20_000
+"""Longest reference of an arm that stands still [control ticks]."""
+
 
 @dataclass(frozen=True, slots=True)
 class MoveSpan:
@@ -51,6 +54,7 @@ class CellRun:
         parts: where the parts are.
         tool: tool in force.
         payload: tool and grasped part as one body; one object as long as it does not change.
+        last_tick: control tick at which standing still ends at the latest.
         tick: control ticks done.
         moves: moves done.
         events: what happened.
@@ -59,6 +63,7 @@ class CellRun:
         activations: times of the tasks.
         skipped: number of moves that could not be made.
         waiting: whether the last instruction did nothing but wait for the ones before it.
+        cut_short: whether standing still was ended by `last_tick`; the run is over then.
     """
 
     cell: Cell
@@ -70,6 +75,7 @@ class CellRun:
     tool: Tool | None
     payload: Payload
     progress: Callable[[str], None]
+    last_tick: int
     tick: int = 0
     moves: list[MoveSpan] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
@@ -78,6 +84,7 @@ class CellRun:
     activations: Activations = field(default_factory=Activations)
     skipped: int = 0
     waiting: bool = False
+    cut_short: bool = False
 
     @property
     def time(self) -> float:
@@ -102,14 +109,21 @@ class CellRun:
             self.tick += reference.ticks
 
     def stand(self, ticks: int) -> None:
-        """Hold the command position for a number of control ticks."""
-        if ticks > 0:
-            self.plant.hold(self.q_command, ticks, self.payload)
-            self.tick += ticks
+        """Hold the command position for a number of control ticks, at the longest until `last_tick`.
+
+        However long that is, it takes the memory of `_SLICE` ticks only.
+        """
+        left = max(self.last_tick - self.tick, 0)
+        self.cut_short |= ticks > left
+        until = self.tick + min(ticks, left)
+        while self.tick < until:
+            slice_ = min(until - self.tick, _SLICE)
+            self.plant.hold(self.q_command, slice_, self.payload)
+            self.tick += slice_
 
     def track(self, name: str, value: float) -> None:
-        """Note that a piecewise constant channel has a new value from now on."""
-        self.tracks.setdefault(name, Track()).set(self.tick, value)
+        """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
+        self.tracks.setdefault(name, Track([0], [0.0])).set(self.tick, value)
 
     def note(self, kind: str, text: str, origin: Origin, since: int, /, **data: object) -> None:
         """Enter an event that began at tick `since` and ends now."""

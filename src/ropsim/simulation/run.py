@@ -4,6 +4,9 @@
 instructions, the slow side of the controller turns a move into joint references, the plant follows them.
 """
 
+import math
+from dataclasses import replace
+
 from ropsim.controller import Refusal, plan_move
 from ropsim.core import Diagnostic
 from ropsim.flow import (
@@ -11,6 +14,7 @@ from ropsim.flow import (
     GripInstruction,
     Instruction,
     MessageInstruction,
+    ModalState,
     MoveInstruction,
     OutputInstruction,
     Recording,
@@ -18,7 +22,7 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished, Machine, Program
-from ropsim.model import Cell, Tool
+from ropsim.model import Cell, JointType, Tool
 from ropsim.simulation.cell_run import CellRun, MoveSpan
 from ropsim.simulation.diagnostics import (
     NOT_IN_POSITION,
@@ -29,6 +33,7 @@ from ropsim.simulation.diagnostics import (
 from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.parts import close_on, release
 from ropsim.simulation.record import recording_of
+from ropsim.simulation.servo_diagnostics import DivergedError
 from ropsim.simulation.start import start_run
 from ropsim.simulation.world import SimulatedWorld
 
@@ -47,12 +52,21 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
     state = start_run(cell, options)
     machine = Machine(program, _world(state, options))
     step = machine.advance()
-    while not isinstance(step, Finished) and state.time < options.longest:
-        _carry_out(state, step)
-        step = machine.advance()
-    if not isinstance(step, Finished):
-        state.findings.append(_too_long(step, options))
-    elif step.trap is not None:
+    stopped_at: Instruction | None = None
+    while not isinstance(step, Finished) and stopped_at is None:
+        if state.time >= options.longest:
+            stopped_at = step
+            continue
+        try:
+            _carry_out(state, step)
+            following = machine.advance()
+        except DivergedError as error:
+            raise DivergedError(_placed(error.diagnostic, step)) from error
+        stopped_at = step if state.cut_short else None
+        step = following
+    if stopped_at is not None:
+        state.findings.append(_too_long(stopped_at, options))
+    elif isinstance(step, Finished) and step.trap is not None:
         state.findings.append(step.trap)
     return recording_of(state, program, options)
 
@@ -60,8 +74,9 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
 def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
     hz = state.cell.controller.rates.control_hz
 
-    def stand(until: float) -> None:
+    def stand(until: float) -> bool:
         state.stand(max(1, round(until * hz) - state.tick))
+        return not state.cut_short
 
     return SimulatedWorld(
         options.sensors or state.sensors,
@@ -69,6 +84,17 @@ def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
         stand,
         state.cell.controller.rates.interpolation_period,
     )
+
+
+def _tool_in_force(cell: Cell, modal: ModalState) -> Tool | None:
+    """Return the tool of the cell that is in force; None for the bare interface or a tool of the program."""
+    return cell.tools.get(modal.tool or (cell.default_tool if modal.X_MT is None else ""))
+
+
+def _placed(diagnostic: Diagnostic, step: Instruction) -> Diagnostic:
+    """Return a finding of the servo at the source line and pass during which it came up."""
+    label, data = f"pass {step.origin.visit}", {**diagnostic.data, "pass": step.origin.visit}
+    return replace(diagnostic, span=step.origin.span, label=label, data=data)
 
 
 def _too_long(step: Instruction, options: RunOptions) -> Diagnostic:
@@ -84,7 +110,7 @@ def _too_long(step: Instruction, options: RunOptions) -> Diagnostic:
 def _carry_out(state: CellRun, step: Instruction) -> None:
     span = step.origin.span
     state.track("line", span.line if span else 0)
-    state.take(state.cell.tools.get(step.modal.tool or state.cell.default_tool), state.parts)
+    state.take(_tool_in_force(state.cell, step.modal), state.parts)
     match step:
         case MoveInstruction():
             _move(state, step)
@@ -141,12 +167,6 @@ def _move(state: CellRun, move: MoveInstruction) -> None:
     state.progress(f"move {ordinal + 1}")
 
 
-def _output(state: CellRun, step: OutputInstruction) -> None:
-    state.sensors.set_output(step.channel, step.value)
-    state.track(f"signal.{step.channel}", float(step.value))
-    state.note("output", f"{step.channel} = {step.value}", step.origin, state.tick, channel=step.channel)
-
-
 def _settle(state: CellRun, move: MoveInstruction) -> float:
     """Stand until every joint is in position; return how long that took [s]."""
     controller = state.cell.controller
@@ -163,11 +183,13 @@ def _not_in_position(state: CellRun, move: MoveInstruction) -> Diagnostic:
     controller = state.cell.controller
     error = abs(state.plant.q - state.q_command)
     joint = int((error / controller.in_position).argmax())
+    model = state.cell.robot.joints[joint]
+    scale, unit = (180.0 / math.pi, "°") if model.type is JointType.REVOLUTE else (1e3, " mm")
     return NOT_IN_POSITION.at(
         move.origin.span,
-        f"joint `{state.cell.robot.joints[joint].name}` is {error[joint] * 1e3:.3g} mrad from its target "
+        f"joint `{model.name}` is {error[joint] * scale:.4g}{unit} from its target "
         f"after {controller.settle_timeout:g} s, "
-        f"in position means {controller.in_position[joint] * 1e3:.3g} mrad",
+        f"in position means {controller.in_position[joint] * scale:.4g}{unit}",
         label=f"pass {move.origin.visit}",
         hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
         data={"pass": move.origin.visit, "joint": joint + 1, "error_rad": float(error[joint])},
@@ -200,7 +222,11 @@ def _grip(state: CellRun, grip: GripInstruction) -> None:
 
 
 def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:
-    found = f"tool `{tool.name}` has no gripper" if tool else "no tool is in force"
+    named = grip.tool or grip.modal.tool
+    if tool is not None:
+        found = f"tool `{tool.name}` has no gripper"
+    else:
+        found = f"tool `{named}` is none of the cell's tools" if named else "no tool is in force"
     return TOOL_CANNOT_GRASP.at(
         grip.origin.span,
         f"`{grip.action.value}` needs a gripper, but {found}",

@@ -21,7 +21,7 @@ from ropsim.simulation.servo_diagnostics import (
     ServoArrayError,
 )
 from ropsim.simulation.servo_state import ServoState
-from ropsim.spatial import Array
+from ropsim.spatial import Array, real_numbers
 
 
 def _no_drives(robot: RobotModel) -> NoDrivesError:
@@ -108,12 +108,14 @@ def check_vector(name: str, values: npt.ArrayLike, n: int) -> Array:
     Raises:
         ServoArrayError: it has another shape or a number is not finite.
     """
-    array = np.array(values, dtype=np.float64)
+    array = real_numbers(values)
+    if array is None:
+        raise _not_finite(f"array `{name}`")
     if array.shape != (n,):
         raise _bad_shape(f"array `{name}`", array.shape, f"({n},)")
     if not np.isfinite(array).all():
         raise _not_finite(f"array `{name}`")
-    return array
+    return np.array(array)
 
 
 def check_reference(reference: JointReference, n: int) -> tuple[Array, Array, Array]:

@@ -27,6 +27,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         tool=tool,
         payload=load,
         progress=options.progress,
+        last_tick=round(options.longest * cell.controller.rates.control_hz),
     )
     state.track("line", 0.0)
     state.track("move", -1.0)

@@ -13,13 +13,13 @@ class SimulatedWorld:
     Attributes:
         sensors: delivers the channels.
         now: returns the simulated time [s].
-        stand: lets the arm stand still until a time [s].
+        stand: lets the arm stand still until a time [s]; returns whether the run goes on then.
         period: how often a waiting program looks at a channel [s].
     """
 
     sensors: SensorInterface
     now: Callable[[], float]
-    stand: Callable[[float], None]
+    stand: Callable[[float], bool]
     period: float
 
     def read(self, channel: str) -> bool | float:
@@ -32,16 +32,16 @@ class SimulatedWorld:
         return self.now()
 
     def wait(self, channel: str, value: bool | float, timeout: float | None) -> bool:  # noqa: FBT001 - a signal's value
-        """Stand still until `channel` has `value`; return False when `timeout` [s] has passed before.
+        """Stand still until `channel` has `value`; return False when `timeout` [s] or the run is over before.
 
         Without a timeout the wait ends after `LONGEST_WAIT`, so that a run always ends.
         """
         start = self.now()
         limit = LONGEST_WAIT if timeout is None or timeout <= 0.0 else timeout
         while self.read(channel) != value:
-            if self.now() - start >= limit:
+            over = self.now() - start >= limit
+            if over or not self.stand(min(self.now() + self.period, start + limit)):
                 return False
-            self.stand(min(self.now() + self.period, start + limit))
         return True
 
 

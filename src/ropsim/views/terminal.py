@@ -78,7 +78,7 @@ def _time(summary: Summary, style: Style) -> list[str]:
         f"cycle time   {seconds(summary.cycle_time)} s{invalid}",
         f"in motion    {percent(summary.share_in_motion)} of it (a joint reference speed above 1e-6 rad/s)",
         f"settling     {seconds(summary.settle_total)} s in all, after moves",
-        f"moves        {moves}; {summary.grips} grips, {summary.releases} releases",
+        f"moves        {moves}; {plural(summary.grips, 'grip')}, {plural(summary.releases, 'release')}",
     ]
 
 

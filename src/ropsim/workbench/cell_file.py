@@ -17,6 +17,8 @@ from ropsim.workbench.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, 
 from ropsim.workbench.toml_checks import Findings, TomlTable
 from ropsim.workbench.toml_positions import positions
 
+_KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
+_KEY = re.compile(r"'([^']*)'")
 _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
@@ -106,6 +108,9 @@ def _syntax(text: SourceText, error: ValueError) -> Diagnostic:
         words = words[: place.start()]
         if place[1]:
             line, column = int(place[1]), int(place[2])
+    words = _KEY_TUPLE.sub(
+        lambda key: f"`{'.'.join(_KEY.findall(key[0]))}`", words.partition("; use sys.")[0]
+    )
     hint = 'text needs quotation marks, sections look like `[robot]`, keys like `model = "puma560"`'
     if "overwrite" in words or "twice" in words:
         hint = "the same key or section stands here a second time: remove one"

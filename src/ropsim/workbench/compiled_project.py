@@ -42,7 +42,7 @@ def compile_program(
         compiled = language.compile(text.text, environment, name=text.name)
         findings = compiled.diagnostics
         if compiled.icr is not None and not any(one.is_error for one in findings):
-            findings = (*findings, *icr.verify(compiled.icr))
+            findings = (*findings, *icr.verify(compiled.icr), *_unbound(compiled.icr, cell))
         return CompiledProgram(text, compiled.program, compiled.icr, findings)
     code, findings = icr.read_text(text.text, text.name)
     if code is not None:
@@ -51,7 +51,7 @@ def compile_program(
 
 
 def _unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
-    """Return the channels and tools that an ICR program names and the cell does not have."""
+    """Return the channels and tools that a program names and the cell does not have (rule V11)."""
     if cell is None:
         return ()
     signals = [("signals", channel.name, tuple(cell.signals)) for channel in code.channels]
@@ -60,7 +60,7 @@ def _unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
         UNBOUND.at(
             None,
             f"`{code.name}` names `{name}`, which is not under [{table}]",
-            hint=did_you_mean(name, known),
+            hint=did_you_mean(name, known) or f"add `[{table}.{name}]` to cell.toml",
         )
         for table, name, known in (*signals, *tools)
         if name not in known

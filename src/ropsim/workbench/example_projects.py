@@ -36,20 +36,27 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
         known = ", ".join(f"`{name}`" for name in example_names())
         message = f"there is no example `{example}`, there are {known}"
         raise ProjectError(NO_EXAMPLE.at(None, message, hint=did_you_mean(example, example_names())))
-    if target.exists() and (not target.is_dir() or any(target.iterdir())):
-        raise ProjectError(PLACE_TAKEN.at(None, f"`{place}` exists and is not an empty folder"))
     try:
+        if target.exists() and (not target.is_dir() or any(target.iterdir())):
+            raise ProjectError(PLACE_TAKEN.at(None, f"`{place}` exists and is not an empty folder"))
         target.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=target.parent, prefix=f".{target.name}.") as work:
+        with tempfile.TemporaryDirectory(dir=target.parent, prefix=".ropsim-") as work:
             made = Path(work) / "project"
             shutil.copytree(_folder() / example, made, ignore=_LEFT_OUT)
-            if target.exists():
-                target.rmdir()
-            made.replace(target)
+            _move(made, target)
     except OSError as error:
         message = f"`{place}` cannot be made: {error.strerror or error}"
         raise ProjectError(PLACE_TAKEN.at(None, message)) from error
     return target
+
+
+def _move(made: Path, target: Path) -> None:
+    """Put a folder at its place; into an empty folder its entries move, `cell.toml` as the last one."""
+    if not target.exists():
+        made.replace(target)
+        return
+    for entry in sorted(made.iterdir(), key=lambda entry: entry.name == "cell.toml"):
+        entry.replace(target / entry.name)
 
 
 def _folder() -> Path:

@@ -1,12 +1,13 @@
 """Opening a project: from a path to cell and program texts."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
 from ropsim.workbench.cell_file import read_cell
 from ropsim.workbench.project import Project, ProjectError
-from ropsim.workbench.project_diagnostics import NO_PROJECT
+from ropsim.workbench.project_diagnostics import NO_PROJECT, UNREADABLE
 from ropsim.workbench.text_file import missing, read_text_file
 
 PROGRAM_ENDINGS = (".task", ".icr")
@@ -18,9 +19,18 @@ def open_project(path: str | Path) -> Project:
     A program file outside a project folder gives a project without a cell: it can be checked, not run.
 
     Raises:
-        ProjectError: nothing is there, or it is no project.
+        ProjectError: nothing is there, it is no project, or it may not be read.
     """
-    place = Path(path)
+    try:
+        return _open(Path(path), path)
+    except OSError as error:  # a folder without permission, a name that is too long
+        message = f"`{error.filename or path}` cannot be opened: {error.strerror or error}"
+        raise ProjectError(
+            UNREADABLE.at(None, message, hint="look at the path and its permissions")
+        ) from error
+
+
+def _open(place: Path, path: str | Path) -> Project:
     if not place.exists():
         raise ProjectError(missing(place, str(path)))
     if place.is_dir():
@@ -38,9 +48,12 @@ def open_project(path: str | Path) -> Project:
 
 
 def _only(project: Project, program: Path) -> Project:
-    """Return the project with one program only."""
+    """Return the project with one program only, which is then its default program."""
     wanted = {name: text for name, text in project.sources.items() if Path(text.name).name == program.name}
-    return Project(project.folder, project.cell, wanted, project.cell_text, project.diagnostics)
+    cell = project.cell
+    if cell is not None and wanted:
+        cell = replace(cell, program=next(iter(wanted)))
+    return replace(project, cell=cell, sources=wanted)
 
 
 def _read_folder(folder: Path) -> Project:
@@ -58,10 +71,15 @@ def _read_folder(folder: Path) -> Project:
     return Project(folder, cell, sources, cell_text, (*findings, *source_findings))
 
 
+def _by_ending(path: Path) -> tuple[bool, Path]:
+    return path.suffix != PROGRAM_ENDINGS[0], path
+
+
 def _read_programs(folder: Path) -> tuple[dict[str, SourceText], tuple[Diagnostic, ...]]:
     sources: dict[str, SourceText] = {}
     findings: tuple[Diagnostic, ...] = ()
-    paths = sorted(folder.iterdir()) if folder.is_dir() else []
+    # a task comes before code of the same name, which is most likely compiled from an older state of it
+    paths = sorted(folder.iterdir(), key=_by_ending) if folder.is_dir() else []
     for path in paths:
         if path.suffix in PROGRAM_ENDINGS and path.is_file():
             text, found = read_text_file(path, str(path))

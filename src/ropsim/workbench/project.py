@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from ropsim.workbench.report import Report
 
 
+DEFAULT_PROGRAM = "main"
+"""What runs where neither the caller nor `cell.toml` names a program."""
+
+
 class ProjectError(RopsimError):
     """A project that cannot be opened, or a program that cannot be run; carries the finding."""
 
@@ -65,7 +69,7 @@ class Project:
         return CompiledProject(programs, (*self.diagnostics, *found))
 
     def program(self, name: str | None = None) -> CompiledProgram:
-        """Return one compiled program; without a name the default one.
+        """Return one compiled program; without a name the one of `cell.toml`, else `main` or the only one.
 
         Raises:
             ProjectError: the project is broken, or there is no such program.
@@ -73,8 +77,13 @@ class Project:
         for diagnostic in self.diagnostics:
             if diagnostic.is_error:
                 raise ProjectError(diagnostic)
-        wanted = name or (self.cell.program if self.cell else "main")
-        if name is None and wanted not in self.sources and len(self.sources) == 1:
+        wanted = name or (self.cell.program if self.cell else DEFAULT_PROGRAM)
+        if (
+            name is None
+            and wanted == DEFAULT_PROGRAM
+            and wanted not in self.sources
+            and len(self.sources) == 1
+        ):
             wanted = next(iter(self.sources))
         text = self.sources.get(wanted)
         if text is None:

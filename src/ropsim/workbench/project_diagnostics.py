@@ -75,10 +75,10 @@ UNBOUND = define(
     "X846",
     "unbound-name",
     Severity.ERROR,
-    "an ICR program names something that the cell does not have",
+    "a program uses a signal or tool that the cell does not have",
     """
-An ICR program names its channels, frames and tools; the cell binds them. A channel that the program reads or
-writes must stand under `[signals]` in `cell.toml` (verifier rule V11).
+A program names its channels and tools; the cell binds them. A signal that the program reads or sets must
+stand under `[signals]` in `cell.toml`, a tool without a pose of its own under `[tools]` (verifier rule V11).
 """,
 )
 

@@ -1,5 +1,6 @@
 """Reading the text files of a project: size, encoding and absence are diagnostics."""
 
+import stat
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
@@ -12,7 +13,11 @@ LARGEST = 5_000_000
 def read_text_file(path: Path, name: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
     """Return the text of a file under the name that messages use, or why it cannot be read."""
     try:
-        size = path.stat().st_size
+        facts = path.stat()
+        if not stat.S_ISREG(facts.st_mode):
+            message = f"`{name}` is no ordinary file, needed is a text file"
+            return None, (UNREADABLE.at(None, message, hint="write the text to a file and give that"),)
+        size = facts.st_size
         if size > LARGEST:
             message = (
                 f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB are read as a program"

@@ -15,3 +15,8 @@ def test_nothing_near_gives_an_empty_hint() -> None:
 
 def test_a_huge_name_is_answered_quickly() -> None:
     assert did_you_mean("a" * 1_000_000, ["release"] * 3) == ""
+
+
+def test_a_word_that_begins_with_a_known_one_means_that() -> None:
+    assert did_you_mean("degrees", ["deg", "deg/s", "deg/s2"]) == "did you mean `deg`?"
+    assert did_you_mean("pal", ["Palletize", "grip"]) == "did you mean `Palletize`?"

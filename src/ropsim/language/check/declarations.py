@@ -1,6 +1,7 @@
 """Declarations of a text: units, frames, tools, signals, constants, locations, variables, patterns."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import NoneType
 
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, poses, values
@@ -17,8 +18,6 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
-
-_MOTIONS = (syntax.Motion, syntax.Call, syntax.Gripper)
 
 
 def world(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> World:
@@ -59,7 +58,8 @@ def _frames(
 ) -> tuple[dict[str, PoseTuple], PoseTuple, str]:
     """Return all frames in the base frame, and pose and name of the work frame.
 
-    The work frame is that of the environment, or of a `set frame` before the first motion or call.
+    The work frame is that of the environment, or of a `set frame` that stands before anything is done: only
+    declarations and other `set` statements may come before it. Further down it is lexical, like in a task.
     """
     frames = dict(environment.frames)
     bare = World(environment, _units(top, environment), False, False, "", fold.IDENTITY, frames, {})  # noqa: FBT003
@@ -71,7 +71,9 @@ def _frames(
             body.line = line
             try:
                 _unique(body, node.name, declared)
-                frames[node.name.text] = _constant_pose(body, node.value, "a frame")
+                pose = _constant_pose(body, node.value, "a frame")
+                if not _is_given(body, node.name, environment.frames, "frame"):
+                    frames[node.name.text] = pose
             except RejectedError:
                 frames.setdefault(node.name.text, fold.IDENTITY)
     chosen = environment.frame
@@ -79,7 +81,7 @@ def _frames(
         node = item.statement if isinstance(item, Line) else None
         if isinstance(item, Block) and isinstance(item.opener.statement, syntax.TaskHeader):
             continue
-        if isinstance(node, _MOTIONS) or isinstance(item, Block):
+        if isinstance(item, Block) or not isinstance(node, (*_DECLARATIONS, syntax.SetMode, NoneType)):
             break
         if (
             isinstance(node, syntax.SetMode)
@@ -103,8 +105,9 @@ def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
         try:
             if isinstance(node, syntax.ToolDeclaration):
                 _unique(body, node.name, tools)
-                world.tools[node.name.text] = fold.IDENTITY
-                world.tools[node.name.text] = _constant_pose(body, node.value, "a tool")
+                pose = _constant_pose(body, node.value, "a tool")
+                if not _is_given(body, node.name, world.environment.tools, "tool"):
+                    world.tools[node.name.text] = pose
                 for extra in node.extras:
                     body.warn(
                         kinds.IN_CELL,
@@ -126,6 +129,14 @@ _SYMBOLS = (
     syntax.ConstantDeclaration,
     syntax.VariableDeclaration,
     syntax.PatternDeclaration,
+)
+_DECLARATIONS = (
+    *_SYMBOLS,
+    syntax.ProgramHeader,
+    syntax.Units,
+    syntax.Mode,
+    syntax.FrameDeclaration,
+    syntax.ToolDeclaration,
 )
 _SymbolNode = (
     syntax.LocationDeclaration
@@ -211,6 +222,19 @@ def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
     pose = fold.pose_of(convert.constant(body, poses.transform(body, node), node, what))
     assert pose is not None
     return pose
+
+
+def _is_given(body: Body, name: nodes.Name, given: Mapping[str, PoseTuple], what: str) -> bool:
+    """Return whether the cell gives a frame or tool of that name; its calibrated pose holds then."""
+    if name.text not in given:
+        return False
+    body.warn(
+        name_kinds.GIVEN_BY_CELL,
+        name,
+        f"{what} `{name.text}` is defined by the cell, whose pose is used",
+        f"remove this line, or give the {what} another name",
+    )
+    return True
 
 
 def _unique(body: Body, name: nodes.Name, declared: set[str]) -> None:

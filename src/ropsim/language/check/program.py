@@ -46,7 +46,7 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         world.frame,
         dict(world.frames),
         dict(world.tools),
-        "",
+        environment.default_tool,
         tuple(world.used_signals.values()),
     )
 

@@ -151,3 +151,15 @@ pattern slots = grid 6 x 6 from (0, 0, 40) step (70, 0, 0), (0, 70, 0)
 ```
 """,
 )
+GIVEN_BY_CELL = define(
+    "N214",
+    "given-by-cell",
+    Severity.WARNING,
+    "a frame or tool of the program that the cell defines too",
+    """
+The cell file says where a frame or tool really is: it is calibrated there. Where a program declares one of
+the same name, the pose of the cell is used everywhere, and the declaration changes nothing.
+
+Remove the declaration, or give it a name of its own.
+""",
+)

@@ -1,0 +1,101 @@
+"""Every run ends: standing still and waiting stop at the longest time, a diverged arm at its source line."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.flow import Recording
+from ropsim.model import Cell, Rates, Signal, Tool
+from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
+from ropsim.workbench import environment_of
+
+LONGEST = 2.0
+SIGNALS = {
+    "never": Signal("never", is_input=True),
+    "late": Signal("late", is_input=True, changes=((1.0, 1.0),)),
+}
+
+
+@pytest.fixture(scope="module")
+def cell() -> Cell:
+    robot = robots.load("puma560")
+    controller = robots.default_controller("puma560")
+    return Cell("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
+
+
+def code(cell: Cell, *lines: str) -> icr.Program:
+    text = "\n".join(("program p", "units mm, deg, s", *lines))
+    compiled = ropsim.language.compile(text, environment_of(cell))
+    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
+    assert compiled.icr is not None
+    return compiled.icr
+
+
+def ideal(cell: Cell, *lines: str) -> Recording:
+    return run(cell, code(cell, *lines), RunOptions(Fidelity.KINEMATIC, longest=LONGEST))
+
+
+@pytest.mark.parametrize(
+    "wait",
+    [
+        "wait 1e9 s",
+        "wait until never",
+        "wait until never timeout 1e9 s",
+        "wait until never timeout 1e9 s else mov home",
+        "wait until never and late timeout 1e9 s",
+    ],
+)
+def test_a_wait_beyond_the_longest_time_is_a_finding_at_its_line(cell: Cell, wait: str) -> None:
+    recording = ideal(cell, "mov home", wait, "mov home")
+    assert [(found.code, found.span.line if found.span else 0) for found in recording.findings] == [
+        ("S723", 4)
+    ]
+    assert recording.duration == pytest.approx(LONGEST, abs=1e-9)
+
+
+def test_waits_within_the_longest_time_are_no_finding(cell: Cell) -> None:
+    recording = ideal(cell, "wait 0.5 s", "wait until late", "wait until never timeout 0.25 s else mov home")
+    assert recording.findings == ()
+    assert recording.duration == pytest.approx(1.25, abs=0.01)
+
+
+def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = code(cell, "mov joints (0, -60, 60, 0, 30, 0)", "wait 0.5 s")
+    whole = run(cell, program, RunOptions())
+    monkeypatch.setattr("ropsim.simulation.cell_run._SLICE", 7)
+    sliced = run(cell, program, RunOptions())
+    assert np.array_equal(whole.channels["q"].values, sliced.channels["q"].values)
+    assert np.array_equal(whole.time, sliced.time)
+
+
+def test_an_output_of_the_program_alone_is_off_until_it_is_set(cell: Cell) -> None:
+    recording = ideal(cell, "signal lamp = output 7", "wait 0.5 s", "set lamp on", "wait 0.5 s")
+    lamp = recording.channels["signal.lamp"].values
+    assert (lamp[recording.time <= 0.5] == 0.0).all()
+    assert (lamp[recording.time > 0.51] == 1.0).all()
+
+
+def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Cell) -> None:
+    coarse = replace(
+        cell, controller=replace(cell.controller, rates=replace(cell.controller.rates, control_hz=50))
+    )
+    assert coarse.controller.rates == Rates(50, 4, 4)
+    program = code(coarse, "mov home", "repeat 2", "  mov joints (90, -60, 60, 0, 30, 0)", "endr")
+    with pytest.raises(DivergedError) as caught:
+        run(coarse, program, RunOptions())
+    found = caught.value.diagnostic
+    assert found.span is not None
+    assert (found.code, found.span.line, found.label) == ("S701", 5, "pass 1")
+
+
+def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> None:
+    hasty = replace(cell, controller=replace(cell.controller, settle_timeout=0.0))
+    recording = run(hasty, code(hasty, "mov joints (60, -60, 60, 0, 30, 0)"), RunOptions())
+    (found,) = (one for one in recording.findings if one.code == "S720")
+    degrees = np.degrees(float(str(found.data["error_rad"])))
+    assert f"is {degrees:.4g}° from its target" in found.message

@@ -1,0 +1,90 @@
+"""Opening what is no ordinary project: an answer at once, never an exception of the operating system."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+from ropsim.workbench import ProjectError, example_names, new_project, open_project
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    return new_project(tmp_path / "cell")
+
+
+def code_of(path: str | Path) -> str:
+    with pytest.raises(ProjectError) as caught:
+        open_project(path).program()
+    return caught.value.diagnostic.code
+
+
+def test_a_name_beyond_what_the_file_system_allows_cannot_be_opened() -> None:
+    assert code_of("a" * 5000) == "X841"
+
+
+def test_a_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "p.task")
+    assert code_of(tmp_path / "p.task") == "X841"
+
+
+def test_a_device_without_end_is_refused_and_not_read(tmp_path: Path) -> None:
+    (tmp_path / "z.task").symlink_to("/dev/zero")
+    assert code_of(tmp_path / "z.task") == "X841"
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_a_folder_without_permission_is_named(project: Path) -> None:
+    programs = project / "programs"
+    programs.chmod(0)
+    try:
+        with pytest.raises(ProjectError, match="programs"):
+            open_project(project)
+    finally:
+        programs.chmod(0o755)
+
+
+def test_a_task_goes_before_code_that_was_compiled_from_it(project: Path) -> None:
+    (project / "programs" / "main.icr").write_text("ICR 1.0 main\nPROC main\n  HALT\nEND\n")
+    sources = open_project(project).sources
+    assert sources["main"].name.endswith("main.task")
+    assert sources["main.icr"].name.endswith("main.icr")
+
+
+def test_a_program_that_the_cell_file_names_and_that_is_missing_is_told(project: Path) -> None:
+    cell = project / "cell.toml"
+    cell.write_text(cell.read_text().replace("[cell]\n", '[cell]\nprogram = "mian"\n'))
+    assert code_of(project) == "X844"
+    assert open_project(project / "programs" / "main.task").program().source.name.endswith("main.task")
+
+
+def test_the_only_program_runs_where_none_is_named(project: Path) -> None:
+    (project / "programs" / "main.task").rename(project / "programs" / "other.task")
+    assert open_project(project).program().source.name.endswith("other.task")
+
+
+def test_a_project_can_be_made_in_the_empty_folder_one_stands_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    new_project(".")
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["cell.toml", "programs"]
+    assert open_project(".").program().icr is not None
+
+
+@pytest.mark.parametrize("place", ["a" * 300, "taken/x"])
+def test_a_project_that_cannot_be_made_leaves_nothing(tmp_path: Path, place: str) -> None:
+    (tmp_path / "taken").write_text("a file")
+    with pytest.raises(ProjectError) as caught:
+        new_project(tmp_path / place, example_names()[0])
+    assert caught.value.diagnostic.code == "X849"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["taken"]
+
+
+def test_a_copy_of_a_project_elsewhere_is_the_same_project(project: Path, tmp_path: Path) -> None:
+    link = tmp_path / "link"
+    link.symlink_to(project, target_is_directory=True)
+    copy = shutil.copytree(project, tmp_path / "copy")
+    assert open_project(link).program().icr is not None
+    assert open_project(copy).program().icr is not None
