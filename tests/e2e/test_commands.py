@@ -1,7 +1,6 @@
 """The user's path on the command line, and everything that can be wrong on it."""
 
 import json
-import os
 import random
 import shutil
 import subprocess
@@ -188,11 +187,22 @@ def test_an_impossible_mass_is_a_finding(value: str, project: Path) -> None:
     assert "mass" in found.stderr
 
 
-@pytest.mark.skipif(os.geteuid() == 0 if hasattr(os, "geteuid") else True, reason="root may write everywhere")
-def test_a_folder_without_write_permission_is_said(project: Path, tmp_path: Path) -> None:
-    locked = tmp_path / "locked"
-    locked.mkdir(mode=0o500)
-    assert ropsim("run", str(project), "--report", str(locked / "r.html")).returncode == 2
+def test_a_report_that_cannot_be_written_is_said(project: Path, tmp_path: Path) -> None:
+    blocker = tmp_path / "file"
+    blocker.write_text("in the way")
+    found = ropsim("run", str(project), "--kinematic", "--report", str(blocker / "r.html"))
+    assert found.returncode == 2
+    assert "cannot be written" in found.stderr
+    assert blocker.read_text() == "in the way"
+
+
+def test_results_never_overwrite_the_project_or_each_other(project: Path, tmp_path: Path) -> None:
+    cell = (project / "cell.toml").read_text()
+    assert ropsim("run", str(project), "--report", str(project / "cell.toml")).returncode == 2
+    assert ropsim("run", str(project), "--record", str(project / "programs" / "main.task")).returncode == 2
+    same = str(tmp_path / "same")
+    assert ropsim("run", str(project), "--report", same, "--record", same).returncode == 2
+    assert (project / "cell.toml").read_text() == cell
 
 
 def test_a_report_onto_a_folder_is_said(project: Path, tmp_path: Path) -> None:

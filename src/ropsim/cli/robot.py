@@ -8,7 +8,7 @@ import numpy as np
 from ropsim import kinematics, robots
 from ropsim.cli.output import Output
 from ropsim.core import RopsimError, Severity, define
-from ropsim.model import JointType, RobotModel
+from ropsim.model import Joint, JointType, RobotModel
 from ropsim.model import audit as audit_model
 from ropsim.spatial import Pose
 from ropsim.spatial.quaternion import from_zyx, to_zyx
@@ -50,7 +50,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             f"{joint.name:6} {joint.type.value:10}"
             f" {joint.lower * scale:7.1f} .. {joint.upper * scale:6.1f} {unit:4}"
             f" {joint.max_speed * scale:7.1f} {unit}/s {joint.max_acceleration * scale:7.0f} {unit}/s²"
-            f" {joint.max_effort:9.1f} N·m"
+            f" {_effort(joint)}"
         )
     lines += ["", "where the numbers come from"]
     lines += [f"  {one.kind:10} {one.parameters}: {one.source}" for one in robot.origins]
@@ -105,6 +105,12 @@ def ik(options: argparse.Namespace, output: Output) -> int:
         output.text(f"no solution: {result.status.value}")
     output.document({"status": result.status.value, "solutions": result.solutions.tolist()})
     return 0 if len(result.solutions) else 1
+
+
+def _effort(joint: Joint) -> str:
+    if not math.isfinite(joint.max_effort):
+        return "  unknown"
+    return f"{joint.max_effort:9.1f} {'N·m' if joint.type is JointType.REVOLUTE else 'N'}"
 
 
 def _display(kind: JointType) -> tuple[float, str]:

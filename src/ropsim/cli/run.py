@@ -2,13 +2,14 @@
 
 import argparse
 from collections.abc import Callable
+from pathlib import Path
 
 from ropsim import icr
 from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
-from ropsim.workbench import Project, ProjectError, open_project
+from ropsim.workbench import NOT_WRITABLE, Project, ProjectError, open_project
 from ropsim.workbench.diagnostic_json import diagnostic_document, plain
 
 
@@ -16,6 +17,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     """Run a program of a project and return the exit code."""
     project = open_project(options.path)
     sources = project.texts
+    _check_places(options, project)
     compiled = () if project.is_broken else project.program(options.program).diagnostics
     before = (*project.diagnostics, *compiled)
     if any(one.is_error for one in before):
@@ -38,6 +40,20 @@ def run(options: argparse.Namespace, output: Output) -> int:
         }
     )
     return code
+
+
+def _check_places(options: argparse.Namespace, project: Project) -> None:
+    """Make sure that results replace no file of the project, nor each other.
+
+    Raises:
+        ProjectError: X847, they would.
+    """
+    taken = {Path(name).resolve(): f"the project's `{name}`" for name in project.texts}
+    for place in filter(None, [options.report, options.record]):
+        if Path(place).resolve() in taken:
+            message = f"`{place}` would replace {taken[Path(place).resolve()]}"
+            raise ProjectError(NOT_WRITABLE.at(None, message, hint="choose another place"))
+        taken[Path(place).resolve()] = "the other result"
 
 
 def _simulate(project: Project, options: argparse.Namespace) -> Recording:

@@ -87,6 +87,11 @@ class CellRun:
     cut_short: bool = False
 
     @property
+    def is_over(self) -> bool:
+        """Return whether the longest simulated time has passed."""
+        return self.cut_short or self.tick >= self.last_tick
+
+    @property
     def time(self) -> float:
         """Return the simulated time [s]."""
         return self.tick / self.cell.controller.rates.control_hz

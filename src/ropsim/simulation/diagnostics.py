@@ -16,6 +16,19 @@ drive, and a speed loop that oscillates. Look at the plot of following errors in
 """,
 )
 
+FAR_FROM_TARGET = define(
+    "S724",
+    "far-from-target",
+    Severity.ERROR,
+    "an arm came to rest far from its target, or did not come to rest at all",
+    """
+When `settle_timeout` was over, a joint was more than fifty times `in_position` away from its target: the
+drives do not carry the arm there. What the program does after that is not what it says.
+
+Usual reasons are gains that are far too low, a speed loop that oscillates, and a payload that is too heavy.
+""",
+)
+
 NOTHING_GRASPED = define(
     "S721",
     "nothing-grasped",
@@ -89,11 +102,23 @@ a servo may overshoot. Lower the speed on the line that is named.
 LIMIT_OVERRUN = define(
     "S733",
     "limit-overrun",
-    Severity.WARNING,
+    Severity.ERROR,
     "a joint overran its limit while it was servoed",
     """
 The reference stayed inside the limits of the joint, the attained coordinate did not: the servo overshot. Keep
 more distance from the limit, or move more slowly towards it.
+""",
+)
+
+FOLLOWING_ERROR = define(
+    "S735",
+    "following-error",
+    Severity.ERROR,
+    "a joint fell far behind its reference",
+    """
+A joint was more than 0.1 rad (5.7°), or 0.1 m, away from its reference. Real controllers stop with a fault
+long before that. The drives are too weak for the speed, acceleration or payload on the line that is named,
+or the gains of the joint controller are wrong.
 """,
 )
 

@@ -25,7 +25,7 @@ class RunOptions:
 
     Attributes:
         fidelity: servo drives and arm dynamics, or the ideal arm.
-        record_ticks: control ticks between two recorded rows.
+        record_hz: recorded rows per second; every row falls on a control tick, so it may be a few more.
         longest: simulated time after which a program is stopped [s].
         progress: is told after every move what was done.
         chain: other entities between instruction and joint controller; None takes the standard ones.
@@ -34,9 +34,13 @@ class RunOptions:
     """
 
     fidelity: Fidelity = Fidelity.DYNAMIC
-    record_ticks: int = 4
+    record_hz: int = 250
     longest: float = 3600.0
     progress: Callable[[str], None] = silent
     chain: MotionChain | None = None
     law: CompiledLaw | PythonLaw | None = None
     sensors: SensorInterface | None = None
+
+    def record_ticks(self, control_hz: int) -> int:
+        """Return the control ticks between two recorded rows."""
+        return max(1, control_hz // self.record_hz)

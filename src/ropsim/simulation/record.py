@@ -68,7 +68,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         "source": program.source,
         "icr_id": program_id(program),
         "fidelity": options.fidelity.value,
-        "record_hz": rates.control_hz / options.record_ticks,
+        "record_hz": rates.control_hz / options.record_ticks(rates.control_hz),
         "rates": {
             "control_hz": rates.control_hz,
             "interpolation_ticks": rates.interpolation_ticks,

@@ -21,7 +21,7 @@ class ServoPlant:
     def __init__(self, cell: Cell, q: Array, payload: Payload, options: RunOptions) -> None:
         self._servo = Servo.build(cell.robot, cell.controller, options.law)
         self._state = self._servo.initial_state(q, payload)
-        self._recorder = self._servo.recorder(self._state, options.record_ticks)
+        self._recorder = self._servo.recorder(self._state, options.record_ticks(self._servo.control_hz))
 
     @property
     def q(self) -> Array:

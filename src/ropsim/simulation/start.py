@@ -42,5 +42,5 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
 
 def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
-        return KinematicPlant(q, options.record_ticks)
+        return KinematicPlant(q, options.record_ticks(cell.controller.rates.control_hz))
     return ServoPlant(cell, q, load, options)

@@ -11,6 +11,7 @@ from ropsim.model import Cell, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     CURRENT_EXCEEDED,
     EFFORT_EXCEEDED,
+    FOLLOWING_ERROR,
     LIMIT_OVERRUN,
     SPEED_EXCEEDED,
     VOLTAGE_SATURATED,
@@ -21,12 +22,15 @@ from ropsim.spatial import Array
 SPEED_OVERSHOOT = 0.02
 #: Time at the voltage limit that is a finding [s].
 SATURATION_TIME = 0.05
+#: Following error at which a real controller would long have stopped [rad | m].
+FOLLOWING = 0.1
 #: Overrun of a joint limit that is a finding [rad | m]: well above rounding, below any end stop's play.
 OVERRUN = 1e-4
 
 _SHOWN = {
     "speed": {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC: (1e3, "mm/s")},
     "overrun": {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")},
+    "following error": {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")},
     "torque": {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")},
     "current": dict.fromkeys(JointType, (1.0, "A")),
     "time at full voltage": dict.fromkeys(JointType, (1.0, "s")),
@@ -71,6 +75,7 @@ def _checks(robot: RobotModel, time: Array, channels: Mapping[str, Channel]) -> 
     checks = [
         _Check(SPEED_EXCEEDED, "speed", channels["qd"].values, robot.max_speeds * (1 + SPEED_OVERSHOOT)),
         _Check(LIMIT_OVERRUN, "overrun", beyond, np.full(robot.n, OVERRUN)),
+        _Check(FOLLOWING_ERROR, "following error", channels["q_error"].values, np.full(robot.n, FOLLOWING)),
     ]
     if "tau" not in channels:
         return checks

@@ -13,7 +13,7 @@ TIME = np.arange(100.0) / 250.0
 
 def quiet() -> dict[str, Channel]:
     """A recording in which nothing happens; the source line counts up."""
-    names = {"qd": 0.0, "tau": 0.0, "current": 0.0, "voltage": 0.0}
+    names = {"qd": 0.0, "q_error": 0.0, "tau": 0.0, "current": 0.0, "voltage": 0.0}
     channels = {name: Channel(np.full((100, 6), value), "") for name, value in names.items()}
     channels["q"] = Channel(np.tile(ROBOT.home, (100, 1)), "rad")
     channels["line"] = Channel(np.arange(100.0), "")
@@ -31,6 +31,7 @@ def test_an_arm_at_rest_breaks_no_limit() -> None:
         ("current", 41, 2, 9.5, "S731"),
         ("qd", 42, 0, 2.0, "S732"),
         ("q", 43, 5, 5.0, "S733"),
+        ("q_error", 44, 3, -0.11, "S735"),
     ],
 )
 def test_a_peak_beyond_a_limit_is_found_with_joint_and_line(

@@ -1,0 +1,59 @@
+"""Grips of a run: dwell, take or leave a part."""
+
+from ropsim.core import Diagnostic
+from ropsim.flow import GripAction, GripInstruction
+from ropsim.model import Tool
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
+from ropsim.simulation.parts import close_on, release
+
+
+def grip(state: CellRun, instruction: GripInstruction) -> None:
+    """Open or close a gripper; a part within its capture is taken, a held one is left where it is."""
+    tool = state.cell.tools.get(instruction.tool) if instruction.tool else state.tool
+    since = state.tick
+    hz = state.cell.controller.rates.control_hz
+    if tool is None or tool.gripper is None:
+        state.findings.append(_cannot_grasp(instruction, tool))
+        return
+    held = state.parts.grasp
+    if instruction.action is GripAction.CLOSE:
+        state.stand(round(tool.gripper.close_time * hz))
+        state.take(state.tool, close_on(state.parts, state.cell, tool, state.attained()))
+        part = state.parts.grasp.part.name if state.parts.grasp else ""
+        if not part:
+            state.findings.append(_nothing_grasped(instruction, tool))
+        kind, text = "grip", f"close on {part}" if part else "close on nothing"
+    else:
+        state.stand(round(tool.gripper.open_time * hz))
+        state.take(state.tool, release(state.parts, state.cell, state.attained()))
+        part = held.part.name if held else ""
+        kind, text = "release", f"release {part}" if part else "open"
+    state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
+    state.track("payload", state.payload.mass)
+    state.note(kind, text, instruction.origin, since, part=part)
+
+
+def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:
+    named = grip.tool or grip.modal.tool
+    if tool is not None:
+        found = f"tool `{tool.name}` has no gripper"
+    else:
+        found = f"tool `{named}` is none of the cell's tools" if named else "no tool is in force"
+    return TOOL_CANNOT_GRASP.at(
+        grip.origin.span,
+        f"`{grip.action.value}` needs a gripper, but {found}",
+        hint="give the tool a `gripper` in cell.toml, or name another tool",
+        data={"pass": grip.origin.visit},
+    )
+
+
+def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
+    capture = tool.gripper.capture if tool.gripper else 0.0
+    return NOTHING_GRASPED.at(
+        grip.origin.span,
+        f"no part within {capture * 1e3:g} mm of the TCP when the gripper closed",
+        label=f"pass {grip.origin.visit}",
+        hint="check the location, the supply of parts and the tool's `capture`",
+        data={"pass": grip.origin.visit},
+    )
