@@ -5,6 +5,7 @@ Run with `make bench`; figures go into docs/explanation/performance.md.
 
 import subprocess
 import sys
+from typing import Any
 
 from measuring import Measure
 
@@ -32,7 +33,8 @@ def program_of(lines: int) -> str:
     return head + "\n".join(UNIT.format(k=k + 1) for k in range(lines // UNIT.count("\n")))
 
 
-def test_compile_10k_lines(measure: Measure) -> None:
+def test_compile_10k_lines(benchmark: Any) -> None:
+    measure = Measure(benchmark)
     text = program_of(10_000)
     compiled, time = measure(lambda: ropsim.language.compile(text))
     assert compiled.diagnostics == ()
@@ -68,7 +70,8 @@ END
 """
 
 
-def test_icr_instructions(measure: Measure) -> None:
+def test_icr_instructions(benchmark: Any) -> None:
+    measure = Measure(benchmark)
     program = ropsim.icr.assemble(LOOP)
     trace, time = measure(lambda: ropsim.icr.run(program))
     assert trace.trap is None
@@ -79,6 +82,7 @@ def start_up() -> None:
     subprocess.run([sys.executable, "-m", "ropsim", "--version"], check=True, stdout=subprocess.DEVNULL)
 
 
-def test_start_up_of_version(measure: Measure) -> None:
+def test_start_up_of_version(benchmark: Any) -> None:
+    measure = Measure(benchmark)
     _, time = measure(start_up, rounds=10)
     measure.figure("seconds", time.median)

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from measuring import Measure
@@ -65,8 +66,9 @@ def bare_dynamics() -> float:
     return float(best) / 100_000
 
 
-def test_servo_tick(measure: Measure) -> None:
+def test_servo_tick(benchmark: Any) -> None:
     """1 kHz control, 4 kHz Runge-Kutta plant, motors, friction, every tick recorded, slices of 20 ms."""
+    measure = Measure(benchmark)
     reference = three_moves()
     servo = Servo.build(ROBOT, CONTROLLER)
 
@@ -86,22 +88,25 @@ def test_servo_tick(measure: Measure) -> None:
     measure.figure("share of the bare dynamics in it", 16 * bare * reference.ticks / time_.best)
 
 
-def test_whole_run_warm(measure: Measure) -> None:
+def test_whole_run_warm(benchmark: Any) -> None:
+    measure = Measure(benchmark)
     project = ropsim.open(CELL)
     recording, time_ = measure(project.simulate)
     measure.figure("simulated seconds", recording.duration)
     measure.figure("times real time", recording.duration / time_.best)
 
 
-def test_kinematic_run_warm(measure: Measure) -> None:
+def test_kinematic_run_warm(benchmark: Any) -> None:
     """The slow side alone: interpreter, planning, inverse kinematics, interpolation, recording."""
+    measure = Measure(benchmark)
     project = ropsim.open(CELL)
     options = RunOptions(Fidelity.KINEMATIC)
     recording, time_ = measure(lambda: project.simulate(options=options))
     measure.figure("times real time", recording.duration / time_.best)
 
 
-def test_planning_of_the_whole_program(measure: Measure) -> None:
+def test_planning_of_the_whole_program(benchmark: Any) -> None:
+    measure = Measure(benchmark)
     cell, program = ropsim.open(CELL).runnable()
     moves = ropsim.icr.run(program).moves
 
@@ -123,14 +128,16 @@ def demo(report: Path, environment: dict[str, str]) -> None:
     subprocess.run(command, check=True, capture_output=True, env={**os.environ, **environment})
 
 
-def test_whole_demo_as_a_process(measure: Measure, tmp_path: Path) -> None:
+def test_whole_demo_as_a_process(benchmark: Any, tmp_path: Path) -> None:
     """`ropsim run` with compiled code in its cache: what a user waits for every time."""
+    measure = Measure(benchmark)
     _, time_ = measure(lambda: demo(tmp_path / "report.html", {}), rounds=3)
     measure.figure("seconds", time_.median)
 
 
-def test_very_first_demo_as_a_process(measure: Measure, tmp_path: Path) -> None:
+def test_very_first_demo_as_a_process(benchmark: Any, tmp_path: Path) -> None:
     """`ropsim run` with empty caches: everything is generated and compiled."""
+    measure = Measure(benchmark)
     runs = iter(range(100))
 
     def first() -> None:

@@ -14,6 +14,7 @@ BANDS = {
     "language": {"L1", "N2", "T3"},
     "program": {"I4", "N2", "T3"},
     "icr": {"I4"},
+    "spatial": {"M5"},
     "motion": {"M5"},
     "kinematics": {"M5"},
     "dynamics": {"M5"},

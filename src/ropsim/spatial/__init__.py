@@ -1,6 +1,7 @@
 """Values of space: poses and rotations; no robot, no time."""
 
 from ropsim.spatial import quaternion as quaternion
+from ropsim.spatial.diagnostics import PoseError as PoseError
 from ropsim.spatial.numbers import real_numbers as real_numbers
 from ropsim.spatial.pose import Array as Array
 from ropsim.spatial.pose import Pose as Pose

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.spatial import quaternion
+from ropsim.spatial.diagnostics import PoseError
 
 Array = npt.NDArray[np.float64]
 
@@ -24,15 +25,22 @@ class Pose:
     Attributes:
         position: origin of B in A [m], shape (3,).
         orientation: unit quaternion (w, x, y, z), w >= 0, shape (4,); turns B coordinates into A.
+
+    Raises:
+        PoseError: M580, a shape is wrong, or the quaternion has no direction.
     """
 
     position: Array = field(default_factory=lambda: frozen([0.0, 0.0, 0.0]))
     orientation: Array = field(default_factory=lambda: frozen([1.0, 0.0, 0.0, 0.0]))
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "position", frozen(self.position))
-        w, x, y, z = (float(c) for c in self.orientation)
-        object.__setattr__(self, "orientation", frozen(quaternion.normalize((w, x, y, z))))
+        object.__setattr__(self, "position", _numbers("position", self.position, 3))
+        w, x, y, z = _numbers("orientation", self.orientation, 4).tolist()
+        try:
+            unit = quaternion.normalize((w, x, y, z))
+        except ValueError as error:
+            raise PoseError("orientation", (w, x, y, z), "a quaternion with a direction") from error
+        object.__setattr__(self, "orientation", frozen(unit))
 
     @classmethod
     def from_tuple(cls, values: quaternion.PoseTuple) -> "Pose":
@@ -82,6 +90,16 @@ class Pose:
 
     def __hash__(self) -> int:
         return hash(self.as_tuple())
+
+
+def _numbers(what: str, values: npt.ArrayLike, count: int) -> Array:
+    try:
+        array = frozen(values)
+    except (TypeError, ValueError) as error:
+        raise PoseError(what, repr(values), f"{count} numbers") from error
+    if array.shape != (count,):
+        raise PoseError(what, f"of shape {array.shape}", f"of shape ({count},)")
+    return array
 
 
 def quaternion_from_matrix(rotation: npt.ArrayLike) -> Array:

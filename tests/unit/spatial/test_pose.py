@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from ropsim.spatial import Pose, quaternion
+from ropsim.core import RopsimError
+from ropsim.spatial import Pose, PoseError, quaternion
 
 
 def test_a_pose_is_frozen_and_normalised() -> None:
@@ -22,3 +23,12 @@ def test_a_quaternion_without_direction_is_refused() -> None:
         quaternion.normalize((0.0, 0.0, 0.0, 0.0))
     with pytest.raises(ValueError, match="no direction"):
         quaternion.normalize((float("nan"), 0.0, 0.0, 0.0))
+
+
+def test_what_is_no_pose_is_refused_with_shape_found_and_allowed() -> None:
+    with pytest.raises(PoseError, match=r"position of a pose is of shape \(2,\), it must be of shape \(3,\)"):
+        Pose(np.zeros(2))
+    with pytest.raises(PoseError, match="direction"):
+        Pose(np.zeros(3), np.zeros(4))
+    with pytest.raises(RopsimError, match="3 numbers"):
+        Pose("here")  # type: ignore[arg-type]  # the fault that is tested
