@@ -6,6 +6,7 @@ import numpy.typing as npt
 from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
 from ropsim.dynamics.inertia import last_body
+from ropsim.kinematics import NotFiniteError
 from ropsim.model import Payload, RobotModel
 from ropsim.spatial import Array, real_numbers
 
@@ -34,6 +35,7 @@ def inverse_dynamics(
 
     Raises:
         StateShapeError: an array has another shape.
+        NotFiniteError: an array holds NaN or infinity.
         ChainTooLongError: no code can be generated for the arm.
         ModelNumberError: a number of the model is not finite.
     """
@@ -94,6 +96,7 @@ def forward_dynamics(
 
     Raises:
         StateShapeError: an array has another shape.
+        NotFiniteError: an array holds NaN or infinity.
         ChainTooLongError: no code can be generated for the arm.
         ModelNumberError: a number of the model is not finite.
     """
@@ -124,6 +127,7 @@ def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
 
     Raises:
         StateShapeError: `qd` has another shape.
+        NotFiniteError: an array holds NaN or infinity.
     """
     speeds = _array("qd", qd, robot.n)
     result = np.zeros(robot.n)
@@ -154,4 +158,6 @@ def _array(name: str, values: npt.ArrayLike, size: int) -> Array:
         raise StateShapeError(
             WRONG_SHAPE.at(None, message, hint="call once per state with one number per joint")
         )
+    if not np.isfinite(array).all():
+        raise NotFiniteError(name)
     return np.array(array)  # compiled functions take contiguous writable arrays only

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim import dynamics, robots
+from ropsim import dynamics, kinematics, robots
 from ropsim.codegen import Engine
 from ropsim.model import Link, Payload, RobotModel
 from support.arms import random_arm, random_states
@@ -50,6 +50,15 @@ def test_a_wrong_shape_names_array_shape_and_what_is_allowed(puma: RobotModel) -
     ) as caught:
         dynamics.bias(puma, np.zeros(6), np.zeros(5))
     assert caught.value.diagnostic.code == "M570"
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_number_that_is_none_is_refused(puma: RobotModel, bad: float) -> None:
+    rest, odd = np.zeros(6), np.array([0.0, 0.0, bad, 0.0, 0.0, 0.0])
+    with pytest.raises(kinematics.NotFiniteError, match="`qdd`"):
+        dynamics.inverse_dynamics(puma, rest, rest, odd)
+    with pytest.raises(kinematics.NotFiniteError, match="`tau`"):
+        dynamics.forward_dynamics(puma, rest, rest, odd)
 
 
 def test_a_wrench_needs_six_numbers(puma: RobotModel) -> None:
