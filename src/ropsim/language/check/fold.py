@@ -104,7 +104,10 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
             return boolean(not operand.value)
         number = number_of(operand)
         if number is not None and op in _FUNCTIONS:
-            return _constant(_FUNCTIONS[op](number), kind)
+            try:
+                return _constant(_FUNCTIONS[op](number), kind)
+            except ValueError as error:
+                raise ValueError(f"`{op}` of {number:g} is not defined") from error
     return Unary(op, operand, kind)
 
 

@@ -72,14 +72,14 @@ def _one(body: Body, setting: Setting) -> Settings:
     assert setting.value is not None
     if setting.word == "blend":
         zone = values.expect(body, setting.value, LENGTH, "the distance of `blend`")
-        _check_range(body, setting, zone, least=0.0)
+        _check_range(body, setting, zone, units.LENGTH)
         return Settings(zone=zone)
     value = values.check(body, setting.value)
     dimension = _dimension(body, setting, value)
     expression = convert.to(
         body, value, Type(_REAL, dimension), setting.value, f"the value of `{setting.word}`"
     )
-    _check_range(body, setting, expression, share=dimension == units.SHARE)
+    _check_range(body, setting, expression, dimension)
     return _FIELDS[setting.word, dimension](expression)
 
 
@@ -94,18 +94,25 @@ def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
     return kind.dimension
 
 
-def _check_range(
-    body: Body, setting: Setting, value: Expression, *, least: float | None = None, share: bool = False
-) -> None:
+def _check_range(body: Body, setting: Setting, value: Expression, dimension: units.Dimension) -> None:
     number = fold.number_of(value)
     if number is None:
         return
-    if least is not None and number < least:
-        body.fail(kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must not be negative, found {number:g} m")
-    if least is None and number <= 0.0:
-        body.fail(
-            kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must be greater than zero, found {number:g}"
-        )
-    if share and number > 1.0:
+    found = f"found {number * 100:g} %" if dimension == units.SHARE else f"found {number:g} {_SI[dimension]}"
+    if setting.word == "blend":
+        if number < 0.0:
+            body.fail(kinds.OUT_OF_RANGE, setting, f"`blend` must not be negative, {found}")
+    elif number <= 0.0:
+        body.fail(kinds.OUT_OF_RANGE, setting, f"`{setting.word}` must be greater than zero, {found}")
+    elif dimension == units.SHARE and number > 1.0:
         message = f"`{setting.word}` is {number * 100:g} %, at most 100 % is allowed"
         body.fail(kinds.OUT_OF_RANGE, setting, message, "the share counts from the limits of the joints")
+
+
+_SI = {
+    units.LENGTH: "m",
+    units.SPEED: "m/s",
+    units.ACCELERATION: "m/s²",
+    units.ANGULAR_SPEED: "rad/s",
+    units.ANGULAR_ACCELERATION: "rad/s²",
+}
