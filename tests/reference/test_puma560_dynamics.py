@@ -59,7 +59,10 @@ def test_joint_space_inertia(puma: RobotModel) -> None:
 
 def test_task_space_inertia(puma: RobotModel) -> None:
     J_inverse = np.linalg.inv(kinematics.jacobian(puma, QN))
-    _agree(np.diag(J_inverse.T @ dynamics.mass_matrix(puma, QN) @ J_inverse), NUMBERS["inertia_x"])
+    M_x = J_inverse.T @ dynamics.mass_matrix(puma, QN) @ J_inverse
+    _agree(np.diag(M_x), NUMBERS["inertia_x"])
+    eigenvalues = np.linalg.eigvalsh(M_x)
+    _agree(eigenvalues[0] / eigenvalues[-1], NUMBERS["asada"])
 
 
 def test_accelerations(puma: RobotModel) -> None:

@@ -8,6 +8,7 @@ import pytest
 import ropsim
 from ropsim import icr, robots
 from ropsim.controller import (
+    InverseTransform,
     PathPlanner,
     Refusal,
     Sample,
@@ -102,6 +103,28 @@ def test_another_interpolator(cell: Cell, program: icr.Program, standard: Record
     again = run(cell, program, RunOptions(chain=chain))
     assert CountingInterpolator.asked == 3
     np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
+
+
+@dataclass(frozen=True)
+class CoarseInverse:
+    """Solves like another one, then forgets every digit below a hundredth of a degree."""
+
+    inner: InverseTransform
+
+    def solve(
+        self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+    ) -> JointSamples | Refusal:
+        samples = self.inner.solve(setpoints, q_start, move)
+        return samples if isinstance(samples, Refusal) else replace(samples, q=np.round(samples.q, 4))
+
+
+def test_another_inverse_transform_shows_in_the_line(
+    cell: Cell, program: icr.Program, standard: Recording
+) -> None:
+    chain = standard_chain(cell)
+    coarse = run(cell, program, RunOptions(chain=replace(chain, inverse=CoarseInverse(chain.inverse))))
+    off = np.abs(coarse.channels["q_ref"].values[:500] - standard.channels["q_ref"].values[:500])
+    assert 1e-6 < off.max() < 1e-3
 
 
 class StepInterpolator:
