@@ -107,7 +107,8 @@ def test_kinematic_run_warm(benchmark: Any) -> None:
 
 def test_planning_of_the_whole_program(benchmark: Any) -> None:
     measure = Measure(benchmark)
-    cell, program = ropsim.open(CELL).runnable()
+    project = ropsim.open(CELL)
+    cell, program = project.runnable(project.program())
     moves = ropsim.icr.run(program).moves
 
     def plan() -> int:

@@ -9,7 +9,7 @@ from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
-from ropsim.workbench import NOT_WRITABLE, Project, ProjectError, open_project
+from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, open_project
 from ropsim.workbench.diagnostic_json import diagnostic_document, plain
 
 
@@ -18,12 +18,12 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project = open_project(options.path)
     sources = project.texts
     _check_places(options, project)
-    compiled = () if project.is_broken else project.program(options.program).diagnostics
-    before = (*project.diagnostics, *compiled)
-    if any(one.is_error for one in before):
+    compiled = None if project.is_broken else project.program(options.program)
+    before = (*project.diagnostics, *(compiled.diagnostics if compiled else ()))
+    if compiled is None or any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
-    recording = _simulate(project, options)
+    recording = _simulate(project, compiled, options)
     report = project.report(recording)
     findings = (*before, *recording.findings)
     code = output.findings(findings, sources)
@@ -34,7 +34,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     output.document(
         {
             "ok": code == 0,
-            "summary": plain(report.summary()),
+            "summary": plain(report.summary),
             "written": written,
             **diagnostic_document(findings),
         }
@@ -56,8 +56,8 @@ def _check_places(options: argparse.Namespace, project: Project) -> None:
         taken[Path(place).resolve()] = "the other result"
 
 
-def _simulate(project: Project, options: argparse.Namespace) -> Recording:
-    cell, program = project.runnable(options.program)
+def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Namespace) -> Recording:
+    cell, program = project.runnable(compiled)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
         from ropsim.simulation import Fidelity, RunOptions

@@ -1,9 +1,9 @@
 """Simulation of servo-driven arms and of whole cells."""
 
-from ropsim.simulation.fidelity import Fidelity as Fidelity
-from ropsim.simulation.fidelity import RunOptions as RunOptions
 from ropsim.simulation.recorder import Recorder as Recorder
 from ropsim.simulation.run import run as run
+from ropsim.simulation.run_options import Fidelity as Fidelity
+from ropsim.simulation.run_options import RunOptions as RunOptions
 from ropsim.simulation.servo import Servo as Servo
 from ropsim.simulation.servo_diagnostics import DivergedError as DivergedError
 from ropsim.simulation.servo_diagnostics import DriveDataError as DriveDataError

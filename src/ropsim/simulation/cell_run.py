@@ -61,7 +61,6 @@ class CellRun:
         findings: what was found.
         tracks: piecewise constant channels by name.
         activations: times of the tasks.
-        skipped: number of moves that could not be made.
         waiting: whether the last instruction did nothing but wait for the ones before it.
         cut_short: whether standing still was ended by `last_tick`; the run is over then.
     """
@@ -82,7 +81,6 @@ class CellRun:
     findings: list[Diagnostic] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
-    skipped: int = 0
     waiting: bool = False
     cut_short: bool = False
 

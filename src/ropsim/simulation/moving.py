@@ -19,7 +19,6 @@ def move(state: CellRun, instruction: MoveInstruction) -> None:
     since = state.tick
     if isinstance(planned, Refusal):
         state.findings.extend(planned.diagnostics)
-        state.skipped += 1
         state.note(
             "skip",
             f"{instruction.kind.value} not possible",

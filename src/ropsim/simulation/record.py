@@ -12,7 +12,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
 from ropsim.simulation.cell_run import CellRun, MoveSpan
 from ropsim.simulation.channels import joint_channels
-from ropsim.simulation.fidelity import RunOptions
+from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, Pose, quaternions_from_matrices
 from ropsim.version import __version__
@@ -74,7 +74,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
             "interpolation_ticks": rates.interpolation_ticks,
             "plant_steps": rates.plant_steps,
         },
-        "skipped_moves": state.skipped,
+        "skipped_moves": sum(event.kind == "skip" for event in state.events),
         "parts_left": list(state.parts.left),
         "estimated": [one.parameters for one in robot.origins if one.kind == "estimated"],
         "robot": {

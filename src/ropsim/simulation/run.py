@@ -25,10 +25,10 @@ from ropsim.icr import Finished, Machine, Program
 from ropsim.model import Cell, Tool
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
-from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.gripping import grip
 from ropsim.simulation.moving import move
 from ropsim.simulation.record import recording_of
+from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo_diagnostics import DivergedError
 from ropsim.simulation.start import start_run
 from ropsim.simulation.world import SimulatedWorld

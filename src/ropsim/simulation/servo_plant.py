@@ -2,8 +2,8 @@
 
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Payload
-from ropsim.simulation.fidelity import RunOptions
 from ropsim.simulation.plant import constant
+from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo import Servo
 from ropsim.spatial import Array
 

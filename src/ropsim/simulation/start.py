@@ -3,10 +3,10 @@
 from ropsim.controller import ScriptedSensors, standard_chain
 from ropsim.model import Cell, Payload
 from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.fidelity import Fidelity, RunOptions
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.parts import initial_parts, payload
 from ropsim.simulation.plant import Plant
+from ropsim.simulation.run_options import Fidelity, RunOptions
 from ropsim.simulation.servo_plant import ServoPlant
 from ropsim.spatial import Array, frozen
 

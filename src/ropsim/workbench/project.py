@@ -104,16 +104,15 @@ class Project:
         """
         from ropsim.simulation import RunOptions, run
 
-        cell, code = self.runnable(program)
+        cell, code = self.runnable(self.program(program))
         return run(cell, code, options or RunOptions())
 
-    def runnable(self, program: str | None = None) -> tuple[Cell, icr.Program]:
-        """Return cell and verified code of a program.
+    def runnable(self, compiled: CompiledProgram) -> tuple[Cell, icr.Program]:
+        """Return the cell and the verified code of a compiled program.
 
         Raises:
             ProjectError: what stands in the way; see `.diagnostic`.
         """
-        compiled = self.program(program)
         for diagnostic in compiled.diagnostics:
             if diagnostic.is_error:
                 raise ProjectError(diagnostic)
@@ -125,4 +124,4 @@ class Project:
         """Return the report of a recording, with the program texts for quoting."""
         from ropsim.workbench.report import Report
 
-        return Report(recording, self.texts)
+        return Report.of(recording, self.texts)

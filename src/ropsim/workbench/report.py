@@ -15,23 +15,26 @@ class Report:
 
     Attributes:
         recording: of the run.
+        summary: its key figures.
         sources: program texts for quoting, by the names that spans use.
     """
 
     recording: Recording
+    summary: Summary
     sources: Mapping[str, SourceText]
 
-    def summary(self) -> Summary:
-        """Return the key figures."""
-        return summarize(self.recording)
+    @classmethod
+    def of(cls, recording: Recording, sources: Mapping[str, SourceText]) -> "Report":
+        """Return the report of a recording; it is summarized once."""
+        return cls(recording, summarize(recording), sources)
 
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
-        return terminal_report(self.summary(), style)
+        return terminal_report(self.summary, style)
 
     def html(self) -> str:
         """Return the self-contained HTML page."""
-        return html_report(self.recording, self.summary(), self.sources)
+        return html_report(self.recording, self.summary, self.sources)
 
     def save(self, path: str | Path) -> None:
         """Write the HTML page; an older file is replaced in one step.

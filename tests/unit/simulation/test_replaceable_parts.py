@@ -163,9 +163,10 @@ class PdLaw:
 
 def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard: Recording) -> None:
     recording = run(cell, program, RunOptions(law=PdLaw(cell.robot.n)))
-    final = recording.channels["q"].values[-1]
-    np.testing.assert_allclose(final, standard.channels["q"].values[-1], atol=2e-2)
-    assert (recording.channels["q"].values != standard.channels["q"].values[: len(recording.time)][0]).any()
+    final = [one.channels["q"].values[-1] for one in (recording, standard)]
+    offset = np.abs(final[0] - final[1]).max()
+    # without an integral gravity keeps the arm out of position, further than two arms in position can differ
+    assert 2 * cell.controller.in_position.max() < offset < 2e-2
 
 
 class EarlySensor:
