@@ -32,3 +32,4 @@ from ropsim.model.robot import JointType as JointType
 from ropsim.model.robot import Link as Link
 from ropsim.model.robot import ParameterOrigin as ParameterOrigin
 from ropsim.model.robot import RobotModel as RobotModel
+from ropsim.model.tolerance import SPEED_OVERSHOOT as SPEED_OVERSHOOT

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.flow import Channel
-from ropsim.model import Cell, JointType, RobotModel
+from ropsim.model import SPEED_OVERSHOOT, Cell, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     CURRENT_EXCEEDED,
     EFFORT_EXCEEDED,
@@ -18,8 +18,6 @@ from ropsim.simulation.diagnostics import (
 )
 from ropsim.spatial import Array
 
-#: Share by which an attained speed may exceed the limit before it is a finding (servo overshoot).
-SPEED_OVERSHOOT = 0.02
 #: Time at the voltage limit that is a finding [s].
 SATURATION_TIME = 0.05
 #: Following error at which a real controller would long have stopped [rad | m].

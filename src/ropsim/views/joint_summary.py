@@ -7,15 +7,13 @@ from enum import Enum
 import numpy as np
 
 from ropsim.flow import Recording
+from ropsim.model import SPEED_OVERSHOOT
 from ropsim.spatial import Array
 from ropsim.views.channels import Peak, line_at, matrix, peak, rms
 from ropsim.views.header import JointFacts
 
 NEAR = 0.9
 """Share of a limit from which on a peak is marked as near it."""
-
-OVERSHOOT = 0.02
-"""Share by which an attained speed may exceed its limit and still count as at the limit (servo overshoot)."""
 
 
 class Closeness(Enum):
@@ -87,7 +85,7 @@ class JointSummary:
     @property
     def speed_closeness(self) -> Closeness:
         """Return how the peak speed stands to its limit; an overshoot of 2 % counts as at the limit."""
-        return _closeness(self.speed_share, 1.0 + OVERSHOOT)
+        return _closeness(self.speed_share, 1.0 + SPEED_OVERSHOOT)
 
     @property
     def nearest(self) -> LimitApproach:
