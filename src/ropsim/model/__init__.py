@@ -1,8 +1,10 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
 from ropsim.model.audit import audit as audit
+from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
+from ropsim.model.cell import FixedObject as FixedObject
 from ropsim.model.cell import Gripper as Gripper
 from ropsim.model.cell import Part as Part
 from ropsim.model.cell import Signal as Signal
@@ -21,6 +23,22 @@ from ropsim.model.drive import Amplifier as Amplifier
 from ropsim.model.drive import DcMotor as DcMotor
 from ropsim.model.drive import Drive as Drive
 from ropsim.model.drive import Friction as Friction
+from ropsim.model.geometry import LIGHT_GREY as LIGHT_GREY
+from ropsim.model.geometry import Box as Box
+from ropsim.model.geometry import Cylinder as Cylinder
+from ropsim.model.geometry import Mesh as Mesh
+from ropsim.model.geometry import Point2 as Point2
+from ropsim.model.geometry import Point3 as Point3
+from ropsim.model.geometry import Polyline as Polyline
+from ropsim.model.geometry import Prism as Prism
+from ropsim.model.geometry import Revolve as Revolve
+from ropsim.model.geometry import Shape as Shape
+from ropsim.model.geometry import Solid as Solid
+from ropsim.model.geometry import Sphere as Sphere
+from ropsim.model.outlines import arc as arc
+from ropsim.model.outlines import around as around
+from ropsim.model.outlines import circle as circle
+from ropsim.model.outlines import polygon as polygon
 from ropsim.model.payload import Payload as Payload
 from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
@@ -32,4 +50,5 @@ from ropsim.model.robot import JointType as JointType
 from ropsim.model.robot import Link as Link
 from ropsim.model.robot import ParameterOrigin as ParameterOrigin
 from ropsim.model.robot import RobotModel as RobotModel
+from ropsim.model.rod import rod as rod
 from ropsim.model.tolerance import SPEED_OVERSHOOT as SPEED_OVERSHOOT

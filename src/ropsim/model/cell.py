@@ -4,8 +4,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ropsim.model.controller import ControllerModel
+from ropsim.model.geometry import Shape
 from ropsim.model.robot import RobotModel
 from ropsim.spatial import Array, Pose, frozen
+
+PART_COLOUR = "#d99a3d"
+"""Colour of parts that have been given none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +38,7 @@ class Tool:
         com: centre of mass in the mechanical interface frame [m], shape (3,).
         inertia: about the centre of mass, in axes of the mechanical interface [kg·m²], shape (3, 3).
         gripper: None for a tool that cannot grasp.
+        shapes: what it looks like, in the mechanical interface frame; without any, views draw a stand-in.
     """
 
     name: str
@@ -42,6 +47,7 @@ class Tool:
     com: Array = field(default_factory=lambda: frozen([0.0, 0.0, 0.0]))
     inertia: Array = field(default_factory=lambda: frozen([[0.0] * 3] * 3))
     gripper: Gripper | None = None
+    shapes: tuple[Shape, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
@@ -60,6 +66,7 @@ class Part:
             of a supply, the pose at the supply.
         supply: name of the supply it comes from, empty for a part that lies there from the start.
         turn: place in the queue of its supply: it appears when the part before it has been taken away.
+        colour: `#rrggbb`.
     """
 
     name: str
@@ -68,9 +75,25 @@ class Part:
     X_BO: Pose
     supply: str = ""
     turn: int = 0
+    colour: str = PART_COLOUR
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", frozen(self.size))
+
+
+@dataclass(frozen=True, slots=True)
+class FixedObject:
+    """A thing of the cell that never moves; it is drawn and nothing else.
+
+    Attributes:
+        name: unique among the objects.
+        X_BO: its frame in the base frame.
+        shapes: what it looks like, in its frame.
+    """
+
+    name: str
+    X_BO: Pose
+    shapes: tuple[Shape, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +161,7 @@ class Cell:
         frames: task frames in the base frame, by name.
         locations: named points in the base frame (tool poses X_BT), by name.
         parts: what can be grasped.
+        objects: what stands around.
         sinks: where parts leave.
         signals: by name.
         classic: settings for classic files.
@@ -154,6 +178,7 @@ class Cell:
     frames: Mapping[str, Pose] = field(default_factory=dict)
     locations: Mapping[str, Pose] = field(default_factory=dict)
     parts: tuple[Part, ...] = ()
+    objects: tuple[FixedObject, ...] = ()
     sinks: tuple[Sink, ...] = ()
     signals: Mapping[str, Signal] = field(default_factory=dict)
     classic: ClassicSettings = field(default_factory=ClassicSettings)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from ropsim.model.drive import Drive
+from ropsim.model.geometry import Shape
 from ropsim.spatial import Array, Pose, frozen
 
 
@@ -52,11 +53,13 @@ class Link:
         mass: [kg].
         com: centre of mass [m], shape (3,).
         inertia: inertia tensor about the centre of mass [kg·m²], shape (3, 3).
+        shapes: what it looks like; without any, views draw a stand-in.
     """
 
     mass: float
     com: Array
     inertia: Array
+    shapes: tuple[Shape, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
@@ -112,6 +115,7 @@ class RobotModel:
         gravity: acceleration of free fall in the base frame [m/s²], shape (3,).
         home: joint coordinates of the rest position [rad | m], shape (n,).
         origins: where the numbers come from.
+        base_shapes: what the part that stands still looks like, in the base frame.
     """
 
     name: str
@@ -124,6 +128,7 @@ class RobotModel:
     dh: tuple[DhRow, ...] = ()
     gravity: Array = field(default_factory=lambda: frozen([0.0, 0.0, -9.81]))
     origins: tuple[ParameterOrigin, ...] = ()
+    base_shapes: tuple[Shape, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "home", frozen(self.home))

@@ -1,5 +1,6 @@
 """The Unimation PUMA 560 with the dynamic parameters that Corke & Armstrong-Hélouvry collected."""
 
+from dataclasses import replace
 from functools import lru_cache
 from math import pi, radians
 
@@ -15,6 +16,7 @@ from ropsim.model import (
     Drive,
     Friction,
     JointLimits,
+    Link,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -23,6 +25,7 @@ from ropsim.model import (
     joints_from_dh,
     links_from_dh,
 )
+from ropsim.robots import puma560_shapes
 from ropsim.spatial import frozen
 
 _DH = (
@@ -121,6 +124,9 @@ _ORIGINS = (
     ),
     ParameterOrigin("home position", "estimated", "tool straight down in front of the arm, clear of limits"),
     ParameterOrigin(
+        "geometry", "estimated", "drawn by eye around the link lengths; nothing is computed with it"
+    ),
+    ParameterOrigin(
         "controller gains",
         "estimated",
         "speed loops of about 130 rad/s at the largest inertias, position loops of 50 rad/s",
@@ -149,12 +155,13 @@ def model() -> RobotModel:
         name="puma560",
         title="Unimation PUMA 560",
         joints=joints_from_dh(_DH, _limits()),
-        links=links_from_dh(_DH, _MASSES, _COMS, _INERTIAS),
+        links=_links(),
         drives=_drives(),
         X_nM=interface_from_dh(_DH),
         home=frozen(np.radians(_HOME)),
         dh=_DH,
         origins=_ORIGINS,
+        base_shapes=puma560_shapes.base(),
     )
 
 
@@ -169,6 +176,11 @@ def controller() -> ControllerModel:
         path=PathDefaults(),
         in_position=np.full(6, _IN_POSITION),
     )
+
+
+def _links() -> tuple[Link, ...]:
+    bodies = zip(links_from_dh(_DH, _MASSES, _COMS, _INERTIAS), puma560_shapes.links(), strict=True)
+    return tuple(replace(link, shapes=shapes) for link, shapes in bodies)
 
 
 def _limits() -> tuple[JointLimits, ...]:

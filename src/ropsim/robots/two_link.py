@@ -1,16 +1,23 @@
 """A planar arm of two links in a vertical plane: the textbook case with answers in closed form."""
 
+from dataclasses import replace
 from functools import lru_cache
 from math import pi
 
 from ropsim.model import (
+    Box,
     DhRow,
     JointLimits,
+    Link,
     ParameterOrigin,
+    Prism,
     RobotModel,
+    Shape,
+    around,
     interface_from_dh,
     joints_from_dh,
     links_from_dh,
+    rod,
 )
 from ropsim.spatial import Pose, frozen
 
@@ -30,7 +37,7 @@ def model() -> RobotModel:
         name="two_link",
         title="Planar two-link arm",
         joints=joints_from_dh(_DH, (_LIMITS, _LIMITS), upright),
-        links=links_from_dh(_DH, (1.0, 1.0), ((-0.5, 0.0, 0.0),) * 2, ((0.0, 0.0, 0.0),) * 2),
+        links=_links(),
         drives=(),
         X_nM=interface_from_dh(_DH),
         home=frozen([0.5, 1.0]),
@@ -41,4 +48,22 @@ def model() -> RobotModel:
             ),
             ParameterOrigin("limits and home position", "estimated", "round numbers for teaching"),
         ),
+        base_shapes=(
+            Shape(Box((0.3, 0.03, 0.3)), Pose(frozen([0.0, 0.115, 0.0])), "#3d464f"),
+            rod((0.0, 0.1, 0.0), (0.0, 0.0, 0.0), 0.08, 0.06, "#6d7781"),
+        ),
     )
+
+
+def _links() -> tuple[Link, ...]:
+    """Return two slats with round ends, the second in front of the first, on hubs about their axes."""
+    slat = Prism(around(((0.0, 0.0, 0.06), (1.0, 0.0, 0.045))), 0.04)
+    looks = (
+        (Shape(slat, Pose(), "#dfe3e6"), rod((1.0, 0.0, 0.04), (1.0, 0.0, 0.05), 0.03, None, "#3d464f")),
+        (
+            Shape(slat, Pose(frozen([0.0, 0.0, 0.05])), "#e2702b"),
+            rod((0.0, 0.0, 0.09), (0.0, 0.0, 0.1), 0.03, 0.025, "#3d464f"),
+        ),
+    )
+    bodies = links_from_dh(_DH, (1.0, 1.0), ((-0.5, 0.0, 0.0),) * 2, ((0.0, 0.0, 0.0),) * 2)
+    return tuple(replace(link, shapes=shapes) for link, shapes in zip(bodies, looks, strict=True))

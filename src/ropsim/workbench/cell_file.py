@@ -8,6 +8,7 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell, ClassicSettings
 from ropsim.spatial import Pose
 from ropsim.workbench import cell_diagnostics as kinds
+from ropsim.workbench.cell_fixed_objects import read_objects
 from ropsim.workbench.cell_objects import read_parts, read_sinks
 from ropsim.workbench.cell_poses import Surroundings, read_frames, read_locations
 from ropsim.workbench.cell_robot import read_base, read_robot
@@ -56,6 +57,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     frames = read_frames(root.named("frames"), around)
     locations = read_locations(root.named("locations"), frames, around)
     parts = read_parts(root.tables("parts"), root.tables("supplies"), around)
+    objects = read_objects(root.tables("objects"), around)
     sinks = read_sinks(root.tables("sinks"), around)
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
@@ -76,6 +78,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         frames=frames,
         locations=locations,
         parts=parts,
+        objects=objects,
         sinks=sinks,
         signals=signals,
         classic=classic,

@@ -5,10 +5,11 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from ropsim.core import Span
-from ropsim.model import Part, Sink
+from ropsim.model import PART_COLOUR, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_poses import ORIGIN, Surroundings, read_pose
+from ropsim.workbench.cell_shapes import read_colour
 from ropsim.workbench.quantity import MASS, Units
 from ropsim.workbench.toml_checks import Findings, TomlTable
 
@@ -23,7 +24,7 @@ def read_parts(
     made = [_parts_of(table, around) for table in parts] + [_supply(table, around) for table in supplies]
     tables = (*parts, *supplies)
     if tables:
-        _report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)))
+        report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)))
     return tuple(part for group in made for part in group)
 
 
@@ -39,7 +40,7 @@ def read_sinks(tables: tuple[TomlTable, ...], around: Surroundings) -> tuple[Sin
         table.finish()
     if tables:
         spans = ((sink.name, table.value_span("name")) for table, sink in zip(tables, sinks, strict=True))
-        _report_doubles(tables[0].findings, spans)
+        report_doubles(tables[0].findings, spans)
     return tuple(sinks)
 
 
@@ -47,25 +48,25 @@ def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
     table.require("name", "size", "mass", "position")
     name = table.text("name", "")
     size, mass = _body(table, around.units)
+    colour = read_colour(table, PART_COLOUR)
     X_WO = read_pose(table, around.units)
     shifts = _grid(table.table("grid"), around.units) if "grid" in table else None
     table.finish()
     if shifts is None:
-        return [Part(name, size, mass, around.in_base(X_WO))]
-    return [
-        Part(f"{name}_{k}", size, mass, around.in_base(Pose(X_WO.position + shift, X_WO.orientation)))
-        for k, shift in enumerate(shifts, start=1)
-    ]
+        return [Part(name, size, mass, around.in_base(X_WO), colour=colour)]
+    poses = (around.in_base(Pose(X_WO.position + shift, X_WO.orientation)) for shift in shifts)
+    return [Part(f"{name}_{k}", size, mass, pose, colour=colour) for k, pose in enumerate(poses, start=1)]
 
 
 def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
     table.require("name", "size", "mass", "position", "count")
     name = table.text("name", "")
     size, mass = _body(table, around.units)
+    colour = read_colour(table, PART_COLOUR)
     X_BO = around.in_base(read_pose(table, around.units))
     count = table.integer("count", 1, _MOST_PARTS, 1)
     table.finish()
-    return [Part(f"{name}_{turn + 1}", size, mass, X_BO, supply=name, turn=turn) for turn in range(count)]
+    return [Part(f"{name}_{turn + 1}", size, mass, X_BO, name, turn, colour) for turn in range(count)]
 
 
 def _body(table: TomlTable, units: Units) -> tuple[Array, float]:
@@ -109,7 +110,7 @@ def _named_spans(groups: Iterable[tuple[TomlTable, list[Part]]]) -> Iterator[tup
             yield part.name, span
 
 
-def _report_doubles(findings: Findings, named: Iterable[tuple[str, Span]]) -> None:
+def report_doubles(findings: Findings, named: Iterable[tuple[str, Span]]) -> None:
     """Note each name that occurs again; empty names have been reported as missing."""
     seen: dict[str, Span] = {}
     reported = {""}

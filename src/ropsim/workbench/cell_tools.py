@@ -8,6 +8,7 @@ from ropsim.model import Gripper, Tool
 from ropsim.spatial import Array, frozen
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_poses import ORIGIN, read_pose
+from ropsim.workbench.cell_shapes import Look, read_look, read_shapes
 from ropsim.workbench.quantity import DWELL, MASS, MOMENT, Units
 from ropsim.workbench.toml_checks import TomlTable
 
@@ -25,8 +26,9 @@ def read_tools(tables: Mapping[str, TomlTable], units: Units) -> dict[str, Tool]
         com = frozen(table.numbers("com", 3, units.position, ORIGIN))
         inertia = _inertia(table, mass)
         gripper = _gripper(table.table("gripper"), units) if "gripper" in table else None
+        shapes = read_shapes(table, units, read_look(table, Look()))
         table.finish()
-        tools[name] = Tool(name, pose, mass, com, inertia, gripper)
+        tools[name] = Tool(name, pose, mass, com, inertia, gripper, shapes)
     return tools
 
 

@@ -1,0 +1,80 @@
+"""How an arm is drawn: by its own shapes, or by hubs at its joints and rods between them.
+
+The stand-in needs nothing but the joints: a cylinder along each axis and a tapered rod from each joint to the
+next, as paper 1 draws an arm from its Denavit–Hartenberg table.
+"""
+
+import numpy as np
+
+from ropsim.model import Cylinder, Joint, JointType, RobotModel, Shape, rod
+from ropsim.spatial import Array, Pose
+
+_HUB = "#4a525a"
+_ROD = "#d5d9dd"
+_SLENDERNESS = 0.045  # radius of the first rod by length of the arm
+_TAPER = 0.6  # share of the radius that is lost on the way to the tip
+_SHORTEST = 1e-3  # [m], joints nearer than this to each other have no rod between them
+_LONGEST_SLIDE = 5.0  # [m], stands in for a slide without limits
+
+
+def base_shapes(robot: RobotModel) -> tuple[Shape, ...]:
+    """Return what the part of a robot looks like that stands still, in the base frame."""
+    if robot.base_shapes:
+        return robot.base_shapes
+    radius = _radius(robot, 0)
+    foot = rod((0.0, 0.0, 0.0), (0.0, 0.0, 0.4 * radius), 2.0 * radius, 1.8 * radius, _HUB)
+    placement = robot.joints[0].placement.position
+    if float(np.linalg.norm(placement)) < _SHORTEST:
+        return (foot,)
+    return (foot, rod(np.zeros(3), placement, 1.2 * radius, radius, _ROD))
+
+
+def link_shapes(robot: RobotModel, number: int) -> tuple[Shape, ...]:
+    """Return what link `number`, from 1, looks like in the frame of its joint."""
+    own = robot.links[number - 1].shapes if number <= len(robot.links) else ()
+    return own or _stand_in(robot, number)
+
+
+def reach(robot: RobotModel) -> tuple[Array, float]:
+    """Return centre [m], shape (3,), and radius [m] of a sphere that the mechanical interface never leaves.
+
+    In the base frame. The centre is the place of joint 2 along the axis of joint 1, which no turn moves.
+    """
+    steps = [placement.position for placement in _fixed_parts(robot)[1:]]
+    along = np.array([0.0, 0.0, steps[0][2]])
+    centre = robot.joints[0].placement @ Pose(along)
+    steps[0] = steps[0] - along
+    slides = sum(max(_slide(joint)) for joint in robot.joints)
+    return centre.position, sum(float(np.linalg.norm(step)) for step in steps) + slides
+
+
+def _fixed_parts(robot: RobotModel) -> list[Pose]:
+    return [*(joint.placement for joint in robot.joints), robot.X_nM]
+
+
+def _stand_in(robot: RobotModel, number: int) -> tuple[Shape, ...]:
+    joint = robot.joints[number - 1]
+    here, there = _radius(robot, number - 1), _radius(robot, number)
+    middle = 1.5 * here if number == 1 else 0.0  # the first joint often has its frame at the floor
+    shapes = [Shape(Cylinder(1.25 * here, 3.0 * here), Pose(np.array([0.0, 0.0, middle])), _HUB)]
+    back, front = _slide(joint)
+    if back + front > _SHORTEST:  # the bar that slides through the hub of the joint
+        shapes.append(rod((0.0, 0.0, -back), (0.0, 0.0, front), 0.8 * here, None, _ROD))
+    after = robot.joints[number].placement if number < robot.n else robot.X_nM
+    if float(np.linalg.norm(after.position)) > _SHORTEST:
+        shapes.append(rod(np.zeros(3), after.position, here, there, _ROD))
+    return tuple(shapes)
+
+
+def _slide(joint: Joint) -> tuple[float, float]:
+    """Return how far a prismatic joint has its own origin ahead of (behind) its placement at most [m]."""
+    if joint.type is JointType.REVOLUTE:
+        return 0.0, 0.0
+    ahead, behind = joint.upper + joint.offset, -joint.lower - joint.offset
+    return min(max(ahead, 0.0), _LONGEST_SLIDE), min(max(behind, 0.0), _LONGEST_SLIDE)
+
+
+def _radius(robot: RobotModel, number: int) -> float:
+    """Return the radius of a rod at joint `number`, from 0 [m]."""
+    whole = sum(float(np.linalg.norm(placement.position)) for placement in _fixed_parts(robot))
+    return max(_SLENDERNESS * whole, 1e-3) * (1.0 - _TAPER * number / robot.n)

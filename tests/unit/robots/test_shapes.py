@@ -1,0 +1,79 @@
+"""Shapes of the built-in robots: neighbours touch in every posture, published lengths are kept."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.kinematics import joint_frames
+from ropsim.model import Shape
+from ropsim.spatial import Array
+from support.solids import STEP, surface_points
+
+POSTURES = 4
+SEED = 7
+
+
+def points_of(shapes: tuple[Shape, ...]) -> Array:
+    return np.concatenate([surface_points(shape) for shape in shapes])
+
+
+def gap(a: Array, b: Array) -> float:
+    """Return the least distance of two clouds of points [m]; infinite where their boxes are apart."""
+    low = np.maximum(a.min(axis=0), b.min(axis=0)) - STEP
+    high = np.minimum(a.max(axis=0), b.max(axis=0)) + STEP
+    a, b = (cloud[((cloud > low) & (cloud < high)).all(axis=1)] for cloud in (a, b))
+    return min((float(np.linalg.norm(b - point, axis=1).min()) for point in a[::5] if len(b)), default=np.inf)
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_neighbouring_links_touch_in_every_posture(name: str) -> None:
+    robot = robots.load(name)
+    clouds = [points_of(robot.base_shapes), *(points_of(link.shapes) for link in robot.links)]
+    rng = np.random.default_rng(SEED)
+    for q in (robot.home, *rng.uniform(robot.lower_limits, robot.upper_limits, (POSTURES, robot.n))):
+        frames = (np.eye(4), *joint_frames(robot, q)[: robot.n])
+        placed = [cloud @ X[:3, :3].T + X[:3, 3] for cloud, X in zip(clouds, frames, strict=True)]
+        gaps = [gap(before, after) for before, after in pairwise(placed)]
+        assert max(gaps) < STEP, [f"{value:.3f}" for value in gaps]
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_the_axis_of_every_joint_runs_through_its_link(name: str) -> None:
+    for link in robots.load(name).links:
+        cloud = points_of(link.shapes)
+        assert (cloud[:, :2].min(axis=0) < -0.02).all()
+        assert (cloud[:, :2].max(axis=0) > 0.02).all()
+
+
+def test_the_flange_of_the_puma_ends_where_the_maker_says() -> None:
+    # Flange face to wrist centre: 2.2 in or 56.25 mm in the maker's drawing.
+    flange = points_of(robots.load("puma560").links[5].shapes)
+    assert flange[:, 2].max() == pytest.approx(0.05625, abs=1e-12)
+
+
+def test_the_puma_stands_on_the_floor() -> None:
+    assert points_of(robots.load("puma560").base_shapes)[:, 2].min() == 0.0
+
+
+def test_the_forearm_of_the_puma_hides_behind_its_upper_arm_without_cutting_it() -> None:
+    robot = robots.load("puma560")
+    upper, fore = points_of(robot.links[1].shapes), points_of(robot.links[2].shapes)
+    beyond_hub = upper[upper[:, 0] > 0.15]  # the upper arm, without the hub at the shoulder
+    assert fore[:, 2].max() <= beyond_hub[:, 2].min() + 1e-12
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_shapes_are_opaque_and_of_written_colours(name: str) -> None:
+    robot = robots.load(name)
+    shapes = [*robot.base_shapes, *(shape for link in robot.links for shape in link.shapes)]
+    assert shapes
+    for shape in shapes:
+        assert shape.opacity == 1.0
+        assert len(bytes.fromhex(shape.colour.removeprefix("#"))) == 3
+
+
+def test_the_geometry_is_said_to_be_estimated() -> None:
+    (origin,) = [origin for origin in robots.load("puma560").origins if origin.parameters == "geometry"]
+    assert origin.kind == "estimated"

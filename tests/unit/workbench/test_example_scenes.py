@@ -1,0 +1,91 @@
+"""The examples look like work cells: nothing floats, and every file of theirs is at hand."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ropsim.model import Box, Cell
+from ropsim.spatial import Array, Pose
+from ropsim.workbench import example_names, load_meshes, open_project
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+CONTACT = 0.5e-3  # [m], less than anybody sees
+
+
+def cell_of(name: str) -> Cell:
+    cell = open_project(EXAMPLES / name).cell
+    assert cell is not None
+    return cell
+
+
+def tops(cell: Cell) -> list[tuple[Array, float, float]]:
+    """Return middle of the top face, half length and half width of every upright box that is drawn [m]."""
+    found = []
+    for thing in cell.objects:
+        for shape in thing.shapes:
+            if isinstance(shape.solid, Box):
+                x, y, z = shape.solid.size
+                X_BS = thing.X_BO @ shape.pose
+                found.append((X_BS.position + np.array([0.0, 0.0, z / 2.0]), x / 2.0, y / 2.0))
+    return found
+
+
+def rests(cell: Cell, bottom: Array) -> bool:
+    """Return whether a box of some object carries a point [m]."""
+    return any(
+        abs(bottom[0] - top[0]) <= x and abs(bottom[1] - top[1]) <= y and abs(bottom[2] - top[2]) <= CONTACT
+        for top, x, y in tops(cell)
+    )
+
+
+@pytest.mark.parametrize("name", ["first_cell", "operator", "palletizing"])
+def test_every_part_lies_on_something(name: str) -> None:
+    cell = cell_of(name)
+    floating = [
+        part.name
+        for part in cell.parts
+        if not rests(cell, part.X_BO.position - np.array([0.0, 0.0, part.size[2]]))
+    ]
+    assert floating == []
+
+
+def test_the_goal_of_the_first_cell_is_carried() -> None:
+    cell = cell_of("first_cell")
+    assert rests(cell, cell.locations["set_down"].position - np.array([0.0, 0.0, cell.parts[0].size[2]]))
+
+
+def test_every_place_of_the_pallet_is_carried_at_some_of_its_corners() -> None:
+    cell = cell_of("palletizing")
+    half = cell.parts[0].size / 2.0
+    corners = [np.array([i * half[0], j * half[1], 0.0]) for i in (-1, 1) for j in (-1, 1)]
+    for row in range(6):
+        for column in range(6):
+            place = (cell.frames["pallet"] @ Pose(np.array([0.07 * column, 0.07 * row, 0.0]))).position
+            assert sum(rests(cell, place + corner) for corner in corners) >= 2
+
+
+def test_the_pins_of_fig5_stand_in_their_magazine() -> None:
+    cell = cell_of("fig5")
+    (magazine,) = [thing for thing in cell.objects if thing.name == "magazine"]
+    (shape,) = magazine.shapes
+    assert isinstance(shape.solid, Box)
+    centre = (magazine.X_BO @ shape.pose).position
+    for part in cell.parts:
+        bottom = part.X_BO.position - np.array([0.0, 0.0, part.size[2]])
+        assert (np.abs(bottom - centre) < np.array(shape.solid.size) / 2.0).all()
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_the_meshes_of_an_example_can_be_read(name: str) -> None:
+    assert load_meshes(EXAMPLES / name, cell_of(name)).diagnostics == ()
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_nothing_is_drawn_below_the_floor(name: str) -> None:
+    cell = cell_of(name)
+    for thing in cell.objects:
+        for shape in thing.shapes:
+            if isinstance(shape.solid, Box):
+                bottom = (thing.X_BO @ shape.pose).position[2] - shape.solid.size[2] / 2.0
+                assert bottom > -CONTACT
