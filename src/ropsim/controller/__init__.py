@@ -22,4 +22,5 @@ from ropsim.controller.joint_interpolator import SplineJointInterpolator as Spli
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.sensor_interface import ScriptedSensors as ScriptedSensors
+from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.work_frames import WorkFrames as WorkFrames

@@ -3,11 +3,18 @@
 import math
 from bisect import bisect_right
 from collections.abc import Mapping
+from dataclasses import replace
 
 from ropsim.controller.entities import Sample
 from ropsim.model import Signal
 
 _NO_SAMPLE = Sample(value=False, valid=False, age=math.inf)
+
+
+def with_change(signal: Signal, time: float, value: float) -> Signal:
+    """Return a signal with one change more; among changes at one time [s] the one added last holds."""
+    place = bisect_right(signal.changes, time, key=lambda change: change[0])
+    return replace(signal, changes=(*signal.changes[:place], (time, value), *signal.changes[place:]))
 
 
 class ScriptedSensors:
@@ -20,7 +27,7 @@ class ScriptedSensors:
     __slots__ = ("_outputs", "_signals")
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
-        self._signals = signals
+        self._signals = dict(signals)
         self._outputs: dict[str, bool | float] = {}
 
     def read(self, channel: str, time: float) -> Sample:
@@ -39,6 +46,17 @@ class ScriptedSensors:
             return _NO_SAMPLE
         analog = signal.analog if signal else not isinstance(value, bool)
         return Sample(value=float(value) if analog else bool(value), valid=True, age=0.0)
+
+    def change(self, channel: str, time: float, value: float) -> Signal:
+        """Let an input have a value from a time on, until its next change, and return the input as it is now.
+
+        Args:
+            channel: name of an input of the cell.
+            time: [s]; among changes at one time the one that was made last holds.
+            value: off and on as 0 and 1, or an analog value.
+        """
+        self._signals[channel] = with_change(self._signals[channel], time, value)
+        return self._signals[channel]
 
     def set_output(self, channel: str, value: float) -> None:
         """Keep what a program sets: off and on, or an analog value; an input is not changed by it.

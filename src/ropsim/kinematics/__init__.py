@@ -24,4 +24,6 @@ from ropsim.kinematics.result import IkStatus as IkStatus
 from ropsim.kinematics.result import Limits as Limits
 from ropsim.kinematics.result import LimitViolation as LimitViolation
 from ropsim.kinematics.result import Reach as Reach
+from ropsim.kinematics.singularity import SingularDistances as SingularDistances
+from ropsim.kinematics.singularity import singular_distances as singular_distances
 from ropsim.kinematics.wrist import has_closed_form as has_closed_form

@@ -1,5 +1,9 @@
 """Simulation of servo-driven arms and of whole cells."""
 
+from ropsim.simulation.inputs import InputChange as InputChange
+from ropsim.simulation.live_sample import live_sample as live_sample
+from ropsim.simulation.move_span import MoveSpan as MoveSpan
+from ropsim.simulation.parts import PartsState as PartsState
 from ropsim.simulation.recorder import Recorder as Recorder
 from ropsim.simulation.run import run as run
 from ropsim.simulation.run_options import Fidelity as Fidelity
@@ -14,3 +18,5 @@ from ropsim.simulation.servo_state import ServoState as ServoState
 from ropsim.simulation.servo_state import StateLayout as StateLayout
 from ropsim.simulation.simulate import SimulationOptions as SimulationOptions
 from ropsim.simulation.simulate import simulate as simulate
+from ropsim.simulation.watch import RunView as RunView
+from ropsim.simulation.watch import Watch as Watch

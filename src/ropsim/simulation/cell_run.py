@@ -5,40 +5,20 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain, ScriptedSensors
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, JointReference, MoveInstruction, Origin
+from ropsim.flow import Event, JointReference, Origin
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload, Tool
 from ropsim.simulation.activation import Activations
+from ropsim.simulation.inputs import InputChange, signal_track
+from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.parts import PartsState, payload
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.track import Track
+from ropsim.simulation.watch import NobodyWatches, Watch
 from ropsim.spatial import Array, Pose
 
-_SLICE = 20_000
+_SLICE = 1_000
 """Longest reference of an arm that stands still [control ticks]."""
-
-
-@dataclass(frozen=True, slots=True)
-class MoveSpan:
-    """A move as it was carried out.
-
-    Attributes:
-        move: the instruction.
-        start: tick at which it began.
-        end: tick at which the reference reached its end.
-        settled: tick at which the arm was in position.
-        q_start: command coordinates at its start, shape (n,).
-        q_end: command coordinates at its end, shape (n,).
-        X_MT: tool frame in force.
-    """
-
-    move: MoveInstruction
-    start: int
-    end: int
-    settled: int
-    q_start: Array
-    q_end: Array
-    X_MT: Pose
 
 
 @dataclass(slots=True)
@@ -55,6 +35,7 @@ class CellRun:
         tool: tool in force.
         payload: tool and grasped part as one body; one object as long as it does not change.
         last_tick: control tick at which standing still ends at the latest.
+        watch: looks on.
         tick: control ticks done.
         moves: moves done.
         events: what happened.
@@ -63,6 +44,8 @@ class CellRun:
         activations: times of the tasks.
         waiting: whether the last instruction did nothing but wait for the ones before it.
         cut_short: whether standing still was ended by `last_tick`; the run is over then.
+        stopped: whether the run was ended by who watches.
+        inputs: changes of inputs that are not from the cell.
     """
 
     cell: Cell
@@ -75,6 +58,7 @@ class CellRun:
     payload: Payload
     progress: Callable[[str], None]
     last_tick: int
+    watch: Watch = field(default_factory=NobodyWatches)
     tick: int = 0
     moves: list[MoveSpan] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
@@ -83,6 +67,8 @@ class CellRun:
     activations: Activations = field(default_factory=Activations)
     waiting: bool = False
     cut_short: bool = False
+    stopped: bool = False
+    inputs: list[InputChange] = field(default_factory=list)
 
     @property
     def is_over(self) -> bool:
@@ -119,10 +105,23 @@ class CellRun:
         left = max(self.last_tick - self.tick, 0)
         self.cut_short |= ticks > left
         until = self.tick + min(ticks, left)
-        while self.tick < until:
+        while self.tick < min(until, self.last_tick):
             slice_ = min(until - self.tick, _SLICE)
             self.plant.hold(self.q_command, slice_, self.payload)
             self.tick += slice_
+            self.watch.advanced(self)
+
+    def press(self, signal: str, tick: int, value: float) -> None:
+        """Let an input of the cell have a value from a tick on."""
+        hz = self.cell.controller.rates.control_hz
+        self.inputs.append(InputChange(tick / hz, signal, value))
+        changed = self.sensors.change(signal, tick / hz, value)
+        self.tracks[f"signal.{signal}"] = signal_track(changed, hz)
+
+    def stop(self) -> None:
+        """End the run at the present tick."""
+        self.last_tick = min(self.last_tick, self.tick)
+        self.stopped = self.cut_short = True
 
     def track(self, name: str, value: float) -> None:
         """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""

@@ -1,4 +1,4 @@
-"""The recorded channels of the joints: units, names and meaning."""
+"""The recorded channels: units, names and meaning."""
 
 from collections.abc import Mapping
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.flow import Channel
 from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array
+from ropsim.spatial import Array, quaternions_from_matrices
 
 _UNITS = {
     "q": "{0}",
@@ -46,4 +46,42 @@ def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Cha
         name: Channel(np.asarray(log[name]), unit.format(*names), columns, _TEXTS[name])
         for name, unit in _UNITS.items()
         if name in log
+    }
+
+
+_TRACK_TEXTS = {
+    "line": "active source line, 0 for none",
+    "move": "ordinal of the active move, -1 for none",
+    "gripper": "0 open, 1 closed",
+    "payload": "mass of tool and grasped part",
+}
+
+
+def track_channel(name: str, values: Array) -> Channel:
+    """Return the channel of a piecewise constant quantity with values of shape (rows,)."""
+    unit = "kg" if name == "payload" else ""
+    return Channel(values, unit, (), _TRACK_TEXTS.get(name, "signal of the cell"))
+
+
+def pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
+    """Return position and orientation of the TCP.
+
+    Args:
+        kind: `attained` or `command`.
+        matrices: poses X_BT, shape (rows, 4, 4).
+    """
+    orientation = quaternions_from_matrices(matrices[:, :3, :3])
+    return {
+        f"{kind}_position": Channel(
+            np.ascontiguousarray(matrices[:, :3, 3]),
+            "m",
+            ("x", "y", "z"),
+            f"{kind} TCP position in the base frame",
+        ),
+        f"{kind}_orientation": Channel(
+            orientation,
+            "",
+            ("w", "x", "y", "z"),
+            f"{kind} TCP orientation in the base frame, unit quaternion",
+        ),
     }

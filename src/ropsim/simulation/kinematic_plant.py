@@ -5,6 +5,7 @@ import numpy as np
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation.plant import constant
+from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.spatial import Array
 
 
@@ -14,27 +15,31 @@ class KinematicPlant:
     Args:
         q: joint coordinates at time 0 [rad | m], shape (n,).
         record_ticks: control ticks between two recorded rows.
+        most_rows: rows beyond which every second one is dropped.
     """
 
-    def __init__(self, q: Array, record_ticks: int) -> None:
+    def __init__(self, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
         self._q = np.array(q)
         self._tick = 0
-        self._record_ticks = record_ticks
-        self._rows: list[tuple[Array, Array, Array]] = [
-            (np.zeros(1), np.array(q)[None], np.zeros((1, len(q))))
-        ]
+        self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
+        self._log.begin(np.concatenate([q, np.zeros(len(q))]))
 
     @property
     def q(self) -> Array:
         """Return the joint coordinates [rad | m], shape (n,)."""
         return self._q
 
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two recorded rows."""
+        return self._log.decimation
+
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
-        ticks = self._tick + 1 + np.arange(reference.ticks)
-        kept = ticks % self._record_ticks == 0
-        self._rows.append((ticks[kept].astype(np.float64), reference.q[kept], reference.qd[kept]))
+        table, row = self._log.claim(self._tick, reference.ticks)
+        kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
+        table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
         self._q = np.array(reference.q[-1])
         self._tick += reference.ticks
 
@@ -44,5 +49,12 @@ class KinematicPlant:
 
     def log(self) -> dict[str, Array]:
         """Return tick, q, qd, q_ref and qd_ref."""
-        tick, q, qd = (np.concatenate([row[k] for row in self._rows]) for k in range(3))
-        return {"tick": tick, "q": q, "qd": qd, "q_ref": q, "qd_ref": qd}
+        return {"tick": self._log.ticks, **self._named(self._log.table)}
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return q, qd, q_ref and qd_ref at a tick, shape (n,)."""
+        return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+
+    def _named(self, table: Array) -> dict[str, Array]:
+        q, qd = np.ascontiguousarray(table[:, : len(self._q)]), np.ascontiguousarray(table[:, len(self._q) :])
+        return {"q": q, "qd": qd, "q_ref": q, "qd_ref": qd}

@@ -6,8 +6,9 @@ from ropsim.controller import Refusal, plan_move
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import JointType
-from ropsim.simulation.cell_run import CellRun, MoveSpan
+from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import FAR_FROM_TARGET, NOT_IN_POSITION
+from ropsim.simulation.move_span import MoveSpan
 
 FAR = 50.0
 """Share of `in_position` from which on an arm that does not settle has lost its target."""
@@ -62,6 +63,8 @@ def _settle(state: CellRun, move: MoveInstruction) -> float:
             state.findings.append(_not_in_position(state, move))
             break
         state.stand(controller.rates.interpolation_ticks)
+        if state.cut_short:
+            break
     return (state.tick - start) / controller.rates.control_hz
 
 

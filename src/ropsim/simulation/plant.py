@@ -17,6 +17,11 @@ class Plant(Protocol):
         """Return the attained joint coordinates [rad | m], shape (n,)."""
         ...
 
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two recorded rows."""
+        ...
+
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance by one control tick per row of `reference`."""
         ...
@@ -27,6 +32,10 @@ class Plant(Protocol):
 
     def log(self) -> dict[str, Array]:
         """Return what was recorded: arrays (rows, n) by channel name, and `tick` (rows,)."""
+        ...
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return what `log` holds at a tick, linear between two rows: arrays (n,) by channel name."""
         ...
 
 

@@ -10,11 +10,13 @@ from ropsim.flow import Channel, Event, MotionKind, Recording
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
-from ropsim.simulation.cell_run import CellRun, MoveSpan
-from ropsim.simulation.channels import joint_channels
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.channels import joint_channels, pose_channels, track_channel
+from ropsim.simulation.inputs import InputChange, input_events, plain_inputs
+from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array, Pose, quaternions_from_matrices
+from ropsim.spatial import Array, Pose
 from ropsim.version import __version__
 
 
@@ -28,18 +30,16 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
     tool_poses = _tool_poses(state, ticks)
     attained = forward_batch(state.cell.robot, log["q"]) @ tool_poses
     command = forward_batch(state.cell.robot, log["q_ref"]) @ tool_poses
-    channels |= _pose_channels("attained", attained) | _pose_channels("command", command)
+    channels |= pose_channels("attained", attained) | pose_channels("command", command)
     error = path_errors(state.moves, state.cell, ticks, attained[:, :3, 3])
     channels["path_error"] = Channel(error, "m", (), "distance of the attained TCP from the commanded line")
     for name in sorted(state.tracks):
-        unit = "kg" if name == "payload" else ""
-        channels[name] = Channel(
-            state.tracks[name].at(ticks), unit, (), TRACK_TEXT.get(name, "signal of the cell")
-        )
+        channels[name] = track_channel(name, state.tracks[name].at(ticks))
     events = sorted(
         [
             *_moves_with_errors(state, ticks, error),
             *state.activations.events(state.cell.controller.rates.control_hz),
+            *input_events(inputs_taken(state)),
         ],
         key=lambda event: event.time,
     )
@@ -50,17 +50,10 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
     return Recording(time, channels, tuple(events), findings, state.time, header(state, program, options))
 
 
-TRACK_TEXT = {
-    "line": "active source line, 0 for none",
-    "move": "ordinal of the active move, -1 for none",
-    "gripper": "0 open, 1 closed",
-    "payload": "mass of tool and grasped part",
-}
-
-
 def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str, object]:
     """Return what the recording says about itself; plain values only."""
     cell, robot, rates = state.cell, state.cell.robot, state.cell.controller.rates
+    given = plain_inputs(inputs_taken(state))
     return {
         "ropsim": __version__,
         "project": cell.name,
@@ -68,7 +61,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         "source": program.source,
         "icr_id": program_id(program),
         "fidelity": options.fidelity.value,
-        "record_hz": rates.control_hz / options.record_ticks(rates.control_hz),
+        "record_hz": rates.control_hz / state.plant.record_ticks,
         "rates": {
             "control_hz": rates.control_hz,
             "interpolation_ticks": rates.interpolation_ticks,
@@ -92,7 +85,13 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
                 for one in robot.origins
             ],
         },
+        **({"inputs": given} if given else {}),
     }
+
+
+def inputs_taken(state: CellRun) -> list[InputChange]:
+    """Return the changes of inputs that fell into the run, in order of time."""
+    return sorted(one for one in state.inputs if one.time <= state.time)
 
 
 def path_errors(moves: list[MoveSpan], cell: Cell, ticks: Array, attained: Array) -> Array:
@@ -139,24 +138,6 @@ def _tool_poses(state: CellRun, ticks: Array) -> Array:
     index = np.searchsorted(np.array([move.start for move in state.moves]), ticks, side="left") - 1
     matrices: Array = np.stack([pose.matrix() for pose in poses])
     return np.asarray(matrices[which[np.maximum(index, 0)]])
-
-
-def _pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
-    orientation = quaternions_from_matrices(matrices[:, :3, :3])
-    return {
-        f"{kind}_position": Channel(
-            np.ascontiguousarray(matrices[:, :3, 3]),
-            "m",
-            ("x", "y", "z"),
-            f"{kind} TCP position in the base frame",
-        ),
-        f"{kind}_orientation": Channel(
-            orientation,
-            "",
-            ("w", "x", "y", "z"),
-            f"{kind} TCP orientation in the base frame, unit quaternion",
-        ),
-    }
 
 
 def _moves_with_errors(state: CellRun, ticks: Array, errors: Array) -> list[Event]:

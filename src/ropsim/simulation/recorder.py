@@ -1,14 +1,13 @@
-"""The log of a servo simulation: one growing array that the compiled slice writes into."""
+"""The log of a servo simulation: a growing table that the compiled slice writes into."""
 
 import numpy as np
 
 from ropsim.dynamics import torque_constants
 from ropsim.model import RobotModel
+from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.servo_source import LOG_COLUMNS
 from ropsim.simulation.servo_state import ServoState
 from ropsim.spatial import Array
-
-_FIRST_ROWS = 4096
 
 
 class Recorder:
@@ -22,37 +21,36 @@ class Recorder:
         robot: the arm; it must have drives.
         start: state at which the recording begins.
         decimation: control ticks between two rows, at least 1.
+        most_rows: rows beyond which every second one is dropped and the decimation doubles.
     """
 
-    def __init__(self, robot: RobotModel, start: ServoState, decimation: int) -> None:
+    def __init__(
+        self, robot: RobotModel, start: ServoState, decimation: int, most_rows: int = MOST_ROWS
+    ) -> None:
         self._robot = robot
         self._n = robot.n
-        self._decimation = decimation
-        self._rows = 0
-        self._log = np.empty((_FIRST_ROWS, len(LOG_COLUMNS) * robot.n))
-        self._first_tick = -(-start.tick // decimation) * decimation
-        if self._first_tick == start.tick:
+        self._log = RowLog(len(LOG_COLUMNS) * robot.n, start.tick, decimation, most_rows)
+        if self._log.first_tick == start.tick:
             motors = zip(robot.drives, start.current, start.qd, strict=True)
             voltage = [
                 d.motor.resistance * i + d.motor.back_emf_constant * d.ratio * qd for d, i, qd in motors
             ]
-            self._log[0] = np.concatenate([start.q, start.qd, start.current, voltage, start.q, start.qd])
-            self._rows = 1
+            self._log.begin(np.concatenate([start.q, start.qd, start.current, voltage, start.q, start.qd]))
 
     @property
     def decimation(self) -> int:
         """Return the control ticks between two rows."""
-        return self._decimation
+        return self._log.decimation
 
     @property
     def rows(self) -> int:
         """Return the number of rows so far."""
-        return self._rows
+        return self._log.rows
 
     @property
     def ticks(self) -> Array:
         """Return the tick of each row, shape (rows,)."""
-        return self._first_tick + self._decimation * np.arange(self._rows, dtype=np.float64)
+        return self._log.ticks
 
     def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
         """Return the log and the row at which those of the next `ticks` ticks begin; they count from now on.
@@ -61,13 +59,7 @@ class Recorder:
             tick: tick at which they start.
             ticks: how many.
         """
-        begin = self._rows
-        self._rows += (tick + ticks) // self._decimation - tick // self._decimation
-        if self._rows > self._log.shape[0]:
-            grown = np.empty((2 * self._rows, self._log.shape[1]))
-            grown[:begin] = self._log[:begin]
-            self._log = grown
-        return self._log, begin
+        return self._log.claim(tick, ticks)
 
     def channels(self) -> dict[str, Array]:
         """Return what was recorded: arrays of shape (rows, n), views of the log where possible.
@@ -75,6 +67,13 @@ class Recorder:
         Names: q [rad | m], qd, current [A], voltage [V], q_ref, qd_ref, and tau, the torque of the drive at
         the joint before friction, G·Kt·i [N·m | N].
         """
+        return self._named(self._log.table)
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return what `channels` holds at a tick, linear between two rows: arrays of shape (n,)."""
+        return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+
+    def _named(self, table: Array) -> dict[str, Array]:
         n = self._n
-        blocks = {name: self._log[: self._rows, k * n : (k + 1) * n] for k, name in enumerate(LOG_COLUMNS)}
+        blocks = {name: table[:, k * n : (k + 1) * n] for k, name in enumerate(LOG_COLUMNS)}
         return {**blocks, "tau": blocks["current"] * torque_constants(self._robot.drives)}

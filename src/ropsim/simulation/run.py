@@ -26,6 +26,7 @@ from ropsim.model import Cell, Tool
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
 from ropsim.simulation.gripping import grip
+from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
@@ -43,7 +44,7 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
     Args:
         cell: static model.
         program: verified ICR.
-        options: fidelity, rates of recording, progress.
+        options: fidelity, rates of recording, inputs, who looks on.
 
     Raises:
         DivergedError: S701, the state has become NaN or infinite; it names the source line.
@@ -54,8 +55,12 @@ def run(cell: Cell, program: Program, options: RunOptions) -> Recording:
     while not isinstance(step, Finished) and not state.is_over:
         with _blamed(step):
             _carry_out(state, step)
+            state.watch.advanced(state)
             last, step = step, machine.advance()
-    if state.cut_short or not isinstance(step, Finished):
+    state.watch.ended(state)
+    if state.stopped:
+        state.findings.append(_stopped(last))
+    elif state.cut_short or not isinstance(step, Finished):
         state.findings.append(_too_long(last, options))
     elif step.trap is not None:
         state.findings.append(step.trap)
@@ -100,6 +105,8 @@ def _world(state: CellRun, options: RunOptions) -> SimulatedWorld:
         lambda: state.time,
         stand,
         state.cell.controller.rates.interpolation_period,
+        options.longest_wait,
+        lambda: state.watch.reading(state),
     )
 
 
@@ -119,6 +126,11 @@ def _blamed(step: Instruction) -> Iterator[None]:
         raise DivergedError(
             replace(found, span=step.origin.span, label=f"pass {visit}", data=data)
         ) from error
+
+
+def _stopped(step: Instruction | Finished) -> Diagnostic:
+    span = None if isinstance(step, Finished) else step.origin.span
+    return STOPPED.at(span, "the run was ended here by hand")
 
 
 def _too_long(step: Instruction | Finished, options: RunOptions) -> Diagnostic:

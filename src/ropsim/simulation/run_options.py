@@ -1,10 +1,13 @@
 """How true a run is, and how it is recorded."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
+from ropsim.simulation.inputs import InputChange
+from ropsim.simulation.row_log import MOST_ROWS
+from ropsim.simulation.watch import NobodyWatches, Watch
 
 
 class Fidelity(Enum):
@@ -31,6 +34,10 @@ class RunOptions:
         chain: other entities between instruction and joint controller; None takes the standard ones.
         law: another joint controller than that of the cell; None takes the cell's.
         sensors: delivers the channels that the program reads; None takes the signals of the cell.
+        inputs: changes of inputs beside those of the cell, as an earlier run was given them.
+        longest_wait: simulated time after which a wait for a signal ends the program [s].
+        most_rows: recorded rows beyond which every second one is dropped, so that memory stays bounded.
+        watch: looks on, may hold the run up and give it inputs.
     """
 
     fidelity: Fidelity = Fidelity.DYNAMIC
@@ -40,6 +47,10 @@ class RunOptions:
     chain: MotionChain | None = None
     law: CompiledLaw | PythonLaw | None = None
     sensors: SensorInterface | None = None
+    inputs: tuple[InputChange, ...] = ()
+    longest_wait: float = 600.0
+    most_rows: int = MOST_ROWS
+    watch: Watch = field(default_factory=NobodyWatches)
 
     def record_ticks(self, control_hz: int) -> int:
         """Return the control ticks between two recorded rows."""

@@ -3,6 +3,7 @@
 from ropsim.controller import ScriptedSensors, standard_chain
 from ropsim.model import Cell, Payload
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.parts import initial_parts, payload
 from ropsim.simulation.plant import Plant
@@ -13,6 +14,8 @@ from ropsim.spatial import Array, frozen
 
 def start_run(cell: Cell, options: RunOptions) -> CellRun:
     """Return the running state of a cell whose arm stands at its start position."""
+    inputs, findings = usable_inputs(cell, options.inputs)
+    cell = with_inputs(cell, inputs)
     q: Array = cell.start if len(cell.start) else cell.robot.home
     parts = initial_parts(cell)
     tool = cell.tools.get(cell.default_tool)
@@ -28,19 +31,21 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         payload=load,
         progress=options.progress,
         last_tick=round(options.longest * cell.controller.rates.control_hz),
+        watch=options.watch,
+        findings=list(findings),
+        inputs=list(inputs),
     )
     state.track("line", 0.0)
     state.track("move", -1.0)
     state.track("gripper", 0.0)
     state.track("payload", load.mass)
     for name, signal in cell.signals.items():
-        state.track(f"signal.{name}", signal.initial)
-        for time, value in signal.changes:
-            state.tracks[f"signal.{name}"].set(round(time * cell.controller.rates.control_hz), value)
+        state.tracks[f"signal.{name}"] = signal_track(signal, cell.controller.rates.control_hz)
     return state
 
 
 def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
-        return KinematicPlant(q, options.record_ticks(cell.controller.rates.control_hz))
+        record_ticks = options.record_ticks(cell.controller.rates.control_hz)
+        return KinematicPlant(q, record_ticks, options.most_rows)
     return ServoPlant(cell, q, load, options)

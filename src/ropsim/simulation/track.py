@@ -1,5 +1,6 @@
 """A piecewise constant quantity over control ticks: active line, gripper, payload, signals."""
 
+from bisect import bisect_left
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -28,6 +29,10 @@ class Track:
             return
         self.ticks.append(tick)
         self.values.append(value)
+
+    def value(self, tick: float) -> float:
+        """Return the value in force during the control period that ends at a tick."""
+        return self.values[max(bisect_left(self.ticks, tick) - 1, 0)] if self.ticks else 0.0
 
     def at(self, ticks: Array) -> Array:
         """Return the value in force during the control period that ends at each tick, shape as `ticks`."""

@@ -15,15 +15,20 @@ class SimulatedWorld:
         now: returns the simulated time [s].
         stand: lets the arm stand still until a time [s]; returns whether the run goes on then.
         period: how often a waiting program looks at a channel [s].
+        longest_wait: a wait without a timeout ends after this time [s].
+        look: is called before each reading.
     """
 
     sensors: SensorInterface
     now: Callable[[], float]
     stand: Callable[[float], bool]
     period: float
+    longest_wait: float
+    look: Callable[[], None]
 
     def read(self, channel: str) -> bool | float:
         """Return the present value of a channel; one that is not valid reads as off."""
+        self.look()
         sample = self.sensors.read(channel, self.now())
         return sample.value if sample.valid else False
 
@@ -34,16 +39,12 @@ class SimulatedWorld:
     def wait(self, channel: str, value: bool | float, timeout: float | None) -> bool:  # noqa: FBT001 - a signal's value
         """Stand still until `channel` has `value`; return False when `timeout` [s] or the run is over before.
 
-        Without a timeout the wait ends after `LONGEST_WAIT`, so that a run always ends.
+        Without a timeout the wait ends after `longest_wait`, so that a run always ends.
         """
         start = self.now()
-        limit = LONGEST_WAIT if timeout is None or timeout <= 0.0 else timeout
+        limit = self.longest_wait if timeout is None or timeout <= 0.0 else timeout
         while self.read(channel) != value:
             over = self.now() - start >= limit
             if over or not self.stand(min(self.now() + self.period, start + limit)):
                 return False
         return True
-
-
-#: A program that waits longer than this for a signal is ended with a finding [s].
-LONGEST_WAIT = 600.0

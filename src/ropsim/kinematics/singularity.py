@@ -1,0 +1,47 @@
+"""How far an arm with spherical wrist is from its three kinds of singularity."""
+
+from dataclasses import dataclass
+from math import asin, cos, sin
+
+import numpy.typing as npt
+
+from ropsim.kinematics.arrays import joint_vector
+from ropsim.kinematics.wrist import wrist_arm
+from ropsim.model import RobotModel
+
+
+@dataclass(frozen=True, slots=True)
+class SingularDistances:
+    """What is left to each kind of singularity; 0 is singular.
+
+    |det J| = L2·L3·|sin elbow|·|shoulder|·|sin wrist| with the lengths L2, L3 of upper arm and forearm.
+
+    Attributes:
+        shoulder: distance of the wrist centre from the plane through axis 1 that is parallel to axis 2 [m]:
+            there axis 1 moves it in no other direction than elbow and shoulder let it go.
+        elbow: angle by which the forearm is bent against the stretched or folded arm [rad], up to π/2.
+        wrist: angle between axes 4 and 6 as lines [rad], up to π/2.
+    """
+
+    shoulder: float
+    elbow: float
+    wrist: float
+
+
+def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances:
+    """Return how far a configuration is from being singular.
+
+    Args:
+        robot: arm of the class with closed-form inverse kinematics.
+        q: joint coordinates [rad], shape (6,).
+
+    Raises:
+        NoClosedFormError: M550, the arm is outside the class.
+        ArrayShapeError: M551, q has another shape.
+        NotFiniteError: M552, q holds NaN or infinity.
+    """
+    arm = wrist_arm(robot)
+    a1, _, _, upper, fore = arm.lengths.tolist()
+    _, shoulder, elbow, _, wrist, _ = (joint_vector(robot, q) * arm.signs + arm.zeros).tolist()
+    ahead = a1 + upper * cos(shoulder) + fore * cos(shoulder + elbow)
+    return SingularDistances(abs(ahead), asin(abs(sin(elbow))), asin(abs(sin(wrist))))

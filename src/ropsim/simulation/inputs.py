@@ -1,0 +1,96 @@
+"""Inputs that somebody gave to a run beside the signal changes of the cell: keys, or a record of them."""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from ropsim.controller import with_change
+from ropsim.core import Diagnostic, did_you_mean
+from ropsim.flow import Event
+from ropsim.model import Cell, Signal
+from ropsim.simulation.input_diagnostics import INPUT_NOT_USABLE
+from ropsim.simulation.track import Track
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class InputChange:
+    """One change of an input.
+
+    Attributes:
+        time: from when on it holds [s of simulated time].
+        signal: name of an input of the cell.
+        value: 0 or 1, or any number for an analog one.
+    """
+
+    time: float
+    signal: str
+    value: float
+
+
+def usable_inputs(
+    cell: Cell, inputs: Iterable[InputChange]
+) -> tuple[tuple[InputChange, ...], tuple[Diagnostic, ...]]:
+    """Return the changes that a cell can take, in order of time, and a finding per signal that it cannot."""
+    kept: list[InputChange] = []
+    wrong: dict[str, Diagnostic] = {}
+    for change in inputs:
+        reason = _reason(cell.signals.get(change.signal), change)
+        if not reason:
+            kept.append(change)
+        elif change.signal not in wrong:
+            hint = did_you_mean(change.signal, cell.signals) or "record the inputs again with this cell"
+            message = f"recorded input `{change.signal}` is left out: {reason}"
+            wrong[change.signal] = INPUT_NOT_USABLE.at(None, message, hint=hint)
+    return tuple(sorted(kept)), tuple(wrong.values())
+
+
+def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
+    """Return the cell with the inputs merged into the changes of its signals.
+
+    Args:
+        cell: has every signal that is named, as an input.
+        inputs: in any order.
+    """
+    signals = dict(cell.signals)
+    for change in sorted(inputs):
+        signals[change.signal] = with_change(signals[change.signal], change.time, change.value)
+    return replace(cell, signals=signals)
+
+
+def signal_track(signal: Signal, control_hz: int) -> Track:
+    """Return the course of a signal as its changes tell it."""
+    track = Track([0], [0.0])
+    track.set(0, signal.initial)
+    for time, value in signal.changes:
+        track.set(round(time * control_hz), value)
+    return track
+
+
+def input_events(inputs: Iterable[InputChange]) -> list[Event]:
+    """Return one `input` event per change."""
+    return [
+        Event(
+            one.time,
+            "input",
+            f"{one.signal} = {one.value:g}",
+            data={"channel": one.signal, "value": one.value},
+        )
+        for one in inputs
+    ]
+
+
+def plain_inputs(inputs: Iterable[InputChange]) -> list[Mapping[str, object]]:
+    """Return the changes as plain values, as the header of a recording keeps them."""
+    return [{"signal": one.signal, "time": one.time, "value": one.value} for one in inputs]
+
+
+def _reason(signal: Signal | None, change: InputChange) -> str:
+    if signal is None:
+        return "the cell has no such signal"
+    if not signal.is_input:
+        return "it is an output of the cell, only the program sets it"
+    if not math.isfinite(change.time) or change.time < 0.0:
+        return f"its time is {change.time:g} s, needed is a number from 0 on"
+    if not math.isfinite(change.value) or (not signal.analog and change.value not in {0.0, 1.0}):
+        return f"its value is {change.value:g}, needed is " + ("a number" if signal.analog else "0 or 1")
+    return ""

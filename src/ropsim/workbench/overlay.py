@@ -1,0 +1,53 @@
+"""Opening a project with texts that have not been saved: they count instead of the files."""
+
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath
+
+from ropsim.core import SourceText
+from ropsim.workbench.opening import (
+    CELL_FILE,
+    PROGRAM_ENDINGS,
+    Reading,
+    assembled,
+    no_cell_file,
+    program_files,
+)
+from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.project_diagnostics import UNREADABLE
+from ropsim.workbench.text_file import read_text_file
+
+
+def open_overlaid(folder: Path, unsaved: Mapping[str, str]) -> Project:
+    """Return the project in a folder as it would be if some texts were saved; no file is written.
+
+    Spans name the texts as `unsaved` does: by their place in the project.
+
+    Args:
+        folder: of the project.
+        unsaved: texts by their place, `cell.toml` or `programs/NAME`; other places are left out.
+
+    Raises:
+        ProjectError: there is no cell file, or the folder may not be read.
+    """
+    try:
+        names = {f"programs/{path.name}" for path in program_files(folder)}
+        names |= {name for name in unsaved if _is_program(PurePosixPath(name))}
+        if CELL_FILE not in unsaved and not (folder / CELL_FILE).is_file():
+            raise ProjectError(no_cell_file(folder))
+        programs = {PurePosixPath(name).name: _read(folder, name, unsaved) for name in sorted(names)}
+        return assembled(folder, _read(folder, CELL_FILE, unsaved), programs)
+    except OSError as error:
+        message = f"`{folder}` cannot be opened: {error.strerror or error}"
+        raise ProjectError(
+            UNREADABLE.at(None, message, hint="look at the folder and its permissions")
+        ) from error
+
+
+def _is_program(place: PurePosixPath) -> bool:
+    return place.parent == PurePosixPath("programs") and place.suffix in PROGRAM_ENDINGS
+
+
+def _read(folder: Path, name: str, unsaved: Mapping[str, str]) -> Reading:
+    if name in unsaved:
+        return SourceText(name, unsaved[name]), ()
+    return read_text_file(folder / name, name)

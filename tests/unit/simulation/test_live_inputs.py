@@ -1,0 +1,163 @@
+"""Inputs from outside: what the cell cannot take is left out, the rest is merged and recorded."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.flow import Recording
+from ropsim.model import Cell, Signal, Tool
+from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
+from ropsim.simulation.inputs import usable_inputs, with_inputs
+from ropsim.workbench import environment_of
+from ropsim.workbench.inputs import with_inputs as with_recorded
+
+SIGNALS = {
+    "go": Signal("go", is_input=True, changes=((2.0, 0.0),)),
+    "level": Signal("level", is_input=True, analog=True),
+    "lamp": Signal("lamp", is_input=False),
+}
+PROGRAM = """\
+program p
+units mm, deg, s
+wait until go
+set lamp on
+wait 0.5 s
+"""
+
+
+@pytest.fixture(scope="module")
+def cell() -> Cell:
+    robot = robots.load("puma560")
+    controller = robots.default_controller("puma560")
+    return Cell("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
+
+
+@pytest.fixture(scope="module")
+def program(cell: Cell) -> icr.Program:
+    compiled = ropsim.language.compile(PROGRAM, environment_of(cell))
+    assert compiled.icr is not None
+    return compiled.icr
+
+
+def ideal(cell: Cell, program: icr.Program, *inputs: InputChange) -> Recording:
+    return run(cell, program, RunOptions(Fidelity.KINEMATIC, inputs=inputs, longest=5.0))
+
+
+def test_a_run_goes_on_at_the_time_of_the_input(cell: Cell, program: icr.Program) -> None:
+    recording = ideal(cell, program, InputChange(1.0, "go", 1.0))
+    assert recording.duration == pytest.approx(1.5, abs=0.01)
+    assert recording.findings == ()
+
+
+def test_an_input_is_an_event_a_channel_and_an_entry_of_the_header(cell: Cell, program: icr.Program) -> None:
+    recording = ideal(cell, program, InputChange(1.0, "go", 1.0))
+    (event,) = (one for one in recording.events if one.kind == "input")
+    assert (event.time, event.data) == (1.0, {"channel": "go", "value": 1.0})
+    assert recording.header["inputs"] == [{"signal": "go", "time": 1.0, "value": 1.0}]
+    np.testing.assert_array_equal(recording.channels["signal.go"].values, recording.time > 1.0)
+
+
+def test_without_inputs_the_header_does_not_speak_of_them(cell: Cell, program: icr.Program) -> None:
+    assert "inputs" not in ideal(cell, program).header
+
+
+def test_inputs_beyond_the_end_of_the_run_are_not_part_of_it(cell: Cell, program: icr.Program) -> None:
+    recording = ideal(cell, program, InputChange(1.0, "go", 1.0), InputChange(4.0, "level", 2.0))
+    assert [one.data["channel"] for one in recording.events if one.kind == "input"] == ["go"]
+    assert len(list(recording.header["inputs"])) == 1  # type: ignore[call-overload]
+
+
+def test_at_one_time_the_input_holds_and_not_the_change_of_the_cell(cell: Cell) -> None:
+    merged = with_inputs(cell, [InputChange(2.0, "go", 1.0), InputChange(1.0, "go", 1.0)])
+    assert merged.signals["go"].changes == ((1.0, 1.0), (2.0, 0.0), (2.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (InputChange(1.0, "og", 1.0), "no such signal"),
+        (InputChange(1.0, "lamp", 1.0), "output"),
+        (InputChange(-1.0, "go", 1.0), "-1 s"),
+        (InputChange(float("nan"), "go", 1.0), "nan s"),
+        (InputChange(1.0, "go", 0.5), "0 or 1"),
+        (InputChange(1.0, "level", float("inf")), "needed is a number"),
+    ],
+)
+def test_what_the_cell_cannot_take_is_left_out_with_a_finding(
+    cell: Cell, change: InputChange, reason: str
+) -> None:
+    kept, (finding,) = usable_inputs(cell, [change, change, InputChange(3.0, "level", 0.5)])
+    assert kept == (InputChange(3.0, "level", 0.5),)
+    assert finding.code == "S760"
+    assert reason in finding.message
+
+
+class Stopper:
+    """Ends a run by hand once a time has come."""
+
+    def __init__(self, time: float) -> None:
+        self.time = time
+
+    def advanced(self, run: RunView) -> None:
+        if run.time >= self.time:
+            run.stop()
+
+    def reading(self, run: RunView) -> None:
+        pass
+
+    def ended(self, run: RunView) -> None:
+        pass
+
+
+@pytest.mark.parametrize("line", ["wait 3000 s", "wait until go timeout 3000 s else mov home"])
+def test_a_run_that_is_ended_by_hand_says_so_and_keeps_what_it_has(cell: Cell, line: str) -> None:
+    text = f"program p\nunits mm, deg, s\n{line}\nmov home\n"
+    compiled = ropsim.language.compile(text, environment_of(cell))
+    assert compiled.icr is not None
+    recording = run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC, watch=Stopper(2.0)))
+    assert [found.code for found in recording.findings] == ["S761"]
+    assert 2.0 <= recording.duration <= 3.0
+    assert not [event for event in recording.events if event.kind == "move"]
+
+
+def test_many_rows_are_thinned_and_the_header_tells_the_rate(cell: Cell, program: icr.Program) -> None:
+    options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(1.0, "go", 1.0),))
+    full, thin = run(cell, program, options), run(cell, program, replace(options, most_rows=100))
+    assert len(thin.time) <= 100
+    assert thin.header["record_hz"] == pytest.approx(float(str(full.header["record_hz"])) / 4)
+    rows = np.searchsorted(full.time, thin.time)
+    np.testing.assert_array_equal(full.channels["q"].values[rows], thin.channels["q"].values)
+    assert thin.duration == full.duration
+
+
+def test_a_run_may_be_ended_while_the_arm_settles(cell: Cell) -> None:
+    compiled = ropsim.language.compile(
+        "program p\nunits mm, deg\nmov joints (60, -60, 60, 0, 30, 0)\n", environment_of(cell)
+    )
+    assert compiled.icr is not None
+    whole = run(cell, compiled.icr, RunOptions())
+    (move,) = (event for event in whole.events if event.kind == "move")
+    settling = float(str(move.data["travel"])) + 0.01
+    assert float(str(move.data["settle"])) > 0.01
+    for options in (RunOptions(watch=Stopper(settling)), RunOptions(longest=settling)):
+        recording = run(cell, compiled.icr, options)
+        assert recording.duration < whole.duration
+        assert {found.code for found in recording.findings} <= {"S761", "S723"}
+
+
+def test_a_wait_for_an_input_ends_after_the_longest_wait(cell: Cell, program: icr.Program) -> None:
+    options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(1.5, "go", 1.0),))
+    waited = run(cell, program, options)
+    given_up = run(cell, program, replace(options, longest_wait=1.0))
+    assert waited.findings == ()
+    assert given_up.duration == pytest.approx(1.0, abs=0.01)
+    assert [found.is_error for found in given_up.findings] == [True]
+
+
+def test_a_run_with_inputs_waits_for_the_last_of_them(cell: Cell) -> None:
+    options = with_recorded(RunOptions(), (InputChange(7000.0, "go", 1.0), InputChange(1.0, "go", 0.0)))
+    assert options.longest_wait > 7000.0
+    assert options.longest > 7000.0
