@@ -1,6 +1,7 @@
 """The compiler: text to structured program and ICR. This page is the table of contents of its phases."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import Program as IcrProgram
@@ -11,7 +12,8 @@ from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
 from ropsim.language.syntax.statements import TaskHeader
-from ropsim.language.text import Line
+from ropsim.language.task_form import TaskForm
+from ropsim.language.text import Line, LineCache
 from ropsim.program import Program, check_contracts, lower_with_findings, recursion
 
 
@@ -24,12 +26,14 @@ class Compiled:
         icr: the executable form; None where anything found is an error.
         diagnostics: all findings in order of their place.
         source: the text.
+        tasks: how each task that can be called is called, also where other lines are wrong.
     """
 
     program: Program | None
     icr: IcrProgram | None
     diagnostics: tuple[Diagnostic, ...]
     source: SourceText
+    tasks: Mapping[str, TaskForm] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -37,22 +41,30 @@ class Compiled:
         return not any(d.is_error for d in self.diagnostics)
 
 
-def compile(text: str, signatures: Environment = NO_SIGNATURES, name: str = "<text>") -> Compiled:
+def compile(
+    text: str,
+    signatures: Environment = NO_SIGNATURES,
+    name: str = "<text>",
+    cache: LineCache | None = None,
+) -> Compiled:
     """Compile a task program; every text is answered, none raises.
 
     Args:
         text: the program.
         signatures: what the cell and the library give names to.
         name: of the text, for messages.
+        cache: what earlier versions of the text have left; it saves time and changes no result.
 
     Returns:
         Program, ICR and findings. A wrong line is reported and left out; all others are compiled.
     """
     source = SourceText(name, text)
     report = Report(name)
-    program = _structured(source, signatures, report)
-    icr = _lowered(program, report) if program is not None and not report.has_errors else None
-    return Compiled(program, icr, report.in_order(), source)
+    checked = _checked(source, signatures, report, cache or LineCache())
+    if checked is None:
+        return Compiled(None, None, report.in_order(), source)
+    icr = None if report.has_errors else _lowered(checked.program, report)
+    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks)
 
 
 def _lowered(program: Program, report: Report) -> IcrProgram | None:
@@ -66,14 +78,16 @@ def _lowered(program: Program, report: Report) -> IcrProgram | None:
     return None if report.has_errors else code
 
 
-def _structured(source: SourceText, environment: Environment, report: Report) -> Program | None:
+def _checked(
+    source: SourceText, environment: Environment, report: Report, cache: LineCache
+) -> checker.Checked | None:
     """Run the phases; None where the text holds more wrong lines than are worth looking at."""
     if len(source.lines) > texts.MAX_LINES:
         message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
         report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
         return None
     try:
-        lines = _lines(source, environment, report)
+        lines = _lines(source, environment, report, cache)
         tree = blocks.build(lines, report)
         return checker.check(tree, environment, report)
     except TooManyFindingsError:
@@ -81,9 +95,8 @@ def _structured(source: SourceText, environment: Environment, report: Report) ->
         return None
 
 
-def _lines(source: SourceText, environment: Environment, report: Report) -> list[Line]:
+def _lines(source: SourceText, environment: Environment, report: Report, cache: LineCache) -> list[Line]:
     """Return the lines with something on them, contract prose joined to its clause."""
-    cache: dict[str, texts.Parsed] = {}
     read: list[Line] = []
     faults = 0
     for line in texts.read(source, cache):

@@ -10,6 +10,7 @@ from ropsim.language.syntax.lines import LogicalLine, logical_lines
 from ropsim.language.syntax.statements import Broken, Closer, Statement
 
 MAX_LINES = 200_000
+MAX_KEPT = 250_000
 
 Parsed = tuple[Statement | None, Fault | None]
 
@@ -52,10 +53,28 @@ class Line:
         return words[0].lower() if words else ""
 
 
-def read(source: SourceText, cache: dict[str, Parsed]) -> Iterator[Line]:
-    """Yield the lines of a text; `cache` keeps what lines of the same text were parsed to."""
+class LineCache:
+    """What lines were parsed to; keep one between the compilations of a text that is being edited.
+
+    A statement depends on the characters of its line only, so a kept one is always right.
+    """
+
+    __slots__ = ("_parsed",)
+
+    def __init__(self) -> None:
+        self._parsed: dict[str, Parsed] = {}
+
+    def parsed(self, text: str) -> Parsed:
+        """Return statement and fault of a logical line."""
+        found = self._parsed.get(text)
+        if found is None:
+            if len(self._parsed) >= MAX_KEPT:
+                self._parsed.clear()
+            found = self._parsed[text] = parse_line(text)
+        return found
+
+
+def read(source: SourceText, cache: LineCache) -> Iterator[Line]:
+    """Yield the lines of a text; `cache` keeps what they were parsed to."""
     for logical in logical_lines(source):
-        parsed = cache.get(logical.text)
-        if parsed is None:
-            parsed = cache[logical.text] = parse_line(logical.text)
-        yield Line(logical, *parsed)
+        yield Line(logical, *cache.parsed(logical.text))

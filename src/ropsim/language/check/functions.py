@@ -139,3 +139,6 @@ _FUNCTIONS: dict[str, tuple[int, Callable[[Body, nodes.Function], Value]]] = {
     "round": (1, _to_whole),
     "trunc": (1, _to_whole),
 }
+
+NAMES = frozenset(_FUNCTIONS)
+"""All fixed functions."""

@@ -1,6 +1,7 @@
 """The whole text: signatures callee first, then every body twice (types first, findings second)."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from ropsim.language.blocks import Block
 from ropsim.language.check import declarations, flow, signatures
@@ -14,6 +15,7 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.prose import Clause
 from ropsim.language.report import Report
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
 from ropsim.program import Block as StatementBlock
 from ropsim.program import Contract, If, Local, Program, Return, Statement, Task
@@ -21,7 +23,15 @@ from ropsim.program import Contract, If, Local, Program, Return, Statement, Task
 _MAIN = ""
 
 
-def check(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> Program:
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """The structured program of all lines that are right, and how its tasks are called."""
+
+    program: Program
+    tasks: Mapping[str, TaskForm]
+
+
+def check(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> Checked:
     """Return the structured program of all lines that are right; the others are reported."""
     world = declarations.world(tree, environment, report)
     tasks = tasks_of(tree, report)
@@ -38,7 +48,7 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     if not main:
         _report_empty(tree, tasks, report)
     library_tasks = tuple(t.task for n, t in environment.tasks.items() if n not in tasks)
-    return Program(
+    program = Program(
         _program_name(tree),
         main,
         (*_globals(world), *main_body.locals(())),
@@ -49,6 +59,8 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         environment.default_tool,
         tuple(world.used_signals.values()),
     )
+    forms = {name: signatures.form_of(one, world.units) for name, one in world.signatures.items()}
+    return Checked(program, forms)
 
 
 def _find_types(

@@ -7,12 +7,14 @@ from ropsim.language.check import convert, fold, implicit, values
 from ropsim.language.check.body import Body, RejectedError, settled
 from ropsim.language.check.tasks import TaskText
 from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unknown
+from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Formal, Signature, World
 from ropsim.language.environment import TaskSignature
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.task_form import ParameterForm, TaskForm
 from ropsim.program import Expression, Local, ValueType
 
 
@@ -120,3 +122,22 @@ def final(world: World, task: TaskText | None, signature: Signature, report: Rep
         if node is not None:
             formals[k] = replace(formal, default=_default(body, formal.name, node, formal.type))
     return replace(signature, formals=tuple(formals), references=references)
+
+
+def form_of(signature: Signature, units: UnitSystem) -> TaskForm:
+    """Return how a task is called, in words of the language."""
+    parameters = tuple(
+        ParameterForm(
+            formal.name,
+            _word(settled(formal.type)),
+            units.name(settled(formal.type).dimension),
+            formal.default is not None,
+        )
+        for formal in signature.formals
+    )
+    result = _word(signature.result) if signature.result is not None else ""
+    return TaskForm(signature.name, parameters, result, signature.is_known)
+
+
+def _word(kind: Type) -> str:
+    return next((word for word, known in NAMED.items() if known == kind), str(kind))

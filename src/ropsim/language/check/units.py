@@ -100,6 +100,12 @@ class UnitSystem:
             return 1.0
         return float(self.length**metre * self.time**second * self.angle**radian)
 
+    def name(self, dimension: Dimension) -> str:
+        """Return the unit that a bare number of `dimension` counts, empty where it has no name."""
+        factor = self.factor(dimension)
+        near = (unit for unit, known in UNITS.items() if known[0] == dimension != NUMBER)
+        return next((unit for unit in near if math.isclose(UNITS[unit][1], factor)), "")
+
     def using(self, unit: str) -> "UnitSystem":
         """Return this system with `unit` for its dimension."""
         dimension, factor = UNITS[unit]

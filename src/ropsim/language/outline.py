@@ -1,0 +1,159 @@
+"""What a text defines and where: tasks, declarations and variables, for editors; it knows no types."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from ropsim.core import SourceText, Span
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.nodes import Name
+from ropsim.language.text import Line, LineCache, read
+
+_COMMENT = re.compile(r"\s*(?:#|//)+\s?(.*)")
+
+
+class Role(Enum):
+    """What a name stands for."""
+
+    TASK = "task"
+    PARAMETER = "parameter"
+    LOCATION = "location"
+    FRAME = "frame"
+    TOOL = "tool"
+    SIGNAL = "signal"
+    CONSTANT = "constant"
+    VARIABLE = "variable"
+    PATTERN = "pattern"
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A name and where it begins to mean something.
+
+    Attributes:
+        name: as written.
+        role: what it stands for.
+        span: of the name.
+        task: name of the task that alone knows it, empty for the whole text or the control statements.
+        line: the statement that defines it, as written.
+    """
+
+    name: str
+    role: Role
+    span: Span
+    task: str
+    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class TaskOutline:
+    """A task of the text.
+
+    Attributes:
+        definition: its name.
+        span: from its header to its end.
+        notes: comment above it and its contract, line by line.
+    """
+
+    definition: Definition
+    span: Span
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """All definitions of a text in order, and its tasks."""
+
+    definitions: tuple[Definition, ...]
+    tasks: tuple[TaskOutline, ...]
+
+    def task_at(self, line: int) -> str:
+        """Return the name of the task in which a line (from 1) stands, empty for none."""
+        inside = (task for task in self.tasks if task.span.line <= line <= task.span.end_line)
+        return next((task.definition.name for task in inside), "")
+
+    def seen_at(self, line: int) -> dict[str, Definition]:
+        """Return the definitions that a line can name: the first of each name, parameters before all."""
+        task = self.task_at(line)
+        fixed = [one for one in self.definitions if not one.task and (not task or _is_global(one))]
+        own = [one for one in self.definitions if task and one.task == task]
+        parameters = [one for one in own if one.role is Role.PARAMETER]
+        found: dict[str, Definition] = {}
+        for one in (*parameters, *fixed, *own):
+            found.setdefault(one.name, one)
+        return found
+
+
+def _is_global(one: Definition) -> bool:
+    """Return whether tasks see what stands outside of them; variables by first assignment are not seen."""
+    return one.role is not Role.VARIABLE or one.line.lstrip()[:4].lower() == "var "
+
+
+def outline(source: SourceText, cache: LineCache) -> Outline:
+    """Return what a text defines; any text has an outline."""
+    definitions: list[Definition] = []
+    tasks: list[TaskOutline] = []
+    notes: list[str] = []
+    header: Definition | None = None
+    last = Span.whole_line(source.name, 1)
+    for line in read(source, cache):
+        statement = line.statement
+        span = line.logical.span(source.name, line.start, line.end)
+        if isinstance(statement, syntax.TaskHeader):
+            if header is not None:
+                tasks.append(TaskOutline(header, header.span.to(last), tuple(notes)))
+                notes = []
+            header = _definition(source, line, statement.name, Role.TASK, "")
+            definitions.append(header)
+        elif statement is None:
+            comment = _COMMENT.match(line.logical.text)
+            if header is None:
+                notes = [*notes, comment[1]] if comment else []
+        elif header is None:
+            notes = []
+        elif isinstance(statement, syntax.ContractClause):
+            notes.append(statement.text)
+        task = header.name if header is not None else ""
+        definitions += [_definition(source, line, name, role, task) for name, role in _defined(statement)]
+        last = span if statement is not None else last
+        if isinstance(statement, syntax.Closer) and statement.word == "endp" and header is not None:
+            tasks.append(TaskOutline(header, header.span.to(span), tuple(notes)))
+            header, notes = None, []
+    if header is not None:
+        tasks.append(TaskOutline(header, header.span.to(last), tuple(notes)))
+    return Outline(tuple(definitions), tuple(tasks))
+
+
+def _definition(source: SourceText, line: Line, name: Name, role: Role, task: str) -> Definition:
+    span = line.logical.span(source.name, name.start, name.end)
+    return Definition(name.text, role, span, task, line.logical.text.strip())
+
+
+def _defined(statement: syntax.Statement | None) -> Iterator[tuple[Name, Role]]:
+    """Yield the names that a statement defines, or assigns and so may define."""
+    match statement:
+        case syntax.TaskHeader(parameters=parameters):
+            for parameter in parameters or ():
+                yield parameter.name, Role.PARAMETER
+        case syntax.FrameDeclaration(name=name):
+            yield name, Role.FRAME
+        case syntax.ToolDeclaration(name=name):
+            yield name, Role.TOOL
+        case syntax.LocationDeclaration(name=name):
+            yield name, Role.LOCATION
+        case syntax.SignalDeclaration(name=name):
+            yield name, Role.SIGNAL
+        case syntax.ConstantDeclaration(name=name):
+            yield name, Role.CONSTANT
+        case syntax.PatternDeclaration(name=name):
+            yield name, Role.PATTERN
+        case syntax.VariableDeclaration(name=name) | syntax.For(name=name) | syntax.ForEach(name=name):
+            yield name, Role.VARIABLE
+        case syntax.Assign(name=name, member=None):
+            yield name, Role.VARIABLE
+        case syntax.Load(names=names):
+            for name in names:
+                yield name, Role.VARIABLE
+        case syntax.If(body=inner) | syntax.WaitCondition(otherwise=inner) if inner is not None:
+            yield from _defined(inner)

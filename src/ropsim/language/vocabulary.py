@@ -1,0 +1,23 @@
+"""The words of the language by the place where they may stand, for editors and manuals."""
+
+from ropsim.language.check.functions import NAMES
+from ropsim.language.syntax.declarations import TYPES
+from ropsim.language.syntax.lexer import UNITS
+from ropsim.language.syntax.words import HEADS, NOT_YET, RESERVED
+
+_REFUSED_TYPES = frozenset(["frame", "tool", "signal"])
+
+STATEMENT_WORDS = HEADS - NOT_YET
+"""Words that start a statement of this version."""
+
+INNER_WORDS = RESERVED - HEADS
+"""Words that stand inside statements and cannot be names."""
+
+TYPE_WORDS = frozenset(TYPES) - _REFUSED_TYPES
+"""Types of parameters, constants and variables."""
+
+UNIT_WORDS = frozenset(UNITS)
+"""Units behind a number."""
+
+FUNCTIONS = NAMES
+"""Functions of expressions."""

@@ -1,0 +1,7 @@
+"""The language server: findings, completion and hover for programs and cell files, on standard streams."""
+
+from ropsim.lsp.server import answer as answer
+from ropsim.lsp.server import settle as settle
+from ropsim.lsp.state import State as State
+from ropsim.lsp.transport import serve as serve
+from ropsim.lsp.workshop import Workshop as Workshop

@@ -1,0 +1,147 @@
+"""What can be written at a place: words of the language, tasks, and names of cell and text."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from ropsim import language
+from ropsim.language import Role
+from ropsim.lsp import names, words
+from ropsim.lsp.document import Document
+from ropsim.lsp.messages import Json
+from ropsim.lsp.protocol import Position
+from ropsim.lsp.workshop import Workshop
+from ropsim.workbench import CheckedText
+
+_KINDS = {
+    Role.TASK: 3,
+    Role.PARAMETER: 6,
+    Role.LOCATION: 21,
+    Role.FRAME: 22,
+    Role.TOOL: 7,
+    Role.SIGNAL: 5,
+    Role.CONSTANT: 21,
+    Role.VARIABLE: 6,
+    Role.PATTERN: 13,
+}
+_KEYWORD, _FUNCTION, _UNIT, _TYPE, _FIELD = 14, 3, 11, 25, 5
+_MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
+_NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*")*(?:#|//|")')
+_PARTIAL = re.compile(r"[A-Za-z_]?\w*$", re.ASCII)
+
+#: What may stand at the end of a line up to the word being typed, and what is offered there.
+_PLACES = tuple(
+    (re.compile(pattern, re.IGNORECASE), offer)
+    for pattern, offer in (
+        (r"^\s*units\b.*$", "unit"),
+        (r"^\s*(?:task|const|var)\b.*(?::|->)\s*$", "type"),
+        (r"^\s*(?:program|loc|frame|tool|signal|const|var|pattern|task)\s+$", "nothing"),
+        (r"^\s*(?:for\s+each\s+\w+\s+in)\s+$", "pattern"),
+        (r"^\s*(?:\d+\.\s*)?$", "statement"),
+        (r"\b(?:then|else)\s+$", "statement"),
+        (r"^\s*call\s+$", "task"),
+        (r"^\s*set\s+$", "setting"),
+        (r"^\s*with\s+$|^\s*with\b.*,\s*$", "modifier"),
+        (r"^\s*(?:open|close)\s+$|\btool\s+$", "tool"),
+        (r"(?:\bin|@|\bframe)\s*$", "frame"),
+        (r"\d\s*$", "unit"),
+        (r"[A-Za-z_]\w*\.$", "member"),
+        (r"\([^()]*;[^()]*$", "turn"),
+    )
+)
+_MOTION = re.compile(r"^\s*(?:movj?|movl|lin)\b.*\S\s+$", re.IGNORECASE)
+
+
+def completions(
+    document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
+) -> list[Json]:
+    """Return what can be written at a place, the likeliest first."""
+    if document.name.endswith((".toml", ".icr")):
+        return []
+    before = document.line(position.line)[: document.column(position)]
+    if _NO_PLACE.search(before):
+        return []
+    lead = before[: len(before) - len(_partial(before))]
+    place = next((offer for pattern, offer in _PLACES if pattern.search(lead)), "value")
+    around = workshop.surroundings(document, documents)
+    known = {one.name: one for one in names.of_cell(around)}
+    known |= {one.name: one for one in names.of_text(workshop.outline(document), position.line)}
+    checked = workshop.checked(document, documents)
+    return list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
+
+
+def _partial(before: str) -> str:
+    match = _PARTIAL.search(before)
+    return match[0] if match else ""
+
+
+def _offered(
+    place: str, lead: str, known: list[names.Known], checked: CheckedText, outline: language.Outline
+) -> Iterator[Json]:
+    match place:
+        case "unit":
+            yield from (_item(unit, _UNIT, "unit", "") for unit in sorted(language.UNIT_WORDS) if unit != "%")
+        case "type":
+            yield from _words(words.TYPES, _TYPE, "1")
+        case "member":
+            yield from (_item(name, _FIELD, "coordinate", "") for name in _MEMBERS)
+        case "turn":
+            yield from _words(words.TURNS, _KEYWORD, "1")
+            yield from _values(known)
+        case "pattern":
+            yield from _named(known, Role.PATTERN)
+        case "tool":
+            yield from _named(known, Role.TOOL)
+        case "frame":
+            yield from _named(known, Role.FRAME)
+            yield _item("base", _KINDS[Role.FRAME], "the base frame", "")
+        case "task":
+            yield from _tasks(checked, outline)
+        case "modifier":
+            yield from _words(words.MODIFIERS, _KEYWORD, "1")
+        case "setting":
+            yield from _named(known, Role.SIGNAL)
+            yield from _words(words.MODIFIERS, _KEYWORD, "2")
+        case "statement":
+            yield from _tasks(checked, outline)
+            yield from _words(words.STATEMENTS, _KEYWORD, "2")
+            yield from _named(known, Role.VARIABLE)
+        case "value":
+            if _MOTION.search(lead):
+                yield from _words(words.MODIFIERS, _KEYWORD, "2")
+            yield from _values(known)
+            yield from _words(words.FUNCTIONS, _FUNCTION, "4")
+            yield from _words(words.INNER, _KEYWORD, "3")
+
+
+def _values(known: list[names.Known]) -> Iterator[Json]:
+    for one in known:
+        if one.role not in (Role.FRAME, Role.TOOL, Role.PATTERN):
+            yield _name(one)
+
+
+def _named(known: list[names.Known], role: Role) -> Iterator[Json]:
+    yield from (_name(one) for one in known if one.role is role)
+
+
+def _name(one: names.Known) -> Json:
+    detail = f"{one.role.value}: {one.text}" if one.origin == "cell" else one.text
+    return _item(one.name, _KINDS[one.role], detail[:120], "", "1")
+
+
+def _tasks(checked: CheckedText, outline: language.Outline) -> Iterator[Json]:
+    for name, form in checked.tasks.items():
+        if name.isidentifier():
+            notes = " ".join(names.task_notes(outline, name))
+            yield _item(name, _KINDS[Role.TASK], str(form)[len(name) :], notes, "1")
+
+
+def _words(table: Mapping[str, words.Word], kind: int, group: str) -> Iterator[Json]:
+    for name, word in table.items():
+        yield _item(name, kind, word.form, word.meaning, group)
+
+
+def _item(label: str, kind: int, detail: str, documentation: str, group: str = "1") -> Json:
+    item: Json = {"label": label, "kind": kind, "detail": detail, "sortText": f"{group}{label.lower()}"}
+    if documentation:
+        item["documentation"] = {"kind": "plaintext", "value": documentation}
+    return item

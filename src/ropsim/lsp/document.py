@@ -1,0 +1,118 @@
+"""An open document: its text, and the change from protocol positions to characters and back."""
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+from urllib.request import url2pathname
+
+from ropsim.core import Span
+from ropsim.lsp.messages import Json
+from ropsim.lsp.protocol import ContentChange, Position
+
+_LINE_END = re.compile(r"\r\n|\n|\r")
+_WIDE = re.compile("[\U00010000-\U0010ffff]")
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A text that an editor has open.
+
+    Attributes:
+        uri: its name in the protocol.
+        version: as the editor counts.
+        text: all characters, line ends included.
+        starts: offset of the first character of each line.
+        ends: offset after the last character of each line, without its line end.
+    """
+
+    uri: str
+    version: int
+    text: str
+    starts: tuple[int, ...] = field(init=False, repr=False, compare=False)
+    ends: tuple[int, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        ends = [match.span() for match in _LINE_END.finditer(self.text)]
+        object.__setattr__(self, "starts", (0, *(end for _, end in ends)))
+        object.__setattr__(self, "ends", (*(start for start, _ in ends), len(self.text)))
+
+    @property
+    def path(self) -> Path | None:
+        """Return the file behind the document, None where its URI is no file."""
+        parts = urlsplit(self.uri) if self.uri.startswith("file:") else None
+        if parts is None or "\0" in unquote(parts.path):
+            return None
+        return Path(url2pathname(parts.path))
+
+    @property
+    def name(self) -> str:
+        """Return the name that findings use: the path, else the URI."""
+        path = self.path
+        return str(path) if path is not None else self.uri
+
+    def line(self, number: int) -> str:
+        """Return line `number` (from 0), empty beyond the end."""
+        if not 0 <= number < len(self.starts):
+            return ""
+        return self.text[self.starts[number] : self.ends[number]]
+
+    def offset(self, position: Position) -> int:
+        """Return the offset of a position; one beyond a line or the text is its end."""
+        if position.line >= len(self.starts):
+            return len(self.text)
+        return self.starts[position.line] + self.column(position)
+
+    def column(self, position: Position) -> int:
+        """Return how many characters stand before a position on its line."""
+        line = self.line(position.line)
+        if line.isascii():
+            return min(position.character, len(line))
+        units = 0
+        for column, character in enumerate(line):
+            if units >= position.character:
+                return column
+            units += 2 if ord(character) > 0xFFFF else 1
+        return len(line)
+
+    def position(self, line: int, column: int) -> Json:
+        """Return the protocol position of a character, counted from 0; beyond a line it is the line's end."""
+        last = len(self.starts) - 1
+        if line > last:
+            line, column = last, len(self.text)
+        before = self.line(line)[: max(column, 0)]
+        return {"line": line, "character": len(before) + len(_WIDE.findall(before))}
+
+    def position_at(self, offset: int) -> Json:
+        """Return the protocol position of an offset."""
+        line = bisect_right(self.starts, offset) - 1
+        return self.position(line, offset - self.starts[line])
+
+    def range_of(self, span: Span | None) -> Json:
+        """Return the range of a span; one of a whole line, or none, becomes the words of that line."""
+        if span is None or span.is_whole_line:
+            number = span.line - 1 if span is not None else 0
+            line = self.line(number)
+            blank = len(line) - len(line.lstrip())
+            return {
+                "start": self.position(number, blank),
+                "end": self.position(number, max(len(line.rstrip()), blank)),
+            }
+        return {
+            "start": self.position(span.line - 1, span.column - 1),
+            "end": self.position(span.end_line - 1, span.end_column - 1),
+        }
+
+    def changed(self, changes: Iterable[ContentChange], version: int) -> "Document":
+        """Return the document after changes, each of which refers to the state that the one before left."""
+        after = self
+        for change in changes:
+            text = change.text
+            if change.range is not None:
+                start = after.offset(change.range.start)
+                end = max(after.offset(change.range.end), start)
+                text = after.text[:start] + change.text + after.text[end:]
+            after = replace(after, text=text)
+        return replace(after, version=version)

@@ -1,0 +1,106 @@
+"""The names that a place of a text can use, with what is shown of them."""
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ropsim.language import Definition, Outline, Role, TaskForm
+from ropsim.lsp.document import Document
+from ropsim.lsp.protocol import Position
+from ropsim.lsp.workshop import Surroundings
+from ropsim.model import Cell, Signal
+from ropsim.spatial import Pose, quaternion
+
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """A name that can be used.
+
+    Attributes:
+        name: as written.
+        role: what it stands for.
+        text: the most important about it on one line.
+        origin: `cell` or `text`.
+    """
+
+    name: str
+    role: Role
+    text: str
+    origin: str
+
+
+def word_at(document: Document, position: Position) -> tuple[str, int] | None:
+    """Return the word at a place and its column in characters, None where none touches it."""
+    column = document.column(position)
+    for match in _WORD.finditer(document.line(position.line)):
+        if match.start() <= column <= match.end():
+            return match[0], match.start()
+    return None
+
+
+def of_cell(around: Surroundings) -> Iterator[Known]:
+    """Yield what the cell gives names to."""
+    cell = around.cell
+    if cell is None:
+        return
+    for name, pose in cell.locations.items():
+        yield Known(name, Role.LOCATION, pose_words(pose), "cell")
+    for name, pose in cell.frames.items():
+        yield Known(name, Role.FRAME, pose_words(pose), "cell")
+    for name, tool in cell.tools.items():
+        yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell")
+    for name, signal in cell.signals.items():
+        yield Known(name, Role.SIGNAL, signal_words(signal), "cell")
+
+
+def of_text(outline: Outline, line: int) -> Iterator[Known]:
+    """Yield what the text defines and line `line` (from 0) can name, tasks left out."""
+    for one in outline.seen_at(line + 1).values():
+        if one.role is not Role.TASK:
+            yield Known(one.name, one.role, one.line, "text")
+
+
+def pose_words(pose: Pose) -> str:
+    """Return a pose in millimetres and degrees; the orientation as fixed XYZ angles."""
+    x, y, z, *turn = pose.as_tuple()
+    yaw, pitch, roll = quaternion.to_zyx((turn[0], turn[1], turn[2], turn[3]))
+    place = ", ".join(_shown(value * 1000.0, 1) for value in (x, y, z))
+    turned = ", ".join(_shown(math.degrees(value), 1) for value in (roll, pitch, yaw))
+    return f"({place}) mm, roll pitch yaw ({turned})°"
+
+
+def signal_words(signal: Signal) -> str:
+    """Return direction, sort and first value of a signal."""
+    sort = "analog " if signal.analog else ""
+    first = f"{signal.initial:g}" if signal.analog else ("on" if signal.initial else "off")
+    return f"{sort}{'input' if signal.is_input else 'output'}, {first} at the start"
+
+
+def frame_note(role: Role, cell: Cell | None) -> str:
+    """Return in which frame the pose of a name of the cell is given."""
+    if cell is None or role is Role.SIGNAL:
+        return ""
+    return "in the mechanical interface" if role is Role.TOOL else "in the base frame"
+
+
+def task_notes(outline: Outline, name: str) -> tuple[str, ...]:
+    """Return the comment and the contract of a task of the text."""
+    return next((task.notes for task in outline.tasks if task.definition.name == name), ())
+
+
+def task_words(form: TaskForm) -> str:
+    """Return how a task is called."""
+    return f"task {form}"
+
+
+def definition_of(outline: Outline, name: str, line: int) -> Definition | None:
+    """Return what line `line` (from 0) means by a name of the text."""
+    return outline.seen_at(line + 1).get(name)
+
+
+def _shown(value: float, digits: int) -> str:
+    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text

@@ -1,0 +1,84 @@
+"""Parameters of the methods that the server knows; names as in the protocol, unknown members are ignored."""
+
+import msgspec
+
+#: Numbers of the protocol are `uinteger`.
+LARGEST = 2**31 - 1
+
+
+class Position(msgspec.Struct, frozen=True):
+    """A place in a text: line and UTF-16 code unit, both from 0."""
+
+    line: int
+    character: int
+
+    def __post_init__(self) -> None:
+        if not (0 <= self.line <= LARGEST and 0 <= self.character <= LARGEST):
+            raise ValueError("line and character must be from 0 to 2147483647")
+
+
+class Range(msgspec.Struct, frozen=True):
+    """A stretch of a text; `end` is exclusive."""
+
+    start: Position
+    end: Position
+
+
+class TextDocumentItem(msgspec.Struct, frozen=True, rename="camel"):
+    """A document as it is opened."""
+
+    uri: str
+    text: str
+    version: int = 0
+    language_id: str = ""
+
+
+class VersionedDocument(msgspec.Struct, frozen=True):
+    """A document in a change or request."""
+
+    uri: str
+    version: int | None = None
+
+
+class ContentChange(msgspec.Struct, frozen=True):
+    """New text of a stretch, or of the whole document."""
+
+    text: str
+    range: Range | None = None
+
+
+class DidOpen(msgspec.Struct, frozen=True, rename="camel"):
+    """`textDocument/didOpen`."""
+
+    text_document: TextDocumentItem
+
+
+class DidChange(msgspec.Struct, frozen=True, rename="camel"):
+    """`textDocument/didChange`."""
+
+    text_document: VersionedDocument
+    content_changes: list[ContentChange]
+
+
+class OfDocument(msgspec.Struct, frozen=True, rename="camel"):
+    """Methods that ask about a whole document."""
+
+    text_document: VersionedDocument
+
+
+class AtPosition(msgspec.Struct, frozen=True, rename="camel"):
+    """Methods that ask about a place."""
+
+    text_document: VersionedDocument
+    position: Position
+
+
+class InRange(msgspec.Struct, frozen=True, rename="camel"):
+    """Methods that ask about a stretch."""
+
+    text_document: VersionedDocument
+    range: Range
+
+
+class Anything(msgspec.Struct, frozen=True):
+    """Methods whose parameters do not matter."""

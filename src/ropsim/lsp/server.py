@@ -1,0 +1,187 @@
+"""The middle of the server: one message and the state before it give the state after it and the answers."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import msgspec
+
+from ropsim.lsp import findings, protocol
+from ropsim.lsp.completion import completions
+from ropsim.lsp.definition import definition
+from ropsim.lsp.document import Document
+from ropsim.lsp.hover import hover
+from ropsim.lsp.messages import Call, ErrorCode, Json, failure, notification, result
+from ropsim.lsp.state import Phase, State
+from ropsim.lsp.symbols import symbols
+from ropsim.lsp.workshop import Workshop
+from ropsim.version import __version__
+
+CAPABILITIES: Json = {
+    "positionEncoding": "utf-16",
+    "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
+    "completionProvider": {"triggerCharacters": [".", ":"]},
+    "hoverProvider": True,
+    "definitionProvider": True,
+    "documentSymbolProvider": True,
+    "codeActionProvider": {"codeActionKinds": ["quickfix"]},
+}
+_IDENTITY: Json = {"name": "ropsim", "version": __version__}
+
+Answer = tuple[State, tuple[Json, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Method:
+    params: type[Any]
+    run: Callable[[State, Any, Workshop], object]
+
+
+def answer(state: State, call: Call, workshop: Workshop) -> Answer:
+    """Take one message.
+
+    Args:
+        state: before it.
+        call: request or notification.
+        workshop: remembers what was made of texts; changes no answer.
+
+    Returns:
+        The state after it, and the answer to a request. Findings are told by `settle`.
+    """
+    if call.method == "exit":
+        return replace(state, phase=Phase.OVER, exit_code=0 if state.phase is Phase.SHUT_DOWN else 1), ()
+    refusal = _refusal(state, call)
+    if refusal is not None:
+        return state, (refusal,) if call.is_request else ()
+    if call.method in _LIFE:
+        state, value = _LIFE[call.method](state)
+        return state, (result(call.id, value),) if call.is_request else ()
+    table: dict[str, _Method] = _ASKED if call.is_request else _TOLD
+    method = table.get(call.method)
+    if method is None:
+        unknown = failure(call.id, ErrorCode.METHOD_NOT_FOUND, f"`{call.method[:80]}` is not supported")
+        return state, (unknown,) if call.is_request else ()
+    try:
+        params = msgspec.convert(call.params if call.params is not None else {}, method.params)
+    except (msgspec.ValidationError, ValueError) as error:
+        wrong = failure(call.id, ErrorCode.INVALID_PARAMS, str(error))
+        return state, (wrong,) if call.is_request else ()
+    made = method.run(state, params, workshop)
+    if not call.is_request:
+        assert isinstance(made, State)
+        return made, ()
+    return state, (result(call.id, made),)
+
+
+def settle(state: State, workshop: Workshop) -> Answer:
+    """Tell the findings of all documents that have changed; called when no message is waiting."""
+    said = tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
+    return replace(state, stale=frozenset()), said
+
+
+def _published(state: State, uri: str, workshop: Workshop) -> Json:
+    document = state.documents.get(uri)
+    if document is None:  # closed: nothing of it is shown any more
+        return notification("textDocument/publishDiagnostics", {"uri": uri, "diagnostics": []})
+    checked = workshop.checked(document, state.documents)
+    return notification(
+        "textDocument/publishDiagnostics",
+        {
+            "uri": document.uri,
+            "version": document.version,
+            "diagnostics": [findings.diagnostic(one, document) for one in checked.diagnostics],
+        },
+    )
+
+
+def _refusal(state: State, call: Call) -> Json | None:
+    if state.phase is Phase.NEW and call.method != "initialize":
+        return failure(call.id, ErrorCode.NOT_INITIALIZED, "`initialize` comes first")
+    if state.phase is Phase.SHUT_DOWN:
+        return failure(call.id, ErrorCode.INVALID_REQUEST, "after `shutdown` only `exit` is allowed")
+    if state.phase is Phase.RUNNING and call.method == "initialize":
+        return failure(call.id, ErrorCode.INVALID_REQUEST, "`initialize` came before")
+    return None
+
+
+def _initialize(state: State) -> tuple[State, object]:
+    return replace(state, phase=Phase.RUNNING), {"capabilities": CAPABILITIES, "serverInfo": _IDENTITY}
+
+
+def _shut_down(state: State) -> tuple[State, object]:
+    return replace(state, phase=Phase.SHUT_DOWN), None
+
+
+def _open(state: State, params: protocol.DidOpen, _: Workshop) -> State:
+    item = params.text_document
+    return state.opened(Document(item.uri, item.version, item.text))
+
+
+def _change(state: State, params: protocol.DidChange, _: Workshop) -> State:
+    document = state.documents.get(params.text_document.uri)
+    if document is None:
+        return state
+    version = params.text_document.version
+    return state.opened(
+        document.changed(params.content_changes, document.version + 1 if version is None else version)
+    )
+
+
+def _close(state: State, params: protocol.OfDocument, workshop: Workshop) -> State:
+    workshop.forget(params.text_document.uri)
+    return state.closed(params.text_document.uri)
+
+
+def _look_again(state: State, _: protocol.Anything, __: Workshop) -> State:
+    return state.all_stale()
+
+
+def _complete(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
+    document = state.documents.get(params.text_document.uri)
+    items = completions(document, params.position, state.documents, workshop) if document else []
+    return {"isIncomplete": False, "items": items}
+
+
+def _hover(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
+    document = state.documents.get(params.text_document.uri)
+    return hover(document, params.position, state.documents, workshop) if document else None
+
+
+def _definition(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
+    document = state.documents.get(params.text_document.uri)
+    return definition(document, params.position, state.documents, workshop) if document else None
+
+
+def _symbols(state: State, params: protocol.OfDocument, workshop: Workshop) -> object:
+    document = state.documents.get(params.text_document.uri)
+    return symbols(document, workshop) if document else []
+
+
+def _actions(state: State, params: protocol.InRange, workshop: Workshop) -> object:
+    document = state.documents.get(params.text_document.uri)
+    if document is None:
+        return []
+    first, last = params.range.start.line, params.range.end.line
+    found = workshop.checked(document, state.documents).diagnostics
+    near = (one for one in found if findings.touches(one.span, first, last))
+    return [action for one in near for action in findings.code_actions(one, document)]
+
+
+_LIFE: dict[str, Callable[[State], tuple[State, object]]] = {
+    "initialize": _initialize,
+    "shutdown": _shut_down,
+}
+_TOLD = {
+    "textDocument/didOpen": _Method(protocol.DidOpen, _open),
+    "textDocument/didChange": _Method(protocol.DidChange, _change),
+    "textDocument/didClose": _Method(protocol.OfDocument, _close),
+    "textDocument/didSave": _Method(protocol.Anything, _look_again),
+    "workspace/didChangeWatchedFiles": _Method(protocol.Anything, _look_again),
+}
+_ASKED = {
+    "textDocument/completion": _Method(protocol.AtPosition, _complete),
+    "textDocument/hover": _Method(protocol.AtPosition, _hover),
+    "textDocument/definition": _Method(protocol.AtPosition, _definition),
+    "textDocument/documentSymbol": _Method(protocol.OfDocument, _symbols),
+    "textDocument/codeAction": _Method(protocol.InRange, _actions),
+}

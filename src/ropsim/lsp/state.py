@@ -1,0 +1,56 @@
+"""What the server knows between two messages."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+
+from ropsim.lsp.document import Document
+
+
+class Phase(Enum):
+    """Where a connection stands."""
+
+    NEW = "new"
+    RUNNING = "running"
+    SHUT_DOWN = "shut down"
+    OVER = "over"
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A connection.
+
+    Attributes:
+        phase: before `initialize`, between, after `shutdown`, after `exit`.
+        documents: open documents by URI.
+        stale: URIs whose findings have not been told since their last change.
+        exit_code: of the process, once it is over.
+    """
+
+    phase: Phase = Phase.NEW
+    documents: Mapping[str, Document] = field(default_factory=dict)
+    stale: frozenset[str] = frozenset()
+    exit_code: int = 1
+
+    def opened(self, document: Document) -> "State":
+        """Return the state with a document new or changed."""
+        documents = {**self.documents, document.uri: document}
+        return replace(self, documents=documents, stale=self._stale_after(document, documents))
+
+    def closed(self, uri: str) -> "State":
+        """Return the state without a document; what was shown of it is stale."""
+        documents = {name: one for name, one in self.documents.items() if name != uri}
+        gone = self.documents.get(uri)
+        stale = self._stale_after(gone, documents) if gone is not None else self.stale
+        return replace(self, documents=documents, stale=stale | {uri} if gone is not None else stale)
+
+    def all_stale(self) -> "State":
+        """Return the state in which every document has to be looked at again."""
+        return replace(self, stale=frozenset(self.documents))
+
+    def _stale_after(self, document: Document, documents: Mapping[str, Document]) -> frozenset[str]:
+        """Return what has to be looked at after a change; a cell file gives names to all programs."""
+        path = document.path
+        if path is not None and path.name == "cell.toml":
+            return frozenset(documents)
+        return self.stale | {document.uri}

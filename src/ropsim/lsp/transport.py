@@ -1,0 +1,94 @@
+"""The server on two byte streams; it reads while it works, so of waiting changes the last is compiled."""
+
+import gc
+import queue
+import threading
+from typing import BinaryIO, Protocol
+
+import msgspec
+
+from ropsim.lsp.framing import FrameFault, FrameReader, framed
+from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
+from ropsim.lsp.server import answer, settle
+from ropsim.lsp.state import Phase, State
+from ropsim.lsp.workshop import Workshop
+
+_CHUNK = 65536
+
+#: New objects between two searches for garbage; a compilation makes fewer, so it is not held up.
+_GARBAGE_AFTER = 200_000
+
+
+class _Source(Protocol):
+    def read(self, size: int, /) -> bytes: ...
+
+
+def serve(source: _Source, sink: BinaryIO) -> int:
+    """Serve one editor until it says `exit` or its stream ends, and return the exit code.
+
+    Args:
+        source: messages of the editor; `read` returns what is there, so an unbuffered stream.
+        sink: takes the answers.
+    """
+    gc.freeze()
+    gc.set_threshold(_GARBAGE_AFTER, 10, 10)
+    inbox: queue.SimpleQueue[bytes | FrameFault | None] = queue.SimpleQueue()
+    threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
+    state, workshop = State(), Workshop()
+    waiting: bytes | FrameFault | None = b""
+    while state.phase is not Phase.OVER and waiting is not None:
+        waiting = inbox.get()
+        said: tuple[Json, ...] = ()
+        if waiting is not None:
+            state, said = _step(state, waiting, workshop)
+        if state.stale and (waiting is None or inbox.empty()):
+            state, more = _settled(state, workshop)
+            said = (*said, *more)
+        try:
+            for message in said:
+                sink.write(framed(msgspec.json.encode(message)))
+            if said:
+                sink.flush()
+        except (OSError, ValueError):  # the editor has gone away
+            return state.exit_code
+    return state.exit_code
+
+
+def _step(state: State, body: bytes | FrameFault, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
+    if isinstance(body, FrameFault):
+        return state, (failure(None, ErrorCode.PARSE_ERROR, body.message),)
+    call = read_message(body)
+    if call is None:
+        return state, ()
+    if isinstance(call, Fault):
+        return state, (failure(call.id, call.code, call.message),)
+    try:
+        return answer(state, call, workshop)
+    except Exception as error:  # a fault of ours must not take the editor's other documents with it
+        return state, (_own_fault(error, call),)
+
+
+def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
+    try:
+        return settle(state, workshop)
+    except Exception as error:  # as above; the next change tries again
+        nothing_stale = State(state.phase, state.documents, frozenset(), state.exit_code)
+        return nothing_stale, (_own_fault(error, None),)
+
+
+def _own_fault(error: Exception, call: Call | None) -> Json:
+    words = f"this is a bug in ropsim, not in your input: {type(error).__name__}: {error}"
+    if call is not None and call.is_request:
+        return failure(call.id, ErrorCode.INTERNAL_ERROR, words)
+    return notification("window/logMessage", {"type": 1, "message": words})
+
+
+def _read(source: _Source, inbox: "queue.SimpleQueue[bytes | FrameFault | None]") -> None:
+    reader = FrameReader()
+    try:
+        while data := source.read(_CHUNK):
+            for one in reader.feed(data):
+                inbox.put(one)
+    except (OSError, ValueError):  # the stream was closed under our hands
+        pass
+    inbox.put(None)

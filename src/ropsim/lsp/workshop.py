@@ -1,0 +1,120 @@
+"""What is made of documents: the cell around them and their findings, remembered until a text changes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from ropsim import language
+from ropsim.core import SourceText
+from ropsim.lsp.document import Document
+from ropsim.model import Cell
+from ropsim.workbench import CheckedText, check_text, environment_of, read_cell, read_text_file
+
+CELL_FILE = "cell.toml"
+
+#: Texts outside of a project end their search for a cell file after so many folders.
+_MAX_DEPTH = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """What a program text can name beyond itself.
+
+    Attributes:
+        folder: of the project, None outside of one.
+        cell_text: text of the cell file, open or on the disk.
+        cell: the cell, None outside of a project and where the file is wrong.
+        environment: names for the compiler.
+    """
+
+    folder: Path | None = None
+    cell_text: SourceText | None = None
+    cell: Cell | None = None
+    environment: language.Environment = language.NO_SIGNATURES
+
+    @property
+    def is_broken(self) -> bool:
+        """Return whether there is a cell file from which no cell can be made."""
+        return self.folder is not None and self.cell is None
+
+
+class Workshop:
+    """Makes findings and outlines of documents and keeps the last ones; a result depends on texts only."""
+
+    def __init__(self) -> None:
+        self._lines = language.LineCache()
+        self._surroundings: dict[Path, Surroundings] = {}
+        self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
+        self._outlines: dict[str, tuple[str, language.Outline]] = {}
+
+    def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
+        """Return the project around a document; an open cell file counts instead of the one on the disk."""
+        path = document.path
+        opened = {one.path: one for one in documents.values()}
+        for folder in () if path is None else tuple(path.parents)[:_MAX_DEPTH]:
+            place = folder / CELL_FILE
+            if place in opened:
+                return self._read(folder, SourceText(str(place), opened[place].text))
+            if _is_file(place):
+                text, _ = read_text_file(place, str(place))
+                return self._read(folder, text)
+        return Surroundings()
+
+    def checked(self, document: Document, documents: Mapping[str, Document]) -> CheckedText:
+        """Return the findings of a document and the tasks that it can call."""
+        around = self.surroundings(document, documents)
+        known = self._checked.get(document.uri)
+        if known is not None and known[0].text == document.text and known[1] is around:
+            return known[2]
+        source = SourceText(document.name, document.text)
+        if _is_cell_file(document):
+            _, findings = read_cell(source, _folder_name(document))
+            checked = CheckedText(source, findings)
+        elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
+            checked = check_text(source, language.NO_SIGNATURES, None, self._lines)
+            syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
+            checked = CheckedText(source, syntax, checked.tasks)
+        else:
+            checked = check_text(source, around.environment, around.cell, self._lines)
+        self._checked[document.uri] = (document, around, checked)
+        return checked
+
+    def outline(self, document: Document) -> language.Outline:
+        """Return what a document defines."""
+        known = self._outlines.get(document.uri)
+        if known is not None and known[0] == document.text:
+            return known[1]
+        made = language.outline(SourceText(document.name, document.text), self._lines)
+        self._outlines[document.uri] = (document.text, made)
+        return made
+
+    def forget(self, uri: str) -> None:
+        """Forget what was made of a document."""
+        self._checked.pop(uri, None)
+        self._outlines.pop(uri, None)
+
+    def _read(self, folder: Path, text: SourceText | None) -> Surroundings:
+        known = self._surroundings.get(folder)
+        if known is not None and known.cell_text == text:
+            return known
+        cell = read_cell(text, folder.name)[0] if text is not None else None
+        made = Surroundings(folder, text, cell, environment_of(cell))
+        self._surroundings[folder] = made
+        return made
+
+
+def _is_cell_file(document: Document) -> bool:
+    path = document.path
+    return path is not None and path.name == CELL_FILE
+
+
+def _folder_name(document: Document) -> str:
+    path = document.path
+    return path.parent.name if path is not None else ""
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a folder without permission, a name that is too long
+        return False

@@ -1,0 +1,63 @@
+"""`ropsim lsp` as a process, on its real streams."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ropsim.lsp.framing import FrameReader, framed
+from ropsim.workbench import new_project
+
+
+def exchange(*messages: dict[str, Any], rest: bytes = b"") -> tuple[int, list[Any], str]:
+    """Send messages to a new server, end its input and return exit code, answers and standard error."""
+    sent = b"".join(framed(json.dumps({"jsonrpc": "2.0", **one}).encode()) for one in messages) + rest
+    done = subprocess.run(
+        [sys.executable, "-m", "ropsim", "lsp"], input=sent, capture_output=True, timeout=60, check=False
+    )
+    answers = [json.loads(one) for one in FrameReader().feed(done.stdout) if isinstance(one, bytes)]
+    return done.returncode, answers, done.stderr.decode()
+
+
+START: tuple[dict[str, Any], ...] = (
+    {"id": 1, "method": "initialize", "params": {"capabilities": {}}},
+    {"method": "initialized", "params": {}},
+)
+END: tuple[dict[str, Any], ...] = ({"id": 9, "method": "shutdown"}, {"method": "exit"})
+
+
+def test_a_session_from_initialize_to_exit(tmp_path: Path) -> None:
+    new_project(tmp_path / "cell", "palletizing")
+    program = tmp_path / "cell" / "programs" / "main.task"
+    text = program.read_text("utf-8").replace("Pick infeed", "Pikc infeed")
+    document = {"uri": program.as_uri(), "languageId": "task", "version": 7, "text": text}
+    code, answers, errors = exchange(
+        *START,
+        {"method": "textDocument/didOpen", "params": {"textDocument": document}},
+        {"id": 2, "method": "x/y"},
+    )
+    assert (code, errors) == (1, "")  # the stream ended without `shutdown` and `exit`
+    by_id = {one.get("id"): one for one in answers}
+    assert by_id[1]["result"]["capabilities"]["positionEncoding"] == "utf-16"
+    assert by_id[2]["error"]["code"] == -32601
+    (told,) = [one["params"] for one in answers if one.get("method") == "textDocument/publishDiagnostics"]
+    assert told["version"] == 7
+    assert [one["code"] for one in told["diagnostics"]] == ["N201"]
+
+
+def test_shutdown_and_exit_end_the_process_well() -> None:
+    code, answers, errors = exchange(*START, *END)
+    assert (code, errors) == (0, "")
+    assert answers[-1] == {"jsonrpc": "2.0", "id": 9, "result": None}
+
+
+@pytest.mark.parametrize(
+    "noise", [b"\xff" * 9000, b"Content-Length: x\r\n\r\n{}", b"Content-Length: 3\r\n\r\n{]}"]
+)
+def test_noise_ends_in_an_answer_and_no_traceback(noise: bytes) -> None:
+    code, answers, errors = exchange(*START, rest=noise)
+    assert (code, errors) == (1, "")
+    assert answers[-1]["error"]["code"] == -32700

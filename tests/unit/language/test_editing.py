@@ -1,0 +1,57 @@
+"""What the compiler keeps for editors: parsed lines, the outline of a text, how tasks are called."""
+
+import pytest
+
+from ropsim import language
+from ropsim.core import SourceText
+from ropsim.language import LineCache, Role
+
+TEXT = """task A(q: loc)
+  x = 1
+  mov q
+endp
+var total: int = 0
+once = 2
+task B
+  load (u, v, w), (1, 2, 3)
+  total = 3
+  open
+A (1, 2, 3)
+"""
+
+
+@pytest.mark.parametrize("text", [TEXT, TEXT.replace("mov q", "mvo q"), "lin (1,\n 2\nmov home", ""])
+def test_kept_lines_change_no_result(text: str) -> None:
+    cache = LineCache()
+    language.compile(TEXT, cache=cache)
+    kept, fresh = language.compile(text, cache=cache), language.compile(text)
+    assert kept.diagnostics == fresh.diagnostics
+    assert kept.program == fresh.program
+    assert kept.icr == fresh.icr
+    assert kept.tasks == fresh.tasks
+
+
+def outline() -> language.Outline:
+    return language.outline(SourceText("t", TEXT), LineCache())
+
+
+def test_a_task_without_end_reaches_to_the_next_or_the_end() -> None:
+    assert [(t.definition.name, t.span.line, t.span.end_line) for t in outline().tasks] == [
+        ("A", 1, 4),
+        ("B", 7, 11),
+    ]
+
+
+def test_a_line_sees_its_own_parameters_and_variables_and_those_of_the_text() -> None:
+    assert {n for n, d in outline().seen_at(2).items() if d.role is not Role.TASK} == {"q", "x", "total"}
+    assert {n for n, d in outline().seen_at(6).items() if d.role is not Role.TASK} == {"total", "once"}
+
+
+def test_an_assignment_to_a_variable_of_the_text_does_not_define_it_anew() -> None:
+    assert outline().seen_at(9)["total"].span.line == 5
+
+
+def test_tasks_tell_how_they_are_called_also_in_a_wrong_text() -> None:
+    compiled = language.compile("units mm\ntask T(a, d: length = 3)\n  mov a above d\nendp\nlin\n")
+    assert not compiled.ok
+    assert str(compiled.tasks["T"]) == "T(a: loc, d: length [mm] = …)"

@@ -1,0 +1,179 @@
+"""Completion, hover, definition and outline."""
+
+from pathlib import Path
+
+import pytest
+
+from ropsim import language
+from ropsim.lsp import words
+from ropsim.workbench import new_project
+from support.editors import Editor, place, uri_of
+
+BARE = "file:///nowhere-at-all/x.task"
+HEAD = """program p
+units mm, deg, s
+loc corner = (1, 2, 3)
+const gap = 12 mm
+pattern slots = grid 2 x 2 from (0, 0, 40) step (70, 0, 0), (0, 90, 0)
+
+# Takes a part
+# from above.
+task Pick(part: loc, clear: length = 60, n = 2) -> int
+  needs gripper open
+  total = n + 1
+  lin part above clear
+  close
+  return total
+endp
+"""
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    cell = folder / "cell.toml"
+    cell.write_text(cell.read_text("utf-8") + "\n[signals.part_ok]\ninput = 1\n", "utf-8")
+    return uri_of(folder / "programs" / "x.task")
+
+
+def labels(uri: str, marked: str) -> list[str]:
+    items = Editor().at_mark("completion", uri, marked)["items"]
+    return [item["label"] for item in sorted(items, key=lambda item: item["sortText"])]
+
+
+def hover(uri: str, marked: str) -> str:
+    value: str = Editor().at_mark("hover", uri, marked)["contents"]["value"]
+    return value
+
+
+def test_every_word_of_the_language_is_explained() -> None:
+    assert set(words.STATEMENTS) == language.STATEMENT_WORDS
+    assert set(words.INNER) == language.INNER_WORDS
+    assert set(words.FUNCTIONS) == language.FUNCTIONS
+    assert set(words.TYPES) == language.TYPE_WORDS
+
+
+def test_a_line_begins_with_tasks_then_statement_words() -> None:
+    offered = labels(BARE, HEAD + "P|")
+    assert offered[0] == "Pick"
+    assert {"mov", "repeat", "with"} <= set(offered)
+    assert "sqrt" not in offered
+
+
+def test_a_task_is_offered_with_its_signature_and_its_comment() -> None:
+    items = Editor().at_mark("completion", BARE, HEAD + "call |")["items"]
+    (pick,) = items
+    assert pick["detail"] == "(part: loc, clear: length [mm] = …, n: int = …) -> int"
+    assert pick["documentation"]["value"] == "Takes a part from above. needs gripper open"
+
+
+@pytest.mark.parametrize(
+    ("line", "among"),
+    [
+        ("lin |", "corner"),
+        ("x = 3 * |", "sqrt"),
+        ("lin corner |", "speed"),
+        ("lin corner above 3 |", "mm"),
+        ("for each q in |", "slots"),
+        ("lin corner in |", "base"),
+        ("lin (1, 2, 3; |", "rpy"),
+        ("corner.|", "x"),
+        ("const k: |", "length"),
+        ("units |", "mm"),
+        ("if true then |", "mov"),
+    ],
+)
+def test_a_place_offers_what_may_stand_there(line: str, among: str) -> None:
+    assert among in labels(BARE, HEAD + line)
+
+
+def test_names_of_the_cell_are_offered_where_they_fit(program: str) -> None:
+    assert "infeed" in labels(program, HEAD + "mov |")
+    assert labels(program, HEAD + "lin (1, 2, 3) in |") == ["base", "pallet"]
+    assert labels(program, HEAD + "close |") == ["jaws"]
+    assert "part_ok" in labels(program, HEAD + "wait until |")
+
+
+@pytest.mark.parametrize("line", ["# mo|", "// mo|", 'print "mo|', "loc |", "task |"])
+def test_nothing_is_offered_in_comments_texts_and_new_names(line: str) -> None:
+    assert labels(BARE, HEAD + line) == []
+
+
+def test_variables_of_a_task_are_offered_inside_of_it_only() -> None:
+    inside = HEAD.replace("  close\n", "  x = |\n")
+    assert {"part", "clear", "total"} <= set(labels(BARE, inside))
+    assert not {"part", "clear", "total"} & set(labels(BARE, HEAD + "x = |"))
+
+
+def test_hover_tells_how_a_task_is_called() -> None:
+    told = hover(BARE, HEAD + "Pi|ck corner")
+    assert "task Pick(part: loc, clear: length [mm] = …, n: int = …) -> int" in told
+    assert "Takes a part" in told
+    assert "needs gripper open" in told
+
+
+def test_hover_tells_the_types_that_use_has_told() -> None:
+    text = 'task "Palletize"\n  mov l2\n  x = a * 0.5 cm\n  repeat b\n  open\n  endr\nendp\nPal|letize 1\n'
+    assert "task Palletize(l1: loc, l2: loc, a: num, b: int)" in hover(BARE, text)
+
+
+def test_hover_tells_the_pose_of_the_cell_in_millimetres_and_degrees(program: str) -> None:
+    told = hover(program, HEAD + "mov inf|eed")
+    assert "(620, 420, 420) mm, roll pitch yaw (180, 0, 0)° in the base frame" in told
+
+
+def test_hover_tells_what_a_signal_is(program: str) -> None:
+    assert "input, off at the start" in hover(program, HEAD + "wait until part_|ok")
+
+
+def test_hover_tells_what_a_word_means() -> None:
+    assert "straight line" in hover(BARE, HEAD + "li|n corner")
+
+
+def test_hover_on_a_finding_tells_its_code() -> None:
+    assert "`ropsim explain N201`" in hover(BARE, HEAD + "Pi|kc corner")
+
+
+def test_text_of_a_user_is_no_markup_in_a_hover() -> None:
+    told = hover(BARE, "program p\n# <img src=x onerror=y> ``` [a](b)\ntask T\n  open\nendp\nT|\n")
+    assert "\\<img" in told
+    assert "\\[a\\](b)" in told
+
+
+def test_nothing_is_known_about_an_empty_place() -> None:
+    assert Editor().at_mark("hover", BARE, "program p\n  |\nmov home\n") is None
+
+
+@pytest.mark.parametrize(
+    ("line", "defined"),
+    [("Pi|ck corner", (8, 5)), ("lin cor|ner", (2, 4)), ("for each q in slo|ts\nendf", (4, 8))],
+)
+def test_definition_is_the_line_of_the_name(line: str, defined: tuple[int, int]) -> None:
+    found = Editor().at_mark("definition", BARE, HEAD + line)
+    assert found["uri"] == BARE
+    assert found["range"]["start"] == place(*defined)
+
+
+def test_definition_of_a_parameter_is_in_the_header() -> None:
+    found = Editor().at_mark("definition", BARE, HEAD.replace("lin part", "lin pa|rt"))
+    assert found["range"] == {"start": place(8, 10), "end": place(8, 14)}
+
+
+def test_definition_of_a_name_of_the_cell_is_in_the_cell_file(program: str) -> None:
+    found = Editor().at_mark("definition", program, HEAD + "mov inf|eed")
+    assert found["uri"].endswith("/cell/cell.toml")
+    cell = (Path(found["uri"].removeprefix("file://"))).read_text("utf-8").splitlines()
+    assert cell[found["range"]["start"]["line"]] == "[locations.infeed]"
+
+
+def test_nobody_knows_where_a_word_of_the_language_is_defined() -> None:
+    assert Editor().at_mark("definition", BARE, HEAD + "l|in corner") is None
+
+
+def test_the_outline_lists_tasks_and_declarations() -> None:
+    editor = Editor()
+    editor.open(BARE, HEAD)
+    found = editor.ask("textDocument/documentSymbol", textDocument={"uri": BARE})
+    assert [one["name"] for one in found] == ["corner", "gap", "slots", "Pick"]
+    assert found[-1]["range"]["end"]["line"] == 14
