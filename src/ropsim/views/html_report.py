@@ -13,6 +13,14 @@ from ropsim.views.figures import seconds
 from ropsim.views.html_cards import key_figures
 from ropsim.views.html_charts import active_lines, figures
 from ropsim.views.html_findings import findings_section, skipped_section
+from ropsim.views.html_replay import (
+    NoReplay,
+    Replay,
+    inline_script,
+    inline_style,
+    replay_data,
+    replay_section,
+)
 from ropsim.views.html_tables import approach_table, joint_table, origin_table, path_table, task_table
 from ropsim.views.markup import text
 from ropsim.views.summary import Summary
@@ -24,17 +32,25 @@ SHOWN_LINE_CHANGES = 5000
 _SIGNS = {Verdict.GOOD: "✓", Verdict.DOUBTFUL: "!", Verdict.FAILED: "✕"}
 
 
-def html_report(recording: Recording, summary: Summary, sources: Mapping[str, SourceText]) -> str:
+def html_report(
+    recording: Recording,
+    summary: Summary,
+    sources: Mapping[str, SourceText],
+    replay: Replay | NoReplay | None = None,
+) -> str:
     """Return the page.
 
     Args:
         recording: of the run.
         summary: its figures, from `summarize(recording)`.
         sources: program texts by the names that spans use, for quoting; may be empty.
+        replay: of the run in 3-D, or why there is none; None says nothing about it.
     """
     name = summary.header.title
+    shown = replay if isinstance(replay, Replay) else None
     body = [
         _header(name, summary),
+        replay_section(replay),
         key_figures(summary),
         findings_section(summary, sources),
         skipped_section(summary),
@@ -44,15 +60,26 @@ def html_report(recording: Recording, summary: Summary, sources: Mapping[str, So
         _definitions(),
         _footer(summary),
     ]
-    digest = base64.b64encode(hashlib.sha256(SCRIPT.encode()).digest()).decode("ascii")
+    scripts = [SCRIPT, inline_script(shown.script)] if shown else [SCRIPT]
+    style = stylesheet() + (inline_style(shown.style) if shown else "")
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f"<title>{text(name)} – run report</title>\n"
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta http-equiv="Content-Security-Policy" content="default-src &#39;none&#39;; '
-        f'style-src &#39;unsafe-inline&#39;; script-src &#39;sha256-{digest}&#39;">\n'
-        f"<style>\n{stylesheet()}</style>\n</head>\n<body>\n<main>\n{''.join(body)}</main>\n"
-        f"{_reading(recording)}<script>{SCRIPT}</script>\n</body>\n</html>\n"
+        f'<meta http-equiv="Content-Security-Policy" content="{_policy(scripts)}">\n'
+        f"<style>\n{style}</style>\n</head>\n<body>\n<main>\n{''.join(body)}</main>\n"
+        f"{_reading(recording)}{replay_data(shown) if shown else ''}"
+        f"{''.join(f'<script>{script}</script>' for script in scripts)}\n</body>\n</html>\n"
+    )
+
+
+def _policy(scripts: list[str]) -> str:
+    """Return the content policy: these scripts and no others, pictures made by them, no network."""
+    digests = [base64.b64encode(hashlib.sha256(one.encode()).digest()).decode("ascii") for one in scripts]
+    allowed = " ".join(f"&#39;sha256-{digest}&#39;" for digest in digests)
+    return (
+        "default-src &#39;none&#39;; style-src &#39;unsafe-inline&#39;; img-src data: blob:; "
+        f"script-src {allowed}"
     )
 
 

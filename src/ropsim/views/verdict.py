@@ -7,6 +7,10 @@ from ropsim.views.findings import plural
 from ropsim.views.summary import Summary
 
 
+STOPPED_BY_HAND = "S761"
+"""Code of the finding of a live run that did not come to the program's end."""
+
+
 class Verdict(Enum):
     """How far a run can be relied on."""
 
@@ -39,6 +43,11 @@ def verdict(summary: Summary) -> VerdictText:
         reasons.append(plural(summary.warning_count, "warning"))
     if failed:
         return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
+    end = (
+        "ended by hand"
+        if any(one.first.code == STOPPED_BY_HAND for one in summary.findings)
+        else "ran to the end"
+    )
     if reasons:
-        return VerdictText(Verdict.DOUBTFUL, "ran to the end with " + ", ".join(reasons))
-    return VerdictText(Verdict.GOOD, "ran to the end, no errors, no warnings")
+        return VerdictText(Verdict.DOUBTFUL, f"{end} with " + ", ".join(reasons))
+    return VerdictText(Verdict.GOOD, f"{end}, no errors, no warnings")

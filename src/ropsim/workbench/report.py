@@ -1,40 +1,76 @@
 """The report of a recording: terminal text, HTML page, summary."""
 
+import base64
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from ropsim.core import SourceText, replace_file
 from ropsim.flow import Recording
-from ropsim.views import Style, Summary, html_report, summarize, terminal_report
+from ropsim.model import Cell
+from ropsim.views import (
+    NoReplay,
+    Replay,
+    Style,
+    Summary,
+    html_report,
+    scene,
+    summarize,
+    terminal_report,
+)
+from ropsim.workbench.meshes import load_meshes
+from ropsim.workbench.pack_file import pack_bytes
+from ropsim.workbench.plain_values import numeric
+from ropsim.workbench.viewer import built_viewer
+
+OTHER_ARM = "No 3-D replay: the recording is not of the arm of this cell."
+NOT_BUILT = "No 3-D replay: this ropsim has been installed without its built pages."
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """Where a run took place.
+
+    Attributes:
+        cell: that was simulated.
+        folder: of the project, in which the meshes of the cell are.
+    """
+
+    cell: Cell
+    folder: Path
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """A report; everything in it is derived from the recording.
+    """A report; everything in it is derived from the recording and the cell.
 
     Attributes:
         recording: of the run.
         summary: its key figures.
         sources: program texts for quoting, by the names that spans use.
+        setting: where the run took place, for the replay; None where that is not known.
     """
 
     recording: Recording
     summary: Summary
     sources: Mapping[str, SourceText]
+    setting: Setting | None = None
 
     @classmethod
-    def of(cls, recording: Recording, sources: Mapping[str, SourceText]) -> "Report":
+    def of(
+        cls, recording: Recording, sources: Mapping[str, SourceText], setting: Setting | None = None
+    ) -> "Report":
         """Return the report of a recording; it is summarized once."""
-        return cls(recording, summarize(recording), sources)
+        return cls(recording, summarize(recording), sources, setting)
 
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
         return terminal_report(self.summary, style)
 
     def html(self) -> str:
-        """Return the self-contained HTML page."""
-        return html_report(self.recording, self.summary, self.sources)
+        """Return the self-contained HTML page, with the 3-D replay where the cell is known."""
+        return html_report(self.recording, self.summary, self.sources, self._replay())
 
     def save(self, path: str | Path) -> None:
         """Write the HTML page; an older file is replaced in one step.
@@ -43,3 +79,30 @@ class Report:
             OSError: the place cannot be written.
         """
         replace_file(Path(path), self.html().encode())
+
+    def _replay(self) -> Replay | NoReplay | None:
+        if self.setting is None:
+            return None
+        cell, q = self.setting.cell, self.recording.channels.get("q")
+        if q is None or q.values.shape[1:] != (cell.robot.n,):
+            return NoReplay(OTHER_ARM)
+        viewer = built_viewer()
+        if viewer is None:
+            return NoReplay(NOT_BUILT)
+        meshes = load_meshes(self.setting.folder, cell)
+        return Replay(
+            viewer.script,
+            viewer.style,
+            _json(scene(cell, meshes.addresses)),
+            _base64(pack_bytes(cell, self.recording)),
+            _json({name: source.text for name, source in self.sources.items()}),
+            {address: _base64(content) for address, content in meshes.contents.items()},
+        )
+
+
+def _json(value: object) -> str:
+    return json.dumps(numeric(value), allow_nan=False, separators=(",", ":"))
+
+
+def _base64(content: bytes) -> str:
+    return base64.b64encode(content).decode("ascii")

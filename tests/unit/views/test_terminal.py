@@ -3,6 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, Event
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
@@ -66,3 +67,10 @@ def test_colour_changes_nothing_but_colour() -> None:
     plain = terminal_report(summary, Style.PLAIN)
     assert coloured != plain
     assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == plain
+
+
+def test_a_run_that_was_ended_by_hand_does_not_claim_to_have_run_to_the_end() -> None:
+    stopped = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s")
+    text = report(findings=(stopped,))
+    assert "ended by hand, no errors" in text
+    assert "ran to the end" not in text

@@ -1,0 +1,32 @@
+"""The file of a pack: a mark, the header as JSON and the bytes of the columns, all in one gzip stream."""
+
+import gzip
+import json
+import struct
+from collections.abc import Iterable
+
+from ropsim.core import Diagnostic
+from ropsim.flow import Recording
+from ropsim.model import Cell
+from ropsim.views import pack
+from ropsim.workbench.plain_values import numeric
+
+MAGIC = b"RPK1"
+
+
+def pack_bytes(cell: Cell, recording: Recording, findings: Iterable[Diagnostic] = ()) -> bytes:
+    """Return the pack of a run; equal recordings give equal bytes.
+
+    docs/reference/pack.md describes the content.
+
+    Args:
+        cell: in which the run took place.
+        recording: as it was simulated.
+        findings: of compiling, listed before those of the run.
+    """
+    made = pack(recording, cell, findings)
+    text = json.dumps(
+        numeric(made.header), allow_nan=False, ensure_ascii=False, separators=(",", ":")
+    ).encode("utf-8", "replace")
+    # No time stamp, so that equal runs give equal bytes.
+    return gzip.compress(MAGIC + struct.pack("<I", len(text)) + text + made.body, 9, mtime=0)

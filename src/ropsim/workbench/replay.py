@@ -1,0 +1,25 @@
+"""Packs of a project's runs: what `ropsim studio` sends to its page."""
+
+from collections.abc import Iterable
+
+from ropsim.core import Diagnostic
+from ropsim.flow import Recording
+from ropsim.workbench.pack_file import pack_bytes
+from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.project_diagnostics import NO_CELL
+
+
+def pack_of(project: Project, recording: Recording, findings: Iterable[Diagnostic] = ()) -> bytes:
+    """Return the pack of a run of a project; equal recordings give equal bytes.
+
+    Args:
+        project: of which the recording is a run.
+        recording: as it was simulated.
+        findings: of compiling, listed before those of the run.
+
+    Raises:
+        ProjectError: the project has no cell.
+    """
+    if project.cell is None:
+        raise ProjectError(NO_CELL.at(None, f"`{project.folder}` has no cell to show a run in"))
+    return pack_bytes(project.cell, recording, findings)
