@@ -34,6 +34,9 @@ def build_parser() -> argparse.ArgumentParser:
     _icr(commands)
     _robot(commands)
     _explain(commands)
+    _studio(commands)
+    _trust(commands)
+    _lsp(commands)
     return parser
 
 
@@ -91,6 +94,7 @@ def _run(commands: Commands) -> None:
     )
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
+    parser.add_argument("--inputs", metavar="FILE", help="inputs of a live run to take again (.npz or .json)")
 
 
 def _icr(commands: Commands) -> None:
@@ -136,3 +140,38 @@ def _robot(commands: Commands) -> None:
 def _explain(commands: Commands) -> None:
     parser = _command(commands, "explain", "explain:explain", "explain a diagnostic code such as M502")
     parser.add_argument("code", metavar="CODE", nargs="?", help="without a code: list all")
+
+
+def _studio(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "studio",
+        help="see, edit and run a project in the browser",
+        description="See, edit and run a project in the browser. Prints the address; Ctrl+C ends the studio.",
+    )
+    parser.add_argument(
+        "path", metavar="PROJECT", nargs="?", default=".", help="project folder (default: this folder)"
+    )
+    parser.add_argument("--port", metavar="N", type=int, default=0, help="port (default: any free one)")
+    parser.add_argument("--no-browser", action="store_true", help="do not open the browser")
+    parser.set_defaults(command=_lazy("studio:studio"), json=False)
+
+
+def _trust(commands: Commands) -> None:
+    parser = _command(
+        commands,
+        "trust",
+        "trust:trust",
+        "let code inside a project folder run",
+        "Controllers in Python, FMUs and the like stay inert until their project is trusted.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder")
+    parser.add_argument("--revoke", action="store_true", help="trust it no more")
+
+
+def _lsp(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "lsp",
+        help="language server for editors, on standard input and output",
+        description="Diagnostics, completion and hover for task programs and cell files. Editors start it.",
+    )
+    parser.set_defaults(command=_lazy("lsp:lsp"), json=False)

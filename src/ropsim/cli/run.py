@@ -43,12 +43,14 @@ def run(options: argparse.Namespace, output: Output) -> int:
 
 
 def _check_places(options: argparse.Namespace, project: Project) -> None:
-    """Make sure that results replace no file of the project, nor each other.
+    """Make sure that results replace no file that is read, nor each other.
 
     Raises:
         ProjectError: X847, they would.
     """
     taken = {Path(name).resolve(): f"the project's `{name}`" for name in project.texts}
+    if options.inputs:
+        taken[Path(options.inputs).resolve()] = "the recorded inputs"
     for place in filter(None, [options.report, options.record]):
         if Path(place).resolve() in taken:
             message = f"`{place}` would replace {taken[Path(place).resolve()]}"
@@ -62,9 +64,12 @@ def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Nam
         progress(0.0, "preparing the arm (compiled once, then cached)")
         from ropsim.simulation import Fidelity, RunOptions
         from ropsim.simulation import run as simulate
+        from ropsim.workbench.inputs import read_inputs, with_inputs
 
+        inputs = read_inputs(options.inputs) if options.inputs else ()
         fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
-        return simulate(cell, program, RunOptions(fidelity, progress=_counted(program, progress)))
+        plain = RunOptions(fidelity, progress=_counted(program, progress))
+        return simulate(cell, program, with_inputs(plain, inputs))
 
 
 def _counted(program: icr.Program, progress: Callable[[float, str], None]) -> Callable[[str], None]:

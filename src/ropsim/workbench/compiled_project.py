@@ -42,15 +42,15 @@ def compile_program(
         compiled = language.compile(text.text, environment, name=text.name)
         findings = compiled.diagnostics
         if compiled.icr is not None and not any(one.is_error for one in findings):
-            findings = (*findings, *icr.verify(compiled.icr), *_unbound(compiled.icr, cell))
+            findings = (*findings, *icr.verify(compiled.icr), *unbound(compiled.icr, cell))
         return CompiledProgram(text, compiled.program, compiled.icr, findings)
     code, findings = icr.read_text(text.text, text.name)
     if code is not None:
-        findings = (*findings, *icr.verify(code), *_unbound(code, cell))
+        findings = (*findings, *icr.verify(code), *unbound(code, cell))
     return CompiledProgram(text, None, code, findings)
 
 
-def _unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
+def unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
     """Return the channels and tools that a program names and the cell does not have (rule V11)."""
     if cell is None:
         return ()

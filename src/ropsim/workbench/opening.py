@@ -1,7 +1,9 @@
 """Opening a project: from a path to cell and program texts."""
 
+from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePath
+from typing import TypeAlias
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
@@ -9,8 +11,13 @@ from ropsim.workbench.cell_file import read_cell
 from ropsim.workbench.project import Project, ProjectError
 from ropsim.workbench.project_diagnostics import NO_PROJECT, UNREADABLE
 from ropsim.workbench.text_file import missing, read_text_file
+from ropsim.workbench.trust import inert_code
 
+CELL_FILE = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
+
+Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
+"""What became of reading a file: its text, or why there is none."""
 
 
 def open_project(path: str | Path) -> Project:
@@ -35,11 +42,11 @@ def _open(place: Path, path: str | Path) -> Project:
         raise ProjectError(missing(place, str(path)))
     if place.is_dir():
         return _read_folder(place)
-    if place.name == "cell.toml":
+    if place.name == CELL_FILE:
         return _read_folder(place.parent)
     if place.suffix in PROGRAM_ENDINGS:
         folder = place.parent.parent
-        if place.parent.name == "programs" and (folder / "cell.toml").is_file():
+        if place.parent.name == "programs" and (folder / CELL_FILE).is_file():
             return _only(_read_folder(folder), place)
         text, findings = read_text_file(place, str(path))
         return Project(place.parent, None, {place.stem: text} if text else {}, None, findings)
@@ -57,33 +64,48 @@ def _only(project: Project, program: Path) -> Project:
 
 
 def _read_folder(folder: Path) -> Project:
-    cell_path = folder / "cell.toml"
+    cell_path = folder / CELL_FILE
     if not cell_path.is_file():
-        raise ProjectError(
-            NO_PROJECT.at(None, f"`{folder}` has no `cell.toml`", hint="see docs/reference/cell-file.md")
-        )
-    cell_text, findings = read_text_file(cell_path, str(cell_path))
+        raise ProjectError(no_cell_file(folder))
+    programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
+    project = assembled(folder, read_text_file(cell_path, str(cell_path)), programs)
+    return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
+
+
+def no_cell_file(folder: Path) -> Diagnostic:
+    """Return the finding that a folder is no project."""
+    return NO_PROJECT.at(None, f"`{folder}` has no `{CELL_FILE}`", hint="see docs/reference/cell-file.md")
+
+
+def program_files(folder: Path) -> list[Path]:
+    """Return the programs of a project folder."""
+    programs = folder / "programs"
+    paths = programs.iterdir() if programs.is_dir() else ()
+    return [path for path in paths if path.suffix in PROGRAM_ENDINGS and path.is_file()]
+
+
+def assembled(folder: Path, cell_file: Reading, programs: Mapping[str, Reading]) -> Project:
+    """Return the project that a cell file and programs make.
+
+    Args:
+        folder: of the project.
+        cell_file: content of `cell.toml`, or why it cannot be read.
+        programs: the same of each program by its file name.
+    """
+    cell_text, findings = cell_file
     cell: Cell | None = None
     if cell_text is not None:
         cell, cell_findings = read_cell(cell_text, folder.resolve().name)
         findings = (*findings, *cell_findings)
-    sources, source_findings = _read_programs(folder / "programs")
-    return Project(folder, cell, sources, cell_text, (*findings, *source_findings))
-
-
-def _by_ending(path: Path) -> tuple[bool, Path]:
-    return path.suffix != PROGRAM_ENDINGS[0], path
-
-
-def _read_programs(folder: Path) -> tuple[dict[str, SourceText], tuple[Diagnostic, ...]]:
     sources: dict[str, SourceText] = {}
-    findings: tuple[Diagnostic, ...] = ()
     # a task comes before code of the same name, which is most likely compiled from an older state of it
-    paths = sorted(folder.iterdir(), key=_by_ending) if folder.is_dir() else []
-    for path in paths:
-        if path.suffix in PROGRAM_ENDINGS and path.is_file():
-            text, found = read_text_file(path, str(path))
-            findings += found
-            if text is not None:
-                sources[path.stem if path.stem not in sources else path.name] = text
-    return sources, findings
+    for name in sorted(map(PurePath, programs), key=_by_ending):
+        text, found = programs[str(name)]
+        findings = (*findings, *found)
+        if text is not None:
+            sources[name.stem if name.stem not in sources else name.name] = text
+    return Project(folder, cell, sources, cell_text, findings)
+
+
+def _by_ending(name: PurePath) -> tuple[bool, PurePath]:
+    return name.suffix != PROGRAM_ENDINGS[0], name

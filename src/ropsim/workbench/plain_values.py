@@ -48,6 +48,11 @@ def tagged(value: object) -> object:
     return _plain(value, "value", _TAGGED)
 
 
+def numeric(value: object) -> object:
+    """Return a plain form as `readable` does, with null for every number that is not finite."""
+    return _plain(value, "value", _NULLED)
+
+
 def untagged(value: object) -> object:
     """Return the value of which `tagged` made a plain form."""
     if isinstance(value, list):
@@ -108,9 +113,15 @@ def _tag(word: str) -> object:
     return {TAG: word}
 
 
+def _null(word: str) -> object:
+    del word
+    return None
+
+
 def _word(word: str) -> object:
     return word
 
 
 _READABLE: Rules = (_word, _record_or_text)
 _TAGGED: Rules = (_tag, _refuse)
+_NULLED: Rules = (_null, _record_or_text)

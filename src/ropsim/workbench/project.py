@@ -121,7 +121,8 @@ class Project:
         return self.cell, compiled.icr
 
     def report(self, recording: "Recording") -> "Report":
-        """Return the report of a recording, with the program texts for quoting."""
-        from ropsim.workbench.report import Report
+        """Return the report of a recording; it quotes the programs and shows the run in the cell."""
+        from ropsim.workbench.report import Report, Setting
 
-        return Report.of(recording, self.texts)
+        setting = Setting(self.cell, self.folder) if self.cell else None
+        return Report.of(recording, self.texts, setting)

@@ -110,6 +110,20 @@ Choose another path with `--record FILE`.
 """,
 )
 
+INPUTS_UNREADABLE = define(
+    "X878",
+    "inputs-not-readable",
+    Severity.ERROR,
+    "recorded inputs cannot be read",
+    """
+`ropsim run PATH --inputs FILE` gives a run the inputs of an earlier live run. FILE is the recording of that run
+(`.npz`), or a JSON list such as `[{"signal": "start", "time": 1.5, "value": 1}]` with times in seconds of
+simulated time.
+
+The file is missing, is no JSON, or an entry lacks one of the three keys.
+""",
+)
+
 
 class RecordingFileError(RopsimError):
     """A recording cannot be written or read; nothing half-written is left and nothing half-read returned."""

@@ -37,7 +37,14 @@ def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
         for found in findings:
             if found.code == "X802":
                 asked.update(re.findall(r"`(\w+)`", found.hint))
-    assert {"kp", "speed_override", "gripper", "down", "changes"} <= asked
+    for text in ("[[objects]]\n", "[[objects]]\nshapes = [{ zzzz = 1 }]\n", "[[parts]]\n", "[[supplies]]\n"):
+        _, findings = read_cell(
+            SourceText("cell.toml", f'[robot]\nmodel = "puma560"\n{text}qqqqqqqqqqqq = 1\n'), ""
+        )
+        for found in findings:
+            if found.code == "X802":
+                asked.update(re.findall(r"`(\w+)`", found.hint))
+    assert {"kp", "speed_override", "gripper", "down", "changes", "size", "shapes", "grid", "arc"} <= asked
     assert [key for key in sorted(asked) if f"`{key}`" not in MANUAL] == []
 
 

@@ -1,0 +1,22 @@
+"""`ropsim trust`: let the code of a project folder run, or no more."""
+
+import argparse
+from pathlib import Path
+
+from ropsim.cli.output import Output
+from ropsim.workbench import Trust, code_in, set_trust
+
+
+def trust(options: argparse.Namespace, output: Output) -> int:
+    """Trust a project folder or take that back, and return the exit code."""
+    folder = Path(options.path)
+    given = Trust.WITHHELD if options.revoke else Trust.GIVEN
+    set_trust(folder, given)
+    code = code_in(folder)
+    words = "no more trusted" if options.revoke else "trusted"
+    listed = "".join(f"\n  {name}" for name in code)
+    output.text(
+        f"{folder} is {words}; {len(code)} file{'s' * (len(code) != 1)} of code{':' * bool(code)}{listed}"
+    )
+    output.document({"ok": True, "trusted": given is Trust.GIVEN, "code": list(code)})
+    return 0

@@ -1,0 +1,130 @@
+"""What a page says to the server over `/ws/studio`; `frontend/src/wire/messages.ts` is the other side."""
+
+from typing import Literal, TypeAlias
+
+import msgspec
+from msgspec import Struct
+
+
+class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
+    """First message of a connection; `tab` is a random name that lives as long as the tab."""
+
+    tab: str
+
+
+class Edit(Struct, frozen=True, tag_field="type", tag="edit"):
+    """New text of a document; `version` counts up in the tab."""
+
+    document: str
+    text: str
+    version: int
+
+
+class Save(Struct, frozen=True, tag_field="type", tag="save"):
+    """Write a document to its file; `overwrite` also over a file that has changed since it was read."""
+
+    document: str
+    overwrite: bool
+
+
+class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
+    """Give up unsaved text and read the file again."""
+
+    document: str
+
+
+class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
+    """Take the right to edit from another tab."""
+
+
+class RunNow(Struct, frozen=True, tag_field="type", tag="run"):
+    """Simulate now. Empty program: the cell's."""
+
+    program: str
+    fidelity: Literal["dynamic", "kinematic"]
+
+
+class CancelRun(Struct, frozen=True, tag_field="type", tag="cancel"):
+    """Give up the simulation that is running."""
+
+
+class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
+    """Start a run in real time whose inputs come from keys."""
+
+    program: str
+    speed: float
+
+
+class LiveControl(Struct, frozen=True, tag_field="type", tag="live_control"):
+    """Pause a live run, go on, or end it."""
+
+    action: Literal["pause", "resume", "stop"]
+
+
+class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
+    """Simulated seconds per second of the live run."""
+
+    speed: float
+
+
+class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
+    """Set an input of the cell in a live run."""
+
+    name: str
+    value: float
+
+
+class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):
+    """Forget recorded key presses."""
+
+
+class JogJoints(Struct, frozen=True, tag_field="type", tag="jog_joints"):
+    """Put the jogged arm at joint coordinates `q` [rad | m]."""
+
+    id: int
+    q: tuple[float, ...]
+    tool: str
+
+
+class JogTcp(Struct, frozen=True, tag_field="type", tag="jog_tcp"):
+    """Move the TCP of the jogged arm, standing at `q`, to a pose in W."""
+
+    id: int
+    q: tuple[float, ...]
+    tool: str
+    target: tuple[float, float, float, float, float, float, float]
+
+
+class Trust(Struct, frozen=True, tag_field="type", tag="trust"):
+    """Let code inside the project folder run, or no more."""
+
+    trusted: bool
+
+
+Command: TypeAlias = (
+    Hello
+    | Edit
+    | Save
+    | Revert
+    | TakeOver
+    | RunNow
+    | CancelRun
+    | LiveStart
+    | LiveControl
+    | LiveSpeed
+    | SetSignal
+    | ForgetInputs
+    | JogJoints
+    | JogTcp
+    | Trust
+)
+
+_DECODER = msgspec.json.Decoder(Command)
+
+
+def read_command(text: str | bytes) -> tuple[Command | None, str]:
+    """Return the command in a JSON text, or None and in words what is wrong with it."""
+    try:
+        return _DECODER.decode(text), ""
+    except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
+        return None, str(error)

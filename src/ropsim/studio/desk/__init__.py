@@ -1,0 +1,3 @@
+"""The worker process of the studio: it opens, simulates and jogs; the web process never computes."""
+
+from ropsim.studio.desk.main import main as main

@@ -1,0 +1,57 @@
+"""What the worker knows between two jobs, and who does which job."""
+
+from dataclasses import dataclass
+
+from ropsim.studio.desk.jog import JoggedArm
+from ropsim.studio.desk.line import Line
+from ropsim.studio.desk.live import run_live
+from ropsim.studio.desk.scene import open_scene
+from ropsim.studio.desk.simulate import simulate
+from ropsim.studio.jobs import Failed, Job, JogJoints, JogTcp, LiveStart, OpenScene, Reply, Simulate
+from ropsim.workbench import MeshLibrary
+
+NOTHING_OPEN = "no cell is open: the cell file has errors, they are in the list of problems"
+
+
+@dataclass(slots=True)
+class Desk:
+    """State of the worker.
+
+    Attributes:
+        arm: the arm of the newest scene, None without one.
+        meshes: those of the newest scene, so that files which stay are not converted again.
+        is_cold: whether `warm` has something to do.
+    """
+
+    arm: JoggedArm | None = None
+    meshes: MeshLibrary | None = None
+    is_cold: bool = False
+
+    def do(self, job: Job, line: Line) -> Reply:
+        """Return the reply to a job.
+
+        Raises:
+            Cancelled: it was given up.
+            RopsimError: it cannot be done; the message is in words.
+        """
+        match job:
+            case OpenScene():
+                opened = open_scene(job, self.meshes)
+                self.arm = JoggedArm.of(opened.cell) if opened.cell is not None else None
+                self.meshes = opened.meshes or self.meshes
+                self.is_cold = self.arm is not None
+                return opened.reply
+            case Simulate():
+                return simulate(job, line)
+            case LiveStart():
+                return run_live(job, line)
+            case JogJoints():
+                return self.arm.to_joints(job) if self.arm else Failed(NOTHING_OPEN)
+            case JogTcp():
+                return self.arm.to_pose(job) if self.arm else Failed(NOTHING_OPEN)
+
+    def warm(self) -> None:
+        """Load what the first jog needs, so that it is as quick as the others."""
+        if self.is_cold and self.arm is not None:
+            self.arm.warm()
+        self.is_cold = False

@@ -1,0 +1,127 @@
+"""What limits, reach and singularities have to say to who jogs an arm."""
+
+from collections.abc import Iterable
+from math import degrees, radians
+from typing import TypeAlias
+
+import numpy as np
+
+from ropsim.kinematics import IkResult, has_closed_form, jacobian, singular_distances
+from ropsim.model import Joint, JointType, RobotModel
+from ropsim.spatial import Array
+
+Words: TypeAlias = list[tuple[str, str]]
+"""Pairs of a level and a text."""
+
+LEVELS = ("error", "warning", "info")
+
+AT_LIMIT = 1e-6
+"""A coordinate this near to its limit is at it [rad | m]."""
+
+NEAR_LIMIT = {JointType.REVOLUTE: radians(5.0), JointType.PRISMATIC: 0.02}
+"""From here on a limit is mentioned [rad | m]."""
+
+NEAR_ANGLE, TIGHT_ANGLE = radians(10.0), radians(3.0)
+NEAR_SHOULDER, TIGHT_SHOULDER = 0.08, 0.02
+"""Distances to a singularity that are mentioned, and that are a warning [m]."""
+
+NEAR_RATIO, TIGHT_RATIO = 0.05, 0.01
+"""Ratios of the least to the greatest singular value of the Jacobian that are mentioned, and a warning."""
+
+
+def worst_first(words: Words) -> tuple[tuple[str, str], ...]:
+    """Return the words in order of their level."""
+    return tuple(sorted(words, key=lambda one: LEVELS.index(one[0])))
+
+
+def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
+    """Return what the joint limits have to say.
+
+    Args:
+        robot: the arm.
+        q: where it stands, inside the limits [rad | m], shape (n,).
+        wanted: where it was to stand, shape (n,).
+    """
+    words: Words = []
+    for joint, value, wish in zip(robot.joints, q.tolist(), wanted.tolist(), strict=True):
+        upper = joint.upper - value <= value - joint.lower
+        limit = joint.upper if upper else joint.lower
+        left = abs(limit - value)
+        named = f"{'upper' if upper else 'lower'} limit {shown(joint, limit)}"
+        if wish != value:
+            words.append(("error", f"joint {joint.name} stops at its {named}"))
+        elif left <= AT_LIMIT:
+            words.append(("warning", f"joint {joint.name} is at its {named}"))
+        elif left <= NEAR_LIMIT[joint.type]:
+            words.append(("info", f"joint {joint.name} is {shown(joint, left)} from its {named}"))
+    return words
+
+
+def refusal_words(robot: RobotModel, found: IkResult) -> Words:
+    """Return why a pose cannot be had: out of reach, or which limits its nearest branch breaks."""
+    if found.reach is not None:
+        reach = found.reach
+        if reach.distance > reach.longest:
+            beyond, how = reach.distance - reach.longest, "too far away"
+        else:
+            beyond, how = reach.shortest - reach.distance, f"too near to axis {reach.axis}"
+        return [("error", f"out of reach: the wrist would be {beyond * 1e3:.1f} mm {how}")]
+    words: Words = []
+    for one in found.violations:
+        joint = robot.joints[one.joint]
+        side = "upper" if one.angle > one.limit else "lower"
+        text = (
+            f"joint {joint.name} would have to go to {shown(joint, one.angle)}, "
+            f"{shown(joint, one.excess)} beyond its {side} limit {shown(joint, one.limit)}"
+        )
+        words.append(("error", text))
+    return words
+
+
+def singularity_words(robot: RobotModel, q: Array) -> Words:
+    """Return which singularities are near, with how far."""
+    if not has_closed_form(robot):
+        return _general_words(robot, q)
+    left = singular_distances(robot, q)
+    angle, length = f"{degrees(left.wrist):.1f}°", f"{left.shoulder * 1e3:.0f} mm"
+    bend = f"{degrees(left.elbow):.1f}°"
+    return [
+        *_near(
+            left.wrist,
+            (NEAR_ANGLE, TIGHT_ANGLE),
+            f"wrist nearly straight: axes 4 and 6 are {angle} from lining up, joints 4 and 6 turn fast here",
+        ),
+        *_near(
+            left.elbow,
+            (NEAR_ANGLE, TIGHT_ANGLE),
+            f"elbow {bend} from being stretched or folded: the arm ends here, joint 3 turns fast",
+        ),
+        *_near(
+            left.shoulder,
+            (NEAR_SHOULDER, TIGHT_SHOULDER),
+            f"wrist {length} from standing above the shoulder: joint 1 turns fast here",
+        ),
+    ]
+
+
+def shown(joint: Joint, value: float) -> str:
+    """Return a coordinate in the unit that users read."""
+    if joint.type is JointType.REVOLUTE:
+        return f"{round(degrees(value), 1):g}°"
+    return f"{round(value * 1e3, 1):g} mm"
+
+
+def _near(left: float, bounds: tuple[float, float], text: str) -> Iterable[tuple[str, str]]:
+    near, tight = bounds
+    if left <= near:
+        yield ("warning" if left <= tight else "info", f"near a singularity, {text}")
+
+
+def _general_words(robot: RobotModel, q: Array) -> Words:
+    """Return the same for any arm, from the Jacobian of its interface; few joints only place it."""
+    rows = 3 if robot.n <= 3 else 6
+    values = np.linalg.svd(jacobian(robot, q)[:rows], compute_uv=False)
+    greatest = float(values[0])
+    ratio = float(values[-1]) / greatest if greatest > 0.0 else 0.0
+    text = f"its slowest direction has {ratio:.1%} of the speed of its fastest one"
+    return list(_near(ratio, (NEAR_RATIO, TIGHT_RATIO), text))

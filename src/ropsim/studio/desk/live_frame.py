@@ -1,0 +1,66 @@
+"""What a live run shows: the layout of its numbers, and state frames of 60 per second."""
+
+import struct
+
+import numpy as np
+
+from ropsim.kinematics import frames_batch
+from ropsim.simulation import RunView, live_sample
+from ropsim.spatial import Array, quaternions_from_matrices
+from ropsim.studio.jobs import LiveFrame, LiveMessage
+from ropsim.views import SceneIndex, group_of
+
+HEADER = struct.Struct("<2sBBIddHHI")
+"""Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""
+
+VERSION, STATE = 1, 1
+
+
+class Frames:
+    """Makes the frames of one run.
+
+    Args:
+        run: as it starts; its channels are those of all frames.
+    """
+
+    def __init__(self, run: RunView) -> None:
+        self._sent = 0
+        self._links = SceneIndex.of(run.cell).links
+        self._layout = live_sample(run, 0.0)
+
+    def layout(self) -> LiveMessage:
+        """Return the message that names the numbers of the frames."""
+        columns = [
+            {
+                "name": name,
+                "column": column,
+                "unit": channel.unit,
+                "description": channel.description,
+                "group": group_of(name),
+            }
+            for name, channel in self._layout.items()
+            for column in channel.columns or ("",)
+        ]
+        return LiveMessage({"type": "layout", "channels": columns, "bodies": list(self._links)})
+
+    def frame(self, run: RunView, time: float, wall: float) -> LiveFrame:
+        """Return the state at a time.
+
+        Args:
+            run: must have been computed up to that time.
+            time: [s].
+            wall: time of day [s].
+        """
+        sample = live_sample(run, time)
+        values = np.concatenate([sample[name].values.ravel() for name in self._layout]).astype("<f4")
+        bodies = self._poses(run, sample["q"].values).astype("<f4")
+        self._sent += 1
+        counts = (len(values), len(bodies), 0)
+        header = HEADER.pack(b"RS", VERSION, STATE, self._sent % 2**32, time, wall * 1e3, *counts)
+        return LiveFrame(header + values.tobytes() + bodies.tobytes())
+
+    def _poses(self, run: RunView, q: Array) -> Array:
+        """Return position and quaternion of every link in W, shape (n, 7)."""
+        robot = run.cell.robot
+        frames = run.cell.X_WB.matrix() @ frames_batch(robot, q)[0, : robot.n]
+        return np.hstack((frames[:, :3, 3], quaternions_from_matrices(frames[:, :3, :3])))

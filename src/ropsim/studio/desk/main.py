@@ -1,0 +1,46 @@
+"""The worker's loop: jobs in, replies out; nothing that a user wrote ends it."""
+
+import contextlib
+from multiprocessing.connection import Connection
+
+from ropsim.core import RopsimError
+from ropsim.studio.desk.desk import Desk
+from ropsim.studio.desk.line import Cancelled, Line
+from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
+from ropsim.studio.jobs import Failed, Job, LiveStart, Reply, RunReply, Simulate
+
+
+def main(connection: Connection) -> None:
+    """Answer requests until the other end asks to stop or is gone.
+
+    Args:
+        connection: this process's end of the pipe; it carries `Request` and `Answer`.
+    """
+    desk = Desk()
+    mailbox = Mailbox(connection)
+    with contextlib.suppress(StopAsked):
+        while True:
+            number, job = mailbox.next_job()
+            mailbox.answer(number, answered(desk, job, mailbox.line(number)))
+            desk.warm()
+
+
+def answered(desk: Desk, job: Job, line: Line) -> Reply:
+    """Return the reply to a job, whatever happens while it is done."""
+    try:
+        return desk.do(job, line)
+    except Cancelled:
+        return given_up(job)
+    except MemoryError:
+        return failure(job, "there is not enough memory for this run: simulate fewer passes of its loops")
+    except RopsimError as error:
+        return failure(job, error.diagnostic.message)
+    except StopAsked:
+        raise
+    except Exception as error:  # the worker must outlive its own faults
+        return failure(job, f"a fault of ropsim: {type(error).__name__}: {error}"[:500])
+
+
+def failure(job: Job, words: str) -> Reply:
+    """Return the reply that a job has failed."""
+    return RunReply("failed", job.program, words) if isinstance(job, Simulate | LiveStart) else Failed(words)

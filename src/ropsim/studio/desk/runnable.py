@@ -1,0 +1,67 @@
+"""A project made ready to run: opened with its unsaved texts and compiled."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ropsim import icr
+from ropsim.core import Diagnostic, RopsimError
+from ropsim.flow import Recording
+from ropsim.model import Cell
+from ropsim.studio.desk.findings import plain_findings
+from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
+from ropsim.workbench import Project, open_overlaid
+from ropsim.workbench.inputs import inputs_of
+from ropsim.workbench.replay import pack_of
+
+MOST_ROWS = 400_000
+"""Recorded rows of a run in the studio: 26 minutes at the full rate, 53 at half of it, and so on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Runnable:
+    """A program that can run.
+
+    Attributes:
+        project: as it would be if the texts were saved.
+        name: of the program.
+        cell: where it runs.
+        code: its verified code.
+        findings: warnings of reading and compiling.
+    """
+
+    project: Project
+    name: str
+    cell: Cell
+    code: icr.Program
+    findings: tuple[Diagnostic, ...]
+
+    def finished(self, recording: Recording) -> RunReply:
+        """Return the reply to a run of this program."""
+        inputs = tuple(InputChange(one.signal, one.time, one.value) for one in inputs_of(recording))
+        pack = pack_of(self.project, recording, self.findings)
+        return RunReply("done", self.name, pack=pack, inputs=inputs)
+
+
+def run_job(job: Simulate | LiveStart, run: Callable[[Runnable], Recording]) -> RunReply:
+    """Return the reply to a run; a program with errors is refused, and so is one that its arm cannot run.
+
+    Args:
+        job: folder, texts and program.
+        run: makes the recording.
+    """
+    name = job.program
+    try:
+        project = open_overlaid(Path(job.folder), job.texts)
+        if project.is_broken:
+            return RunReply("refused", name, findings=plain_findings(project.diagnostics))
+        compiled = project.program(name or None)
+        name = next(key for key, text in project.sources.items() if text is compiled.source)
+        findings = (*project.diagnostics, *compiled.diagnostics)
+        if any(one.is_error for one in findings):
+            return RunReply("refused", name, findings=plain_findings(findings))
+        cell, code = project.runnable(compiled)
+        ready = Runnable(project, name, cell, code, findings)
+        return ready.finished(run(ready))
+    except RopsimError as error:
+        return RunReply("refused", name, findings=plain_findings([error.diagnostic]))

@@ -1,0 +1,48 @@
+"""The cell as it is drawn."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+from ropsim.model import Cell
+from ropsim.studio.desk.findings import plain_findings
+from ropsim.studio.jobs import OpenScene, SceneReply
+from ropsim.views import scene
+from ropsim.workbench import MeshLibrary, ProjectError, load_meshes, open_overlaid
+from ropsim.workbench.plain_values import numeric
+
+
+@dataclass(frozen=True, slots=True)
+class OpenedScene:
+    """What became of opening a scene.
+
+    Attributes:
+        reply: for the page.
+        cell: None where it is broken.
+        meshes: of the cell, None without one.
+    """
+
+    reply: SceneReply
+    cell: Cell | None = None
+    meshes: MeshLibrary | None = None
+
+
+def open_scene(job: OpenScene, known: MeshLibrary | None) -> OpenedScene:
+    """Return the scene of a project with unsaved texts.
+
+    Args:
+        job: folder and texts.
+        known: meshes of an earlier scene; files that have not changed are not converted again.
+    """
+    folder = Path(job.folder)
+    try:
+        project = open_overlaid(folder, job.texts)
+    except ProjectError as error:
+        return OpenedScene(SceneReply(None, plain_findings([error.diagnostic]), {}))
+    cell = project.cell
+    if cell is None:
+        return OpenedScene(SceneReply(None, plain_findings(project.diagnostics), {}))
+    meshes = load_meshes(folder, cell, project.cell_text, known or MeshLibrary())
+    drawn = cast("dict[str, object]", numeric(scene(cell, meshes.addresses)))
+    findings = plain_findings((*project.diagnostics, *meshes.diagnostics))
+    return OpenedScene(SceneReply(drawn, findings, dict(meshes.contents)), cell, meshes)

@@ -1,0 +1,207 @@
+"""The texts of a project: edited in the page, saved when asked to, watched on the disk."""
+
+import asyncio
+import tomllib
+from collections.abc import Mapping
+from enum import Enum
+from pathlib import Path, PurePosixPath
+
+from ropsim.core import Diagnostic, did_you_mean, replace_file
+from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
+from ropsim.studio.document import LARGEST, Document
+from ropsim.studio.project_files import (
+    CELL,
+    PROGRAM_ENDINGS,
+    Stamp,
+    content,
+    leaves_project,
+    program_names,
+    stamps,
+)
+from ropsim.workbench import Draft
+
+DEFAULT_PROGRAM = "main"
+
+
+class Overwriting(Enum):
+    """Whether a file may be written over that has changed since it was read."""
+
+    REFUSED = "refused"
+    WANTED = "wanted"
+
+
+class ListChange(Enum):
+    """Whether documents have come or gone."""
+
+    NONE = "none"
+    SOME = "some"
+
+
+class Documents:
+    """All texts of a project. Changes on the disk are met by `look`, which reads in a thread."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._stamps: dict[str, Stamp] = {}
+        self._all: dict[str, Document] = {}
+        self._disk = asyncio.Lock()  # what is read from the disk must not be older than what was written
+
+    @property
+    def all(self) -> tuple[Document, ...]:
+        """Return the documents, `cell.toml` first."""
+        return tuple(self._all[name] for name in sorted(self._all, key=lambda one: (one != CELL, one)))
+
+    @property
+    def unsaved_texts(self) -> Mapping[str, str]:
+        """Return unsaved texts by name: they count instead of the files."""
+        return {one.name: one.text for one in self.all if one.unsaved}
+
+    @property
+    def drafts(self) -> Mapping[str, Draft]:
+        """Return what belongs into the journal."""
+        return {one.name: one.draft for one in self.all if one.unsaved}
+
+    @property
+    def programs(self) -> tuple[str, ...]:
+        """Return the names of the programs."""
+        return tuple(sorted(program_names(self._all)))
+
+    @property
+    def program(self) -> str:
+        """Return the program that runs when none is named."""
+        named = _named_program(self._all[CELL].text) if CELL in self._all else DEFAULT_PROGRAM
+        alone = named not in self.programs and named == DEFAULT_PROGRAM and len(self.programs) == 1
+        return self.programs[0] if alone else named
+
+    def recover(self, drafts: Mapping[str, Draft]) -> tuple[Document, ...]:
+        """Bring back unsaved texts of an earlier session; those that the files have by now are dropped."""
+        recovered: list[Document] = []
+        for name, draft in drafts.items():
+            if name not in self._all and not _is_name(name):
+                continue
+            document = self._all.get(name) or Document(name, self._folder / name, None)
+            document.recover(draft)
+            if document.unsaved:
+                self._all[name] = document
+                recovered.append(document)
+            else:
+                document.take_file(document.disk)
+        return tuple(recovered)
+
+    def find(self, name: str) -> tuple[Document | None, Diagnostic | None]:
+        """Return a document that may be edited, or why it may not."""
+        document = self._all.get(name)
+        if document is None:
+            hint = did_you_mean(name, self._all)
+            return None, NOT_EDITABLE.at(None, f"the project has no document `{name[:200]}`", hint=hint)
+        if document.problem:
+            return None, NOT_EDITABLE.at(None, document.problem, hint="mend the file outside of the studio")
+        return document, None
+
+    def edit(self, name: str, text: str, version: int) -> tuple[Document | None, Diagnostic | None]:
+        """Take a new text of a document."""
+        document, finding = self.find(name)
+        if document is None:
+            return None, finding
+        if len(text) > LARGEST:
+            message = f"the new text of `{name}` has more than {LARGEST / 1e6:.0f} MB"
+            return None, NOT_EDITABLE.at(None, message, hint="is this a program?")
+        document.edit(text, version)
+        return document, None
+
+    async def revert(self, document: Document) -> None:
+        """Give up unsaved text; a document whose file is gone goes, too."""
+        async with self._disk:
+            document.take_file(await asyncio.to_thread(content, document.path))
+        if document.disk is None:
+            self._forget(document.name)
+
+    async def save(self, document: Document, overwriting: Overwriting) -> Diagnostic | None:
+        """Write a document to its file in one step; return why that was not possible.
+
+        A file that has changed since it was read is written over only where that is wanted.
+        """
+        if leaves_project(self._folder, document.path):
+            message = f"`{document.name}` is a link that leads out of the project folder; it is not written"
+            return NOT_SAVED.at(None, message, hint="put a file in place of the link")
+        async with self._disk:
+            return await self._write(document, overwriting)
+
+    async def _write(self, document: Document, overwriting: Overwriting) -> Diagnostic | None:
+        present = await asyncio.to_thread(content, document.path)
+        if overwriting is Overwriting.REFUSED and (document.conflict or present != document.disk):
+            document.meet_file(present)
+            if document.unsaved:
+                message = f"`{document.name}` has changed on the disk; it was not written"
+                return CHANGED_ON_DISK.at(None, message, hint="reload it or overwrite it")
+            return None
+        new = document.content()
+        try:
+            await asyncio.to_thread(replace_file, document.path, new)
+        except OSError as error:
+            message = f"`{document.name}` cannot be written: {error.strerror or error}"
+            return NOT_SAVED.at(None, message, hint="the text is kept here and in the journal")
+        document.saved(new)
+        return None
+
+    async def look(self) -> tuple[tuple[Document, ...], ListChange]:
+        """Meet what other programs have done to the files.
+
+        Returns:
+            The documents whose state has changed, and whether some have come or gone.
+        """
+        async with self._disk:
+            return await self._look()
+
+    async def _look(self) -> tuple[tuple[Document, ...], ListChange]:
+        now = await asyncio.to_thread(stamps, self._folder)
+        if now == self._stamps:
+            return (), ListChange.NONE
+        before, self._stamps = self._stamps, now
+        changed: list[Document] = []
+        names = set(self._all)
+        for name in sorted(now.keys() | self._all.keys()):
+            if now.get(name) != before.get(name):
+                read = await asyncio.to_thread(content, self._folder / name)
+                changed += self._meet(name, read) if read is not None or name not in now else self._shut(name)
+        change = ListChange.NONE if names == set(self._all) else ListChange.SOME
+        return tuple(changed), change
+
+    def _shut(self, name: str) -> list[Document]:
+        """Note that a file is there but may not be read."""
+        document = self._all.setdefault(name, Document(name, self._folder / name, b""))
+        document.unreadable = True
+        return [document]
+
+    def _meet(self, name: str, read: bytes | None) -> list[Document]:
+        document = self._all.get(name)
+        if document is None:
+            self._all[name] = Document(name, self._folder / name, read)
+            return [self._all[name]]
+        was_shut, document.unreadable = document.unreadable, False
+        if read == document.disk and not was_shut:
+            return []
+        document.meet_file(read)
+        if read is None and not document.conflict:
+            self._forget(name)
+        return [document]
+
+    def _forget(self, name: str) -> None:
+        self._all.pop(name, None)
+        self._stamps.pop(name, None)
+
+
+def _is_name(name: str) -> bool:
+    """Return whether a journal may name a document so: it never leads out of the project."""
+    path = PurePosixPath(name)
+    return name == CELL or (path.parts[:-1] == ("programs",) and path.suffix in PROGRAM_ENDINGS)
+
+
+def _named_program(cell: str) -> str:
+    """Return the program that a cell file names; one with mistakes names the usual one."""
+    try:
+        table = tomllib.loads(cell).get("cell")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return DEFAULT_PROGRAM
+    name = table.get("program") if isinstance(table, dict) else None
+    return name if isinstance(name, str) else DEFAULT_PROGRAM

@@ -1,0 +1,148 @@
+"""What happens to texts: edits, saves and reverts of the page, changes on the disk, recovery at the start."""
+
+import asyncio
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from ropsim.core import Diagnostic
+from ropsim.studio import commands
+from ropsim.studio.diagnostics import NO_JOURNAL, READ_ONLY
+from ropsim.studio.document import Document
+from ropsim.studio.documents import Documents, ListChange, Overwriting
+from ropsim.studio.keeper import Keeper
+from ropsim.studio.messages import DocumentsChanged, notice
+from ropsim.studio.tab import Tab
+from ropsim.studio.tabs import Tabs
+from ropsim.workbench import Journal
+
+LOOK = 1.0
+"""Time between two looks at the files on the disk [s]."""
+
+
+class Editing:
+    """The texts of a session.
+
+    Args:
+        folder: of the project.
+        tabs: who sees the texts.
+        list_changed: called when documents have come or gone.
+        text_changed: called with every document whose text is another one.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        tabs: Tabs,
+        list_changed: Callable[[], None],
+        text_changed: Callable[[Document], None],
+    ) -> None:
+        self.documents = Documents(folder)
+        self._folder = folder
+        self._tabs = tabs
+        self._list_changed = list_changed
+        self._text_changed = text_changed
+        self._journal: Journal | None = None
+        self._keeper = Keeper(None, lambda: {}, self._warn)
+        self._watching: asyncio.Task[None] | None = None
+        self.warnings: list[Diagnostic] = []
+
+    async def open(self) -> None:
+        """Read the files and what an earlier session has left; watch the files from now on."""
+        await self.documents.look()
+        try:
+            self._journal = await asyncio.to_thread(Journal, self._folder)
+            drafts, findings = await asyncio.to_thread(self._journal.read)
+        except OSError as error:
+            message = f"unsaved text cannot be kept for the next start: {error.strerror or error}"
+            self.warnings.append(NO_JOURNAL.at(None, message, hint="save often"))
+        else:
+            self.warnings.extend(findings)
+            self.documents.recover(drafts)
+        self._keeper = Keeper(self._journal, lambda: self.documents.drafts, self._warn)
+        self._watching = asyncio.get_running_loop().create_task(self._watch())
+
+    async def close(self) -> None:
+        """Keep what is unsaved."""
+        if self._watching is not None:
+            self._watching.cancel()
+        await self._keeper.now()
+        if self._journal is not None:
+            self._journal.close()
+
+    async def keep(self) -> None:
+        """Keep what is unsaved, now."""
+        await self._keeper.now()
+
+    async def handle(self, tab: Tab, command: commands.Edit | commands.Save | commands.Revert) -> None:
+        """Do what a tab wants done to a text, if it may."""
+        if not self._tabs.may_edit(tab):
+            message = "another tab edits this project; nothing was changed"
+            tab.send(notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")))
+            return
+        match command:
+            case commands.Edit(name, text, version):
+                self._edit(tab, name, text, version)
+            case commands.Save(name, overwrite):
+                await self._save(tab, name, Overwriting.WANTED if overwrite else Overwriting.REFUSED)
+            case commands.Revert(name):
+                await self._revert(tab, name)
+
+    def _edit(self, tab: Tab, name: str, text: str, version: int) -> None:
+        document, finding = self.documents.edit(name, text, version)
+        if document is None:
+            _refuse(tab, finding)
+            return
+        self._keeper.soon()
+        self._tell([document], knows=tab)
+        self._text_changed(document)
+
+    async def _save(self, tab: Tab, name: str, overwriting: Overwriting) -> None:
+        document, finding = self.documents.find(name)
+        if document is None:
+            _refuse(tab, finding)
+            return
+        finding = await self.documents.save(document, overwriting)
+        if finding is not None:
+            tab.send(notice(finding))
+        self._tell([document])
+        await self._keeper.now()
+
+    async def _revert(self, tab: Tab, name: str) -> None:
+        document, finding = self.documents.find(name)
+        if document is None:
+            _refuse(tab, finding)
+            return
+        await self.documents.revert(document)
+        if document not in self.documents.all:
+            self._list_changed()
+        self._tell([document])
+        self._text_changed(document)
+        await self._keeper.now()
+
+    async def _watch(self) -> None:
+        while True:
+            await asyncio.sleep(LOOK)
+            changed, change = await self.documents.look()
+            if change is ListChange.SOME:
+                self._list_changed()
+            self._tell(changed)
+            for document in changed:
+                self._text_changed(document)
+
+    def _tell(self, documents: Iterable[Document], knows: Tab | None = None) -> None:
+        """Send the states of documents, with their texts to all tabs but the one that knows them."""
+        present = [one for one in documents if one in self.documents.all]
+        if not present:
+            return
+        full = DocumentsChanged(tuple(one.state(one.text) for one in present))
+        brief = DocumentsChanged(tuple(one.state(None) for one in present))
+        for tab in self._tabs:
+            tab.send(brief if tab is knows else full)
+
+    def _warn(self, finding: Diagnostic) -> None:
+        self._tabs.tell(notice(finding))
+
+
+def _refuse(tab: Tab, finding: Diagnostic | None) -> None:
+    if finding is not None:
+        tab.send(notice(finding))

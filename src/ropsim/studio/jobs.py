@@ -1,0 +1,209 @@
+"""What the web process asks of its workers and what they answer: plain records that travel by pickle.
+
+`folder` is the absolute path of a project. Texts are named by their path inside the project with `/`, such as
+`programs/main.task`: in the `texts` of jobs, and as the source of every span in findings, events and packs.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+Fidelity: TypeAlias = Literal["dynamic", "kinematic"]
+PoseNumbers: TypeAlias = tuple[float, float, float, float, float, float, float]
+"""Position x, y, z [m] and unit quaternion w, x, y, z; in W unless told otherwise."""
+
+
+@dataclass(frozen=True, slots=True)
+class InputChange:
+    """A change of an input that a key made: from `time` [s of simulated time] on, `signal` has `value`."""
+
+    signal: str
+    time: float
+    value: float
+
+
+# ---- jobs: each is answered by exactly one final reply, before it any number of messages -----------------
+
+
+@dataclass(frozen=True, slots=True)
+class OpenScene:
+    """Read the project and tell how its cell looks (`SceneReply`); jogs that follow are for this cell.
+
+    `texts` maps names inside the project, such as `programs/main.task`, to unsaved texts that count instead
+    of the files.
+    """
+
+    folder: str
+    texts: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Simulate:
+    """Compile and simulate a program (`RunReply`, before it `Progress`). Empty program: the cell's."""
+
+    folder: str
+    texts: Mapping[str, str]
+    program: str
+    fidelity: Fidelity
+    inputs: tuple[InputChange, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class LiveStart:
+    """Run a program in real time, inputs coming from `SetSignal` (live messages, at last a `RunReply`)."""
+
+    folder: str
+    texts: Mapping[str, str]
+    program: str
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class JogJoints:
+    """Put the jogged arm of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
+
+    q: tuple[float, ...]
+    tool: str
+
+
+@dataclass(frozen=True, slots=True)
+class JogTcp:
+    """Move the TCP of the jogged arm, standing at `q`, to the pose `target` in W (`JogReply`)."""
+
+    q: tuple[float, ...]
+    tool: str
+    target: PoseNumbers
+
+
+# ---- orders: they carry the number of the job that they are for and have no answer of their own ----------
+
+
+@dataclass(frozen=True, slots=True)
+class Cancel:
+    """Give up the job of this number; its reply says `cancelled`."""
+
+
+@dataclass(frozen=True, slots=True)
+class LiveControl:
+    """Pause a live run, go on, or end it; ending keeps what was recorded so far."""
+
+    action: Literal["pause", "resume", "stop"]
+
+
+@dataclass(frozen=True, slots=True)
+class LiveSpeed:
+    """Simulated seconds per second of a live run."""
+
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetSignal:
+    """Set an input of the cell in a live run; the run stamps it with simulated time."""
+
+    name: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """End the worker process (number 0); a running job is given up."""
+
+
+Job: TypeAlias = OpenScene | Simulate | LiveStart | JogJoints | JogTcp
+Order: TypeAlias = Cancel | LiveControl | LiveSpeed | SetSignal | Stop
+
+
+# ---- answers ---------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a simulation has come, in words."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class LiveMessage:
+    """A message of a live run, as the page gets it: `live`, `layout`, `placed` or `stamped`."""
+
+    payload: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class LiveFrame:
+    """A state frame of a live run, as the page gets it."""
+
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class SceneReply:
+    """The cell as plain JSON values, None while it is broken; findings likewise; GLB files by address."""
+
+    scene: Mapping[str, object] | None
+    findings: tuple[Mapping[str, object], ...]
+    meshes: Mapping[str, bytes]
+
+
+@dataclass(frozen=True, slots=True)
+class RunReply:
+    """The end of a run.
+
+    `done`: `pack` is the finished run for the page. `refused`: the program has errors, they are in
+    `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
+    was given and has used.
+    """
+
+    state: Literal["done", "refused", "cancelled", "failed"]
+    program: str
+    message: str = ""
+    pack: bytes | None = None
+    findings: tuple[Mapping[str, object], ...] = ()
+    inputs: tuple[InputChange, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class JogReply:
+    """Where the jogged arm stands now, and what limits, reach and singularity have to say, worst first.
+
+    `q` is that of the request where the target cannot be reached. `bodies` are pairs of a body's index in
+    the scene and its pose in W, `words` pairs of a level (`error`, `warning`, `info`) and a text.
+    """
+
+    q: tuple[float, ...]
+    tcp: PoseNumbers
+    bodies: tuple[tuple[int, PoseNumbers], ...]
+    reached: bool
+    words: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """A job other than a run could not be done; the reason in words."""
+
+    message: str
+
+
+Reply: TypeAlias = SceneReply | RunReply | JogReply | Failed
+Report: TypeAlias = Progress | LiveMessage | LiveFrame
+
+
+# ---- envelopes: what goes through the pipe ---------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """To the worker: a job with its number, or an order for the job of that number."""
+
+    number: int
+    content: Job | Order
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """From the worker: a report on the job of that number or its final reply."""
+
+    number: int
+    content: Report | Reply

@@ -1,0 +1,74 @@
+"""The built pages, finished runs and meshes, over HTTP."""
+
+import secrets
+from pathlib import Path
+
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.routing import BaseRoute, Mount, Route
+from starlette.staticfiles import StaticFiles
+
+import ropsim
+from ropsim.studio.diagnostics import NO_PAGES, StudioError
+from ropsim.studio.security import content_policy
+from ropsim.studio.session import Session
+
+NONCE_MARK = "__CSP_NONCE__"
+FOR_EVER = {"cache-control": "private, max-age=31536000, immutable"}
+
+
+def pages_folder() -> Path:
+    """Return the folder of the built pages.
+
+    Raises:
+        StudioError: U952, they were not built.
+    """
+    folder = Path(ropsim.__file__).parent / "static" / "studio"
+    if not (folder / "index.html").is_file():
+        message = "the pages of the studio are not part of this installation"
+        hint = (
+            "install ropsim again without ROPSIM_SKIP_FRONTEND; in the source tree, `make demo` builds them"
+        )
+        raise StudioError(NO_PAGES.at(None, message, hint=hint))
+    return folder
+
+
+def routes(folder: Path, session: Session) -> list[BaseRoute]:
+    """Return what is served: `/`, `/assets/…`, `/run/<id>.pack`, `/mesh/<address>.glb`."""
+
+    def index(request: Request) -> Response:
+        del request
+        nonce = secrets.token_urlsafe(16)
+        page = (folder / "index.html").read_text("utf-8").replace(NONCE_MARK, nonce)
+        headers = {"content-security-policy": content_policy(nonce), "cache-control": "no-cache"}
+        return HTMLResponse(page, headers=headers)
+
+    async def pack(request: Request) -> Response:
+        content = session.runs.pack(request.path_params["run"])
+        return _bytes(content, "application/octet-stream", {})
+
+    async def mesh(request: Request) -> Response:
+        content = session.scenes.mesh(request.path_params["address"])
+        return _bytes(content, "model/gltf-binary", FOR_EVER)
+
+    return [
+        Route("/", index),
+        Route("/run/{run:int}.pack", pack),
+        Route("/mesh/{address}.glb", mesh),
+        Mount("/assets", _Assets(directory=folder / "assets")),
+    ]
+
+
+class _Assets(StaticFiles):
+    """Files whose names carry a hash of their content: browsers keep them for ever."""
+
+    def file_response(self, *arguments: object, **options: object) -> Response:
+        response = super().file_response(*arguments, **options)  # type: ignore[arg-type]  # passed on as they are
+        response.headers.update(FOR_EVER)
+        return response
+
+
+def _bytes(content: bytes | None, media_type: str, headers: dict[str, str]) -> Response:
+    if content is None:
+        return PlainTextResponse("there is no such run or mesh any more", status_code=404)
+    return Response(content, media_type=media_type, headers=headers)

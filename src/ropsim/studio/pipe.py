@@ -1,0 +1,118 @@
+"""A worker process and the pipe to it: two threads, so that neither end ever blocks the event loop."""
+
+import contextlib
+import multiprocessing
+import os
+import queue
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from multiprocessing.connection import Connection, wait
+
+from ropsim.studio.jobs import Answer, Request, Stop
+
+GOODBYE = 1.5
+"""How long a worker may take to end by itself, then to follow a request of the system [s]."""
+
+
+class Pipe:
+    """A running worker process.
+
+    Args:
+        name: for lists of processes.
+        target: `module:function`; the function is called in the process with its end of the pipe.
+        folder: working folder of the process, never that of a project.
+        arrived: called with every answer, in a thread of its own.
+        ended: called with the exit code once the process is gone, in that same thread.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        target: str,
+        folder: str,
+        arrived: Callable[[Answer], None],
+        ended: Callable[[int], None],
+    ) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._connection, far = context.Pipe()
+        self._outbox: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
+        self._process = context.Process(target=_serve, args=(target, far, folder), name=name, daemon=True)
+        with _interrupts_held():
+            self._process.start()
+        far.close()
+        self.process_id = self._process.pid
+        self._arrived = arrived
+        self._ended = ended
+        self._reader = threading.Thread(target=self._read, name=f"from {name}", daemon=True)
+        self._writer = threading.Thread(target=self._write, name=f"to {name}", daemon=True)
+        self._reader.start()
+        self._writer.start()
+
+    def send(self, request: Request) -> None:
+        """Put a request on its way."""
+        self._outbox.put(request)
+
+    def kill(self) -> None:
+        """End the process at once."""
+        with contextlib.suppress(ValueError):  # it is gone already
+            self._process.kill()
+
+    def close(self) -> None:
+        """End the process, kindly if it listens; this waits for up to three seconds."""
+        self._outbox.put(Request(0, Stop()))
+        self._outbox.put(None)
+        self._reader.join(GOODBYE)
+        for push in (self._process.terminate, self._process.kill):
+            if self._reader.is_alive():
+                with contextlib.suppress(ValueError):  # it has just gone
+                    push()
+                self._reader.join(GOODBYE)
+
+    def _read(self) -> None:
+        with contextlib.suppress(EOFError, OSError):  # the far end is closed when the process ends
+            while True:
+                self._arrived(self._connection.recv())
+        self._process.join()
+        self._outbox.put(None)
+        self._writer.join()
+        self._connection.close()
+        self._ended(self._process.exitcode or 0)
+        self._process.close()
+
+    def _write(self) -> None:
+        with contextlib.suppress(OSError):  # the process has ended; the reader tells
+            while (request := self._outbox.get()) is not None:
+                self._connection.send(request)
+
+
+def _serve(target: str, connection: Connection, folder: str) -> None:
+    """Run a worker in this process until its end of the pipe is closed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches the web process, which ends its workers
+    os.chdir(folder)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    module, function = target.split(":")
+    getattr(import_module(module), function)(connection)
+
+
+def _end_with_parent() -> None:
+    """End this process when the web process has been killed, also in the middle of a long computation."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
+
+
+@contextlib.contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Keep Ctrl+C from a process that is just being started; here it arrives afterwards."""
+    if sys.platform == "win32":
+        yield
+    else:
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            yield
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -1,0 +1,189 @@
+"""One project and the tabs that show it: what each message from a page does."""
+
+import asyncio
+import time
+from pathlib import Path
+
+from ropsim.core import Diagnostic
+from ropsim.studio import commands, jobs
+from ropsim.studio.diagnostics import INTERNAL, NOT_UNDERSTOOD, TRUST_NOT_KEPT, WORKER_LOST
+from ropsim.studio.document import Document
+from ropsim.studio.editing import Editing
+from ropsim.studio.messages import TrustChanged, TrustState, Welcome, notice
+from ropsim.studio.project_files import CELL
+from ropsim.studio.runs import Runs
+from ropsim.studio.scenes import Scenes
+from ropsim.studio.tab import Tab
+from ropsim.studio.tabs import Tabs
+from ropsim.studio.workers import DESK, WorkerLink
+from ropsim.version import __version__
+from ropsim.workbench import Trust, TrustError, code_in, set_trust, trust_in
+
+REST = 0.25
+"""How long the cell file must rest before the scene is made anew [s]."""
+
+
+class Session:
+    """The studio of one project.
+
+    Args:
+        folder: of the project.
+        neutral: working folder of the workers, where no project lies.
+        worker: `module:function` that runs in both worker processes.
+    """
+
+    def __init__(self, folder: Path, neutral: Path, worker: str = DESK) -> None:
+        self._folder = folder
+        self._tabs = Tabs(time.monotonic)
+        self.editing = Editing(folder, self._tabs, self._welcome_all, self._text_changed)
+        self._desk = WorkerLink("drawing desk", str(neutral), self._desk_lost, worker)
+        self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
+        self.scenes = Scenes(folder, self._desk, self._texts, self._tabs.tell)
+        self.runs = Runs(folder, self._simulator, self._texts, self._tabs.tell, self._tabs.show)
+        self._scene_timer: asyncio.TimerHandle | None = None
+        self._background: set[asyncio.Task[None]] = set()
+        self._code: tuple[str, ...] = ()
+
+    async def open(self) -> None:
+        """Read the project, draw it, and simulate its program."""
+        self._desk.start()
+        self._simulator.start()
+        await self.editing.open()
+        self._code = await asyncio.to_thread(code_in, self._folder)
+        self.scenes.refresh()
+        self.runs.run("", "dynamic")
+
+    async def close(self) -> None:
+        """Keep what is unsaved and end the workers."""
+        for tab in self._tabs:
+            tab.close()
+        self.runs.close()
+        if self._scene_timer is not None:
+            self._scene_timer.cancel()
+        await self.editing.close()
+        await asyncio.gather(self._desk.close(), self._simulator.close())
+        for task in self._background:
+            task.cancel()
+
+    async def receive(self, tab: Tab, text: str | bytes) -> None:
+        """Do what a page says; whatever it says, the session goes on."""
+        command, problem = commands.read_command(text)
+        if command is None:
+            message = f"the server does not understand what the page says: {problem[:300]}"
+            tab.send(notice(NOT_UNDERSTOOD.at(None, message, hint="load the page again")))
+            return
+        try:
+            await self._do(tab, command)
+        except Exception as error:  # one request may fail, the texts of the session must not
+            message = f"`{type(command).__name__}` failed: {type(error).__name__}: {error}"
+            tab.send(notice(INTERNAL.at(None, message, hint="the rest goes on; please report it")))
+
+    async def leave(self, tab: Tab) -> None:
+        """Forget a tab that is gone; what it has not saved is kept first."""
+        self._tabs.remove(tab)
+        await self.editing.keep()
+
+    async def _do(self, tab: Tab, command: commands.Command) -> None:
+        match command:
+            case commands.Hello(name):
+                self._join(tab, name)
+            case commands.Edit() | commands.Save() | commands.Revert():
+                await self.editing.handle(tab, command)
+            case commands.TakeOver():
+                self._tabs.take_over(tab)
+            case commands.Trust(trusted):
+                await self._trust(tab, Trust.GIVEN if trusted else Trust.WITHHELD)
+            case commands.JogJoints() | commands.JogTcp():
+                self._in_background(tab, command)
+            case _:
+                self._run(command)
+
+    def _run(self, command: commands.Command) -> None:
+        match command:
+            case commands.RunNow(program, fidelity):
+                self.runs.run(program, fidelity)
+            case commands.CancelRun():
+                self.runs.cancel()
+            case commands.LiveStart(program, speed):
+                self.runs.start_live(program, speed)
+            case commands.LiveControl(action):
+                self.runs.order_live(jobs.LiveControl(action))
+            case commands.LiveSpeed(speed):
+                self.runs.order_live(jobs.LiveSpeed(speed))
+            case commands.SetSignal(name, value):
+                self.runs.order_live(jobs.SetSignal(name, value))
+            case commands.ForgetInputs():
+                self.runs.forget_inputs()
+
+    def _join(self, tab: Tab, name: str) -> None:
+        if tab.name:
+            return
+        tab.name = name or "unnamed"
+        self._tabs.add(tab)
+        tab.send(self._welcome(tab))
+        if self.scenes.newest is not None:
+            tab.send(self.scenes.newest)
+        for message in self.runs.news:
+            tab.send(message)
+        for finding in self.editing.warnings:
+            tab.send(notice(finding))
+
+    def _welcome(self, tab: Tab) -> Welcome:
+        documents = self.editing.documents
+        return Welcome(
+            __version__,
+            self._folder.name,
+            str(self._folder),
+            documents.programs,
+            documents.program,
+            tuple(one.state(one.text) for one in documents.all),
+            self._tabs.may_edit(tab),
+            self._trust_state(),
+        )
+
+    def _welcome_all(self) -> None:
+        for tab in self._tabs:
+            tab.send(self._welcome(tab))
+
+    def _text_changed(self, document: Document) -> None:
+        self.runs.text_changed()
+        if document.name == CELL:
+            if self._scene_timer is not None:
+                self._scene_timer.cancel()
+            self._scene_timer = asyncio.get_running_loop().call_later(REST, self.scenes.refresh)
+
+    def _texts(self) -> dict[str, str]:
+        return dict(self.editing.documents.unsaved_texts)
+
+    def _trust_state(self) -> TrustState:
+        return TrustState(trust_in(self._folder) is Trust.GIVEN, self._code)
+
+    async def _trust(self, tab: Tab, trust: Trust) -> None:
+        try:
+            await asyncio.to_thread(set_trust, self._folder, trust)
+        except TrustError as error:
+            tab.send(notice(TRUST_NOT_KEPT.at(None, error.diagnostic.message, hint=error.diagnostic.hint)))
+        self._code = await asyncio.to_thread(code_in, self._folder)
+        state = self._trust_state()
+        self._tabs.tell(TrustChanged(state.trusted, state.code))
+
+    def _in_background(self, tab: Tab, command: commands.JogJoints | commands.JogTcp) -> None:
+        """Answer a jog without holding up what the tab says next."""
+
+        async def answer() -> None:
+            tab.send(await self.scenes.jog(command))
+
+        task = asyncio.get_running_loop().create_task(answer())
+        self._background.add(task)
+        task.add_done_callback(self._background.discard)
+
+    def _desk_lost(self, words: str) -> None:
+        self._tell_lost(words)
+        self.scenes.recover()
+
+    def _simulator_lost(self, words: str) -> None:
+        self._tell_lost(words)
+
+    def _tell_lost(self, words: str) -> None:
+        finding: Diagnostic = WORKER_LOST.at(None, words, hint="it is started again; texts are not touched")
+        self._tabs.tell(notice(finding))

@@ -1,0 +1,60 @@
+"""A tab of the browser: what waits to be sent to it. Messages all arrive, of state frames the newest."""
+
+import asyncio
+from collections import deque
+from collections.abc import Awaitable, Callable
+
+from ropsim.studio.messages import Message, wire
+
+MOST_FRAMES = 3
+MOST_WAITING = 64_000_000
+"""A tab that lets more wait has stopped reading [bytes]."""
+
+
+class Tab:
+    """One connection. `name` is the name of the browser's tab, empty until it has said it."""
+
+    def __init__(self) -> None:
+        self.name = ""
+        self._messages: deque[bytes] = deque()
+        self._frames: deque[bytes] = deque(maxlen=MOST_FRAMES)
+        self._waiting = 0
+        self._something = asyncio.Event()
+        self._closed = False
+
+    def send(self, message: Message) -> None:
+        """Queue a message."""
+        self.send_text(wire(message))
+
+    def send_text(self, text: bytes) -> None:
+        """Queue a message that is JSON already."""
+        self._messages.append(text)
+        self._waiting += len(text)
+        if self._waiting > MOST_WAITING:
+            self.close()
+        self._something.set()
+
+    def send_frame(self, frame: bytes) -> None:
+        """Queue a state frame; the oldest waiting one gives way."""
+        self._frames.append(frame)
+        self._something.set()
+
+    def close(self) -> None:
+        """Let `pump` end."""
+        self._closed = True
+        self._something.set()
+
+    async def pump(
+        self, send_text: Callable[[str], Awaitable[None]], send_bytes: Callable[[bytes], Awaitable[None]]
+    ) -> None:
+        """Send what is queued, messages first, until the tab is closed."""
+        while not self._closed:
+            await self._something.wait()
+            self._something.clear()
+            while self._messages or self._frames:
+                if self._messages:
+                    text = self._messages.popleft()
+                    self._waiting -= len(text)
+                    await send_text(text.decode())
+                else:
+                    await send_bytes(self._frames.popleft())

@@ -1,0 +1,317 @@
+"""The studio as a real process: start and end, who gets in, one project from page to simulator and back."""
+
+import contextlib
+import gzip
+import http.client
+import json
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+
+from ropsim.workbench import new_project
+from support import studio_launcher
+from support.studio_process import Studio
+
+PATIENCE = 120.0
+"""Longer than compiling an arm for the first time takes, so that a broken test ends [s]."""
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    return new_project(tmp_path / "cell")
+
+
+def command(home: Path) -> tuple[str, ...]:
+    """Return the command that runs ropsim with a tiny page."""
+    return (sys.executable, studio_launcher.__file__, str(home / "pages"))
+
+
+@pytest.fixture
+def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as running:
+        yield running
+
+
+def secret(studio: Studio) -> dict[str, str]:
+    """Return the cookie that the first address gives."""
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+        connection.request("GET", studio.url.split(str(studio.port), 1)[1])
+        answer = connection.getresponse()
+        answer.read()
+    assert (answer.status, answer.getheader("location")) == (303, "/")
+    return {"Cookie": (answer.getheader("set-cookie") or "").split(";")[0]}
+
+
+def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET") -> tuple[int, bytes]:
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+        connection.request(method, path, headers=headers)
+        answer = connection.getresponse()
+        return answer.status, answer.read()
+
+
+def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientConnection:
+    """Return an open socket; a page's headers unless others are given."""
+    ours = {**secret(studio), "Origin": f"http://127.0.0.1:{studio.port}", **headers}
+    return connect(
+        f"ws://127.0.0.1:{studio.port}{path}",
+        additional_headers={name: value for name, value in ours.items() if name != "Origin" and value},
+        origin=ours["Origin"] or None,  # type: ignore[arg-type]  # any text, also a foreign one
+        max_size=None,
+        compression=None,
+        proxy=None,
+    )
+
+
+class Page:
+    """A tab of the studio: what it says, and what it has heard and not asked for yet."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self._socket = socket
+        self._heard: list[dict[str, Any]] = []
+        self.say(type="hello", tab="a")
+
+    def say(self, **message: object) -> None:
+        self._socket.send(json.dumps(message))
+
+    def hear(self, kind: str, **fields: object) -> dict[str, Any]:
+        """Return the oldest message of a kind with these fields; others keep waiting."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            for message in self._heard:
+                if message["type"] == kind and all(
+                    message.get(name) == value for name, value in fields.items()
+                ):
+                    self._heard.remove(message)
+                    return message
+            text = self._socket.recv(timeout=max(0.0, end - time.monotonic()))
+            if isinstance(text, str):
+                self._heard.append(json.loads(text))
+
+
+@contextlib.contextmanager
+def page_of(studio: Studio) -> Iterator[Page]:
+    with opened(studio) as socket:
+        yield Page(socket)
+
+
+def group(studio: Studio) -> list[int]:
+    """Return the processes that the studio and its children are, by the session they share."""
+    found = []
+    for place in Path("/proc").iterdir():
+        if place.name.isdigit():
+            try:
+                fields = (place / "stat").read_text("utf-8").rsplit(")", 1)[1].split()
+            except (FileNotFoundError, ProcessLookupError):
+                continue
+            if int(fields[3]) == studio.process.pid and fields[0] != "Z":
+                found.append(int(place.name))
+    return found
+
+
+def ends(studio: Studio) -> bool:
+    """Return whether all processes are gone soon."""
+    end = time.monotonic() + 20
+    while group(studio) and time.monotonic() < end:
+        time.sleep(0.05)
+    return not group(studio)
+
+
+needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
+
+
+@needs_proc
+def test_ctrl_c_ends_server_workers_and_language_server(studio: Studio) -> None:
+    with page_of(studio) as page, opened(studio, "/ws/lsp") as language:
+        page.hear("welcome")
+        language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
+        language.recv(timeout=PATIENCE)
+        assert len(group(studio)) >= 3
+        assert studio.interrupt() == 0
+    assert ends(studio)
+    assert studio.errors() == ""
+
+
+@needs_proc
+def test_a_request_of_the_system_ends_it_too(studio: Studio) -> None:
+    assert studio.terminate() == 0
+    assert ends(studio)
+    assert studio.errors() == ""
+
+
+@needs_proc
+def test_unsaved_text_survives_a_killed_server_and_no_process_does(
+    studio: Studio, project: Path, tmp_path: Path
+) -> None:
+    with page_of(studio) as page:
+        page.hear("welcome")
+        page.say(type="edit", document="programs/main.task", text="-- unsaved\n", version=1)
+        end = time.monotonic() + PATIENCE
+        while not any("unsaved" in one.read_text() for one in tmp_path.rglob("journal/*.json")):
+            assert time.monotonic() < end
+            time.sleep(0.02)
+        studio.kill()
+    assert ends(studio)
+    assert "unsaved" not in (project / "programs" / "main.task").read_text("utf-8")
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as again, page_of(again) as page:
+        documents = {one["name"]: one for one in page.hear("welcome")["documents"]}
+        recovered = documents["programs/main.task"]
+        assert (recovered["text"], recovered["recovered"]) == ("-- unsaved\n", True)
+
+
+def test_a_page_sees_the_cell_the_run_and_an_edit_that_is_refused(studio: Studio) -> None:
+    with page_of(studio) as page:
+        welcome = page.hear("welcome")
+        assert (welcome["editing"], welcome["program"]) == (True, "main")
+        assert page.hear("scene")["scene"]["robot"]["name"] == "puma560"
+        done = page.hear("run", state="done")
+        status, pack = get(studio, f"/run/{done['id']}.pack", secret(studio))
+        assert (status, gzip.decompress(pack)[:4]) == (200, b"RPK1")
+        page.say(type="edit", document="programs/main.task", text="relase\n", version=1)
+        refused = page.hear("run", state="refused")
+        assert refused["findings"][0]["span"]["source"] == "programs/main.task"
+        assert get(studio, f"/run/{refused['id']}.pack", secret(studio))[0] == 404
+
+
+def test_the_language_server_answers_through_its_socket(studio: Studio, project: Path) -> None:
+    with opened(studio, "/ws/lsp") as language:
+        language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
+        answer = json.loads(language.recv(timeout=PATIENCE))
+        assert (answer["id"], "capabilities" in answer["result"]) == (1, True)
+        document = {"uri": (project / "programs" / "main.task").as_uri(), "languageId": "task", "version": 1}
+        opening = {"textDocument": {**document, "text": "relase\n"}}
+        language.send(json.dumps({"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": opening}))
+        while (found := json.loads(language.recv(timeout=PATIENCE))).get(
+            "method"
+        ) != "textDocument/publishDiagnostics":
+            pass
+        assert found["params"]["diagnostics"]
+
+
+def test_strangers_stay_outside(studio: Studio) -> None:
+    ours = secret(studio)
+    assert get(studio, "/", ours)[0] == 200
+    assert get(studio, "/", {})[0] == 401
+    assert get(studio, "/assets/index-1a2b3c.js", {})[0] == 401
+    assert get(studio, "/", {**ours, "Host": "evil.example"})[0] == 400
+    assert get(studio, "/", ours, "POST")[0] == 403
+    assert get(studio, "/assets/../index.html", ours)[0] == 404
+    for path in ("/ws/studio", "/ws/lsp"):
+        for headers, status in (
+            ({"Origin": "https://evil.example"}, 403),
+            ({"Origin": ""}, 403),
+            ({"Cookie": ""}, 401),
+            ({"Host": "evil.example"}, 400),
+        ):
+            with pytest.raises(InvalidStatus) as refused:
+                opened(studio, path, **headers)
+            assert refused.value.response.status_code == status
+
+
+def test_the_page_has_a_nonce_of_its_own_each_time(studio: Studio) -> None:
+    ours = secret(studio)
+    first, second = (get(studio, "/", ours)[1].decode() for _ in range(2))
+    assert "__CSP_NONCE__" not in first
+    assert first != second
+
+
+def test_a_message_beyond_all_measure_ends_its_own_socket_only(studio: Studio) -> None:
+    with opened(studio) as socket, page_of(studio) as other:
+        with contextlib.suppress(ConnectionClosed):  # sooner or later, as the buffers have it
+            socket.send("x" * 20_000_000)
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=PATIENCE)
+        other.hear("welcome")
+
+
+def run(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*command(home), *arguments], capture_output=True, text=True, timeout=PATIENCE, check=False, cwd=home
+    )
+
+
+def test_a_port_that_is_taken_is_told_in_words(project: Path, tmp_path: Path) -> None:
+    with closing(socket.socket()) as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        port = other.getsockname()[1]
+        said = run(tmp_path, "studio", str(project), f"--port={port}", "--no-browser")
+    assert (said.returncode, said.stdout) == (1, "")
+    assert "error[U951]" in said.stderr
+    assert f"port {port}" in said.stderr
+
+
+@pytest.mark.parametrize("port", ["-1", "65536", "99999999999"])
+def test_a_port_that_cannot_be_is_told_in_words(project: Path, tmp_path: Path, port: str) -> None:
+    said = run(tmp_path, "studio", str(project), f"--port={port}", "--no-browser")
+    assert said.returncode == 1
+    assert "error[U951]" in said.stderr
+
+
+def test_where_no_project_is_the_command_says_how_to_make_one(tmp_path: Path) -> None:
+    said = run(tmp_path, "studio", "--no-browser")
+    assert said.returncode == 1
+    assert "error[U950]" in said.stderr
+    assert "ropsim new" in said.stderr
+
+
+@pytest.mark.parametrize("cell", [b"[cell\n", b"\xff\xfe\x00", None])
+def test_a_broken_project_opens_and_is_shown(project: Path, tmp_path: Path, cell: bytes | None) -> None:
+    if cell is None:
+        (project / "cell.toml").unlink()
+    else:
+        (project / "cell.toml").write_bytes(cell)
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as studio, page_of(studio) as page:
+        names = [one["name"] for one in page.hear("welcome")["documents"]]
+        assert "programs/main.task" in names
+        scene = page.hear("scene")
+        assert scene["scene"] is None
+        assert scene["findings"]
+        assert page.hear("run", state="refused")["findings"]
+
+
+TRAPS = (
+    "cell.py",
+    "conftest.py",
+    "sitecustomize.py",
+    "usercustomize.py",
+    "numpy.py",
+    "typing.py",
+    "ropsim.py",
+)
+TRAPS_OF_CHILDREN = ("multiprocessing.py", "signal.py", "json.py", "starlette.py", "controllers/evil.py")
+
+
+def test_no_code_of_a_project_runs_whatever_is_done_with_it(project: Path, tmp_path: Path) -> None:
+    mark = tmp_path / "mark"
+    (project / "controllers").mkdir()
+    for name in (*TRAPS, *TRAPS_OF_CHILDREN):
+        (project / name).write_text(f"open({str(mark)!r}, 'a').write({name!r})\n", "utf-8")
+    for words in (["check", "."], ["run", ".", "--kinematic"], ["icr", "compile", "."]):
+        done = subprocess.run(
+            [*command(tmp_path), *words],
+            cwd=project,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=PATIENCE,
+        )
+        assert done.returncode == 0, done.stderr
+    home = tmp_path / "home"
+    with Studio(project, home, command=command(tmp_path), cwd=project) as studio, page_of(studio) as page:
+        assert "controllers/evil.py" in page.hear("welcome")["trust"]["code"]
+        page.hear("run", state="done")
+        with opened(studio, "/ws/lsp") as language:
+            language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
+            language.recv(timeout=PATIENCE)
+        for pid in group(studio) if Path("/proc").exists() else []:
+            assert Path(f"/proc/{pid}/cwd").readlink() != project
+    assert not mark.exists(), mark.read_text("utf-8")

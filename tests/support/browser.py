@@ -1,0 +1,147 @@
+"""The real Chromium: pages that fail their test on any error, axe, and the studio's server to look at.
+
+The browser is the system's own (`CHROMIUM=/path` chooses another); without it, or without playwright, the
+tests that ask for it are skipped with the reason.
+"""
+
+import os
+import re
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, BrowserContext, Page
+
+FLAGS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--enable-unsafe-swiftshader",
+)
+VIEWPORT = {"width": 1280, "height": 800}
+PATIENCE = 20_000
+"""How long a page may take for one step, in milliseconds: the cores are shared with the rest of the suite."""
+
+
+def chromium() -> str | None:
+    """Return the path of the browser, or None."""
+    chosen = os.environ.get("CHROMIUM")
+    candidates = (chosen,) if chosen else ("chromium", "chromium-browser", "google-chrome")
+    return next((path for one in candidates if (path := shutil.which(one))), None)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator["Browser"]:
+    """Return the system's Chromium, drawing with software GL."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    path = chromium()
+    if path is None:
+        pytest.skip("no Chromium: install it (apt-get install chromium) or set CHROMIUM=/path/to/it")
+    with playwright.sync_playwright() as driver:
+        one = driver.chromium.launch(executable_path=path, args=list(FLAGS))
+        yield one
+        one.close()
+
+
+class Pages:
+    """Opens pages and remembers what they complained about."""
+
+    def __init__(self, browser: "Browser") -> None:
+        """Begin without any page."""
+        self._browser = browser
+        self._contexts: list[BrowserContext] = []
+        self._expected: list[str] = []
+        self._complaints: list[str] = []
+
+    def __call__(
+        self, url: str, *, expected: Sequence[str] = (), beside: "Page | None" = None, **context: Any
+    ) -> "Page":
+        """Open `url` in a fresh profile and return the page once it has loaded.
+
+        Args:
+            url: address, `file://` too.
+            expected: patterns of console messages that this test provokes; they do not fail it.
+            beside: a page whose profile (cookies, storage) is shared: a second tab.
+            context: options of `Browser.new_context`, such as `color_scheme="dark"` or `offline=True`.
+        """
+        self._expected += expected
+        home = beside.context if beside else self._profile(context)
+        page = home.new_page()
+        page.goto(url)
+        return page
+
+    def close(self) -> None:
+        """Close all pages."""
+        for context in self._contexts:
+            context.close()
+
+    def complaints(self) -> list[str]:
+        """Return all complaints until now."""
+        for context in self._contexts:
+            for page in context.pages:  # messages come in order: behind this answer none is under way
+                page.evaluate("() => new Promise(done => setTimeout(done))")
+        return list(self._complaints)
+
+    def unexpected(self) -> list[str]:
+        """Return the complaints that no pattern expects."""
+        return [text for text in self.complaints() if not any(re.search(one, text) for one in self._expected)]
+
+    def _profile(self, options: dict[str, Any]) -> "BrowserContext":
+        context = self._browser.new_context(**{"viewport": VIEWPORT, "reduced_motion": "reduce", **options})
+        context.set_default_timeout(PATIENCE)
+        context.on("console", lambda message: self._console(message.type, message.text))
+        context.on("weberror", lambda error: self._complaints.append(f"uncaught: {error.error}"))
+        self._contexts.append(context)
+        return context
+
+    def _console(self, kind: str, text: str) -> None:
+        """Keep errors; Chromium reports violations of the content policy as such, too."""
+        if kind == "error":
+            self._complaints.append(text)
+
+
+@pytest.fixture
+def open_page(browser: "Browser") -> Iterator[Pages]:
+    """Return a function that opens pages; any error or violation of the content policy fails the test."""
+    pages = Pages(browser)
+    yield pages
+    try:
+        assert pages.unexpected() == [], "the page complained"
+    finally:
+        pages.close()
+
+
+@pytest.fixture
+def start_studio(tmp_path: Path) -> Iterator[Callable[..., Studio]]:
+    """Return a function `(project folder, port=0) -> Studio`; all of them are ended after the test."""
+    running: list[Studio] = []
+
+    def start(folder: Path, port: int = 0) -> Studio:
+        running.append(Studio(folder, tmp_path / "home", port))
+        return running[-1]
+
+    yield start
+    for one in running:
+        one.end()
+
+
+def axe(page: "Page") -> list[str]:
+    """Return the violations of the accessibility rules on a page: rule, why, where."""
+    source = files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8")
+    page.evaluate(f"{source}\n;0")
+    result = page.evaluate("() => axe.run(document, { resultTypes: ['violations'] })")
+    return [
+        f"{one['id']}: {one['help']}: {', '.join(' '.join(node['target']) for node in one['nodes'])}"
+        for one in result["violations"]
+    ]

@@ -1,0 +1,161 @@
+"""The studio's page as its users handle it, and the few numbers it tells about what it shows."""
+
+from typing import TYPE_CHECKING, Any
+
+from support.browser import Pages
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator, Page
+
+CURRENT = (
+    "() => { const now = __ropsim.state(); return now.shown > 0 && now.runState === 'done' && !now.stale }"
+)
+NEWER = "shown => { const now = __ropsim.state(); return now.shown > shown && now.runState === 'done' && !now.stale }"
+DRAWN = "() => __ropsim.stats().pending === 0"
+
+
+class StudioPage:
+    """One tab with the studio."""
+
+    def __init__(self, page: "Page") -> None:
+        """Take a page that is being loaded."""
+        self.page = page
+
+    @classmethod
+    def opened(cls, pages: Pages, url: str, **options: Any) -> "StudioPage":
+        """Open the studio in a tab that may edit, and wait until it shows a run.
+
+        Args:
+            pages: opens the tab.
+            url: that the server has printed.
+            options: of `Pages`.
+        """
+        studio = cls.arrived(pages, url, **options)
+        studio.take_over()
+        studio.page.wait_for_function(CURRENT)
+        studio.page.locator(".cm-content").wait_for()
+        return studio
+
+    @classmethod
+    def arrived(cls, pages: Pages, url: str, **options: Any) -> "StudioPage":
+        """Open the studio and wait until it knows the cell, be it broken."""
+        studio = cls(pages(url, **options))
+        studio.page.wait_for_selector("body[data-ready]", state="attached")
+        return studio
+
+    def take_over(self) -> None:
+        """Take the right to edit from the tab before, whose right is kept for a while."""
+        button = self.page.locator(".banners").get_by_role("button", name="Take over editing")
+        if not self.state()["editing"]:
+            button.click()
+        self.page.wait_for_function("() => __ropsim.state().editing")
+
+    def rest(self) -> None:
+        """Leave nothing of the test before: time 0, views and panels as at the start, no ghost, no jogging."""
+        for command in ("jog.stop", "view.ghost", "view.reset", "view.home"):
+            self.page.evaluate("command => __ropsim.command(command)", command)
+        self.seek(0.0)
+        self.drawn()
+
+    # ---- what the page tells ----
+
+    def state(self) -> dict[str, Any]:
+        """Return the state of run, texts and connection."""
+        state: dict[str, Any] = self.page.evaluate("() => __ropsim.state()")
+        return state
+
+    def time(self) -> float:
+        """Return the time of the cursor [s]."""
+        return float(self.page.evaluate("() => __ropsim.time()"))
+
+    def seek(self, time: float) -> None:
+        """Put the cursor on a time [s]."""
+        self.page.evaluate("time => __ropsim.seek(time)", time)
+
+    def poses(self, arm: str = "poses") -> dict[str, list[float]]:
+        """Return the world poses by body: those of the run, of the `ghost` or of the `jogged` arm."""
+        shown: dict[str, list[float]] = self.page.evaluate("arm => __ropsim[arm]()", arm)
+        return shown
+
+    def projected(self, view: str, point: tuple[float, float, float] | list[float]) -> tuple[float, float]:
+        """Return where a point of W is drawn in a view [px]."""
+        spot = self.page.evaluate("([view, point]) => __ropsim.project(view, point)", [view, [*point]])
+        return spot["x"], spot["y"]
+
+    def camera(self, view: str) -> list[float]:
+        """Return where three points that tell a camera from any other one are drawn [px]."""
+        points = ([0.0, 0.0, 0.0], [0.3, 0.2, 0.4], [0.5, -0.3, 0.2])
+        return [number for point in points for number in self.projected(view, point)]
+
+    # ---- what the user does ----
+
+    def drawn(self) -> None:
+        """Wait until every view is up to date."""
+        self.page.wait_for_function(DRAWN)
+
+    def command(self, title: str) -> None:
+        """Run a command from the palette."""
+        self.page.keyboard.press("Control+k")
+        self.page.get_by_label("Search for a command").fill(title)
+        self.page.keyboard.press("Enter")
+
+    def panel(self, name: str) -> "Locator":
+        """Bring a panel to the front and return it."""
+        self.page.get_by_role("tab", name=name, exact=True).first.click()
+        panel = self.page.locator(f".panel-{name.lower()}")
+        panel.wait_for()
+        return panel
+
+    def view(self, name: str) -> "Locator":
+        """Return the drawing area of a view that still has its first name."""
+        return self.page.get_by_role("application", name=f"3-D view: {name}")
+
+    def slider(self) -> "Locator":
+        """Return the timeline."""
+        return self.page.get_by_role("slider", name="Simulated time")
+
+    def pill(self) -> "Locator":
+        """Return the word on run and connection at the top right."""
+        return self.page.locator(".pill")
+
+    # ---- texts ----
+
+    def document(self, name: str) -> None:
+        """Show a text of the project."""
+        tabs = self.page.get_by_role("tablist", name="Texts of the project")
+        tabs.get_by_role("tab", name=name).click()
+
+    def editor(self) -> "Locator":
+        """Return the text that is being edited."""
+        return self.page.locator(".cm-content")
+
+    def text(self) -> str:
+        """Return the text in the editor, as far as it is in sight."""
+        return "\n".join(self.page.locator(".cm-line").all_text_contents())
+
+    def line(self, number: int) -> "Locator":
+        """Return a line of the text, from 1."""
+        return self.page.locator(".cm-line").nth(number - 1)
+
+    def write(self, text: str) -> None:
+        """Put another text in the place of the whole one."""
+        self.editor().focus()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.insert_text(text)
+
+    def append(self, number: int, text: str) -> None:
+        """Type at the end of a line."""
+        self.line(number).click()
+        self.page.keyboard.press("End")
+        self.page.keyboard.type(text)
+
+    def rerun(self, shown: int) -> None:
+        """Wait for a good run after the one that was the `shown`-th."""
+        self.page.wait_for_function(NEWER, arg=shown)
+
+    def revert_all(self) -> None:
+        """Give up all texts that are not saved."""
+        for name in self.page.evaluate("() => __ropsim.state().unsaved"):
+            self.document(name.removeprefix("programs/"))
+            self.page.evaluate("() => __ropsim.command('file.revert')")
+        self.page.wait_for_function("() => __ropsim.state().unsaved.length === 0")

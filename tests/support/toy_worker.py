@@ -1,0 +1,68 @@
+"""A worker that computes nothing: what the name of a program says, it does."""
+
+import os
+import time
+from multiprocessing.connection import Connection
+
+from ropsim.studio import jobs
+
+UNIT = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+
+
+def main(connection: Connection) -> None:
+    """Answer until the pipe is closed."""
+    while True:
+        try:
+            request = connection.recv()
+        except EOFError:
+            return
+        match request.content:
+            case jobs.Stop():
+                return
+            case jobs.OpenScene() | jobs.Simulate() | jobs.LiveStart() | jobs.JogJoints() | jobs.JogTcp():
+                connection.send(jobs.Answer(request.number, _reply(connection, request)))
+
+
+def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
+    match request.content:
+        case jobs.OpenScene(_, texts):
+            return jobs.SceneReply({"unsaved": sorted(texts)}, (), {"abc": b"glTF"})
+        case jobs.Simulate() as job:
+            return _simulate(connection, request.number, job)
+        case jobs.LiveStart() as job:
+            return _live(connection, request.number, job)
+        case jobs.JogJoints(q, _):
+            return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
+        case _:
+            return jobs.Failed("this toy cannot do that")
+
+
+def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.Reply:
+    text = job.texts.get("programs/main.task", "")
+    connection.send(jobs.Answer(number, jobs.Progress("half way")))
+    match job.program:
+        case "crash":
+            os._exit(3)
+        case "deaf":
+            time.sleep(3600)
+        case "endless":
+            while not isinstance(connection.recv().content, jobs.Cancel):
+                pass
+            return jobs.RunReply("cancelled", job.program)
+    if "wrong" in text:
+        return jobs.RunReply("refused", job.program, findings=({"code": "N201"},))
+    pack = f"{text}|{len(job.inputs)}".encode()
+    return jobs.RunReply("done", job.program or "main", pack=pack)
+
+
+def _live(connection: Connection, number: int, job: jobs.LiveStart) -> jobs.Reply:
+    for payload in ({"type": "live", "state": "running", "speed": job.speed}, {"type": "layout"}):
+        connection.send(jobs.Answer(number, jobs.LiveMessage(payload)))
+    connection.send(jobs.Answer(number, jobs.LiveFrame(b"RS frame")))
+    inputs: list[jobs.InputChange] = []
+    while True:
+        match connection.recv().content:
+            case jobs.SetSignal(name, value):
+                inputs.append(jobs.InputChange(name, 1.0, value))
+            case jobs.LiveControl("stop") | jobs.Cancel():
+                return jobs.RunReply("done", job.program, pack=b"live", inputs=tuple(inputs))

@@ -1,0 +1,237 @@
+"""The worker: scenes, runs and jogs through its real pipe."""
+
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from multiprocessing import Pipe
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import pytest
+
+from ropsim.studio.desk import main
+from ropsim.studio.jobs import (
+    Answer,
+    Cancel,
+    Failed,
+    Job,
+    JogJoints,
+    JogReply,
+    JogTcp,
+    LiveControl,
+    LiveFrame,
+    LiveMessage,
+    LiveStart,
+    OpenScene,
+    Order,
+    Progress,
+    Reply,
+    Report,
+    Request,
+    RunReply,
+    SceneReply,
+    SetSignal,
+    Simulate,
+    Stop,
+)
+from support.live import KEYS, project
+
+PATIENCE = 60.0
+BAD = "program p\nmoov home\n"
+ENDLESS = "program p\nunits mm, deg, s\nrepeat 100000\n  wait 3600 s\nendr\n"
+ASKING = "program p\nunits mm, deg, s\nmov joints (0, -60, 60, 0, 30, 0)\nwait until start\n"
+
+
+@dataclass
+class Worker:
+    """The other end of the pipe."""
+
+    connection: Connection
+    number: int = 0
+    replies: dict[int, Reply] = field(default_factory=dict)
+    reports: list[Report] = field(default_factory=list)
+
+    def send(self, job: Job) -> int:
+        self.number += 1
+        self.connection.send(Request(self.number, job))
+        return self.number
+
+    def order(self, number: int, order: Order) -> None:
+        self.connection.send(Request(number, order))
+
+    def hear(self) -> Answer:
+        assert self.connection.poll(PATIENCE)
+        answer: Answer = self.connection.recv()
+        if isinstance(answer.content, Progress | LiveMessage | LiveFrame):
+            self.reports.append(answer.content)
+        else:
+            self.replies[answer.number] = answer.content
+        return answer
+
+    def reply(self, number: int) -> Reply:
+        while number not in self.replies:
+            self.hear()
+        return self.replies[number]
+
+    def ask(self, job: Job) -> Reply:
+        return self.reply(self.send(job))
+
+    def run(self, job: Simulate | LiveStart) -> RunReply:
+        reply = self.ask(job)
+        assert isinstance(reply, RunReply)
+        return reply
+
+
+@pytest.fixture
+def worker() -> Iterator[Worker]:
+    near, far = Pipe()
+    thread = threading.Thread(target=main, args=(far,), daemon=True)
+    thread.start()
+    yield Worker(near)
+    near.send(Request(0, Stop()))
+    thread.join(PATIENCE)
+    assert not thread.is_alive()
+    near.close()
+    far.close()
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    return project(tmp_path, KEYS)
+
+
+def simulate(folder: Path, program: str = KEYS) -> Simulate:
+    return Simulate(str(folder), {"programs/main.task": program}, "", "kinematic")
+
+
+def test_a_scene_has_the_arm_and_the_parts(worker: Worker, folder: Path) -> None:
+    reply = worker.ask(OpenScene(str(folder), {}))
+    assert isinstance(reply, SceneReply)
+    assert reply.scene is not None
+    bodies = reply.scene["bodies"]
+    assert isinstance(bodies, list)
+    assert {"base", "link6", "tool:jaws", "box_1"} <= {body["name"] for body in bodies}
+    assert reply.findings == ()
+
+
+def test_a_broken_cell_file_has_findings_and_no_arm_to_jog(worker: Worker, folder: Path) -> None:
+    reply = worker.ask(OpenScene(str(folder), {"cell.toml": "[robot]\nmodel = 3\n"}))
+    assert isinstance(reply, SceneReply)
+    assert reply.scene is None
+    (finding, *_) = reply.findings
+    assert finding["span"] == {"source": "cell.toml", "line": 2, "column": 9, "end_line": 2, "end_column": 10}
+    jogged = worker.ask(JogJoints((0.0,) * 6, ""))
+    assert isinstance(jogged, Failed)
+    assert "no cell is open" in jogged.message
+
+
+@pytest.mark.parametrize(
+    "text", ["", "\0", "[", "[robot]\n", "a = 1e400", "[robot]\nmodel = 'puma560'\nx = 1"]
+)
+def test_no_cell_file_ends_the_worker(worker: Worker, folder: Path, text: str) -> None:
+    assert isinstance(worker.ask(OpenScene(str(folder), {"cell.toml": text})), SceneReply)
+    refused = worker.run(Simulate(str(folder), {"cell.toml": text}, "", "dynamic"))
+    assert refused.state == "refused"
+    assert refused.findings
+
+
+def test_a_program_with_errors_is_refused_with_its_line(worker: Worker, folder: Path) -> None:
+    reply = worker.run(simulate(folder, BAD))
+    assert (reply.state, reply.pack) == ("refused", None)
+    span = reply.findings[0]["span"]
+    assert isinstance(span, dict)
+    assert (span["source"], span["line"]) == ("programs/main.task", 2)
+
+
+def test_what_cannot_be_found_is_refused_in_words(worker: Worker, folder: Path) -> None:
+    for job in (
+        Simulate(str(folder), {}, "mian", "dynamic"),
+        Simulate(str(folder / "no"), {}, "", "dynamic"),
+    ):
+        reply = worker.run(job)
+        assert reply.state == "refused"
+        assert reply.findings[0]["message"]
+
+
+def test_a_run_ends_with_a_pack(worker: Worker, folder: Path) -> None:
+    reply = worker.run(simulate(folder, "program p\nunits mm, deg\nmov joints (0, -60, 60, 0, 30, 0)\n"))
+    assert (reply.state, reply.program) == ("done", "main")
+    assert reply.pack is not None
+    assert reply.pack[:2] == b"\x1f\x8b"
+
+
+def test_a_long_wait_can_be_given_up_and_the_worker_goes_on(worker: Worker, folder: Path) -> None:
+    number = worker.send(simulate(folder, ENDLESS))
+    while not worker.reports:
+        worker.hear()
+    worker.order(number, Cancel())
+    reply = worker.reply(number)
+    assert isinstance(reply, RunReply)
+    assert reply.state == "cancelled"
+    assert worker.run(simulate(folder, "program p\nmov home\n")).state == "done"
+
+
+def test_a_job_that_waits_can_be_given_up(worker: Worker, folder: Path) -> None:
+    first, second = worker.send(simulate(folder, ENDLESS)), worker.send(simulate(folder))
+    worker.order(second, Cancel())
+    assert worker.reply(second) == RunReply("cancelled", "")
+    assert first not in worker.replies
+    worker.order(first, Cancel())
+    worker.reply(first)
+
+
+def test_a_live_run_takes_keys_and_runs_again_from_its_inputs(worker: Worker, folder: Path) -> None:
+    texts = {"programs/main.task": ASKING}
+    number = worker.send(LiveStart(str(folder), texts, "", 8.0))
+    while not any(isinstance(one, LiveFrame) for one in worker.reports):
+        worker.hear()
+    worker.order(number, SetSignal("start", 1.0))
+    live = worker.reply(number)
+    assert isinstance(live, RunReply)
+    assert (live.state, [one.signal for one in live.inputs]) == ("done", ["start"])
+    again = worker.run(Simulate(str(folder), texts, "", "dynamic", live.inputs))
+    assert again.pack == live.pack
+
+
+def test_a_live_run_that_is_stopped_keeps_what_it_has(worker: Worker, folder: Path) -> None:
+    number = worker.send(LiveStart(str(folder), {"programs/main.task": ENDLESS}, "", 1.0))
+    while not any(isinstance(one, LiveFrame) for one in worker.reports):
+        worker.hear()
+    worker.order(number, LiveControl("stop"))
+    reply = worker.reply(number)
+    assert isinstance(reply, RunReply)
+    assert reply.state == "done"
+    assert reply.pack is not None
+
+
+def test_orders_for_a_run_that_is_over_are_dropped(worker: Worker, folder: Path) -> None:
+    worker.run(simulate(folder, "program p\nmov home\n"))
+    worker.order(1, LiveControl("stop"))
+    assert isinstance(worker.ask(OpenScene(str(folder), {})), SceneReply)
+
+
+def test_the_arm_is_jogged_where_the_scene_has_it(worker: Worker, folder: Path) -> None:
+    worker.ask(OpenScene(str(folder), {}))
+    q = (0.1, -1.0, 1.0, 0.2, 0.5, 0.3)
+    there = worker.ask(JogJoints(q, "jaws"))
+    assert isinstance(there, JogReply)
+    assert (there.q, there.reached, there.words) == (q, True, ())
+    back = worker.ask(JogTcp((0.0, -1.1, 1.1, 0.1, 0.4, 0.1), "jaws", there.tcp))
+    assert isinstance(back, JogReply)
+    assert back.q == pytest.approx(q, abs=1e-9)
+    assert isinstance(worker.ask(JogJoints(q[:3], "jaws")), Failed)
+    assert isinstance(worker.ask(JogJoints(q, "jows")), Failed)
+    assert isinstance(worker.ask(JogJoints((float("nan"),) * 6, "jaws")), Failed)
+    assert isinstance(worker.ask(JogTcp(q, "jaws", (0.0,) * 7)), Failed)
+
+
+def test_the_worker_ends_when_the_other_end_is_gone(folder: Path) -> None:
+    near, far = Pipe()
+    thread = threading.Thread(target=main, args=(far,), daemon=True)
+    thread.start()
+    near.send(Request(1, LiveStart(str(folder), {"programs/main.task": ENDLESS}, "", 1.0)))
+    assert near.poll(PATIENCE)
+    near.close()
+    thread.join(PATIENCE)
+    assert not thread.is_alive()
+    far.close()

@@ -1,0 +1,183 @@
+import asyncio
+import hashlib
+from pathlib import Path
+
+import pytest
+
+from ropsim.studio.diagnostics import StudioError
+from ropsim.studio.documents import Documents, ListChange, Overwriting
+from ropsim.studio.project_files import program_names, project_folder
+from ropsim.workbench import Draft
+
+CELL = b'[cell]\nprogram = "other"\n'
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "cell.toml").write_bytes(CELL)
+    (tmp_path / "programs" / "main.task").write_bytes(b"one\r\ntwo\r\n")
+    (tmp_path / "programs" / "other.task").write_bytes(b"x\n")
+    return tmp_path
+
+
+def opened(folder: Path) -> Documents:
+    documents = Documents(folder)
+    asyncio.run(documents.look())
+    return documents
+
+
+def save(documents: Documents, name: str, overwriting: Overwriting = Overwriting.REFUSED) -> str:
+    """Save a document and return the code of what stood in the way."""
+    document, _ = documents.find(name)
+    assert document is not None
+    finding = asyncio.run(documents.save(document, overwriting))
+    return finding.code if finding else ""
+
+
+def test_documents_are_the_cell_file_and_the_programs(folder: Path) -> None:
+    (folder / "programs" / "notes.txt").write_text("no")
+    documents = opened(folder)
+    assert [one.name for one in documents.all] == ["cell.toml", "programs/main.task", "programs/other.task"]
+    assert (documents.programs, documents.program) == (("main", "other"), "other")
+    assert documents.unsaved_texts == {}
+
+
+def test_code_beside_a_task_of_its_name_keeps_its_ending() -> None:
+    names = program_names(["cell.toml", "programs/a.icr", "programs/a.task", "programs/b.icr"])
+    assert names == {"a": "programs/a.task", "a.icr": "programs/a.icr", "b": "programs/b.icr"}
+
+
+def test_an_edit_counts_and_a_save_keeps_the_line_ends(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "one\nTWO\n", 3)
+    assert documents.unsaved_texts == {"programs/main.task": "one\nTWO\n"}
+    assert save(documents, "programs/main.task") == ""
+    assert (folder / "programs" / "main.task").read_bytes() == b"one\r\nTWO\r\n"
+    assert documents.unsaved_texts == {}
+
+
+def test_typing_a_text_back_is_no_change(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "one\n", 1)
+    documents.edit("programs/main.task", "one\ntwo\n", 2)
+    assert documents.unsaved_texts == {}
+
+
+def test_a_byte_order_mark_stays(folder: Path) -> None:
+    (folder / "programs" / "main.task").write_bytes(b"\xef\xbb\xbfone\n")
+    documents = opened(folder)
+    documents.edit("programs/main.task", "two\n", 1)
+    save(documents, "programs/main.task")
+    assert (folder / "programs" / "main.task").read_bytes() == b"\xef\xbb\xbftwo\n"
+
+
+def test_a_file_that_changed_since_it_was_read_is_not_written_over(folder: Path) -> None:
+    place = folder / "programs" / "main.task"
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    place.write_bytes(b"theirs\n")
+    assert save(documents, "programs/main.task") == "U956"
+    assert place.read_bytes() == b"theirs\n"
+    assert documents.all[1].conflict
+    assert save(documents, "programs/main.task") == "U956"  # also when tried again
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == ""
+    assert place.read_bytes() == b"mine\n"
+    assert not documents.all[1].conflict
+
+
+def test_reverting_takes_the_text_of_the_file(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    (folder / "programs" / "main.task").write_bytes(b"theirs\n")
+    asyncio.run(documents.revert(documents.all[1]))
+    state = documents.all[1].state(documents.all[1].text)
+    assert (state.text, state.unsaved, state.conflict, state.version) == ("theirs\n", False, False, 0)
+
+
+def test_a_changed_file_is_read_again_where_nothing_is_unsaved(folder: Path) -> None:
+    documents = opened(folder)
+    (folder / "programs" / "main.task").write_bytes(b"longer than before\n")
+    changed, change = asyncio.run(documents.look())
+    assert ([one.text for one in changed], change) == (["longer than before\n"], ListChange.NONE)
+
+
+def test_files_that_come_and_go_are_noticed(folder: Path) -> None:
+    documents = opened(folder)
+    (folder / "programs" / "other.task").unlink()
+    (folder / "programs" / "new.task").write_bytes(b"n\n")
+    _, change = asyncio.run(documents.look())
+    assert change is ListChange.SOME
+    assert documents.programs == ("main", "new")
+
+
+def test_unsaved_text_outlives_its_file_and_can_be_saved_again(folder: Path) -> None:
+    place = folder / "programs" / "main.task"
+    documents = opened(folder)
+    documents.edit("programs/main.task", "mine\n", 1)
+    place.unlink()
+    asyncio.run(documents.look())
+    assert documents.all[1].conflict
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == ""
+    assert place.read_bytes() == b"mine\n"
+
+
+def test_a_text_that_is_no_utf8_is_shown_and_not_edited(folder: Path) -> None:
+    (folder / "programs" / "main.task").write_bytes(b"caf\xe9\n")
+    documents = opened(folder)
+    assert documents.all[1].text == "caf�\n"
+    _, finding = documents.edit("programs/main.task", "café\n", 1)
+    assert finding is not None
+    assert finding.code == "U958"
+
+
+def test_a_link_out_of_the_project_is_not_written(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    outside = tmp_path_factory.mktemp("outside") / "precious.task"
+    outside.write_bytes(b"precious\n")
+    (folder / "programs" / "link.task").symlink_to(outside)
+    documents = opened(folder)
+    documents.edit("programs/link.task", "gone\n", 1)
+    assert save(documents, "programs/link.task") == "U957"
+    assert outside.read_bytes() == b"precious\n"
+
+
+@pytest.mark.parametrize(
+    "name", ["../evil.task", "programs/../../evil.task", "out/x.task", "/etc/passwd", ""]
+)
+def test_only_documents_of_the_project_are_edited_or_recovered(folder: Path, name: str) -> None:
+    documents = opened(folder)
+    assert documents.edit(name, "x", 1)[0] is None
+    assert documents.recover({name: Draft("x", "")}) == ()
+
+
+def test_recovered_text_says_so_and_knows_whether_its_file_has_changed(folder: Path) -> None:
+    documents = opened(folder)
+    same = hashlib.sha256(b"x\n").hexdigest()
+    documents.recover(
+        {"programs/other.task": Draft("mine\n", same), "programs/main.task": Draft("mine\n", "0" * 64)}
+    )
+    states = {one.name: (one.recovered, one.conflict, one.unsaved) for one in documents.all}
+    assert states["programs/other.task"] == (True, False, True)
+    assert states["programs/main.task"] == (True, True, True)
+
+
+def test_a_draft_that_the_file_has_by_now_is_dropped(folder: Path) -> None:
+    documents = opened(folder)
+    assert documents.recover({"programs/other.task": Draft("x\n", "")}) == ()
+    assert documents.unsaved_texts == {}
+
+
+def test_the_project_of_a_path_is_found(folder: Path) -> None:
+    for path in (folder, folder / "cell.toml", folder / "programs" / "main.task"):
+        assert project_folder(path) == folder.resolve()
+
+
+@pytest.mark.parametrize("name", ["nowhere", "empty", "x" * 5000])
+def test_where_no_project_is_the_finding_says_what_to_do(tmp_path: Path, name: str) -> None:
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(StudioError) as refused:
+        project_folder(tmp_path / name)
+    assert refused.value.diagnostic.code == "U950"
+    assert "ropsim new" in refused.value.diagnostic.hint

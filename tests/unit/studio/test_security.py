@@ -1,0 +1,111 @@
+"""The gate, asked by hand: no server is needed to see whom it lets through."""
+
+import asyncio
+from typing import Any
+
+import pytest
+from starlette.types import Message, Receive, Scope, Send
+
+from ropsim.studio.security import Gate, content_policy
+
+PORT = 8123
+TOKEN = "s3cret"
+HOST = f"127.0.0.1:{PORT}"
+OURS = {"host": HOST, "cookie": f"ropsim-{PORT}={TOKEN}"}
+
+
+async def behind(scope: Scope, receive: Receive, send: Send) -> None:
+    await send({"type": "http.response.start", "status": 299, "headers": []})
+    await send({"type": "http.response.body", "body": b"through"})
+
+
+def ask(
+    headers: dict[str, str], path: str = "/", query: str = "", **scope: Any
+) -> tuple[int, dict[str, str]]:
+    """Return status and headers of the answer to a request."""
+    sent: list[Message] = []
+
+    async def send(message: Message) -> None:
+        sent.append(message)
+
+    async def receive() -> Message:
+        return {"type": "http.request", "body": b"", "more_body": False}
+
+    pairs = [(name.encode(), value.encode("latin-1")) for name, value in headers.items()]
+    whole = {
+        "type": "http",
+        "method": "GET",
+        "path": path,
+        "query_string": query.encode(),
+        "headers": pairs,
+        "extensions": {"websocket.http.response": {}},
+        **scope,
+    }
+    asyncio.run(Gate(behind, PORT, TOKEN)(whole, receive, send))
+    if sent[0]["type"] == "websocket.close":
+        return 0, {}
+    return sent[0]["status"], {name.decode(): value.decode() for name, value in sent[0]["headers"]}
+
+
+@pytest.mark.parametrize("host", [HOST, f"localhost:{PORT}", f"[::1]:{PORT}"])
+def test_our_own_requests_get_through(host: str) -> None:
+    assert ask({**OURS, "host": host})[0] == 299
+
+
+@pytest.mark.parametrize(
+    "host",
+    ["", "evil.example", f"evil.example:{PORT}", "127.0.0.1", "127.0.0.1:80", f"127.0.0.1:{PORT}.evil"],
+)
+@pytest.mark.parametrize("path", ["/", "/assets/index.js", "/ws/studio"])
+def test_another_host_is_refused_before_anything_else(host: str, path: str) -> None:
+    assert ask({**OURS, "host": host}, path, f"token={TOKEN}")[0] == 400
+
+
+@pytest.mark.parametrize(
+    "origin", ["https://evil.example", "null", "http://127.0.0.1:9999", f"https://{HOST}", None]
+)
+@pytest.mark.parametrize("scope", [{"type": "websocket"}, {"method": "POST"}, {"method": "DELETE"}])
+def test_sockets_and_changes_need_our_own_origin(origin: str | None, scope: dict[str, str]) -> None:
+    headers = OURS if origin is None else {**OURS, "origin": origin}
+    assert ask(headers, "/ws/studio", **scope)[0] == 403
+    assert ask({**OURS, "origin": f"http://{HOST}"}, "/ws/studio", **scope)[0] == 299
+
+
+def test_a_server_that_cannot_answer_sockets_closes_them() -> None:
+    assert ask(OURS, "/ws/studio", type="websocket", extensions={})[0] == 0
+
+
+@pytest.mark.parametrize(
+    "cookie",
+    ["", "ropsim-8123=wrong", f"ropsim-9999={TOKEN}", "ropsim-8123=", "ropsim-8123=ü", "=;=;;", f"{TOKEN}"],
+)
+@pytest.mark.parametrize("path", ["/", "/assets/index.js", "/run/1.pack"])
+def test_without_the_secret_nothing_is_shown(cookie: str, path: str) -> None:
+    assert ask({"host": HOST, "cookie": cookie}, path)[0] == 401
+
+
+def test_the_first_address_gives_the_cookie_and_leads_to_an_address_without_the_secret() -> None:
+    status, headers = ask({"host": HOST}, query=f"token={TOKEN}")
+    assert (status, headers["location"]) == (303, "/")
+    assert headers["set-cookie"] == f"ropsim-{PORT}={TOKEN}; HttpOnly; SameSite=Strict; Path=/"
+
+
+@pytest.mark.parametrize("query", ["token=wrong", "token=", "token=%FF", "token=wrong&token=s3cret"])
+def test_a_wrong_secret_in_the_address_is_refused(query: str) -> None:
+    assert ask({"host": HOST}, query=query)[0] == 401
+
+
+def test_every_answer_carries_the_headers_that_protect_it() -> None:
+    for headers in (OURS, {"host": HOST}, {"host": "evil.example"}):
+        _, answer = ask(headers)
+        assert answer["x-content-type-options"] == "nosniff"
+        assert answer["cross-origin-opener-policy"] == "same-origin"
+        assert answer["referrer-policy"] == "no-referrer"
+        assert answer["content-security-policy"] == content_policy()
+
+
+def test_the_policy_allows_no_script_but_files_of_ours_and_style_elements_with_the_nonce_only() -> None:
+    rules = dict(rule.strip().split(" ", 1) for rule in content_policy("abc").split(";"))
+    assert rules["script-src"] == rules["default-src"] == "'self'"
+    assert rules["style-src-elem"] == "'self' 'nonce-abc'"
+    assert rules["frame-ancestors"] == rules["object-src"] == rules["base-uri"] == "'none'"

@@ -1,0 +1,247 @@
+"""A session with its tabs; a toy stands in for the simulator."""
+
+import asyncio
+import json
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ropsim.studio.session import Session
+from ropsim.studio.tab import Tab
+
+PATIENCE = 20.0
+"""Longer than any answer takes, so that a broken test ends [s]."""
+
+
+class Page:
+    """A tab whose messages are read as they are sent."""
+
+    def __init__(self, session: Session, name: str) -> None:
+        self.session = session
+        self.name = name
+        self.tab = Tab()
+        self.got: list[dict[str, Any]] = []
+        self._news = asyncio.Event()
+        self._pump = asyncio.create_task(self.tab.pump(self._take, self._take_frame))
+
+    async def say(self, **message: object) -> None:
+        await self.session.receive(self.tab, json.dumps(message))
+
+    async def hear(self, kind: str, **fields: object) -> dict[str, Any]:
+        """Wait for a message with these fields, and forget it and all before it."""
+        while True:
+            for index, one in enumerate(self.got):
+                if one["type"] == kind and all(one.get(name) == value for name, value in fields.items()):
+                    del self.got[: index + 1]
+                    return one
+            self._news.clear()
+            await self._news.wait()
+
+    async def leave(self) -> None:
+        self.tab.close()
+        await self._pump
+        await self.session.leave(self.tab)
+
+    async def _take(self, text: str) -> None:
+        self.got.append(json.loads(text))
+        self._news.set()
+
+    async def _take_frame(self, frame: bytes) -> None:
+        self.got.append({"type": "frame", "content": frame})
+        self._news.set()
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("ROPSIM_STATE_HOME", str(tmp_path / "state"))
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "config"))
+    project = tmp_path / "cell"
+    (project / "programs").mkdir(parents=True)
+    (project / "controllers").mkdir()
+    (project / "cell.toml").write_text("[cell]\n", "utf-8")
+    (project / "programs" / "main.task").write_text("x\n", "utf-8")
+    (project / "controllers" / "evil.py").write_text("raise SystemExit\n", "utf-8")
+    return project
+
+
+def in_session(folder: Path, play: Callable[[Callable[[str], Awaitable[Page]]], Awaitable[None]]) -> None:
+    """Play with pages of a session, which ends afterwards."""
+
+    async def run() -> None:
+        session = Session(folder, folder.parent, "support.toy_worker:main")
+        await session.open()
+
+        async def page(name: str) -> Page:
+            page = Page(session, name)
+            await page.say(type="hello", tab=name)
+            return page
+
+        try:
+            await asyncio.wait_for(play(page), PATIENCE)
+        finally:
+            await session.close()
+
+    asyncio.run(run())
+
+
+def test_a_page_is_told_everything_and_the_first_run_begins_by_itself(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        welcome = await first.hear("welcome")
+        assert welcome["editing"] is True
+        assert (welcome["project"], welcome["programs"], welcome["program"]) == ("cell", ["main"], "main")
+        assert [(one["name"], one["text"]) for one in welcome["documents"]] == [
+            ("cell.toml", "[cell]\n"),
+            ("programs/main.task", "x\n"),
+        ]
+        assert welcome["documents"][1]["uri"] == (folder / "programs" / "main.task").as_uri()
+        assert welcome["trust"] == {"trusted": False, "code": ["controllers/evil.py"]}
+        await first.hear("run", state="done", id=1)
+
+    in_session(folder, play)
+
+
+def test_an_edit_is_known_to_all_and_simulated(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first, second = await page("a"), await page("b")
+        await second.hear("welcome", editing=False)
+        await first.say(type="edit", document="programs/main.task", text="new\n", version=5)
+        mine, theirs = await first.hear("documents"), await second.hear("documents")
+        assert [mine["documents"][0][key] for key in ("text", "version", "unsaved")] == [None, 5, True]
+        assert theirs["documents"][0]["text"] == "new\n"
+        done = await first.hear("run", state="done", id=2)
+        assert first.session.runs.pack(done["id"]) == b"new\n|0"
+        assert (folder / "programs" / "main.task").read_text("utf-8") == "x\n"  # nothing was saved
+
+    in_session(folder, play)
+
+
+def test_a_viewer_changes_nothing_until_it_takes_over(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first, second = await page("a"), await page("b")
+        await second.say(type="edit", document="programs/main.task", text="new\n", version=1)
+        assert (await second.hear("notice"))["code"] == "U954"
+        await second.say(type="take_over")
+        await first.hear("editing", editing=False)
+        await second.hear("editing", editing=True)
+        await second.say(type="edit", document="programs/main.task", text="new\n", version=1)
+        await second.say(type="save", document="programs/main.task", overwrite=False)
+        await first.hear("documents")
+        assert (folder / "programs" / "main.task").read_text("utf-8") == "new\n"
+
+    in_session(folder, play)
+
+
+def test_an_edit_of_the_cell_file_makes_the_scene_anew(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="edit", document="cell.toml", text="[cell]\n\n", version=1)
+        await first.hear("scene", scene={"unsaved": ["cell.toml"]})
+        assert first.session.scenes.mesh("abc") == b"glTF"
+        assert first.session.scenes.mesh("nothing") is None
+
+    in_session(folder, play)
+
+
+def test_unsaved_text_comes_back_in_the_next_session_and_goes_with_a_revert(folder: Path) -> None:
+    async def before(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="edit", document="programs/main.task", text="unsaved\n", version=1)
+        await first.leave()
+
+    async def after(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        document = (await first.hear("welcome"))["documents"][1]
+        assert [document[key] for key in ("text", "recovered", "unsaved")] == ["unsaved\n", True, True]
+        await first.say(type="revert", document="programs/main.task")
+        reverted = (await first.hear("documents"))["documents"][0]
+        assert [reverted[key] for key in ("text", "recovered", "unsaved")] == ["x\n", False, False]
+
+    async def at_last(page: Callable[[str], Awaitable[Page]]) -> None:
+        assert (await (await page("a")).hear("welcome"))["documents"][1]["text"] == "x\n"
+
+    for play in (before, after, at_last):
+        in_session(folder, play)
+
+
+def test_a_file_that_another_program_writes_is_shown(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        (folder / "programs" / "main.task").write_text("written elsewhere\n", "utf-8")
+        changed = await first.hear("documents")
+        assert changed["documents"][0]["text"] == "written elsewhere\n"
+        (folder / "programs" / "second.task").write_text("y\n", "utf-8")
+        assert (await first.hear("welcome"))["programs"] == ["main", "second"]
+
+    in_session(folder, play)
+
+
+def test_nonsense_is_told_and_harms_nothing(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        for text in ("", "{", '{"type":"sing"}', b"\xff"):
+            await first.session.receive(first.tab, text)
+            assert (await first.hear("notice"))["code"] == "U953"
+        await first.say(type="edit", document="../x.task", text="", version=1)
+        assert (await first.hear("notice"))["code"] == "U958"
+        await first.say(type="signal", name="gate", value=1)  # no live run: nothing happens
+        await first.say(type="run", program="main", fidelity="dynamic")
+        await first.hear("run", state="done")
+
+    in_session(folder, play)
+
+
+def test_a_jog_is_answered_to_the_tab_that_asked(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first, second = await page("a"), await page("b")
+        await first.say(type="jog_joints", id=4, q=[0.5, 1], tool="")
+        answer = await first.hear("jogged")
+        assert (answer["id"], answer["q"], answer["reached"]) == (4, [0.5, 1.0], True)
+        assert answer["words"] == [{"level": "info", "text": "all is well"}]
+        await first.say(type="jog_tcp", id=5, q=[0.5], tool="", target=[1, 0, 0, 1, 0, 0, 0])
+        refused = await first.hear("jogged")
+        assert (refused["reached"], refused["words"][0]["level"]) == (False, "error")
+        assert [one for one in second.got if one["type"] == "jogged"] == []
+
+    in_session(folder, play)
+
+
+def test_trust_is_given_and_taken(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="trust", trusted=True)
+        await first.hear("trust", trusted=True, code=["controllers/evil.py"])
+        await first.say(type="trust", trusted=False)
+        await first.hear("trust", trusted=False)
+
+    in_session(folder, play)
+
+
+def test_a_worker_that_dies_is_told_and_replaced(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.hear("run", state="done")
+        await first.say(type="run", program="crash", fidelity="dynamic")
+        await first.hear("run", state="failed")
+        await first.say(type="run", program="main", fidelity="dynamic")
+        await first.hear("run", state="done")
+
+    in_session(folder, play)
+
+
+def test_a_journal_that_cannot_be_is_told_and_the_rest_works(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder.parent / "file").write_text("")
+    monkeypatch.setenv("ROPSIM_STATE_HOME", str(folder.parent / "file"))
+
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        assert (await first.hear("notice"))["code"] == "U959"
+        await first.say(type="edit", document="programs/main.task", text="new\n", version=1)
+        await first.say(type="save", document="programs/main.task", overwrite=False)
+        assert (folder / "programs" / "main.task").read_text("utf-8") == "new\n"
+
+    in_session(folder, play)

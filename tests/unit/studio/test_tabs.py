@@ -1,0 +1,92 @@
+import asyncio
+import json
+
+from ropsim.studio.messages import EditingRight
+from ropsim.studio.tab import Tab
+from ropsim.studio.tabs import GRACE, Tabs
+
+
+class Clock:
+    """A clock that is put forward by hand."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def named(name: str) -> Tab:
+    tab = Tab()
+    tab.name = name
+    return tab
+
+
+def sent(tab: Tab) -> list[object]:
+    """Return what waits for a tab: messages as values, frames as bytes."""
+    out: list[object] = []
+
+    async def text(message: str) -> None:
+        out.append(json.loads(message))
+
+    async def frame(content: bytes) -> None:
+        out.append(content)
+
+    async def pump() -> None:
+        pumping = asyncio.create_task(tab.pump(text, frame))
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        tab.close()
+        await pumping
+
+    asyncio.run(pump())
+    return out
+
+
+def test_the_first_tab_edits_and_the_second_follows() -> None:
+    tabs, first, second = Tabs(Clock()), named("a"), named("b")
+    tabs.add(first)
+    tabs.add(second)
+    assert [tabs.may_edit(first), tabs.may_edit(second)] == [True, False]
+
+
+def test_taking_over_tells_both() -> None:
+    tabs, first, second = Tabs(Clock()), named("a"), named("b")
+    tabs.add(first)
+    tabs.add(second)
+    tabs.take_over(second)
+    assert [tabs.may_edit(first), tabs.may_edit(second)] == [False, True]
+    assert sent(first) == [{"type": "editing", "editing": False}]
+    assert sent(second) == [{"type": "editing", "editing": True}]
+
+
+def test_the_right_waits_for_a_tab_that_comes_again() -> None:
+    clock = Clock()
+    tabs, first = Tabs(clock), named("a")
+    tabs.add(first)
+    tabs.remove(first)
+    other, again = named("b"), named("a")
+    tabs.add(other)
+    clock.now += GRACE / 2
+    tabs.add(again)
+    assert [tabs.may_edit(other), tabs.may_edit(again)] == [False, True]
+
+
+def test_a_tab_that_stays_away_loses_the_right_to_the_next_that_comes() -> None:
+    clock = Clock()
+    tabs, first = Tabs(clock), named("a")
+    tabs.add(first)
+    tabs.remove(first)
+    clock.now += GRACE + 0.1
+    other = named("b")
+    tabs.add(other)
+    assert tabs.may_edit(other)
+
+
+def test_of_frames_the_newest_three_are_sent_and_of_messages_all_before_them() -> None:
+    tab = Tab()
+    for number in range(5):
+        tab.send_frame(bytes([number]))
+        tab.send(EditingRight(editing=number % 2 == 0))
+    assert sent(tab)[5:] == [b"\x02", b"\x03", b"\x04"]
+    assert len(sent(tab)) == 0

@@ -1,0 +1,98 @@
+"""Supervision of real processes that run a toy in place of the simulator."""
+
+import asyncio
+import os
+import signal
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+from ropsim.studio import jobs
+from ropsim.studio.workers import WorkerLink
+
+TOY = "support.toy_worker:main"
+PATIENCE = 20.0
+"""Longer than any answer takes, so that a broken test ends [s]."""
+
+
+def with_link(folder: Path, use: Callable[[WorkerLink], Awaitable[None]]) -> list[str]:
+    """Use a link to a toy worker and return what was told about lost workers."""
+    lost: list[str] = []
+
+    async def run() -> None:
+        link = WorkerLink("toy", str(folder), lost.append, TOY)
+        try:
+            await asyncio.wait_for(use(link), PATIENCE)
+        finally:
+            await link.close()
+
+    asyncio.run(run())
+    return lost
+
+
+def simulate(program: str) -> jobs.Simulate:
+    return jobs.Simulate("", {"programs/main.task": "x"}, program, "dynamic")
+
+
+def test_a_job_is_answered_after_its_reports(tmp_path: Path) -> None:
+    heard: list[jobs.Report] = []
+
+    async def use(link: WorkerLink) -> None:
+        reply = await link.submit(simulate("main"), heard.append).reply
+        assert reply == jobs.RunReply("done", "main", pack=b"x|0")
+        assert heard == [jobs.Progress("half way")]
+
+    assert with_link(tmp_path, use) == []
+
+
+def test_a_worker_that_dies_fails_its_job_in_words_and_the_next_job_has_a_new_one(tmp_path: Path) -> None:
+    async def use(link: WorkerLink) -> None:
+        reply = await link.submit(simulate("crash")).reply
+        assert isinstance(reply, jobs.RunReply)
+        assert reply.state == "failed"
+        assert "exit code 3" in reply.message
+        again = await link.submit(jobs.JogJoints((1.0,), "")).reply
+        assert isinstance(again, jobs.JogReply)
+
+    assert with_link(tmp_path, use) == ["the toy has ended unexpectedly (exit code 3)"]
+
+
+def test_a_worker_that_does_not_listen_is_ended_on_request(tmp_path: Path) -> None:
+    async def use(link: WorkerLink) -> None:
+        task = link.submit(simulate("deaf"), lambda _: link.restart())
+        reply = await task.reply
+        assert isinstance(reply, jobs.RunReply)
+        assert reply.state == "failed"
+
+    assert with_link(tmp_path, use) == []  # nobody is told of what was asked for
+
+
+def test_an_order_reaches_the_job_that_runs(tmp_path: Path) -> None:
+    async def use(link: WorkerLink) -> None:
+        task = link.submit(simulate("endless"))
+        link.order(task, jobs.Cancel())
+        assert await task.reply == jobs.RunReply("cancelled", "endless")
+        link.order(task, jobs.Cancel())  # too late: nothing happens
+
+    assert with_link(tmp_path, use) == []
+
+
+def test_closing_ends_also_a_worker_that_does_not_listen(tmp_path: Path) -> None:
+    pids: list[int] = []
+
+    async def use(link: WorkerLink) -> None:
+        started = asyncio.Event()
+        link.submit(simulate("deaf"), lambda _: started.set())
+        await started.wait()
+        assert link.process_id is not None
+        pids.append(link.process_id)
+
+    with_link(tmp_path, use)
+    assert not _alive(pids[0])
+
+
+def _alive(pid: int) -> bool:
+    try:
+        os.kill(pid, signal.SIG_DFL)
+    except ProcessLookupError:
+        return False
+    return True
