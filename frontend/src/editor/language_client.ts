@@ -1,0 +1,142 @@
+/** The language server in the editor: marks after 30 ms, completion, hover, definition. */
+import { setDiagnostics } from '@codemirror/lint'
+import {
+  hoverTooltips,
+  jumpToDefinitionKeymap,
+  LSPClient,
+  LSPPlugin,
+  serverCompletion,
+} from '@codemirror/lsp-client'
+import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
+import type { Problem } from '../studio/problems'
+import { marksOf, type Published, problemsOf } from './findings'
+import { sanitizeHTML } from './sanitize'
+import { LanguageLink } from './transport'
+import { type OpenedDocument, ProjectWorkspace } from './workspace'
+
+/** Pause after a keystroke before it is sent [ms]. */
+const PAUSE = 30
+
+/** Answers may take any time: a lost connection ends waiting, a clock does not. */
+const NO_TIMEOUT = 2 ** 31 - 1
+
+const soon = ViewPlugin.fromClass(
+  class {
+    #timer: ReturnType<typeof setTimeout> | undefined
+
+    constructor(readonly view: EditorView) {}
+
+    update(update: ViewUpdate): void {
+      if (!update.docChanged) return
+      clearTimeout(this.#timer)
+      this.#timer = setTimeout(() => LSPPlugin.get(this.view)?.client.sync(), PAUSE)
+    }
+
+    destroy(): void {
+      clearTimeout(this.#timer)
+    }
+  },
+)
+
+export class LanguageClient {
+  readonly #client: LSPClient
+  readonly #link: LanguageLink
+  readonly #onProblems: (problems: readonly Problem[]) => void
+  readonly #published = new Map<string, Published>()
+  #names: ReadonlyMap<string, string> = new Map()
+
+  /**
+   * @param address of the language server's socket
+   * @param onProblems hears of all findings of all documents, at every change
+   * @param show puts a document into the view, for definitions in other files
+   */
+  constructor(
+    address: string,
+    onProblems: (problems: readonly Problem[]) => void,
+    show: (name: string) => Promise<EditorView | null>,
+  ) {
+    this.#onProblems = onProblems
+    this.#client = new LSPClient({
+      timeout: NO_TIMEOUT,
+      sanitizeHTML,
+      workspace: client => {
+        const workspace = new ProjectWorkspace(client)
+        workspace.displayFile = uri => show(this.#names.get(uri) ?? '')
+        return workspace
+      },
+      notificationHandlers: {
+        'textDocument/publishDiagnostics': (_, params: Published) => {
+          this.#take(params)
+          return true
+        },
+      },
+      extensions: [
+        soon,
+        serverCompletion({ override: true }),
+        hoverTooltips({ hoverTime: 300 }),
+        keymap.of(jumpToDefinitionKeymap),
+      ],
+    })
+    this.#link = new LanguageLink(address, {
+      onReady: transport => this.#client.connect(transport),
+      onLost: () => this.#client.disconnect(),
+    })
+    this.#link.open()
+  }
+
+  extension(document: OpenedDocument) {
+    return this.#client.plugin(document.uri, document.language)
+  }
+
+  /** Let the server know all documents of the project. */
+  keep(documents: readonly OpenedDocument[]): void {
+    this.#names = new Map(documents.map(one => [one.uri, one.name]))
+    for (const uri of this.#published.keys()) {
+      if (!this.#names.has(uri)) this.#published.delete(uri)
+    }
+    this.#workspace.keep(documents)
+    this.#tell()
+  }
+
+  /** Send what was typed, now. */
+  sync(): void {
+    this.#client.sync()
+  }
+
+  /** Show what is known about the document that a view has just been given. */
+  showKnown(view: EditorView): void {
+    const plugin = LSPPlugin.get(view)
+    const known = plugin && this.#published.get(plugin.uri)
+    if (known)
+      view.dispatch(setDiagnostics(view.state, [...marksOf(known.diagnostics, view.state.doc, at => at)]))
+  }
+
+  destroy(): void {
+    this.#link.close()
+  }
+
+  get #workspace(): ProjectWorkspace {
+    return this.#client.workspace as ProjectWorkspace
+  }
+
+  #take(published: Published): void {
+    const file = this.#workspace.getFile(published.uri)
+    if (file && published.version !== undefined && published.version !== file.version) return
+    this.#published.set(published.uri, published)
+    const view = file?.getView()
+    const plugin = view && LSPPlugin.get(view)
+    if (view && plugin) {
+      const map = (at: number) => plugin.unsyncedChanges.mapPos(at)
+      view.dispatch(setDiagnostics(view.state, [...marksOf(published.diagnostics, plugin.syncedDoc, map)]))
+    }
+    this.#tell()
+  }
+
+  #tell(): void {
+    const problems = [...this.#published].flatMap(([uri, { diagnostics }]) => {
+      const name = this.#names.get(uri)
+      return name === undefined ? [] : problemsOf(diagnostics, name)
+    })
+    this.#onProblems(problems)
+  }
+}

@@ -1,0 +1,232 @@
+/** The text editor of the studio: one view, one history per document, marks of the run and of the compiler. */
+import { closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete'
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands'
+import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentUnit } from '@codemirror/language'
+import { lintGutter } from '@codemirror/lint'
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
+import { Annotation, Compartment, EditorState, type Extension } from '@codemirror/state'
+import {
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+  type ViewUpdate,
+} from '@codemirror/view'
+import type { Problem } from '../studio/problems'
+import { LanguageClient } from './language_client'
+import { LineEnds } from './line_ends'
+import { lineMarks, type MarkedLines, showMarks } from './marks'
+import { replacement } from './replacement'
+import { task } from './task_language'
+import { theme } from './theme'
+import { words } from './words'
+import type { OpenedDocument } from './workspace'
+
+export interface EditorDocument extends OpenedDocument {
+  /** Grows when the text was replaced from outside; the editor then takes it over and keeps its history. */
+  readonly revision: number
+}
+
+export interface ProgramEditorOptions {
+  /** Address of the language server's socket. */
+  readonly server: string
+  readonly onChange: (document: string, text: string) => void
+  /** The user has put the cursor on another line (from 1). */
+  readonly onLine: (document: string, line: number) => void
+  readonly onProblems: (problems: readonly Problem[]) => void
+  /** A definition stands in another document: show that. */
+  readonly onShow: (document: string) => void
+}
+
+interface Kept {
+  readonly state: EditorState
+  readonly revision: number
+  readonly ends: LineEnds
+  readonly scroll: number
+}
+
+const External = Annotation.define<true>()
+
+export class ProgramEditor {
+  readonly #options: ProgramEditorOptions
+  readonly #view: EditorView
+  readonly #language: LanguageClient
+  readonly #kept = new Map<string, Kept>()
+  readonly #access = new Compartment()
+  #name = ''
+  #revision = 0
+  #ends = new LineEnds('')
+  #line = 0
+  #isReadOnly = false
+  #marks: MarkedLines = { running: null, ghost: null }
+
+  constructor(host: HTMLElement, options: ProgramEditorOptions) {
+    this.#options = options
+    this.#view = new EditorView({ parent: host, state: EditorState.create({ extensions: [nonce(), theme] }) })
+    this.#language = new LanguageClient(options.server, options.onProblems, async name => {
+      if (name) options.onShow(name)
+      return name === this.#name ? this.#view : null
+    })
+  }
+
+  /** Name of the document in the view, empty before the first. */
+  get document(): string {
+    return this.#name
+  }
+
+  /** The text in the view, with the line ends of its file. */
+  text(): string {
+    return this.#ends.text(this.#view.state.doc)
+  }
+
+  /** Tell the language server about all documents of the project. */
+  keep(documents: readonly OpenedDocument[]): void {
+    this.#language.keep(documents.map(one => (one.name === this.#name ? { ...one, text: this.text() } : one)))
+    const names = new Set(documents.map(one => one.name))
+    for (const name of this.#kept.keys()) {
+      if (!names.has(name)) this.#kept.delete(name)
+    }
+  }
+
+  /** Show a document; one that was shown before comes back with its history, cursor and folds. */
+  open(document: EditorDocument): void {
+    if (document.name !== this.#name) this.#switchTo(document)
+    if (document.revision !== this.#revision) this.#takeOver(document)
+  }
+
+  /** Mark the line that runs (from 1), null for none. Cheap where nothing changes. */
+  markRunning(line: number | null): void {
+    this.#mark({ ...this.#marks, running: line })
+  }
+
+  /** Mark the line whose pose is shown as a ghost. */
+  markGhost(line: number | null): void {
+    this.#mark({ ...this.#marks, ghost: line })
+  }
+
+  /** Show the running line in grey while the run belongs to an older text. */
+  markStale(state: 'stale' | 'current'): void {
+    this.#view.dom.classList.toggle('ropsim-stale', state === 'stale')
+  }
+
+  setReadOnly(access: 'read' | 'write'): void {
+    this.#isReadOnly = access === 'read'
+    this.#view.dispatch({ effects: this.#access.reconfigure(EditorState.readOnly.of(this.#isReadOnly)) })
+  }
+
+  /** Put the cursor on a place, both counted from 1, and show it in the middle. */
+  goTo(line: number, column: number): void {
+    const { doc } = this.#view.state
+    const at = doc.line(Math.min(Math.max(line, 1), doc.lines))
+    const anchor = Math.min(at.from + Math.max(column - 1, 0), at.to)
+    this.#view.dispatch({
+      selection: { anchor },
+      effects: EditorView.scrollIntoView(anchor, { y: 'center' }),
+      userEvent: 'select.goto',
+    })
+    this.#view.focus()
+  }
+
+  focus(): void {
+    this.#view.focus()
+  }
+
+  destroy(): void {
+    this.#language.destroy()
+    this.#view.destroy()
+  }
+
+  #switchTo(document: EditorDocument): void {
+    this.#language.sync()
+    if (this.#name) {
+      this.#kept.set(this.#name, {
+        state: this.#view.state,
+        revision: this.#revision,
+        ends: this.#ends,
+        scroll: this.#view.scrollDOM.scrollTop,
+      })
+    }
+    const kept = this.#kept.get(document.name)
+    this.#name = document.name
+    this.#revision = kept?.revision ?? document.revision
+    this.#ends = kept?.ends ?? new LineEnds(document.text)
+    this.#line = 0
+    this.#marks = { running: null, ghost: null } // marks belong to the text they were given for
+    const state =
+      kept?.state ?? EditorState.create({ doc: document.text, extensions: this.#extensions(document) })
+    this.#view.setState(state)
+    this.setReadOnly(this.#isReadOnly ? 'read' : 'write')
+    this.#view.scrollDOM.scrollTop = kept?.scroll ?? 0
+    showMarks(this.#view, this.#marks)
+    this.#language.showKnown(this.#view)
+  }
+
+  #takeOver(document: EditorDocument): void {
+    this.#revision = document.revision
+    const change = replacement(this.#view.state.doc.toString(), document.text.replace(/\r\n?/g, '\n'))
+    if (change) this.#view.dispatch({ changes: change, annotations: External.of(true) })
+    this.#ends = new LineEnds(document.text)
+  }
+
+  #mark(marks: MarkedLines): void {
+    this.#marks = marks
+    if (this.#name) showMarks(this.#view, marks)
+  }
+
+  #updated(update: ViewUpdate): void {
+    if (update.docChanged) {
+      this.#ends.change(update.startState.doc, update.state.doc, update.changes)
+      const isOwn = update.transactions.some(one => one.docChanged && !one.annotation(External))
+      if (isOwn) this.#options.onChange(this.#name, this.text())
+    }
+    if (!update.selectionSet || !update.transactions.some(one => one.isUserEvent('select'))) return
+    const line = update.state.doc.lineAt(update.state.selection.main.head).number
+    if (line === this.#line) return
+    this.#line = line
+    this.#options.onLine(this.#name, line)
+  }
+
+  #extensions(document: EditorDocument): Extension {
+    return [
+      nonce(),
+      this.#access.of(EditorState.readOnly.of(this.#isReadOnly)),
+      EditorState.phrases.of(words.phrases),
+      lineMarks(),
+      lineNumbers(),
+      foldGutter(),
+      codeFolding(),
+      lintGutter(),
+      history(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightActiveLineGutter(),
+      highlightSelectionMatches(),
+      bracketMatching(),
+      closeBrackets(),
+      indentUnit.of('  '),
+      search({ top: true }),
+      document.language === 'task' ? task() : [],
+      this.#language.extension(document),
+      keymap.of([
+        ...closeBracketsKeymap,
+        ...completionKeymap,
+        ...searchKeymap,
+        ...historyKeymap,
+        ...foldKeymap,
+        ...defaultKeymap,
+        indentWithTab,
+      ]),
+      theme,
+      EditorView.contentAttributes.of({ 'aria-label': words.label(document.name) }),
+      EditorView.updateListener.of(update => this.#updated(update)),
+    ]
+  }
+}
+
+/** The page's content policy allows styles with its nonce only. */
+function nonce(): Extension {
+  const tag = document.querySelector<HTMLElement>('meta[property=csp-nonce]')
+  return EditorView.cspNonce.of(tag?.nonce ?? '')
+}

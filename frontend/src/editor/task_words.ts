@@ -1,0 +1,31 @@
+/** Tells the words of the task language apart; words may be written in any case. */
+import {
+  CallWord,
+  Function as FunctionWord,
+  StatementWord,
+  Task,
+  Word,
+} from './generated/task-parser.terms.js'
+
+const STATEMENTS =
+  'program units classic strict frame loc tool signal const var pattern needs assumes endp endtask mov movj lin movl ' +
+  'open close load set wait if else elseif endif repeat endr until while endw for endf with endwith break continue ' +
+  'return stop print use import robot circ movc spline pulse parallel sync on resume restart skip try catch raise ' +
+  'abort endon endtry endpar'
+const WORDS =
+  'and or not mod in above offset rel is to then do true false here home each step from order grid off speed acc ' +
+  'blend fine timeout joints down rx ry rz rpy euler quat rotvec like pitch roll yaw analog input output'
+const FUNCTIONS = 'dist sqrt sin cos tan asin acos atan2 abs min max round trunc'
+
+const TERMS = new Map<string, number>([
+  ...STATEMENTS.split(' ').map((word): [string, number] => [word, StatementWord]),
+  ...WORDS.split(' ').map((word): [string, number] => [word, Word]),
+  ...FUNCTIONS.split(' ').map((word): [string, number] => [word, FunctionWord]),
+  ['task', Task],
+  ['call', CallWord],
+])
+
+/** The parser's term for a word, -1 for a name. */
+export function specializeWord(word: string): number {
+  return TERMS.get(word.toLowerCase()) ?? -1
+}

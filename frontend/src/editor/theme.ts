@@ -1,0 +1,89 @@
+/** Colours of the editor, all from the variables of the page's theme. */
+import { HighlightStyle, syntaxHighlighting } from '@codemirror/language'
+import type { Extension } from '@codemirror/state'
+import { EditorView } from '@codemirror/view'
+import { tags } from '@lezer/highlight'
+
+const mix = (color: string, share: number) => `color-mix(in srgb, var(${color}) ${share}%, transparent)`
+
+const view = EditorView.theme({
+  '&': { height: '100%', fontSize: '13px', backgroundColor: 'var(--panel)', color: 'var(--text)' },
+  '&.cm-focused': { outline: '2px solid var(--accent)', outlineOffset: '-2px' },
+  '.cm-scroller': { fontFamily: 'ui-monospace, "DejaVu Sans Mono", Consolas, monospace', lineHeight: '1.5' },
+  '.cm-content': { caretColor: 'var(--text)' },
+  '.cm-cursor, .cm-dropCursor': { borderLeftColor: 'var(--text)', borderLeftWidth: '2px' },
+  '.cm-gutters': {
+    backgroundColor: 'var(--panel)',
+    color: 'var(--quiet)',
+    borderRight: '1px solid var(--line)',
+  },
+  '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: mix('--accent', 8) },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
+    backgroundColor: mix('--accent', 30),
+  },
+  '.cm-selectionMatch': { backgroundColor: mix('--accent', 18) },
+  '.cm-matchingBracket, &.cm-focused .cm-matchingBracket': {
+    backgroundColor: mix('--good', 25),
+    outline: '1px solid var(--good)',
+  },
+  '.cm-nonmatchingBracket, &.cm-focused .cm-nonmatchingBracket': { outline: '1px solid var(--error)' },
+  '.cm-running': { backgroundColor: 'var(--running)' },
+  '.cm-ghost': { backgroundColor: mix('--ghost', 14) },
+  '.cm-arrows': { width: '1.1em', textAlign: 'center' },
+  '.cm-arrow-running': { color: 'var(--accent)' },
+  '.cm-arrow-ghost': { color: 'var(--ghost)' },
+  '&.ropsim-stale .cm-running': { backgroundColor: mix('--quiet', 15) },
+  '&.ropsim-stale .cm-arrow-running': { color: 'var(--quiet)' },
+  '.cm-panels, .cm-tooltip': {
+    backgroundColor: 'var(--panel)',
+    color: 'var(--text)',
+    border: '1px solid var(--line)',
+    maxWidth: 'min(46em, 90vw)',
+  },
+  '.cm-tooltip-autocomplete > ul > li[aria-selected]': {
+    backgroundColor: mix('--accent', 25),
+    color: 'var(--text)',
+  },
+  '.cm-completionDetail': { color: 'var(--quiet)', fontStyle: 'normal', marginLeft: '1em' },
+  '.cm-completionIcon': { display: 'none' },
+  '.cm-completionInfo, .cm-lsp-hover-tooltip': { padding: '4px 8px' },
+  '.cm-lsp-hover-tooltip pre': { margin: '0 0 4px', fontFamily: 'inherit', fontWeight: '600' },
+  '.cm-diagnostic': { whiteSpace: 'pre-wrap', padding: '4px 8px' },
+  '.cm-diagnosticSource': { color: 'var(--quiet)', opacity: '1', fontSize: '90%' },
+  '.cm-diagnosticAction': {
+    backgroundColor: 'var(--accent)',
+    color: 'var(--on-accent)',
+    font: 'inherit',
+    minHeight: '24px',
+    padding: '2px 8px',
+    margin: '4px 4px 0 0',
+    display: 'block',
+  },
+  '.cm-button, .cm-textfield': {
+    backgroundImage: 'none',
+    backgroundColor: 'var(--bg)',
+    color: 'var(--text)',
+    border: '1px solid var(--line)',
+    minHeight: '24px',
+  },
+  '.cm-panel.cm-search': { fontSize: '12px' },
+  '.cm-panel.cm-search input, .cm-panel.cm-search button, .cm-panel.cm-search label': { fontSize: 'inherit' },
+  '.cm-panel.cm-search [name=close]': { color: 'var(--text)', minWidth: '24px', minHeight: '24px' },
+  '.cm-foldPlaceholder': {
+    backgroundColor: 'transparent',
+    color: 'var(--quiet)',
+    border: '1px solid var(--line)',
+  },
+})
+
+const colours = HighlightStyle.define([
+  { tag: tags.keyword, color: 'var(--accent)', fontWeight: '600' },
+  { tag: tags.operatorKeyword, color: 'var(--accent)' },
+  { tag: tags.definition(tags.function(tags.variableName)), color: 'var(--text)', fontWeight: '700' },
+  { tag: tags.function(tags.variableName), color: 'var(--info)' },
+  { tag: tags.number, color: 'var(--good)' },
+  { tag: tags.string, color: 'var(--warning)' },
+  { tag: tags.lineComment, color: 'var(--quiet)', fontStyle: 'italic' },
+])
+
+export const theme: Extension = [view, syntaxHighlighting(colours)]

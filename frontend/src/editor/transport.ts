@@ -1,0 +1,87 @@
+/** The way to the language server over a web socket that may break: it comes back by itself. */
+import type { Transport } from '@codemirror/lsp-client'
+
+export interface LinkEvents {
+  /** A connection stands; it serves until `onLost`. */
+  readonly onReady: (transport: Transport) => void
+  readonly onLost: () => void
+}
+
+/** Waits before the tries to come back [ms]; the last one repeats. */
+const WAITS = [250, 500, 1000, 2000, 5000] as const
+
+export class LanguageLink {
+  readonly #address: string
+  readonly #events: LinkEvents
+  #socket: WebSocket | null = null
+  #timer: ReturnType<typeof setTimeout> | undefined
+  #tries = 0
+  #isClosed = false
+
+  constructor(address: string, events: LinkEvents) {
+    this.#address = address
+    this.#events = events
+  }
+
+  open(): void {
+    const socket = new WebSocket(this.#address)
+    const listeners = new Set<(message: string) => void>()
+    const unanswered = new Set<number | string>()
+    const tell = (message: string) => {
+      for (const listener of listeners) listener(message)
+    }
+    let isReady = false
+    this.#socket = socket
+    socket.onopen = () => {
+      isReady = true
+      this.#tries = 0
+      this.#events.onReady({
+        send: message => {
+          if (socket.readyState !== WebSocket.OPEN) return
+          const id = requestId(message)
+          if (id !== null) unanswered.add(id)
+          socket.send(message)
+        },
+        subscribe: listener => listeners.add(listener),
+        unsubscribe: listener => listeners.delete(listener),
+      })
+    }
+    socket.onmessage = event => {
+      if (typeof event.data !== 'string') return
+      const id = answerId(event.data)
+      if (id !== null) unanswered.delete(id)
+      tell(event.data)
+    }
+    socket.onclose = () => {
+      // Whoever waits for an answer is told that there is none, so that no promise stays open or fails.
+      for (const id of unanswered) {
+        tell(JSON.stringify({ jsonrpc: '2.0', id, result: null }))
+      }
+      if (isReady) this.#events.onLost()
+      if (!this.#isClosed) this.#again()
+    }
+  }
+
+  close(): void {
+    this.#isClosed = true
+    clearTimeout(this.#timer)
+    this.#socket?.close()
+  }
+
+  #again(): void {
+    const wait = WAITS[Math.min(this.#tries, WAITS.length - 1)] ?? 5000
+    this.#tries += 1
+    this.#timer = setTimeout(() => this.open(), wait)
+  }
+}
+
+/** Of a request that can be answered by nothing; the client would look into the answer to `initialize`. */
+function requestId(message: string): number | string | null {
+  const { id, method } = JSON.parse(message) as { id?: number | string; method?: string }
+  return id !== undefined && method !== undefined && method !== 'initialize' ? id : null
+}
+
+function answerId(message: string): number | string | null {
+  const { id, method } = JSON.parse(message) as { id?: number | string | null; method?: string }
+  return method === undefined ? (id ?? null) : null
+}

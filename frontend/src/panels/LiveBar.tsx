@@ -1,0 +1,71 @@
+/** Start, pause, speed and end of a live run. */
+import { SPEEDS } from '../run/cursor'
+import { useStudio, useStudioState } from '../studio/context'
+import { words } from '../text/messages'
+
+export function LiveBar() {
+  const studio = useStudio()
+  const live = useStudioState(state => state.live)
+  const program = useStudioState(state => state.program)
+  const programs = useStudioState(state => state.programs)
+  const connected = useStudioState(state => state.connection === 'connected')
+  const on = live !== null && live.state !== 'over'
+  const control = (action: 'pause' | 'resume' | 'stop') => studio.send({ type: 'live_control', action })
+  return (
+    <div className="toolbar" role="toolbar" aria-label={words.signals.live}>
+      {on ? null : (
+        <>
+          <button
+            type="button"
+            className="primary"
+            disabled={!connected}
+            onClick={() => studio.send({ type: 'live_start', program, speed: 1 })}
+          >
+            {words.signals.live}: {words.signals.start}
+          </button>
+          {programs.length > 1 ? (
+            <select
+              aria-label={words.panels.program}
+              value={program}
+              onChange={event => studio.store.setState({ program: event.target.value })}
+            >
+              {programs.map(one => (
+                <option key={one}>{one}</option>
+              ))}
+            </select>
+          ) : null}
+        </>
+      )}
+      {on && live ? (
+        <>
+          <strong className="live-mark">{words.run.live}</strong>
+          {live.state === 'paused' ? (
+            <button type="button" onClick={() => control('resume')}>
+              {words.signals.resume}
+            </button>
+          ) : (
+            <button type="button" disabled={live.state === 'starting'} onClick={() => control('pause')}>
+              {words.signals.pause}
+            </button>
+          )}
+          <button type="button" onClick={() => control('stop')}>
+            {words.signals.stop}
+          </button>
+          <label className="inline">
+            {words.signals.speed}
+            <select
+              value={live.speed}
+              onChange={event => studio.send({ type: 'live_speed', speed: Number(event.target.value) })}
+            >
+              {[...new Set([...SPEEDS, live.speed])].map(one => (
+                <option key={one} value={one}>
+                  {one}×
+                </option>
+              ))}
+            </select>
+          </label>
+        </>
+      ) : null}
+    </div>
+  )
+}

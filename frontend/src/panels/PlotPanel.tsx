@@ -1,0 +1,78 @@
+/** One plot: its channels, and the drawing of it. */
+import type { IDockviewPanelProps } from 'dockview-react'
+import { useEffect, useRef, useState } from 'react'
+import { Plot, type PlotColumn } from '../plot/plot'
+import { useStudio, useStudioState } from '../studio/context'
+import { useEvery } from '../studio/hooks'
+import { words } from '../text/messages'
+import { ChannelTree } from './ChannelTree'
+
+export function PlotPanel({ api, params }: IDockviewPanelProps) {
+  const studio = useStudio()
+  const shown = useStudioState(state => state.shown)
+  const host = useRef<HTMLDivElement>(null)
+  const plot = useRef<Plot | null>(null)
+  const [columns, setColumns] = useState<readonly PlotColumn[] | null>(() => readColumns(params?.columns))
+  const [choosing, setChoosing] = useState(false)
+  const run = shown > 0 ? studio.run : null
+  const chosen = columns ?? firstColumns(run)
+  useEffect(() => {
+    if (!host.current) return
+    const made = new Plot(host.current, studio.cursor)
+    plot.current = made
+    return () => {
+      made.destroy()
+      plot.current = null
+    }
+  }, [studio])
+  const key = JSON.stringify(chosen)
+  useEffect(() => {
+    plot.current?.show(run, JSON.parse(key) as PlotColumn[])
+  }, [run, key])
+  useEvery(20, () => {
+    if (studio.run?.live) plot.current?.refresh()
+  })
+  const choose = (next: readonly PlotColumn[]) => {
+    setColumns(next)
+    api.updateParameters({ columns: next })
+  }
+  return (
+    <>
+      <div className="toolbar">
+        <button type="button" aria-expanded={choosing} onClick={() => setChoosing(!choosing)}>
+          {words.plots.choose}
+        </button>
+        <button type="button" onClick={() => plot.current?.unzoom()}>
+          {words.plots.reset}
+        </button>
+        <button type="button" onClick={() => choose([])} disabled={chosen.length === 0}>
+          {words.plots.clear}
+        </button>
+        <button type="button" onClick={() => studio.dock?.addPlot()}>
+          {words.plots.add}
+        </button>
+        {run ? null : <span className="quiet">{words.plots.noRun}</span>}
+      </div>
+      <div className="plot-place">
+        {choosing && run ? <ChannelTree channels={run.channels} chosen={chosen} onChoose={choose} /> : null}
+        <div className="plot-host" ref={host} />
+      </div>
+    </>
+  )
+}
+
+/** What a new plot shows: the joint angles. */
+function firstColumns(
+  run: { readonly channels: readonly { name: string; columns: readonly string[] }[] } | null,
+) {
+  const q = run?.channels.find(one => one.name === 'q')
+  return q ? q.columns.map((_, column) => ({ channel: 'q', column })) : []
+}
+
+function readColumns(kept: unknown): readonly PlotColumn[] | null {
+  if (!Array.isArray(kept)) return null
+  return kept.filter(
+    (one: Partial<PlotColumn> | null): one is PlotColumn =>
+      typeof one?.channel === 'string' && typeof one.column === 'number',
+  )
+}

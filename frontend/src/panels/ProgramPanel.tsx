@@ -1,0 +1,214 @@
+/** The texts of the project: tabs, editor, what stands between a text and its file, passes of the line. */
+import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react'
+import { useStudio, useStudioState } from '../studio/context'
+import type { StudioDocument } from '../studio/documents'
+import { words } from './editor_words'
+import { neighbour } from './problem_order'
+import { useEditor } from './use_editor'
+import './editor.css'
+
+export function ProgramPanel() {
+  const host = useRef<HTMLDivElement>(null)
+  const loading = useEditor(host)
+  const documents = useStudioState(state => state.documents)
+  const name = useStudioState(state => state.document)
+  const shown = documents.find(one => one.name === name)
+  useProblemKeys()
+  return (
+    <div className="program">
+      <DocumentBar documents={documents} shown={shown} />
+      {shown ? <TextBanners shown={shown} /> : <p className="program-empty">{words.none}</p>}
+      {loading === 'ready' ? null : (
+        <p className="program-empty" role="status">
+          {loading === 'loading' ? words.loading : words.failed(loading.failed)}
+        </p>
+      )}
+      <div ref={host} className="program-text" id="program-text" />
+      <PassBar />
+    </div>
+  )
+}
+
+function DocumentBar({
+  documents,
+  shown,
+}: {
+  documents: readonly StudioDocument[]
+  shown: StudioDocument | undefined
+}) {
+  const studio = useStudio()
+  const editing = useStudioState(state => state.editing)
+  const stale = useStudioState(state => state.stale)
+  const show = (document: string) => studio.store.setState({ document })
+  const step = (event: KeyboardEvent) => {
+    const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0
+    const at = documents.findIndex(one => one.name === shown?.name)
+    const next = documents[(at + by + documents.length) % documents.length]
+    if (by === 0 || !next) return
+    event.preventDefault()
+    show(next.name)
+    const tabs = event.currentTarget.querySelectorAll<HTMLElement>('[role=tab]')
+    tabs[documents.indexOf(next)]?.focus()
+  }
+  return (
+    <div className="program-bar">
+      <div role="tablist" aria-label={words.documents} className="program-tabs" onKeyDown={step}>
+        {documents.map(one => (
+          <button
+            key={one.name}
+            type="button"
+            role="tab"
+            aria-selected={one === shown}
+            tabIndex={one === shown ? 0 : -1}
+            onClick={() => show(one.name)}
+            title={one.name}
+          >
+            {one.name.replace(/^programs\//, '')}
+            {one.unsaved ? (
+              <span className="unsaved" role="img" aria-label={words.unsaved}>
+                ●
+              </span>
+            ) : null}
+          </button>
+        ))}
+      </div>
+      {stale ? (
+        <span className="program-stale" title={words.stale}>
+          {words.staleShort}
+        </span>
+      ) : null}
+      <button
+        type="button"
+        title={words.saveTitle}
+        disabled={!shown?.unsaved || !editing}
+        onClick={() => shown && studio.save(shown.name)}
+      >
+        {words.save}
+      </button>
+    </div>
+  )
+}
+
+function TextBanners({ shown }: { shown: StudioDocument }) {
+  const studio = useStudio()
+  const editing = useStudioState(state => state.editing)
+  const [kept, setKept] = useState<readonly string[]>([])
+  const { name } = shown
+  return (
+    <>
+      {shown.conflict ? (
+        <Banner level="warning" text={words.conflict}>
+          <Choice text={words.reload} act={() => studio.revert(name)} isOff={!editing} />
+          <Choice text={words.overwrite} act={() => studio.save(name, 'overwrite')} isOff={!editing} />
+        </Banner>
+      ) : null}
+      {shown.recovered && !kept.includes(name) ? (
+        <Banner level="info" text={words.recovered}>
+          <Choice text={words.keep} act={() => setKept([...kept, name])} isOff={false} />
+          <Choice text={words.discard} act={() => studio.revert(name)} isOff={!editing} />
+        </Banner>
+      ) : null}
+      {editing ? null : <Banner level="info" text={words.readOnly} />}
+    </>
+  )
+}
+
+function Banner({
+  level,
+  text,
+  children,
+}: {
+  level: 'warning' | 'info'
+  text: string
+  children?: ReactNode
+}) {
+  return (
+    <div className={`program-banner ${level}`} role="status">
+      <span>{text}</span>
+      {children}
+    </div>
+  )
+}
+
+function Choice({ text, act, isOff }: { text: string; act: () => void; isOff: boolean }) {
+  return (
+    <button type="button" onClick={act} disabled={isOff}>
+      {text}
+    </button>
+  )
+}
+
+/** Which pass of the clicked line the ghost shows; the buttons lead through them. */
+function PassBar() {
+  const studio = useStudio()
+  const ghost = useStudioState(state => state.ghost)
+  if (!ghost) return null
+  const { document, line, pass, passes, time } = ghost
+  const go = (to: number) => studio.showLine(document, line, to)
+  return (
+    <div className="pass-bar">
+      <output>{words.pass(line, pass, passes)}</output>
+      <button type="button" aria-label={words.previousPass} disabled={pass <= 1} onClick={() => go(pass - 1)}>
+        ‹
+      </button>
+      <button
+        type="button"
+        aria-label={words.nextPass}
+        disabled={pass >= passes}
+        onClick={() => go(pass + 1)}
+      >
+        ›
+      </button>
+      <button
+        type="button"
+        onClick={() => {
+          studio.cursor.pause()
+          studio.cursor.seek(time)
+        }}
+      >
+        {words.seek}
+      </button>
+      <button type="button" onClick={() => studio.clearGhost()}>
+        {words.clear}
+      </button>
+    </div>
+  )
+}
+
+/** F8 and Shift+F8 go from problem to problem through all texts. */
+function useProblemKeys(): void {
+  const studio = useStudio()
+  useEffect(() => {
+    let last = { document: '', line: 0, column: 0 }
+    const stop = studio.onGoTo(place => {
+      last = place
+    })
+    const go = (direction: 'next' | 'previous') => {
+      const shown = studio.store.getState().document
+      const from = last.document === shown ? last : { document: shown, line: 0, column: 0 }
+      const found = neighbour(studio.problems, from, direction)
+      if (found) studio.goTo(found.document, found.line, found.column)
+    }
+    const common = { menu: 'View', group: 'problems', enabled: () => studio.problems.length > 0 } as const
+    const removals = [
+      studio.commands.add({
+        ...common,
+        id: 'problems.next',
+        title: words.next,
+        keys: ['F8'],
+        run: () => go('next'),
+      }),
+      studio.commands.add({
+        ...common,
+        id: 'problems.previous',
+        title: words.previous,
+        keys: ['Shift+F8'],
+        run: () => go('previous'),
+      }),
+    ]
+    return () => {
+      stop()
+      for (const remove of removals) remove()
+    }
+  }, [studio])
+}

@@ -1,0 +1,101 @@
+/** The 3-D views and their settings. */
+import { useEffect, useRef, useState } from 'react'
+import type { StageState } from '../scene/settings'
+import { Stage } from '../scene/stage'
+import { useStudio, useStudioState } from '../studio/context'
+import { words } from '../text/messages'
+import { LookBar } from './LookBar'
+
+export function ViewsPanel() {
+  const studio = useStudio()
+  const host = useRef<HTMLDivElement>(null)
+  const [problems, setProblems] = useState<readonly string[]>([])
+  const known = useStudioState(state => state.sceneKnown)
+  const scene = useStudioState(state => state.scene)
+  useEffect(() => {
+    if (!host.current) return
+    const dark = matchMedia('(prefers-color-scheme: dark)')
+    const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches
+    const stage = new Stage(host.current, { reducedMotion, theme: dark.matches ? 'dark' : 'light' })
+    const theme = () => stage.setTheme(dark.matches ? 'dark' : 'light')
+    dark.addEventListener('change', theme)
+    studio.picture.attach(stage)
+    const cameras = studio.storage.read('cameras')
+    if (isStageState(cameras)) stage.restore({ ...cameras, layout: studio.store.getState().look.layout })
+    const keep = stage.onViewChange(() => studio.storage.write('cameras', stage.state()))
+    const pick = stage.onPick(body => studio.select(body < 0 ? null : body))
+    const told = stage.onProblems(() =>
+      setProblems(stage.problems.map(one => [one.body, one.file, one.reason].filter(Boolean).join(': '))),
+    )
+    const drawn = stage.onDrawn(() => {
+      if (studio.store.getState().scene) document.body.dataset.ready = ''
+    })
+    studio.loop.mark()
+    return () => {
+      dark.removeEventListener('change', theme)
+      for (const stop of [keep, pick, told, drawn]) stop()
+      studio.picture.detach()
+      stage.dispose()
+    }
+  }, [studio])
+  useEffect(() => {
+    // Without 3-D the page is ready as soon as it knows the cell.
+    if (known && (!scene || !Stage.supported())) document.body.dataset.ready = ''
+  }, [known, scene])
+  return (
+    <>
+      <LookBar />
+      <div className="stage-place">
+        <div className="stage-host" ref={host} />
+        {scene ? null : <p className="stage-words">{known ? words.views.broken : words.views.waiting}</p>}
+        <StageBadges />
+        {problems.length ? (
+          <details className="stage-problems">
+            <summary>
+              {words.views.problems}: {problems.length}
+            </summary>
+            <ul>
+              {problems.map(one => (
+                <li key={one}>{one}</li>
+              ))}
+            </ul>
+          </details>
+        ) : null}
+      </div>
+    </>
+  )
+}
+
+/** Over the picture: that it is old, that it shows a ghost. */
+function StageBadges() {
+  const studio = useStudio()
+  const stale = useStudioState(state => state.stale)
+  const broken = useStudioState(state => state.scene !== null && state.cellBroken)
+  const ghost = useStudioState(state => state.ghost)
+  return (
+    <div className="stage-badges">
+      {stale ? <span className="badge warning">{words.run.stale}</span> : null}
+      {broken ? <span className="badge error">{words.views.oldCell}</span> : null}
+      {ghost ? (
+        <span className="badge ghost">
+          {words.views.ghost(ghost.line, ghost.pass, ghost.passes)}
+          <button type="button" onClick={() => studio.cursor.seek(ghost.time)}>
+            {words.views.goThere}
+          </button>
+          <button
+            type="button"
+            aria-label={words.views.hide}
+            title={words.views.hide}
+            onClick={() => studio.clearGhost()}
+          >
+            ×
+          </button>
+        </span>
+      ) : null}
+    </div>
+  )
+}
+
+function isStageState(kept: unknown): kept is StageState {
+  return typeof kept === 'object' && kept !== null && Array.isArray((kept as Partial<StageState>).views)
+}

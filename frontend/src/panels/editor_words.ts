@@ -1,0 +1,39 @@
+/** Words of the program and problems panels. */
+export const words = {
+  documents: 'Texts of the project',
+  unsaved: 'not saved',
+  save: 'Save',
+  saveTitle: 'Write this text to its file (Ctrl+S)',
+  loading: 'The editor is being loaded …',
+  failed: (reason: string) =>
+    `The editor could not be loaded: ${reason}. Reload the page; typed text is kept.`,
+  none: 'This project has no texts.',
+  recovered: 'This text was not saved in an earlier session and has been brought back.',
+  keep: 'Keep it',
+  discard: 'Discard it',
+  conflict: 'The file has changed on the disk since this text was read.',
+  reload: 'Read the file again',
+  overwrite: 'Overwrite the file',
+  readOnly: 'Read only: another tab edits this project.',
+  stale: 'The text has changed; marks and ghost belong to the last good run.',
+  staleShort: 'marks of the last good run',
+  pass: (line: number, pass: number, passes: number) =>
+    passes > 1 ? `Line ${line}, pass ${pass} of ${passes}` : `Line ${line}`,
+  previousPass: 'Previous pass',
+  nextPass: 'Next pass',
+  seek: 'Go there',
+  clear: 'Hide the ghost',
+  problems: (count: number, all: number) =>
+    count === all ? `${count} ${count === 1 ? 'problem' : 'problems'}` : `${count} of ${all} problems`,
+  title: (count: number) => (count === 0 ? 'Problems' : `Problems (${count})`),
+  allWell: 'No problems: every text is right as far as it has been looked at.',
+  noMatch: 'No problem has these words.',
+  filter: 'Filter problems',
+  severities: { error: 'Error', warning: 'Warning', info: 'Note', hint: 'Hint' },
+  at: (line: number) => `line ${line}`,
+  time: (seconds: number) => `at ${seconds.toFixed(2)} s`,
+  next: 'Next problem',
+  previous: 'Previous problem',
+} as const
+
+export const severityIcons = { error: '✖', warning: '▲', info: '●', hint: '◆' } as const

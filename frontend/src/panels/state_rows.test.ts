@@ -1,0 +1,60 @@
+import { expect, test } from 'vitest'
+import type { ChannelInfo } from '../run/run'
+import type { JointDescription } from '../scene/description'
+import { filterRows, share, stateRows } from './state_rows'
+
+const JOINTS: readonly JointDescription[] = [
+  { name: '1', type: 'revolute', lower: -1, upper: 2, maxSpeed: 3 },
+  { name: '2', type: 'prismatic', lower: 0, upper: 0.5, maxSpeed: 0.2 },
+]
+
+function channel(name: string, unit: string, columns: readonly string[], group: string): ChannelInfo {
+  const numbers = columns.map(() => 0)
+  return {
+    name,
+    unit,
+    columns,
+    description: `all about ${name}`,
+    group,
+    min: numbers,
+    max: numbers.map(() => 7),
+  }
+}
+
+const ROWS = stateRows(
+  [
+    channel('q', 'rad', ['1', '2'], 'joints'),
+    channel('qd', 'rad/s', ['1', '2'], 'joints'),
+    channel('payload', 'kg', [''], 'program'),
+  ],
+  JOINTS,
+)
+
+test('joint coordinates range between their limits, speeds up to the greatest, others as recorded', () => {
+  expect(ROWS.map(row => [row.name, row.min, row.max])).toEqual([
+    ['q 1', -1, 2],
+    ['q 2', 0, 0.5],
+    ['qd 1', -3, 3],
+    ['qd 2', -0.2, 0.2],
+    ['payload', 0, 7],
+  ])
+})
+
+test('only joint coordinates can be jogged', () => {
+  expect(ROWS.map(row => row.joint)).toEqual([0, 1, -1, -1, -1])
+})
+
+test('a prismatic joint is measured in metres', () => {
+  expect(ROWS.map(row => row.unit)).toEqual(['rad', 'm', 'rad/s', 'm/s', 'kg'])
+})
+
+test('rows are found by group and by words of name and description', () => {
+  expect(filterRows(ROWS, 'program', '').map(row => row.name)).toEqual(['payload'])
+  expect(filterRows(ROWS, '', 'about Q 2').map(row => row.name)).toEqual(['q 2', 'qd 2'])
+  expect(filterRows(ROWS, 'joints', 'payload')).toEqual([])
+})
+
+test('a share is between 0 and 1 whatever the range', () => {
+  expect(share(1, 0, 4)).toBe(0.25)
+  expect([share(9, 0, 4), share(-9, 0, 4), share(1, 3, 3), share(Number.NaN, 0, 1)]).toEqual([1, 0, 0, 0])
+})

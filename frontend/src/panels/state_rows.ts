@@ -1,0 +1,74 @@
+/** Rows of the table of states: every column of every channel, with the range its bar stands for. */
+import type { ChannelInfo } from '../run/run'
+import type { JointDescription } from '../scene/description'
+
+export interface StateRow {
+  readonly key: string
+  readonly channel: string
+  readonly column: number
+  readonly name: string
+  readonly description: string
+  readonly unit: string
+  readonly group: string
+  readonly min: number
+  readonly max: number
+  /** Index of the joint whose coordinate it is, -1 for none. */
+  readonly joint: number
+}
+
+/** Ranges of joints are their limits, others what the run reached. */
+export function stateRows(
+  channels: readonly ChannelInfo[],
+  joints: readonly JointDescription[],
+): readonly StateRow[] {
+  return channels.flatMap(channel =>
+    channel.columns.map((name, column) => {
+      const joint = channel.columns.length === joints.length ? joints[column] : undefined
+      const [min, max] = rangeOf(channel, column, joint)
+      return {
+        key: `${channel.name}/${column}`,
+        channel: channel.name,
+        column,
+        name: name ? `${channel.name} ${name}` : channel.name,
+        description: channel.description,
+        unit: joint?.type === 'prismatic' ? linear(channel.unit) : channel.unit,
+        group: channel.group,
+        min,
+        max,
+        joint: channel.name === 'q' && joint ? column : -1,
+      }
+    }),
+  )
+}
+
+function rangeOf(
+  channel: ChannelInfo,
+  column: number,
+  joint: JointDescription | undefined,
+): readonly [number, number] {
+  if (joint && (channel.name === 'q' || channel.name === 'q_ref')) return [joint.lower, joint.upper]
+  if (joint && (channel.name === 'qd' || channel.name === 'qd_ref')) return [-joint.maxSpeed, joint.maxSpeed]
+  return [channel.min[column] ?? Number.NaN, channel.max[column] ?? Number.NaN]
+}
+
+/** Units of a prismatic joint's coordinates. */
+function linear(unit: string): string {
+  const units: Readonly<Record<string, string>> = { rad: 'm', 'rad/s': 'm/s', N·m: 'N' }
+  return units[unit] ?? unit
+}
+
+/** Rows of a group whose name or description holds all words. */
+export function filterRows(rows: readonly StateRow[], group: string, query: string): readonly StateRow[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean)
+  return rows.filter(
+    row =>
+      (group === '' || row.group === group) &&
+      words.every(word => `${row.name} ${row.description}`.toLowerCase().includes(word)),
+  )
+}
+
+/** Where a value lies between two ends, 0 … 1; 0 where that means nothing. */
+export function share(value: number, min: number, max: number): number {
+  const part = (value - min) / (max - min)
+  return Number.isFinite(part) ? Math.min(Math.max(part, 0), 1) : 0
+}

@@ -1,0 +1,94 @@
+/** The editor engine in a component: loaded when first needed, fed from the studio. */
+import { type RefObject, useEffect, useRef, useState } from 'react'
+import type { ProgramEditor } from '../editor/program_editor'
+import { useStudio, useStudioState } from '../studio/context'
+import type { Place, Studio } from '../studio/studio'
+
+export type Loading = 'loading' | 'ready' | { readonly failed: string }
+
+/** Put an editor into `host`; it follows the documents, marks and rights of the studio. */
+export function useEditor(host: RefObject<HTMLDivElement | null>): Loading {
+  const studio = useStudio()
+  const [editor, setEditor] = useState<ProgramEditor | null>(null)
+  const [loading, setLoading] = useState<Loading>('loading')
+  useEffect(() => {
+    let made: ProgramEditor | null = null
+    let isGone = false
+    import('../editor/program_editor').then(
+      module => {
+        if (isGone || !host.current) return
+        made = new module.ProgramEditor(host.current, optionsOf(studio))
+        setEditor(made)
+        setLoading('ready')
+      },
+      (reason: unknown) => setLoading({ failed: reason instanceof Error ? reason.message : String(reason) }),
+    )
+    return () => {
+      isGone = true
+      made?.destroy()
+      setEditor(null)
+    }
+  }, [studio, host])
+  useDocuments(editor)
+  useMarks(editor)
+  return loading
+}
+
+function optionsOf(studio: Studio) {
+  const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
+  return {
+    server: `${scheme}://${location.host}/ws/lsp`,
+    onChange: (document: string, text: string) => studio.edit(document, text),
+    onLine: (document: string, line: number) => studio.showLine(document, line),
+    onProblems: (problems: Parameters<Studio['setProblems']>[1]) => studio.setProblems('lsp', problems),
+    onShow: (document: string) => studio.store.setState({ document }),
+  }
+}
+
+function useDocuments(editor: ProgramEditor | null): void {
+  const studio = useStudio()
+  const documents = useStudioState(state => state.documents)
+  const name = useStudioState(state => state.document)
+  const editing = useStudioState(state => state.editing)
+  const wanted = useRef<Place | null>(null)
+  useEffect(() => {
+    const shown = documents.find(one => one.name === name)
+    if (!editor || !shown) return
+    editor.keep(documents.map(one => ({ ...one, text: studio.text(one.name) })))
+    editor.open({ ...shown, text: studio.text(name) })
+    goToWanted(editor, wanted)
+  }, [studio, editor, documents, name])
+  useEffect(() => editor?.setReadOnly(editing ? 'write' : 'read'), [editor, editing])
+  useEffect(
+    () =>
+      studio.onGoTo(place => {
+        wanted.current = place
+        if (editor) goToWanted(editor, wanted)
+      }),
+    [studio, editor],
+  )
+}
+
+/** Go where the studio asked to; a place in another document waits until that is shown. */
+function goToWanted(editor: ProgramEditor, wanted: RefObject<Place | null>): void {
+  const place = wanted.current
+  if (place?.document !== editor.document) return
+  wanted.current = null
+  editor.goTo(place.line, place.column)
+}
+
+function useMarks(editor: ProgramEditor | null): void {
+  const studio = useStudio()
+  const stale = useStudioState(state => state.stale)
+  const ghost = useStudioState(state => state.ghost)
+  const name = useStudioState(state => state.document)
+  useEffect(() => editor?.markStale(stale ? 'stale' : 'current'), [editor, stale])
+  useEffect(() => editor?.markGhost(ghost?.document === name ? ghost.line : null), [editor, ghost, name])
+  useEffect(() => {
+    if (!editor || !name) return
+    return studio.loop.every(10, () => {
+      const running = studio.runningLine()
+      editor.markRunning(running?.document === editor.document ? running.line : null)
+    })
+  }, [studio, editor, name])
+}

@@ -1,0 +1,26 @@
+/** Findings of the run; those with a time lead there. */
+import type { Finding } from '../run/run'
+import { element } from './elements'
+import { words } from './words'
+
+export function findingsList(findings: readonly Finding[], go: (time: number) => void): HTMLElement {
+  if (findings.length === 0) return element('p', { class: 'replay-quiet' }, words.noFindings)
+  const list = element('ul', { class: 'replay-findings' })
+  for (const finding of findings) list.append(element('li', {}, entry(finding, go)))
+  return list
+}
+
+function entry(finding: Finding, go: (time: number) => void): HTMLElement {
+  const { code, severity, message, hint, span, time } = finding
+  const place = [span ? words.line(span.line) : '', time === null ? '' : `${time.toFixed(2)} s`]
+  const content = [
+    element('strong', { 'data-severity': severity }, `${words.severities[severity]} ${code}`),
+    ` ${place.filter(Boolean).join(', ')} `,
+    element('span', {}, message),
+    ...(hint ? [element('em', {}, ` ${hint}`)] : []),
+  ]
+  if (time === null) return element('p', {}, ...content)
+  const button = element('button', { type: 'button' }, ...content)
+  button.addEventListener('click', () => go(time))
+  return button
+}

@@ -1,0 +1,81 @@
+/** The 3-D views of a replay with their few switches. */
+import type { Run } from '../run/run'
+import type { SceneDescription } from '../scene/description'
+import type { FrameKind } from '../scene/settings'
+import { type MeshSource, Stage } from '../scene/stage'
+import { element, toggle } from './elements'
+import { words } from './words'
+
+const FRAMES: ReadonlySet<FrameKind> = new Set<FrameKind>(['world', 'base', 'frame', 'tcp'])
+const NO_FRAMES: ReadonlySet<FrameKind> = new Set<FrameKind>()
+
+export class Picture {
+  readonly element = element('div', { class: 'replay-picture' })
+  readonly stage: Stage
+  readonly #poses: Float32Array
+  readonly #visible: Uint8Array
+  readonly #run: Run
+
+  constructor(run: Run, scene: SceneDescription, meshes: MeshSource) {
+    this.#run = run
+    this.#poses = new Float32Array(7 * scene.bodies.length)
+    this.#visible = new Uint8Array(scene.bodies.length)
+    const host = element('div', { class: 'replay-stage', role: 'group', 'aria-label': words.views })
+    const dark = matchMedia('(prefers-color-scheme: dark)')
+    const theme = () => (dark.matches ? 'dark' : 'light')
+    const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches
+    // The stage measures its host, so that has to be in the page first.
+    document.getElementById('replay')?.append(this.element)
+    this.element.append(host)
+    this.stage = new Stage(host, { reducedMotion, theme: theme() })
+    dark.addEventListener('change', () => this.stage.setTheme(theme()))
+    this.stage.layout(host.clientWidth > 700 ? '4' : '1')
+    this.stage.load(scene, meshes)
+    this.stage.frames(NO_FRAMES)
+    this.#trails(true)
+    this.element.prepend(this.#switches(host.clientWidth > 700))
+  }
+
+  show(time: number): void {
+    this.#run.bodies(time, this.#poses, this.#visible)
+    this.stage.show(this.#poses, this.#visible)
+    this.stage.trailUntil(time)
+  }
+
+  /** A transparent arm as it stands at this time; null for none. */
+  ghost(time: number | null): void {
+    if (time === null) {
+      this.stage.ghost(null)
+      return
+    }
+    const poses = new Float32Array(this.#poses.length)
+    this.#run.bodies(time, poses, new Uint8Array(this.#visible.length))
+    this.stage.ghost(poses)
+  }
+
+  /** World pose in which a body was shown last. */
+  pose(body: number): readonly number[] {
+    return [...this.#poses.subarray(7 * body, 7 * body + 7)]
+  }
+
+  isVisible(body: number): boolean {
+    return this.#visible[body] === 1
+  }
+
+  #trails(on: boolean): void {
+    this.stage.trails(on ? this.#run.trail('attained') : null, null)
+  }
+
+  #switches(four: boolean): HTMLElement {
+    const fit = element('button', { type: 'button' }, words.fitAll)
+    fit.addEventListener('click', () => this.stage.home())
+    return element(
+      'div',
+      { class: 'replay-switches' },
+      toggle(words.four, four, on => this.stage.layout(on ? '4' : '1')),
+      toggle(words.paths, true, on => this.#trails(on)),
+      toggle(words.frames, false, on => this.stage.frames(on ? FRAMES : NO_FRAMES)),
+      fit,
+    )
+  }
+}

@@ -1,0 +1,160 @@
+/** A run while it is simulated: a window of the newest frames, asked by time like a finished run. */
+import type { SceneDescription } from '../scene/description'
+import type { StateFrame } from '../wire/frame'
+import type { LiveLayout, Placed, SignalStamped } from '../wire/messages'
+import { FrameStore } from './frame_store'
+import { Placements } from './placements'
+import { between, POSE } from './pose'
+import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import { type Trail, trailOf } from './trail'
+
+interface LiveChannel extends ChannelInfo {
+  readonly columns: string[]
+  readonly min: number[]
+  readonly max: number[]
+  /** Place of its first column in a row. */
+  readonly first: number
+}
+
+export class LiveRun implements Run {
+  readonly live = true
+  readonly program: string
+  readonly source: string
+  readonly fidelity = 'dynamic'
+  readonly findings: readonly Finding[] = []
+  readonly channels: readonly LiveChannel[]
+  readonly events: RunEvent[] = []
+  readonly #scene: SceneDescription
+  readonly #store: FrameStore
+  readonly #columns: number
+  readonly #bodies: readonly number[]
+  readonly #placements: Placements
+  readonly #tracked: Uint8Array
+  readonly #series = new Map<string, Series>()
+  readonly #trails = new Map<string, Trail>()
+
+  constructor(program: string, source: string, scene: SceneDescription, layout: LiveLayout) {
+    this.program = program
+    this.source = source
+    this.#scene = scene
+    this.channels = channelsOf(layout)
+    this.#columns = layout.channels.length
+    this.#bodies = layout.bodies
+    this.#store = new FrameStore(this.#columns + POSE * layout.bodies.length)
+    this.#placements = new Placements(scene)
+    this.#tracked = new Uint8Array(scene.bodies.length)
+    for (const body of layout.bodies) this.#tracked[body] = 1
+  }
+
+  get duration(): number {
+    return this.#store.last
+  }
+
+  /** The oldest time that is still known [s]. */
+  get start(): number {
+    return this.#store.first
+  }
+
+  /** Take a frame in. One that does not fit the layout, or is not newer than the last, is left out. */
+  add(frame: StateFrame): void {
+    if (frame.values.length !== this.#columns) return
+    if (!this.#store.add(frame.time, frame.values, frame.poses)) return
+    this.#widen(frame.values)
+    this.#series.clear()
+    this.#trails.clear()
+  }
+
+  /** Let a body ride, rest or be gone from a time on. */
+  place(placed: Placed): void {
+    this.#placements.add(placed.body, placed)
+  }
+
+  /** Remember the press of a key as an event. */
+  stamp({ name, value, time }: SignalStamped): void {
+    const data = { channel: name, value }
+    this.events.push({ time, duration: 0, kind: 'input', text: `${name} = ${value}`, span: null, data })
+  }
+
+  value(channel: string, column: number, time: number): number {
+    const place = this.#placeOf(channel, column)
+    if (place === undefined || this.#store.count === 0) return Number.NaN
+    const { index, share } = this.#store.locate(time)
+    const from = this.#store.at(index, place)
+    if (share === 0 || isHeld(channel)) return from
+    return from + (this.#store.at(index + 1, place) - from) * share
+  }
+
+  series(channel: string, column: number): Series | undefined {
+    const place = this.#placeOf(channel, column)
+    if (place === undefined) return undefined
+    const key = `${channel} ${column}`
+    const known = this.#series.get(key)
+    if (known) return known
+    const store = this.#store
+    const made = { times: store.times(), values: store.column(place), held: isHeld(channel) }
+    this.#series.set(key, made)
+    return made
+  }
+
+  bodies(time: number, poses: Float32Array, visible: Uint8Array): void {
+    const { count, rows, width } = this.#store
+    if (count > 0) {
+      const { index, share } = this.#store.locate(time)
+      const next = Math.min(index + 1, count - 1)
+      for (const [k, body] of this.#bodies.entries()) {
+        const place = this.#columns + k * POSE
+        between(poses, body, rows, index * width + place, next * width + place, share)
+      }
+    }
+    this.#placements.write(time, poses, visible, count > 0 ? this.#tracked : NONE)
+  }
+
+  trail(kind: 'attained' | 'command'): Trail {
+    const known = this.#trails.get(kind)
+    if (known) return known
+    const position = [0, 1, 2].map(column => this.series(`${kind}_position`, column))
+    const made = trailOf(this.#store.times(), position, this.#scene.base)
+    this.#trails.set(kind, made)
+    return made
+  }
+
+  #placeOf(name: string, column: number): number | undefined {
+    const channel = this.channels.find(one => one.name === name)
+    return channel && column >= 0 && column < channel.columns.length ? channel.first + column : undefined
+  }
+
+  #widen(values: Float32Array): void {
+    for (const { first, min, max } of this.channels) {
+      for (let k = 0; k < min.length; k++) {
+        const value = values[first + k] ?? Number.NaN
+        if (Number.isNaN(value)) continue
+        // Comparing with the NaN that stands for "none yet" is false, too.
+        if (!((min[k] ?? Number.NaN) <= value)) min[k] = value
+        if (!((max[k] ?? Number.NaN) >= value)) max[k] = value
+      }
+    }
+  }
+}
+
+const NONE = new Uint8Array(0)
+
+/** Channels whose values hold between changes; finished runs say so in their pack. */
+function isHeld(channel: string): boolean {
+  return ['line', 'move', 'gripper', 'payload'].includes(channel) || channel.startsWith('signal.')
+}
+
+/** Neighbouring entries of one name are the columns of one channel. */
+function channelsOf(layout: LiveLayout): LiveChannel[] {
+  const channels: LiveChannel[] = []
+  for (const [place, { name, column, unit, description, group }] of layout.channels.entries()) {
+    let channel = channels.at(-1)
+    if (channel?.name !== name) {
+      channel = { name, unit, description, group, columns: [], min: [], max: [], first: place }
+      channels.push(channel)
+    }
+    channel.columns.push(column)
+    channel.min.push(Number.NaN)
+    channel.max.push(Number.NaN)
+  }
+  return channels
+}

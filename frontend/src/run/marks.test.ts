@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest'
+import { firstAfter, lastBefore, marksOf, nearest, stepAt } from './marks'
+import type { Run } from './run'
+
+const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
+const event = (time: number, kind: string) => ({ time, duration: 0.5, kind, text: kind, span, data: {} })
+
+const run = {
+  events: [event(2, 'move'), event(0, 'task'), event(1, 'grip'), { ...event(3, 'output'), span: null }],
+  findings: [
+    { code: 'S720', severity: 'warning', message: 'late', hint: '', span, time: 2.25 },
+    { code: 'N205', severity: 'error', message: 'unknown', hint: '', span, time: null },
+  ],
+} as unknown as Run
+
+describe('marks', () => {
+  it('are the steps of the program in order of time, without tasks', () => {
+    expect(marksOf(run).steps.map(step => [step.time, step.end, step.kind, step.line])).toEqual([
+      [1, 1.5, 'grip', 4],
+      [2, 2.5, 'move', 4],
+    ])
+  })
+
+  it('hold only findings that have a time', () => {
+    expect(marksOf(run).findings).toEqual([{ time: 2.25, severity: 'warning', text: 'S720 late' }])
+  })
+
+  it('are stepped over one by one, never staying at the same time', () => {
+    const { steps } = marksOf(run)
+    expect(firstAfter(steps, 0)?.time).toBe(1)
+    expect(firstAfter(steps, 1)?.time).toBe(2)
+    expect(firstAfter(steps, 2)).toBeUndefined()
+    expect(lastBefore(steps, 2)?.time).toBe(1)
+    expect(lastBefore(steps, 1)).toBeUndefined()
+  })
+
+  it('know the step that runs', () => {
+    expect(stepAt(marksOf(run), 0.5)).toBeUndefined()
+    expect(stepAt(marksOf(run), 1)?.kind).toBe('grip')
+    expect(stepAt(marksOf(run), 9)?.kind).toBe('move')
+  })
+
+  it('are found within reach only', () => {
+    const { findings } = marksOf(run)
+    expect(nearest(findings, 2.2, 0.1)?.time).toBe(2.25)
+    expect(nearest(findings, 2, 0.1)).toBeUndefined()
+  })
+})

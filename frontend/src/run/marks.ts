@@ -1,0 +1,92 @@
+/** What the timeline marks: steps of the program and findings, in order of time. */
+import type { Finding, Run, RunEvent } from './run'
+import { countUpTo } from './search'
+
+/** A stretch of the run that belongs to one line of the program. */
+export interface StepMark {
+  readonly time: number
+  readonly end: number
+  readonly kind: string
+  readonly line: number
+  readonly text: string
+}
+
+export interface FindingMark {
+  readonly time: number
+  readonly severity: Finding['severity']
+  readonly text: string
+}
+
+export interface Marks {
+  readonly steps: readonly StepMark[]
+  readonly findings: readonly FindingMark[]
+}
+
+/** Times nearer than this are the same step [s]: far below a control tick. */
+const SAME = 1e-6
+
+export function marksOf(run: Run): Marks {
+  const steps = run.events.filter(isStep).map(event => ({
+    time: event.time,
+    end: event.time + event.duration,
+    kind: event.kind,
+    line: event.span?.line ?? 0,
+    text: event.text,
+  }))
+  const findings = run.findings.flatMap(one =>
+    one.time === null ? [] : [{ time: one.time, severity: one.severity, text: `${one.code} ${one.message}` }],
+  )
+  return { steps: inOrder(steps), findings: inOrder(findings) }
+}
+
+/** The first mark after `time`, or undefined. */
+export function firstAfter<M extends { readonly time: number }>(
+  marks: readonly M[],
+  time: number,
+): M | undefined {
+  return marks[countUpTo(marks, time + SAME, timeOf)]
+}
+
+/** The last mark before `time`, or undefined. */
+export function lastBefore<M extends { readonly time: number }>(
+  marks: readonly M[],
+  time: number,
+): M | undefined {
+  return marks[countUpTo(marks, time - SAME, timeOf) - 1]
+}
+
+/** The step that runs at `time`: the last one that has begun. */
+export function stepAt(marks: Marks, time: number): StepMark | undefined {
+  return marks.steps[countUpTo(marks.steps, time + SAME, timeOf) - 1]
+}
+
+/** The mark nearest to `time`, at most `reach` away. */
+export function nearest<M extends { readonly time: number }>(
+  marks: readonly M[],
+  time: number,
+  reach: number,
+): M | undefined {
+  let best: M | undefined
+  let least = reach
+  for (const mark of marks) {
+    const distance = Math.abs(mark.time - time)
+    if (distance <= least) {
+      best = mark
+      least = distance
+    }
+  }
+  return best
+}
+
+function timeOf(mark: { readonly time: number }): number {
+  return mark.time
+}
+
+/** Tasks are stretches around steps, not steps. */
+function isStep(event: RunEvent): boolean {
+  return event.kind !== 'task' && event.span !== null
+}
+
+function inOrder<M extends { readonly time: number }>(marks: M[]): M[] {
+  return marks.sort((a, b) => a.time - b.time)
+}

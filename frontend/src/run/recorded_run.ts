@@ -1,0 +1,128 @@
+/** A finished run, read from its pack. */
+import type { SceneDescription } from '../scene/description'
+import { Clock, Column } from './column'
+import { openPack, type PackHeader } from './pack_file'
+import { Placements } from './placements'
+import { between, POSE } from './pose'
+import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import { type Trail, trailOf } from './trail'
+
+export class RecordedRun implements Run {
+  readonly live = false
+  readonly program: string
+  readonly source: string
+  readonly fidelity: 'dynamic' | 'kinematic'
+  readonly project: string
+  readonly duration: number
+  readonly channels: readonly ChannelInfo[]
+  readonly events: readonly RunEvent[]
+  readonly findings: readonly Finding[]
+  /** What the recording says about itself: robot, limits, rates. */
+  readonly about: Readonly<Record<string, unknown>>
+  readonly #header: PackHeader
+  readonly #body: Uint8Array
+  readonly #clock: Clock
+  readonly #columns = new Map<string, readonly Column[]>()
+  readonly #trails = new Map<string, Trail>()
+  #placements: Placements
+  /** Seven values a sample for each body with poses, by place in the scene. */
+  #poses: ReadonlyMap<number, Float64Array> = new Map()
+  #tracked = new Uint8Array(0)
+
+  private constructor(header: PackHeader, body: Uint8Array, scene: SceneDescription) {
+    this.#header = header
+    this.#body = body
+    this.program = header.program
+    this.source = header.source
+    this.fidelity = header.fidelity
+    this.project = header.project
+    this.duration = header.duration
+    this.events = header.events
+    this.findings = header.findings
+    this.about = header.recording
+    this.#clock = new Clock(header.rate, header.duration, header.count)
+    for (const channel of header.channels) {
+      const columns = channel.columns.map(column => new Column(column.code, body, this.#clock))
+      this.#columns.set(channel.name, columns)
+    }
+    this.channels = header.channels.map(({ name, unit, description, group, columns }) => ({
+      name,
+      unit,
+      description,
+      group,
+      columns: columns.map(column => column.name),
+      min: columns.map(column => column.min ?? Number.NaN),
+      max: columns.map(column => column.max ?? Number.NaN),
+    }))
+    this.#placements = new Placements(scene)
+    this.showIn(scene)
+  }
+
+  /** Read a pack for a scene. Throws `PackError` with words for the user. */
+  static async decode(file: ArrayBuffer, scene: SceneDescription): Promise<RecordedRun> {
+    const { header, body } = await openPack(file)
+    return new RecordedRun(header, body, scene)
+  }
+
+  /** Let the bodies of another description of the cell be moved; those that the run does not know stand still. */
+  showIn(scene: SceneDescription): void {
+    const places = placesIn(scene, this.#header)
+    const poses = new Map<number, Float64Array>()
+    this.#placements = new Placements(scene)
+    this.#tracked = new Uint8Array(scene.bodies.length)
+    for (const [index, body] of this.#header.bodies.entries()) {
+      const place = places[index] ?? -1
+      if (place < 0) continue
+      if (body.track === 'poses') {
+        poses.set(place, this.#posesOf(body.columns.map(code => new Column(code, this.#body, this.#clock))))
+        this.#tracked[place] = 1
+      } else if (body.track === 'placed') {
+        for (const one of body.placements) {
+          this.#placements.add(place, { ...one, parent: one.parent < 0 ? -1 : (places[one.parent] ?? -1) })
+        }
+      }
+    }
+    this.#poses = poses
+  }
+
+  value(channel: string, column: number, time: number): number {
+    return this.#columns.get(channel)?.[column]?.value(time) ?? Number.NaN
+  }
+
+  series(channel: string, column: number): Series | undefined {
+    return this.#columns.get(channel)?.[column]?.series
+  }
+
+  bodies(time: number, poses: Float32Array, visible: Uint8Array): void {
+    const { index, share } = this.#clock.locate(time)
+    const first = index * POSE
+    const second = Math.min(index + 1, this.#clock.count - 1) * POSE
+    for (const [body, samples] of this.#poses) between(poses, body, samples, first, second, share)
+    this.#placements.write(time, poses, visible, this.#tracked)
+  }
+
+  trail(kind: 'attained' | 'command'): Trail {
+    const known = this.#trails.get(kind)
+    if (known) return known
+    const position = [0, 1, 2].map(column => this.series(`${kind}_position`, column))
+    const made = trailOf(this.#clock.times, position, this.#header.base)
+    this.#trails.set(kind, made)
+    return made
+  }
+
+  #posesOf(columns: readonly Column[]): Float64Array {
+    const samples = new Float64Array(POSE * this.#clock.count)
+    for (const [k, column] of columns.entries()) {
+      const { values, held } = column.series
+      for (let n = 0; n < this.#clock.count; n++) samples[POSE * n + k] = values[held ? 0 : n] ?? 0
+    }
+    return samples
+  }
+}
+
+/** For each body of the pack its place in the scene: the same one, else that of the same name, else -1. */
+function placesIn(scene: SceneDescription, header: PackHeader): readonly number[] {
+  return header.bodies.map(({ name }, index) =>
+    scene.bodies[index]?.name === name ? index : scene.bodies.findIndex(body => body.name === name),
+  )
+}

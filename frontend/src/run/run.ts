@@ -1,0 +1,72 @@
+/** A run as views, plots and tables see it: one recording, asked by time. Live and finished runs look alike. */
+
+export interface Span {
+  readonly source: string
+  readonly line: number
+  readonly column: number
+  readonly end_line: number
+  readonly end_column: number
+}
+
+export interface Finding {
+  readonly code: string
+  readonly severity: 'error' | 'warning' | 'info' | 'hint'
+  readonly message: string
+  readonly hint: string
+  readonly span: Span | null
+  /** Simulated time [s] at which it arose, null where it has none. */
+  readonly time: number | null
+}
+
+export interface RunEvent {
+  readonly time: number
+  readonly duration: number
+  readonly kind: string
+  readonly text: string
+  readonly span: Span | null
+  readonly data: Readonly<Record<string, unknown>>
+}
+
+export interface ChannelInfo {
+  readonly name: string
+  readonly unit: string
+  /** Names of the columns; one empty name for a channel of one column. */
+  readonly columns: readonly string[]
+  readonly description: string
+  /** `joints`, `tcp`, `program`, `signals`; for grouping in lists. */
+  readonly group: string
+  /** Least and greatest recorded value of each column. */
+  readonly min: readonly number[]
+  readonly max: readonly number[]
+}
+
+/** One column over time; `times` ascending [s]. `held`: the value holds until the next time, else it is linear. */
+export interface Series {
+  readonly times: Float64Array
+  readonly values: Float64Array
+  readonly held: boolean
+}
+
+export interface Run {
+  readonly program: string
+  /** Name of the text in which `line` counts. */
+  readonly source: string
+  readonly fidelity: 'dynamic' | 'kinematic'
+  /** Grows while the run is live. */
+  readonly duration: number
+  readonly live: boolean
+  readonly channels: readonly ChannelInfo[]
+  readonly events: readonly RunEvent[]
+  readonly findings: readonly Finding[]
+  /** Value of a column at a time; NaN where there is none. Times outside are clamped. */
+  value(channel: string, column: number, time: number): number
+  /** A column as samples; the same object until the run grows. Undefined for unknown channels. */
+  series(channel: string, column: number): Series | undefined
+  /**
+   * World poses of all bodies at a time: 7 numbers each into `poses` (x, y, z, w, x, y, z), 1 or 0 into
+   * `visible`. Lengths are 7 × and 1 × the number of bodies of the scene.
+   */
+  bodies(time: number, poses: Float32Array, visible: Uint8Array): void
+  /** TCP positions in W, 3 numbers per sample, and the times of the samples. */
+  trail(kind: 'attained' | 'command'): { readonly times: Float64Array; readonly points: Float32Array }
+}

@@ -1,0 +1,119 @@
+/** The materials of bodies in each way of shading; equal ones are one object. */
+import {
+  DoubleSide,
+  FrontSide,
+  LineBasicMaterial,
+  type Material,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  MeshStandardMaterial,
+} from 'three'
+import { gouraudMaterial } from './gouraud'
+import { hatchMaterial } from './hatch'
+import type { LightRig } from './light_rig'
+import type { Palette } from './palette'
+import type { Shading } from './settings'
+
+/**
+ * What a piece of a body is: its surface; the same laid down as depth only, so that a transparent body does not
+ * show its own inside; its edges; lines along round faces; drawn lines; the stand-in of a mesh that is missing.
+ */
+export type Role = 'surface' | 'depth' | 'crease' | 'contour' | 'line' | 'missing'
+
+export class Materials {
+  readonly #made = new Map<string, Material>()
+  #shading: Shading = 'standard'
+
+  constructor(
+    readonly rig: LightRig,
+    private palette: Palette,
+  ) {}
+
+  get shading(): Shading {
+    return this.#shading
+  }
+
+  /** Objects must be dressed anew afterwards. */
+  setShading(shading: Shading): void {
+    this.#shading = shading
+  }
+
+  /** Objects must be dressed anew afterwards. */
+  setPalette(palette: Palette): void {
+    this.palette = palette
+    this.dispose()
+  }
+
+  /** The material of a piece; null where this way of shading does not draw it. */
+  of(role: Role, opacity: number, open: boolean): Material | null {
+    if (!this.#drawn(role, opacity)) return null
+    const key = `${role} ${this.#shading} ${opacity} ${open}`
+    const known = this.#made.get(key)
+    if (known) return known
+    const material = this.#make(role, opacity)
+    material.side = open ? DoubleSide : FrontSide
+    this.#made.set(key, material)
+    return material
+  }
+
+  order(role: Role): number {
+    return role === 'depth' || role === 'surface' ? 0 : 1
+  }
+
+  dispose(): void {
+    for (const material of this.#made.values()) material.dispose()
+    this.#made.clear()
+  }
+
+  #drawn(role: Role, opacity: number): boolean {
+    const lines = this.#shading === 'wireframe' || this.#shading === 'hidden'
+    if (opacity <= 0) return false
+    if (role === 'surface') return !lines
+    if (role === 'contour') return lines
+    if (role === 'depth') return this.#shading === 'hidden' ? opacity === 1 : !lines && opacity < 1
+    return true
+  }
+
+  #make(role: Role, opacity: number): Material {
+    if (role === 'surface') return this.#surface(opacity)
+    if (role === 'depth')
+      return new MeshBasicMaterial({ colorWrite: false, ...OFFSET, transparent: opacity < 1 })
+    if (role === 'missing') return hatchMaterial(this.palette.accent)
+    if (role === 'line') {
+      return new LineBasicMaterial({ vertexColors: true, transparent: opacity < 1, opacity })
+    }
+    return this.#edge(role, opacity)
+  }
+
+  #edge(role: 'crease' | 'contour', opacity: number): Material {
+    if (this.#shading === 'wireframe' || this.#shading === 'hidden') {
+      const strength = role === 'crease' ? 0.95 : 0.4
+      return new LineBasicMaterial({
+        color: this.palette.grid,
+        transparent: true,
+        opacity: strength * opacity,
+        depthWrite: false,
+      })
+    }
+    return new LineBasicMaterial({
+      color: this.palette.ink,
+      transparent: true,
+      opacity: this.palette.inkStrength * opacity,
+      depthWrite: false,
+    })
+  }
+
+  #surface(opacity: number): Material {
+    if (this.#shading === 'gouraud') {
+      const material = gouraudMaterial(this.rig, opacity)
+      material.setValues({ ...OFFSET, transparent: opacity < 1 })
+      return material
+    }
+    const common = { vertexColors: true, transparent: opacity < 1, opacity, ...OFFSET }
+    if (this.#shading === 'flat') return new MeshLambertMaterial({ ...common, flatShading: true })
+    return new MeshStandardMaterial({ ...common, roughness: 0.52, metalness: 0.05 })
+  }
+}
+
+/** Surfaces step back a little so that edges and highlights upon them are seen whole. */
+const OFFSET = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } as const

@@ -1,0 +1,99 @@
+/** Draws viewports on one canvas, as far as the graphics of this machine allow. */
+import { type Camera, type Scene, WebGLRenderer } from 'three'
+import type { Rect } from './layouts'
+
+/** `soft`: drawn by the processor, so every pixel costs time. */
+export type Tier = 'none' | 'soft' | 'full'
+
+let known: Tier | undefined
+
+/** What this browser can do; looked at once. */
+export function tier(): Tier {
+  known ??= look()
+  return known
+}
+
+function look(): Tier {
+  const context = document.createElement('canvas').getContext('webgl2')
+  if (!context) return 'none'
+  const names = context.getExtension('WEBGL_debug_renderer_info')
+  const name = String(context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER))
+  context.getExtension('WEBGL_lose_context')?.loseContext()
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'soft' : 'full'
+}
+
+export class Painter {
+  readonly canvas = document.createElement('canvas')
+  readonly #renderer: WebGLRenderer
+  #width = 0
+  #height = 0
+
+  /** Throws where there is no WebGL 2: ask `tier` first. */
+  constructor() {
+    const soft = tier() === 'soft'
+    this.canvas.className = 'stage-canvas'
+    // The viewports over it are what has names and takes keys.
+    this.canvas.setAttribute('aria-hidden', 'true')
+    this.#renderer = new WebGLRenderer({
+      canvas: this.canvas,
+      antialias: !soft,
+      alpha: false,
+      // A frame may draw some of the viewports only: the others must last.
+      preserveDrawingBuffer: true,
+      powerPreference: 'high-performance',
+    })
+    this.#renderer.setPixelRatio(soft ? 1 : Math.min(devicePixelRatio, 2))
+    this.#renderer.info.autoReset = false
+  }
+
+  get triangles(): number {
+    return this.#renderer.info.render.triangles
+  }
+
+  get calls(): number {
+    return this.#renderer.info.render.calls
+  }
+
+  get lost(): boolean {
+    return this.#renderer.getContext().isContextLost()
+  }
+
+  /** Size of the canvas [CSS px]. */
+  resize(width: number, height: number): void {
+    this.#width = width
+    this.#height = height
+    this.#renderer.setSize(width, height, false)
+  }
+
+  /** A frame begins: counts start anew. */
+  begin(): void {
+    this.#renderer.info.reset()
+  }
+
+  draw(scene: Scene, camera: Camera, { x, y, width, height }: Rect): void {
+    const bottom = this.#height - y - height
+    // Said each time: a context that was lost and restored has forgotten it.
+    this.#renderer.setScissorTest(true)
+    this.#renderer.setViewport(x, bottom, width, height)
+    this.#renderer.setScissor(x, bottom, width, height)
+    this.#renderer.render(scene, camera)
+  }
+
+  /** RGBA of the pixel at a place of the canvas [CSS px from its top left]. */
+  pixel(x: number, y: number): readonly [number, number, number, number] | null {
+    if (x < 0 || y < 0 || x >= this.#width || y >= this.#height) return null
+    const ratio = this.#renderer.getPixelRatio()
+    const gl = this.#renderer.getContext()
+    const bytes = new Uint8Array(4)
+    const row = Math.floor((this.#height - y) * ratio) - 1
+    gl.readPixels(Math.floor(x * ratio), Math.max(row, 0), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes)
+    const [r = 0, g = 0, b = 0, a = 0] = bytes
+    return [r, g, b, a]
+  }
+
+  dispose(): void {
+    this.#renderer.dispose()
+    this.#renderer.forceContextLoss()
+    this.canvas.remove()
+  }
+}

@@ -1,0 +1,230 @@
+/** Everything that is in the picture, as one three.js scene; knows no canvas. */
+import { Box3, type Camera, Scene, Vector3 } from 'three'
+import { Backdrop } from './backdrop'
+import { Bodies } from './bodies'
+import { Contacts } from './contacts'
+import { Crosses } from './crosses'
+import type { SceneDescription } from './description'
+import { Floor } from './floor'
+import type { Label } from './labels'
+import { LightRig } from './light_rig'
+import { Looks, type MeshSource } from './looks'
+import { Materials } from './materials'
+import type { Palette } from './palette'
+import { SelectionMark } from './selection_mark'
+import type { Shading, StageProblem } from './settings'
+import { Tint, TintedArm } from './tinted_arm'
+import { TrailLine } from './trail_line'
+import type { Words } from './words'
+
+/** Share of the arm's reach beyond what is there that the first picture leaves room for. */
+const REACH_SHOWN = 0.07
+
+export class Scenery {
+  readonly scene = new Scene()
+  readonly lights = new LightRig(this.scene)
+  readonly #materials: Materials
+  readonly bodies: Bodies
+  readonly #ghost: TintedArm
+  readonly #jogged: TintedArm
+  readonly #mark: SelectionMark
+  readonly attained = new TrailLine(this.scene, 1)
+  readonly command = new TrailLine(this.scene, 0.6)
+  readonly #backdrop = new Backdrop(this.scene)
+  readonly floor = new Floor(this.scene)
+  readonly #contacts = new Contacts(this.scene)
+  readonly crosses: Crosses
+  readonly #looks: Looks
+  readonly #labelPoints = new Map<string, Vector3>()
+  readonly #extent = new Box3()
+  #named = false
+  #gone = false
+
+  constructor(
+    private readonly words: Words,
+    palette: Palette,
+  ) {
+    // Nothing here hangs below anything that moves: world matrices are written, never worked out by three.js.
+    this.scene.matrixWorldAutoUpdate = false
+    this.#looks = new Looks(words)
+    this.#materials = new Materials(this.lights, palette)
+    this.bodies = new Bodies(this.scene, this.#materials)
+    this.#ghost = new TintedArm(this.scene, this.bodies, new Tint(0.42, 5))
+    this.#jogged = new TintedArm(this.scene, this.bodies, new Tint(0.62, 6))
+    this.#mark = new SelectionMark(this.scene, this.bodies, new Tint(0.2, 7))
+    this.crosses = new Crosses(this.scene, this.bodies)
+    this.setPalette(palette)
+  }
+
+  /** `changed` is called whenever a mesh has come or failed. */
+  load(scene: SceneDescription, meshes: MeshSource, changed: () => void): void {
+    this.bodies.load(scene, this.#looks)
+    this.#extent.min.set(...scene.extent.min)
+    this.#extent.max.set(...scene.extent.max)
+    this.#mark.set(null)
+    this.crosses.load(scene.frames)
+    this.#formed()
+    this.#looks.fetch(scene.bodies, meshes, () => {
+      if (this.#gone) return
+      this.bodies.refresh(this.#looks)
+      this.#mark.set(this.#mark.body)
+      this.#formed()
+      changed()
+    })
+  }
+
+  get problems(): readonly StageProblem[] {
+    return this.#looks.problems(this.bodies.list)
+  }
+
+  /** Whether the picture is different from before. */
+  show(poses: Float32Array, visible: Uint8Array): boolean {
+    if (!this.bodies.show(poses, visible)) return false
+    this.#moved()
+    return true
+  }
+
+  ghost(poses: Float32Array | null): void {
+    this.#ghost.show(poses)
+  }
+
+  jogged(poses: Float32Array | null): void {
+    this.#jogged.show(poses)
+  }
+
+  select(body: number | null): void {
+    this.#mark.set(body)
+  }
+
+  setHidden(body: number, hidden: boolean): void {
+    this.bodies.setHidden(body, hidden)
+    this.#moved()
+  }
+
+  get shading(): Shading {
+    return this.#materials.shading
+  }
+
+  setShading(shading: Shading): void {
+    this.#materials.setShading(shading)
+    this.bodies.dress()
+  }
+
+  setPalette(palette: Palette): void {
+    this.#materials.setPalette(palette)
+    this.bodies.dress()
+    this.#backdrop.palette = palette
+    this.floor.palette = palette
+    this.attained.colour = palette.attained
+    this.command.colour = palette.command
+    this.#ghost.tint.colour = palette.ghost
+    this.#jogged.tint.colour = palette.jogged
+    this.#mark.tint.colour = palette.accent
+  }
+
+  /** Names beside coordinate systems. */
+  setNamed(named: boolean): void {
+    this.#named = named
+  }
+
+  /** All that is to be named in a viewport. Points go on moving with their bodies. */
+  labels(): Label[] {
+    this.#labelPoints.clear()
+    const problems = this.problems.map(({ body, file, reason }) => ({
+      text: this.words.missingMesh(file, reason),
+      kind: 'problem' as const,
+      point: this.#point(`body ${this.bodies.list.findIndex(({ name }) => name === body)}`),
+    }))
+    const selected = this.#mark.body === null ? undefined : this.bodies.list[this.#mark.body]
+    const selection = selected
+      ? [{ text: selected.name, kind: 'selection' as const, point: this.#point(`body ${this.#mark.body}`) }]
+      : []
+    const frames = this.#named
+      ? this.crosses.shown.map(({ mark }, k) => ({
+          text: mark.name,
+          kind: 'frame' as const,
+          point: this.#point(`frame ${k}`),
+        }))
+      : []
+    this.#movePoints()
+    return [...problems, ...selection, ...frames]
+  }
+
+  /** What all views show at first: everything there is now, and some of the room that the arm reaches. */
+  homeBox(): Box3 {
+    const box = this.bodies.box()
+    if (box.isEmpty()) return this.#extent
+    box.min.lerp(this.#extent.min, REACH_SHOWN).min(this.bodies.box().min)
+    box.max.lerp(this.#extent.max, REACH_SHOWN).max(this.bodies.box().max)
+    return box
+  }
+
+  /** Box about a body, or about all that is in the picture. */
+  box(body: number | null): Box3 {
+    const own = body === null ? new Box3() : this.bodies.boxOf(body)
+    return own.isEmpty() ? this.bodies.box() : own
+  }
+
+  get selected(): number | null {
+    return this.#mark.body
+  }
+
+  /** Before a viewport is drawn. */
+  follow(camera: Camera): void {
+    this.lights.follow(camera)
+  }
+
+  dispose(): void {
+    this.#gone = true
+    this.#looks.keep(new Set())
+    for (const part of [
+      this.bodies,
+      this.#materials,
+      this.attained,
+      this.command,
+      this.#backdrop,
+      this.floor,
+      this.#contacts,
+      this.crosses,
+      this.#ghost.tint,
+      this.#jogged.tint,
+      this.#mark.tint,
+    ]) {
+      part.dispose()
+    }
+  }
+
+  /** Forms have changed: what is made of them follows. */
+  #formed(): void {
+    this.#ghost.refresh()
+    this.#jogged.refresh()
+    const standing = this.bodies.list.flatMap(({ kind }, i) =>
+      kind === 'base' || kind === 'object' ? [this.bodies.boxOf(i)] : [],
+    )
+    const all = standing.reduce((sum, box) => sum.union(box), new Box3())
+    this.floor.put(all, this.bodies.box())
+    this.#contacts.put(this.bodies.footprints(this.floor.height), this.floor.height)
+    this.#moved()
+  }
+
+  #moved(): void {
+    this.crosses.update()
+    this.#mark.update()
+    this.#movePoints()
+  }
+
+  #point(key: string): Vector3 {
+    const point = this.#labelPoints.get(key) ?? new Vector3()
+    this.#labelPoints.set(key, point)
+    return point
+  }
+
+  #movePoints(): void {
+    for (const [key, point] of this.#labelPoints) {
+      const [sort, index] = key.split(' ')
+      const matrix =
+        sort === 'body' ? this.bodies.matrix(Number(index)) : this.crosses.shown[Number(index)]?.matrix
+      if (matrix) point.setFromMatrixPosition(matrix)
+    }
+  }
+}

@@ -1,0 +1,42 @@
+/** One word on connection and run, at the top right. */
+import { words } from '../text/messages'
+import { useStudioState } from './context'
+import type { StudioState } from './state'
+
+type Tone = 'good' | 'running' | 'warning' | 'error' | 'quiet'
+
+export function runWords(state: StudioState): readonly [Tone, string] {
+  const { connection, live, status } = state
+  if (connection === 'lost' || connection === 'expired') return ['error', words.connection[connection]]
+  if (connection === 'connecting') return ['quiet', words.connection.connecting]
+  if (live && live.state !== 'over') {
+    if (live.state === 'starting') return ['running', words.run.liveStarting]
+    return ['running', live.state === 'paused' ? words.run.livePaused : `${words.run.live} ${live.speed}×`]
+  }
+  switch (status?.state) {
+    case 'waiting':
+    case 'running':
+      return ['running', status.message || words.run[status.state]]
+    case 'refused':
+      return ['error', words.run.refused]
+    case 'failed':
+      return ['error', words.run.failedShort]
+    case 'cancelled':
+      return ['warning', words.run.cancelled]
+    case 'done':
+      return ['good', words.run.done]
+    default:
+      return ['quiet', words.run.none]
+  }
+}
+
+export function RunPill() {
+  const tone = useStudioState(state => runWords(state)[0])
+  const text = useStudioState(state => runWords(state)[1])
+  return (
+    <span className={`pill ${tone}`} role="status">
+      <i aria-hidden="true" />
+      {text}
+    </span>
+  )
+}

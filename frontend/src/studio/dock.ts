@@ -1,0 +1,187 @@
+/** The panels of the page and where they stand: presets, the kept layout, keys. Adapter to dockview. */
+import type { DockviewApi, IDockviewPanel } from 'dockview-react'
+import { words } from '../text/messages'
+import type { ProjectStorage } from './storage'
+
+export const PANELS = ['views', 'program', 'problems', 'states', 'plot', 'jog', 'signals', 'cell'] as const
+export type PanelKind = (typeof PANELS)[number]
+
+export const PRESETS = ['simulate', 'write', 'look', 'analyse', 'operate'] as const
+export type DockPreset = (typeof PRESETS)[number]
+
+const KEPT = 'panels 1'
+
+export class Dock {
+  readonly #api: DockviewApi
+  readonly #storage: ProjectStorage
+  #closed: (() => void)[] = []
+
+  constructor(api: DockviewApi, storage: ProjectStorage) {
+    this.#api = api
+    this.#storage = storage
+    if (!this.#restore()) this.preset('simulate')
+    const keep = api.onDidLayoutChange(() => storage.write(KEPT, api.toJSON()))
+    this.#closed.push(() => keep.dispose())
+  }
+
+  get api(): DockviewApi {
+    return this.#api
+  }
+
+  destroy(): void {
+    for (const close of this.#closed) close()
+  }
+
+  isOpen(kind: PanelKind): boolean {
+    return this.#api.getPanel(kind) !== undefined
+  }
+
+  /** Bring a panel to the front; one that is closed comes beside its like. */
+  show(kind: PanelKind): void {
+    const panel = this.#api.getPanel(kind) ?? this.#add(kind, kind, this.#neighbour(kind))
+    panel.api.setActive()
+    focusInside(panel)
+  }
+
+  toggle(kind: PanelKind): void {
+    const panel = this.#api.getPanel(kind)
+    if (panel?.api.isVisible) panel.api.close()
+    else this.show(kind)
+  }
+
+  addPlot(): void {
+    let number = 2
+    while (this.#api.getPanel(`plot${number}`)) number++
+    this.#add(`plot${number}`, 'plot', this.#neighbour('plot'), `${words.panels.plot} ${number}`)
+  }
+
+  closeActive(): void {
+    this.#api.activePanel?.api.close()
+  }
+
+  /** One panel over the whole page, or back. */
+  toggleMaximised(): void {
+    const panel = this.#api.activePanel
+    if (!panel) return
+    if (panel.api.isMaximized()) panel.api.exitMaximized()
+    else panel.api.maximize()
+  }
+
+  /** Put the keyboard into the next group of panels. */
+  cycle(direction: 1 | -1): void {
+    const groups = this.#api.groups
+    const at = groups.findIndex(group => group.element.contains(document.activeElement))
+    const next = groups[(at + direction + groups.length) % groups.length] ?? groups[0]
+    const panel = next?.activePanel
+    if (!panel) return
+    panel.api.setActive()
+    focusInside(panel)
+  }
+
+  reset(): void {
+    this.#storage.remove(KEPT)
+    this.preset('simulate')
+  }
+
+  /** The layout as plain values, for undo. */
+  snapshot(): unknown {
+    return this.#api.toJSON()
+  }
+
+  restoreFrom(snapshot: unknown): void {
+    this.#api.fromJSON(snapshot as Parameters<DockviewApi['fromJSON']>[0], { reuseExistingPanels: true })
+  }
+
+  preset(preset: DockPreset): void {
+    const stage = this.#api.getPanel('views')
+    for (const panel of [...this.#api.panels]) {
+      if (panel !== stage) panel.api.close()
+    }
+    const views = stage ?? this.#add('views', 'views', undefined)
+    const right = (kind: PanelKind, width: number) =>
+      this.#add(kind, kind, { referencePanel: views, direction: 'right' }, undefined, { initialWidth: width })
+    const below = (kind: PanelKind, beside: IDockviewPanel, height: number) =>
+      this.#add(kind, kind, { referencePanel: beside, direction: 'below' }, undefined, {
+        initialHeight: height,
+      })
+    const within = (kind: PanelKind, group: IDockviewPanel) =>
+      this.#add(kind, kind, { referencePanel: group, direction: 'within' }, undefined, { inactive: true })
+    const wide = this.#api.width
+    const tall = this.#api.height
+    if (preset === 'simulate') {
+      const program = right('program', Math.min(440, wide * 0.34))
+      const states = below('states', program, tall * 0.44)
+      for (const kind of ['problems', 'jog', 'signals', 'cell'] as const) within(kind, states)
+      below('plot', views, tall * 0.32)
+    } else if (preset === 'write') {
+      const program = right('program', wide * 0.55)
+      const problems = below('problems', program, 180)
+      within('states', problems)
+      within('cell', problems)
+    } else if (preset === 'analyse') {
+      const states = right('states', Math.min(420, wide * 0.34))
+      within('program', states)
+      within('problems', states)
+      below('plot', views, tall * 0.5)
+    } else if (preset === 'operate') {
+      const signals = right('signals', Math.min(420, wide * 0.36))
+      const jog = below('jog', signals, tall * 0.55)
+      within('states', jog)
+      within('program', signals)
+    }
+    views.api.setActive()
+  }
+
+  #restore(): boolean {
+    const kept = this.#storage.read(KEPT)
+    if (!kept) return false
+    try {
+      this.restoreFrom(kept)
+      return this.#api.panels.length > 0
+    } catch {
+      // A layout of an older page: the preset takes its place.
+      this.#api.clear()
+      return false
+    }
+  }
+
+  #neighbour(
+    kind: PanelKind,
+  ): { referencePanel: IDockviewPanel; direction: 'within' | 'right' | 'below' } | undefined {
+    const open = (kinds: readonly string[]) =>
+      this.#api.panels.find(panel => kinds.some(one => panel.id.startsWith(one)))
+    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'program'])
+    const reference = kind === 'plot' ? (open(['plot']) ?? open(['views'])) : (side ?? this.#api.panels[0])
+    if (!reference) return undefined
+    if (kind === 'plot' && reference.id === 'views') return { referencePanel: reference, direction: 'below' }
+    return { referencePanel: reference, direction: reference.id === 'views' ? 'right' : 'within' }
+  }
+
+  #add(
+    id: string,
+    kind: PanelKind,
+    position: { referencePanel: IDockviewPanel; direction: 'within' | 'right' | 'below' } | undefined,
+    title: string = words.panels[kind],
+    sizes: { initialWidth?: number; initialHeight?: number; inactive?: boolean } = {},
+  ): IDockviewPanel {
+    return this.#api.addPanel({
+      id,
+      component: kind,
+      title,
+      ...sizes,
+      ...(position ? { position } : {}),
+      ...(kind === 'views' || kind === 'program' ? { renderer: 'always' as const } : {}),
+    })
+  }
+}
+
+/** Focus the first thing in a panel that takes the keyboard. */
+function focusInside(panel: IDockviewPanel): void {
+  requestAnimationFrame(() => {
+    const inside = panel.view.content.element
+    const target = inside.querySelector<HTMLElement>(
+      '[tabindex="0"], .cm-content, button:not(:disabled), input:not(:disabled), select:not(:disabled)',
+    )
+    target?.focus()
+  })
+}

@@ -1,0 +1,24 @@
+/** Names of texts: a finding names its source as a path, a document by its place in the project. */
+
+export interface Named {
+  readonly name: string
+}
+
+/** Name of the document that a source means, empty where there is none. */
+export function documentOfSource(source: string, documents: readonly Named[]): string {
+  const path = source.replaceAll('\\', '/')
+  const exact = documents.find(one => one.name === path)
+  if (exact) return exact.name
+  const ending = documents.find(one => path.endsWith(`/${one.name}`))
+  if (ending) return ending.name
+  // A bare name is the program of that name.
+  return documents.find(one => fileName(one.name) === fileName(path) || stem(one.name) === path)?.name ?? ''
+}
+
+export function fileName(path: string): string {
+  return path.slice(path.lastIndexOf('/') + 1)
+}
+
+function stem(path: string): string {
+  return fileName(path).replace(/\.[^.]*$/, '')
+}

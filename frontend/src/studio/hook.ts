@@ -1,0 +1,71 @@
+/** `window.__ropsim`: what tests and curious people may ask the page. */
+import type { Studio } from './studio'
+
+type NamedPoses = Readonly<Record<string, readonly number[]>>
+
+export interface StudioHook {
+  readonly seek: (time: number) => void
+  readonly time: () => number
+  /** World poses that are shown: x y z w qx qy qz by name of the body. */
+  readonly poses: () => NamedPoses
+  /** The same of the ghost and of the jogged arm; null where there is none. */
+  readonly ghost: () => NamedPoses | null
+  readonly jogged: () => NamedPoses | null
+  readonly project: (view: number | string, point: readonly [number, number, number]) => unknown
+  readonly stats: () => unknown
+  readonly state: () => Readonly<Record<string, unknown>>
+  readonly command: (id: string) => boolean
+  readonly ready: boolean
+}
+
+declare global {
+  interface Window {
+    __ropsim?: StudioHook
+  }
+}
+
+export function installHook(studio: Studio): void {
+  const { cursor, picture, runs, store } = studio
+  const named = (poses: Float32Array): NamedPoses => {
+    const bodies = store.getState().scene?.bodies ?? []
+    return Object.fromEntries(bodies.map((body, at) => [body.name, [...poses.subarray(7 * at, 7 * at + 7)]]))
+  }
+  window.__ropsim = {
+    seek: time => {
+      cursor.pause()
+      cursor.seek(time)
+      picture.update()
+      picture.draw()
+    },
+    time: () => cursor.time,
+    poses: () => named(picture.poses),
+    ghost: () => picture.ghostPoses && named(picture.ghostPoses),
+    jogged: () => picture.joggedPoses && named(picture.joggedPoses),
+    project: (view, point) => picture.stage?.project(view, point) ?? null,
+    stats: () => picture.stage?.stats() ?? null,
+    state: () => {
+      const { status, stale, connection, shown, live, following, editing, ghost, documents } =
+        store.getState()
+      return {
+        run: status?.id ?? 0,
+        runState: status?.state ?? 'none',
+        shown,
+        stale,
+        connection,
+        editing,
+        live: live?.state ?? 'none',
+        following,
+        ghost,
+        frames: runs.frames,
+        latency: runs.latency,
+        delivered: studio.desk.delivered,
+        unsaved: documents.filter(one => one.unsaved).map(one => one.name),
+        duration: studio.run?.duration ?? 0,
+      }
+    },
+    command: id => studio.commands.run(id),
+    get ready() {
+      return document.body.dataset.ready !== undefined
+    },
+  }
+}

@@ -1,0 +1,160 @@
+/** The robot moved by hand: joint coordinates or a TCP pose go to the real kinematics, its answer is shown. */
+import type { JointDescription, Pose } from '../scene/description'
+import type { Command, Jogged } from '../wire/messages'
+import type { UndoStack } from './undo'
+
+export interface JogWires {
+  /** False when it could not be sent. */
+  readonly send: (command: Command) => boolean
+  /** Draw the jogged arm; null for none. */
+  readonly show: (answer: Jogged | null) => void
+  readonly undo: UndoStack
+}
+
+export class Jog {
+  readonly #wires: JogWires
+  readonly #listeners = new Set<() => void>()
+  #joints: readonly JointDescription[] = []
+  #q: readonly number[] | null = null
+  #answer: Jogged | null = null
+  #tool = ''
+  #before: readonly number[] | null = null
+  #nextId = 1
+  #outstanding = 0
+  #waiting: ((id: number) => Command) | null = null
+
+  constructor(wires: JogWires) {
+    this.#wires = wires
+  }
+
+  /** Joint coordinates that are wanted [rad | m]; null while nothing is jogged. */
+  get q(): readonly number[] | null {
+    return this.#q
+  }
+
+  /** What the kinematics said last. */
+  get answer(): Jogged | null {
+    return this.#answer
+  }
+
+  get tool(): string {
+    return this.#tool
+  }
+
+  get joints(): readonly JointDescription[] {
+    return this.#joints
+  }
+
+  onChange(listener: () => void): () => void {
+    this.#listeners.add(listener)
+    return () => this.#listeners.delete(listener)
+  }
+
+  /** The robot of the cell; another robot ends jogging. */
+  robot(joints: readonly JointDescription[], tool: string): void {
+    if (this.#q && joints.length !== this.#joints.length) this.stop()
+    this.#joints = joints
+    this.#tool = tool
+    if (this.#q) this.#ask(this.#q)
+  }
+
+  /** Begin at these joint coordinates. */
+  start(q: readonly number[]): void {
+    if (q.length === 0 || q.length !== this.#joints.length || q.some(one => !Number.isFinite(one))) return
+    this.#ask(q)
+  }
+
+  stop(): void {
+    this.#q = null
+    this.#answer = null
+    this.#waiting = null
+    this.#before = null
+    this.#wires.show(null)
+    this.#changed()
+  }
+
+  /** Move one joint [rad | m]; `commit` closes the gesture. */
+  moveJoint(joint: number, value: number): void {
+    if (!this.#q || !Number.isFinite(value)) return
+    this.#before ??= this.#q
+    this.#ask(this.#q.map((one, at) => (at === joint ? value : one)))
+  }
+
+  /** Bring the TCP to a pose in W, on the branch nearest to where the arm stands. */
+  moveTcp(target: Pose): void {
+    const q = this.#answer?.q ?? this.#q
+    if (!q) return
+    this.#before ??= q
+    this.#request(id => ({ type: 'jog_tcp', id, q: this.#answer?.q ?? q, tool: this.#tool, target }))
+  }
+
+  setTool(tool: string): void {
+    this.#tool = tool
+    if (this.#q) this.#ask(this.#q)
+  }
+
+  /** A gesture has ended: keep the way back under a name. */
+  commit(name: string): void {
+    const from = this.#before
+    this.#before = null
+    if (!from || !this.#q) return
+    if (this.#outstanding || this.#waiting) {
+      // The answer to a TCP target decides where the arm stands; wait for it.
+      const stop = this.onChange(() => {
+        if (this.#outstanding || this.#waiting) return
+        stop()
+        this.#keep(name, from)
+      })
+      return
+    }
+    this.#keep(name, from)
+  }
+
+  receive(answer: Jogged): void {
+    if (answer.id !== this.#outstanding) return
+    this.#outstanding = 0
+    if (this.#q) {
+      this.#answer = answer
+      if (!this.#waiting) this.#q = answer.q
+      this.#wires.show(answer)
+    }
+    this.#next()
+    this.#changed()
+  }
+
+  /** The connection is new: nothing is on its way any more. */
+  reconnected(): void {
+    this.#outstanding = 0
+    if (this.#q) this.#ask(this.#q)
+  }
+
+  #keep(name: string, from: readonly number[]): void {
+    const to = this.#q
+    if (!to || to.every((one, at) => one === from[at])) return
+    this.#wires.undo.did({ name, undo: () => this.#ask(from), redo: () => this.#ask(to) })
+  }
+
+  #ask(q: readonly number[]): void {
+    this.#q = q
+    this.#request(id => ({ type: 'jog_joints', id, q, tool: this.#tool }))
+    this.#changed()
+  }
+
+  /** Latest wins: one request is out, the newest of the others waits. */
+  #request(command: (id: number) => Command): void {
+    this.#waiting = command
+    if (!this.#outstanding) this.#next()
+  }
+
+  #next(): void {
+    const command = this.#waiting
+    if (!command) return
+    this.#waiting = null
+    const id = this.#nextId++
+    if (this.#wires.send(command(id))) this.#outstanding = id
+  }
+
+  #changed(): void {
+    for (const listener of [...this.#listeners]) listener()
+  }
+}

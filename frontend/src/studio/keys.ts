@@ -1,0 +1,59 @@
+/** Keys of commands: `Ctrl+Shift+P`, `F8`, `Space`. On a Mac the command key stands for Ctrl. */
+
+/** What a key press is called; empty for a modifier alone. */
+export function keyName(event: KeyboardEvent): string {
+  const { key } = event
+  if (['Control', 'Shift', 'Alt', 'Meta', 'Dead', 'Unidentified'].includes(key)) return ''
+  const base = key === ' ' ? 'Space' : key.length === 1 ? key.toUpperCase() : key
+  const shifted = event.shiftKey && (key.length > 1 || key === ' ' || /[a-z]/i.test(key))
+  return [
+    event.ctrlKey || event.metaKey ? 'Ctrl' : '',
+    event.altKey ? 'Alt' : '',
+    shifted ? 'Shift' : '',
+    base,
+  ]
+    .filter(Boolean)
+    .join('+')
+}
+
+/** Keys that the browser keeps for itself; no command may have them. */
+export const KEPT_BY_BROWSER: readonly string[] = [
+  'Ctrl+W',
+  'Ctrl+N',
+  'Ctrl+T',
+  'Ctrl+Tab',
+  'Ctrl+Shift+Tab',
+  'Ctrl+Shift+W',
+  'Ctrl+Shift+N',
+  'Ctrl+Shift+T',
+  'F5',
+  'Ctrl+F5',
+  'Ctrl+R',
+  'F11',
+]
+
+const TEXT_INPUTS = new Set(['text', 'search', 'number', 'url', 'email', 'password', 'tel'])
+
+/** Whether keys pressed here are text. */
+export function isTyping(target: EventTarget | null): boolean {
+  const element = target as Partial<HTMLElement & HTMLInputElement> | null
+  const tag = element?.tagName
+  if (tag === 'INPUT') return TEXT_INPUTS.has(element?.type ?? 'text')
+  return tag === 'TEXTAREA' || element?.isContentEditable === true
+}
+
+/** Whether the element has its own use for plain keys (space presses a button, arrows move a slider). */
+export function takesPlainKeys(target: EventTarget | null): boolean {
+  const element = target as Partial<Element> | null
+  if (isTyping(target)) return true
+  return (
+    element?.closest?.(
+      'button, select, input, a, summary, [role=application], [role=slider], [role=tab], [role=menu], [role=dialog]',
+    ) != null
+  )
+}
+
+/** Whether a command with this key may act while text is typed. */
+export function actsWhileTyping(key: string): boolean {
+  return /^(Ctrl\+|Alt\+|(Shift\+)?F\d+$)/.test(key)
+}

@@ -1,0 +1,60 @@
+/** How the cell is looked at: layout, shading, frames, lights, what is hidden. Kept with the project. */
+
+import type { SceneDescription } from '../scene/description'
+import { type FrameKind, LAYOUTS, type Layout, type Lights, SHADINGS, type Shading } from '../scene/settings'
+import type { Stage } from '../scene/stage'
+
+export interface Look {
+  readonly layout: Layout
+  readonly shading: Shading
+  readonly frames: readonly FrameKind[]
+  readonly names: boolean
+  readonly trails: boolean
+  /** Opacity of base, links and tools, 0.1 … 1. */
+  readonly arm: number
+  /** Null: as designed. */
+  readonly lights: Lights | null
+  /** Names of bodies. */
+  readonly hidden: readonly string[]
+  readonly opacity: Readonly<Record<string, number>>
+}
+
+export const DEFAULT_LOOK: Look = {
+  layout: '4',
+  shading: 'standard',
+  frames: ['world', 'tcp'],
+  names: true,
+  trails: true,
+  arm: 1,
+  lights: null,
+  hidden: [],
+  opacity: {},
+}
+
+/** The kept look, or the default where it cannot be read. */
+export function lookFrom(kept: unknown): Look {
+  const look = { ...DEFAULT_LOOK, ...(kept as Partial<Look> | null) }
+  const sound =
+    LAYOUTS.includes(look.layout) &&
+    SHADINGS.includes(look.shading) &&
+    Array.isArray(look.frames) &&
+    Array.isArray(look.hidden) &&
+    typeof look.arm === 'number' &&
+    typeof look.opacity === 'object'
+  return sound ? look : DEFAULT_LOOK
+}
+
+const ARM = new Set(['base', 'link', 'tool'])
+
+/** Tell the stage. Bodies are found by name, so that the look outlives a change of the cell. */
+export function applyLook(stage: Stage, look: Look, scene: SceneDescription | null): void {
+  stage.layout(look.layout)
+  stage.setShading(look.shading)
+  stage.frames(new Set(look.frames))
+  stage.labels(look.names)
+  if (look.lights) stage.setLights(look.lights)
+  scene?.bodies.forEach((body, at) => {
+    stage.setHidden(at, look.hidden.includes(body.name))
+    stage.setOpacity(at, look.opacity[body.name] ?? (ARM.has(body.kind) ? look.arm : 1))
+  })
+}

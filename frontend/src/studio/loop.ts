@@ -1,0 +1,109 @@
+/** The page's clock: one animation frame at a time, and only while there is something to do. */
+
+export interface LoopClock {
+  readonly frame: (act: (now: number) => void) => number
+  readonly cancel: (handle: number) => void
+  readonly after: (milliseconds: number, act: () => void) => () => void
+}
+
+interface Subscriber {
+  readonly period: number
+  readonly act: () => void
+  last: number
+  due: boolean
+}
+
+/** Longest time that one frame lets pass [s]: a page that slept does not leap. */
+const LONGEST = 0.25
+
+export class Loop {
+  readonly #advance: (seconds: number) => boolean
+  readonly #show: () => void
+  readonly #clock: LoopClock
+  readonly #subscribers = new Set<Subscriber>()
+  #handle = 0
+  #last: number | null = null
+  #dirty = false
+  #inside = false
+  #cancelWait: () => void = () => {}
+
+  /**
+   * @param advance lets wall time pass [s] and says whether it wants more frames
+   * @param show draws what has changed
+   */
+  constructor(advance: (seconds: number) => boolean, show: () => void, clock: LoopClock = browserClock) {
+    this.#advance = advance
+    this.#show = show
+    this.#clock = clock
+  }
+
+  /** Something that is shown has changed. */
+  mark(): void {
+    this.#dirty = true
+    for (const one of this.#subscribers) one.due = true
+    this.wake()
+  }
+
+  wake(): void {
+    if (this.#handle || this.#inside) return
+    this.#cancelWait()
+    this.#handle = this.#clock.frame(now => this.#tick(now))
+  }
+
+  /** Be called after changes, at most `rate` times a second; the last change is never missed. */
+  every(rate: number, act: () => void): () => void {
+    const one: Subscriber = { period: 1000 / rate, act, last: Number.NEGATIVE_INFINITY, due: true }
+    this.#subscribers.add(one)
+    this.wake()
+    return () => this.#subscribers.delete(one)
+  }
+
+  stop(): void {
+    this.#cancelWait()
+    if (this.#handle) this.#clock.cancel(this.#handle)
+    this.#subscribers.clear()
+  }
+
+  #tick(now: number): void {
+    this.#handle = 0
+    this.#inside = true
+    const seconds = this.#last === null ? 0 : Math.min((now - this.#last) / 1000, LONGEST)
+    const more = this.#advance(seconds)
+    if (this.#dirty) {
+      this.#dirty = false
+      this.#show()
+    }
+    const wait = this.#serve(now)
+    this.#inside = false
+    this.#last = more ? now : null
+    if (more || this.#dirty) this.wake()
+    else if (wait !== null) this.#cancelWait = this.#clock.after(wait, () => this.wake())
+  }
+
+  /** Call who is due; return the time [ms] until the next one is, null when nobody waits. */
+  #serve(now: number): number | null {
+    let wait: number | null = null
+    for (const one of this.#subscribers) {
+      if (!one.due) continue
+      const left = one.last + one.period - now
+      // Half a frame early is on time: a 20 Hz listener must not slip to every fourth frame.
+      if (left <= 8) {
+        one.due = false
+        one.last = now
+        one.act()
+      } else {
+        wait = Math.min(wait ?? left, left)
+      }
+    }
+    return wait
+  }
+}
+
+const browserClock: LoopClock = {
+  frame: act => requestAnimationFrame(act),
+  cancel: handle => cancelAnimationFrame(handle),
+  after: (milliseconds, act) => {
+    const timer = setTimeout(act, milliseconds)
+    return () => clearTimeout(timer)
+  },
+}

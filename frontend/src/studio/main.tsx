@@ -1,0 +1,25 @@
+/** The page of `ropsim studio`. */
+import { createRoot } from 'react-dom/client'
+import { StudioContext } from './context'
+import { installHook } from './hook'
+import { Shell } from './Shell'
+import { Studio } from './studio'
+import 'dockview-react/dist/styles/dockview.css'
+import '../style/theme.css'
+import '../style/shell.css'
+import '../style/dock.css'
+import '../style/panels.css'
+
+const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
+const studio = new Studio(`${scheme}://${location.host}/ws/studio`)
+installHook(studio)
+
+const root = document.getElementById('root')
+if (root) {
+  createRoot(root).render(
+    <StudioContext value={studio}>
+      <Shell />
+    </StudioContext>,
+  )
+}
+studio.start()

@@ -1,0 +1,41 @@
+/** Which component shows which kind of panel. */
+import type { IDockviewPanelProps } from 'dockview-react'
+import { type ComponentType, type FunctionComponent, lazy, Suspense } from 'react'
+import { CellPanel } from '../panels/CellPanel'
+import { JogPanel } from '../panels/JogPanel'
+import { ProblemsPanel } from '../panels/ProblemsPanel'
+import { ProgramPanel } from '../panels/ProgramPanel'
+import { SignalsPanel } from '../panels/SignalsPanel'
+import { StatesPanel } from '../panels/StatesPanel'
+import { ViewsPanel } from '../panels/ViewsPanel'
+import { words } from '../text/messages'
+import type { PanelKind } from './dock'
+import { PanelGuard } from './PanelGuard'
+
+// Plots and their library are a chunk of their own: the 3-D picture stands before it is here.
+const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPanel')).PlotPanel }))
+
+function guarded(kind: PanelKind, Panel: ComponentType<IDockviewPanelProps>) {
+  return function Guarded(props: IDockviewPanelProps) {
+    return (
+      <PanelGuard name={words.panels[kind]}>
+        <div className={`panel panel-${kind}`}>
+          <Suspense fallback={<p className="empty">{words.panel.loading}</p>}>
+            <Panel {...props} />
+          </Suspense>
+        </div>
+      </PanelGuard>
+    )
+  }
+}
+
+export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> = {
+  views: guarded('views', ViewsPanel),
+  program: guarded('program', ProgramPanel),
+  problems: guarded('problems', ProblemsPanel),
+  states: guarded('states', StatesPanel),
+  plot: guarded('plot', PlotPanel),
+  jog: guarded('jog', JogPanel),
+  signals: guarded('signals', SignalsPanel),
+  cell: guarded('cell', CellPanel),
+}

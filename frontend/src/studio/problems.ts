@@ -1,0 +1,61 @@
+/** Findings of all sources in one list: the language server, compiling, the run, the scene. */
+import type { Finding } from '../run/run'
+
+export type Severity = Finding['severity']
+
+export interface Problem {
+  /** Name of the document, empty where the finding belongs to none. */
+  readonly document: string
+  /** From 1; 0 where the finding has no place. */
+  readonly line: number
+  readonly column: number
+  readonly endLine: number
+  readonly endColumn: number
+  readonly severity: Severity
+  readonly code: string
+  readonly message: string
+  readonly hint: string
+  /** Simulated time [s] at which it arose, null where it has none. */
+  readonly time: number | null
+}
+
+const RANK: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2, hint: 3 }
+
+/** The finding as a problem; its source is a document of the project or none. */
+export function problemOf(finding: Finding, documentOf: (source: string) => string): Problem {
+  const { span } = finding
+  return {
+    document: span ? documentOf(span.source) : '',
+    line: span?.line ?? 0,
+    column: span?.column ?? 0,
+    endLine: span?.end_line ?? 0,
+    endColumn: span?.end_column ?? 0,
+    severity: finding.severity,
+    code: finding.code,
+    message: finding.message,
+    hint: finding.hint,
+    time: finding.time,
+  }
+}
+
+/** Worst first, then by document and line; what two sources say of one place is listed once. */
+export function mergeProblems(sources: ReadonlyMap<string, readonly Problem[]>): readonly Problem[] {
+  const seen = new Set<string>()
+  const merged: Problem[] = []
+  for (const problems of sources.values()) {
+    for (const problem of problems) {
+      const key = [problem.document, problem.line, problem.column, problem.code, problem.time].join('|')
+      const bare = problem.line === 0 ? `${key}|${problem.message}` : key
+      if (seen.has(bare)) continue
+      seen.add(bare)
+      merged.push(problem)
+    }
+  }
+  return merged.sort(
+    (a, b) =>
+      RANK[a.severity] - RANK[b.severity] ||
+      a.document.localeCompare(b.document) ||
+      a.line - b.line ||
+      (a.time ?? 0) - (b.time ?? 0),
+  )
+}

@@ -1,0 +1,121 @@
+/** What each message of the server means for the studio. */
+import { words } from '../text/messages'
+import type { LiveStatus, Message, RunStatus, SceneMessage, Welcome } from '../wire/messages'
+import { lookFrom } from './look'
+import { ProjectStorage } from './storage'
+import type { Studio } from './studio'
+
+type Handlers = { readonly [T in Message['type']]: (message: Extract<Message, { type: T }>) => void }
+
+export class Receiver {
+  readonly #studio: Studio
+  #folder: string | null = null
+
+  readonly #handlers: Handlers
+
+  constructor(studio: Studio) {
+    this.#studio = studio
+    this.#handlers = this.#makeHandlers()
+  }
+
+  receive(message: Message): void {
+    const handle = this.#handlers[message.type] as ((message: Message) => void) | undefined
+    // A newer server may say more than this page knows.
+    handle?.(message)
+  }
+
+  #makeHandlers(): Handlers {
+    const studio = this.#studio
+    return {
+      welcome: message => this.#welcome(message),
+      documents: ({ documents }) => {
+        studio.desk.documents.update(documents)
+        studio.desk.sync()
+      },
+      editing: ({ editing }) => {
+        studio.store.setState({ editing })
+        studio.desk.flush()
+      },
+      trust: ({ trusted, code }) => studio.store.setState({ trust: { trusted, code } }),
+      scene: message => this.#scene(message),
+      run: message => this.#run(message),
+      live: message => this.#live(message),
+      layout: message => this.#layout(message),
+      placed: message => studio.runs.place(message),
+      stamped: message => {
+        studio.runs.stamp(message)
+        studio.store.setState({ presses: [...studio.store.getState().presses.slice(-499), message] })
+      },
+      jogged: message => studio.jog.receive(message),
+      notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
+    }
+  }
+
+  #welcome(message: Welcome): void {
+    const studio = this.#studio
+    if (this.#folder !== message.folder) {
+      studio.storage = new ProjectStorage(message.folder)
+      studio.setLook(lookFrom(studio.storage.read('look')))
+    }
+    this.#folder = message.folder
+    const { ropsim, project, folder, programs, program, editing, trust } = message
+    studio.desk.documents.welcome(message.documents)
+    studio.store.setState({ ropsim, project, folder, programs, program, editing, trust, live: null })
+    const first = message.documents.find(one => one.name.includes(`/${program}.`)) ?? message.documents[0]
+    if (!studio.store.getState().document) studio.store.setState({ document: first?.name ?? '' })
+    studio.desk.sync()
+    studio.desk.flush()
+    studio.jog.reconnected()
+    const recovered = message.documents.filter(one => one.recovered).map(one => one.name)
+    if (recovered.length) studio.notify('warning', words.recovered(recovered.join(', ')), words.recoveredHint)
+  }
+
+  #scene({ scene, findings }: SceneMessage): void {
+    const studio = this.#studio
+    studio.setFindings('scene', findings)
+    studio.store.setState({ sceneKnown: true, cellBroken: scene === null })
+    // A broken cell keeps the picture of the last good one.
+    if (!scene) return
+    studio.store.setState({ scene })
+    studio.runs.setScene(scene)
+    studio.picture.setScene(scene)
+    studio.jog.robot(scene.robot.joints, toolOf(scene.bodies))
+    studio.signals.setSignals(scene.signals, studio.storage)
+    studio.loop.mark()
+  }
+
+  #run(status: RunStatus): void {
+    const studio = this.#studio
+    studio.store.setState({ status })
+    studio.setFindings('compile', status.findings)
+    if (status.state === 'done') void studio.runs.take(status.id)
+    const { run } = studio
+    if (run && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
+    if (status.state === 'failed') studio.notify('error', words.run.failed(status.message))
+  }
+
+  #live(live: LiveStatus): void {
+    const studio = this.#studio
+    if (live.state === 'starting') studio.store.setState({ presses: [] })
+    studio.store.setState({ live })
+    if (live.state !== 'over') return
+    studio.signals.disarm()
+    studio.store.setState({ following: false })
+  }
+
+  #layout(message: Extract<Message, { type: 'layout' }>): void {
+    const studio = this.#studio
+    const program = studio.store.getState().live?.program ?? ''
+    studio.cursor.pause()
+    studio.cursor.setLoop(null)
+    studio.runs.startLive(program, studio.documentOf(program), message)
+  }
+}
+
+/** Name of the tool that the robot holds at the start. */
+function toolOf(
+  bodies: readonly { readonly name: string; readonly kind: string; readonly visible: boolean }[],
+): string {
+  const name = bodies.find(body => body.kind === 'tool' && body.visible)?.name ?? ''
+  return name.replace(/^tool:/, '')
+}

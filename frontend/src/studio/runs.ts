@@ -1,0 +1,115 @@
+/** The run that the page shows: the newest good recording, or the live run while there is one. */
+import { LiveRun } from '../run/live_run'
+import { RecordedRun } from '../run/recorded_run'
+import type { Run } from '../run/run'
+import type { SceneDescription } from '../scene/description'
+import { words } from '../text/messages'
+import { decodeFrame } from '../wire/frame'
+import type { LiveLayout, Placed, SignalStamped } from '../wire/messages'
+
+export interface RunWires {
+  /** Another run is shown from now on. */
+  readonly onRun: (run: Run) => void
+  /** The live run has grown. */
+  readonly onGrown: (run: Run) => void
+  readonly onTrouble: (text: string) => void
+}
+
+export class Runs {
+  readonly #wires: RunWires
+  #scene: SceneDescription | null = null
+  #run: Run | null = null
+  #recorded: RecordedRun | null = null
+  #live: LiveRun | null = null
+  /** A pack that came before the scene. */
+  #early: ArrayBuffer | null = null
+  #newest = 0
+  #frames = 0
+  #latency = Number.NaN
+
+  constructor(wires: RunWires) {
+    this.#wires = wires
+  }
+
+  get run(): Run | null {
+    return this.#run
+  }
+
+  /** Frames of the live run that came, and how old the last one was when it came [ms]. */
+  get frames(): number {
+    return this.#frames
+  }
+
+  get latency(): number {
+    return this.#latency
+  }
+
+  /** Bodies are those of this scene from now on. */
+  setScene(scene: SceneDescription): void {
+    this.#scene = scene
+    this.#recorded?.showIn(scene)
+    const early = this.#early
+    this.#early = null
+    if (early) void this.#decode(early, this.#newest)
+  }
+
+  /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
+  async take(id: number): Promise<void> {
+    const order = ++this.#newest
+    try {
+      const bytes = await fetchPack(id)
+      if (order === this.#newest) await this.#decode(bytes, order)
+    } catch (error) {
+      if (order === this.#newest)
+        this.#wires.onTrouble(error instanceof Error ? error.message : String(error))
+    }
+  }
+
+  startLive(program: string, source: string, layout: LiveLayout): void {
+    if (!this.#scene) return
+    this.#newest += 1
+    this.#live = new LiveRun(program, source, this.#scene, layout)
+    this.#frames = 0
+    this.#show(this.#live)
+  }
+
+  place(placed: Placed): void {
+    this.#live?.place(placed)
+  }
+
+  stamp(stamped: SignalStamped): void {
+    this.#live?.stamp(stamped)
+  }
+
+  frame(bytes: ArrayBuffer): void {
+    const frame = decodeFrame(bytes)
+    if (!frame || !this.#live) return
+    this.#live.add(frame)
+    this.#frames += 1
+    this.#latency = Date.now() - frame.wall
+    if (this.#run === this.#live) this.#wires.onGrown(this.#live)
+  }
+
+  async #decode(bytes: ArrayBuffer, order: number): Promise<void> {
+    if (!this.#scene) {
+      this.#early = bytes
+      return
+    }
+    const run = await RecordedRun.decode(bytes, this.#scene)
+    if (order !== this.#newest) return
+    this.#recorded = run
+    this.#live = null
+    this.#show(run)
+  }
+
+  #show(run: Run): void {
+    this.#run = run
+    this.#wires.onRun(run)
+  }
+}
+
+async function fetchPack(id: number): Promise<ArrayBuffer> {
+  const answer = await fetch(`/run/${id}.pack`, { credentials: 'same-origin' })
+  if (!answer.ok) throw new Error(words.run.gone(answer.status))
+  return answer.arrayBuffer()
+}

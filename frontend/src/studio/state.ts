@@ -1,0 +1,89 @@
+/** What the panels show of the studio and what changes rarely; numbers at 60 Hz never come here. */
+import { createStore, type StoreApi } from 'zustand/vanilla'
+import type { SceneDescription } from '../scene/description'
+import type { ConnectionState } from '../wire/connection'
+import type { LiveStatus, Notice, RunStatus, SignalStamped, TrustState } from '../wire/messages'
+import type { StudioDocument } from './documents'
+import { DEFAULT_LOOK, type Look } from './look'
+import type { Problem } from './problems'
+
+/** A line whose pose is drawn as a ghost. */
+export interface GhostLine {
+  readonly document: string
+  readonly line: number
+  /** From 1. */
+  readonly pass: number
+  readonly passes: number
+  readonly time: number
+}
+
+export interface ShownNotice extends Notice {
+  readonly id: number
+}
+
+export interface StudioState {
+  readonly connection: ConnectionState
+  readonly ropsim: string
+  readonly project: string
+  readonly folder: string
+  readonly programs: readonly string[]
+  readonly program: string
+  readonly documents: readonly StudioDocument[]
+  /** The document the editor shows. */
+  readonly document: string
+  readonly editing: boolean
+  readonly trust: TrustState
+  readonly problems: readonly Problem[]
+  /** How the newest run stands; null before the first. */
+  readonly status: RunStatus | null
+  /** Counts the runs shown; 0 before the first. */
+  readonly shown: number
+  /** The text has changed since the shown run. */
+  readonly stale: boolean
+  readonly scene: SceneDescription | null
+  /** False until the server has said how the cell looks. */
+  readonly sceneKnown: boolean
+  /** The newest cell file has errors; `scene` is the last good one. */
+  readonly cellBroken: boolean
+  readonly live: LiveStatus | null
+  /** The cursor stays at the end of the live run. */
+  readonly following: boolean
+  readonly presses: readonly SignalStamped[]
+  readonly ghost: GhostLine | null
+  readonly selected: number | null
+  readonly look: Look
+  readonly notices: readonly ShownNotice[]
+}
+
+export const START: StudioState = {
+  connection: 'connecting',
+  ropsim: '',
+  project: '',
+  folder: '',
+  programs: [],
+  program: '',
+  documents: [],
+  document: '',
+  editing: false,
+  trust: { trusted: false, code: [] },
+  problems: [],
+  status: null,
+  shown: 0,
+  stale: false,
+  scene: null,
+  sceneKnown: false,
+  cellBroken: false,
+  live: null,
+  following: false,
+  presses: [],
+  ghost: null,
+  selected: null,
+  look: DEFAULT_LOOK,
+  notices: [],
+}
+
+export type StudioStore = StoreApi<StudioState>
+
+export function createStudioStore(): StudioStore {
+  return createStore<StudioState>(() => START)
+}

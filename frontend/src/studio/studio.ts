@@ -1,0 +1,250 @@
+/**
+ * The studio of the page, free of any user interface library: connection, texts, run, cursor, picture.
+ * Panels read `store` for what changes rarely and `loop.every` or `cursor` for what changes always.
+ */
+import { Cursor } from '../run/cursor'
+import type { Finding, Run } from '../run/run'
+import { words } from '../text/messages'
+import { Connection } from '../wire/connection'
+import type { Command } from '../wire/messages'
+import { Commands } from './commands'
+import type { Dock } from './dock'
+import type { StudioDocument } from './documents'
+import { Jog } from './jog'
+import { LineGhost } from './line_ghost'
+import type { Look } from './look'
+import { Loop } from './loop'
+import { Noticeboard } from './noticeboard'
+import type { Pass } from './passes'
+import { Picture } from './picture'
+import { type Problem, problemOf } from './problems'
+import { Receiver } from './receiver'
+import { RunView } from './run_view'
+import { Runs } from './runs'
+import { SignalBoard } from './signal_board'
+import { createStudioStore, type StudioStore } from './state'
+import { ProjectStorage, tabName } from './storage'
+import { type Place, TextDesk } from './text_desk'
+import { UndoStack } from './undo'
+
+export { useStudio, useStudioState } from './context'
+export type { StudioDocument } from './documents'
+export type { Problem as ProblemItem } from './problems'
+export type { Place } from './text_desk'
+
+export class Studio {
+  readonly store: StudioStore = createStudioStore()
+  readonly cursor = new Cursor()
+  readonly commands = new Commands()
+  readonly undo = new UndoStack()
+  readonly picture = new Picture(this.cursor)
+  readonly loop: Loop
+  readonly desk: TextDesk
+  readonly runs: Runs
+  readonly view: RunView
+  readonly jog: Jog
+  readonly signals: SignalBoard
+  readonly connection: Connection
+  storage = new ProjectStorage('')
+  /** Null until the panels stand. */
+  dock: Dock | null = null
+  readonly #board = new Noticeboard(this.store)
+  readonly #lines: LineGhost
+
+  constructor(address: string) {
+    const { cursor, picture, store } = this
+    const mark = () => this.loop.mark()
+    const send = (command: Command) => this.send(command)
+    this.loop = new Loop(
+      seconds => {
+        cursor.advance(seconds)
+        return cursor.playing
+      },
+      () => {
+        picture.update()
+        picture.draw()
+      },
+    )
+    this.desk = new TextDesk(store, send, text => this.notify('warning', text))
+    this.view = new RunView(store, cursor, picture, this.loop)
+    this.#lines = new LineGhost(store, picture, {
+      run: () => this.run,
+      time: () => cursor.time,
+      documentOf: source => this.documentOf(source),
+      mark,
+    })
+    this.runs = new Runs({
+      onRun: run => this.#showRun(run),
+      onGrown: run => this.view.grown(run),
+      onTrouble: text => this.notify('error', words.run.unreadable(text)),
+    })
+    this.jog = new Jog({ send, show: answer => picture.jogged(answer), undo: this.undo })
+    this.jog.onChange(mark)
+    this.signals = new SignalBoard(send, store, this.undo)
+    const receiver = new Receiver(this)
+    this.connection = new Connection(address, tabName(), {
+      onMessage: message => receiver.receive(message),
+      onFrame: bytes => this.runs.frame(bytes),
+      onState: connection => store.setState({ connection }),
+    })
+    // The path of a live run grows behind the tool; a whole path in each frame would be too much.
+    this.loop.every(2, () => {
+      if (this.run?.live) picture.grown()
+    })
+  }
+
+  start(): void {
+    this.connection.open()
+  }
+
+  /** Send a command; false while there is no connection. */
+  send(command: Command): boolean {
+    return this.connection.send(command)
+  }
+
+  // ---- texts ----
+
+  get documents(): readonly StudioDocument[] {
+    return this.store.getState().documents
+  }
+
+  /** The newest text of a document, typed a moment ago or not. */
+  text(document: string): string {
+    return this.desk.documents.text(document)
+  }
+
+  /** New text from the keyboard; it reaches the server within a moment, or after the connection is back. */
+  edit(document: string, text: string): void {
+    this.desk.edit(document, text)
+  }
+
+  save(document: string, disk: 'keep' | 'overwrite' = 'keep'): void {
+    this.desk.save(document, disk)
+  }
+
+  revert(document: string): void {
+    this.send({ type: 'revert', document })
+  }
+
+  takeOver(): void {
+    this.send({ type: 'take_over' })
+  }
+
+  documentOf(source: string): string {
+    return this.desk.documentOf(source)
+  }
+
+  /** Show a place in the editor. */
+  goTo(document: string, line: number, column = 1): void {
+    this.desk.goTo({ document, line, column })
+  }
+
+  onGoTo(listener: (place: Place) => void): () => void {
+    return this.desk.onGoTo(listener)
+  }
+
+  // ---- line and robot ----
+
+  /** What a line did in the shown run, pass by pass. */
+  passes(document: string, line: number): readonly Pass[] {
+    return this.#lines.passes(document, line)
+  }
+
+  /** Draw the robot as a ghost where a line had done its work; pass from 1, else the one nearest to now. */
+  showLine(document: string, line: number, pass?: number): void {
+    this.#lines.show(document, line, pass)
+  }
+
+  clearGhost(): void {
+    this.#lines.clear()
+  }
+
+  /** The line that runs at the cursor, null where none does. */
+  runningLine(): { readonly document: string; readonly line: number } | null {
+    return this.#lines.running()
+  }
+
+  // ---- findings and notices ----
+
+  get problems(): readonly Problem[] {
+    return this.store.getState().problems
+  }
+
+  /** All findings of one source (`lsp`, `run`, …); they take the place of its earlier ones. */
+  setProblems(source: string, problems: readonly Problem[]): void {
+    this.#board.setProblems(source, problems)
+  }
+
+  setFindings(source: string, findings: readonly Finding[]): void {
+    this.setProblems(
+      source,
+      findings.map(one => problemOf(one, name => this.documentOf(name))),
+    )
+  }
+
+  notify(level: 'error' | 'warning' | 'info', text: string, hint = '', code = ''): void {
+    this.#board.notify(level, text, hint, code)
+  }
+
+  dismiss(id: number): void {
+    this.#board.dismiss(id)
+  }
+
+  // ---- run and picture ----
+
+  get run(): Run | null {
+    return this.runs.run
+  }
+
+  get stale(): boolean {
+    return this.store.getState().stale
+  }
+
+  /** Keep the cursor at the end of the live run. */
+  follow(): void {
+    this.store.setState({ following: true })
+    if (this.run) this.view.grown(this.run)
+  }
+
+  /** Take the robot where the run shows it and jog it from there. */
+  jogFromRun(): void {
+    const { scene } = this.store.getState()
+    if (!scene) return
+    const shown = scene.robot.joints.map((_, at) => this.run?.value('q', at, this.cursor.time) ?? 0)
+    this.jog.start(shown.every(Number.isFinite) ? shown : scene.robot.joints.map(() => 0))
+  }
+
+  /** Highlight a body of the scene, or none. */
+  select(selected: number | null): void {
+    this.store.setState({ selected })
+    this.picture.stage?.select(selected)
+    this.loop.mark()
+  }
+
+  /** The next runs take the cell's own signal changes only. */
+  forgetPresses(): void {
+    this.send({ type: 'forget_inputs' })
+    this.store.setState({ presses: [] })
+  }
+
+  /** Look at the cell in another way; with a name it can be undone. */
+  setLook(change: Partial<Look>, name?: string): void {
+    const before = this.store.getState().look
+    const after = { ...before, ...change }
+    if (name) this.undo.do({ name, undo: () => this.#apply(before), redo: () => this.#apply(after) })
+    else this.#apply(after)
+  }
+
+  #apply(look: Look): void {
+    this.store.setState({ look })
+    this.storage.write('look', look)
+    this.picture.setLook(look)
+    this.loop.mark()
+  }
+
+  #showRun(run: Run): void {
+    this.view.show(run)
+    this.setFindings('run', run.findings)
+    this.#lines.renew()
+  }
+}

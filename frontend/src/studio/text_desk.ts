@@ -1,0 +1,77 @@
+/** The texts on the desk: typing, saving, giving up, and where the editor is asked to go. */
+import { words } from '../text/messages'
+import type { Command } from '../wire/messages'
+import { documentOfSource } from './document_names'
+import { Documents } from './documents'
+import { Outbox } from './outbox'
+import type { StudioStore } from './state'
+
+/** A place in a text that the editor is asked to show; line and column from 1. */
+export interface Place {
+  readonly document: string
+  readonly line: number
+  readonly column: number
+}
+
+export class TextDesk {
+  readonly documents = new Documents()
+  readonly #store: StudioStore
+  readonly #send: (command: Command) => boolean
+  readonly #warn: (text: string) => void
+  readonly #outbox: Outbox
+  readonly #places = new Set<(place: Place) => void>()
+
+  constructor(store: StudioStore, send: (command: Command) => boolean, warn: (text: string) => void) {
+    this.#store = store
+    this.#send = send
+    this.#warn = warn
+    this.#outbox = new Outbox(this.documents, send)
+  }
+
+  /** Whether the server has every text. */
+  get delivered(): boolean {
+    return this.documents.pending().length === 0
+  }
+
+  edit(document: string, text: string): void {
+    this.documents.edit(document, text)
+    this.sync()
+    if (this.#store.getState().editing) this.#outbox.soon()
+  }
+
+  /** Send what has not been sent, now. A tab without the right to edit keeps it. */
+  flush(): void {
+    if (this.#store.getState().editing) this.#outbox.flush()
+  }
+
+  save(document: string, disk: 'keep' | 'overwrite'): void {
+    this.flush()
+    const sent = this.#send({ type: 'save', document, overwrite: disk === 'overwrite' })
+    if (!sent) this.#warn(words.documents.notSaved)
+  }
+
+  /** Let the panels know of new names and marks. */
+  sync(): void {
+    const { shown } = this.documents
+    const state = this.#store.getState()
+    if (shown === state.documents) return
+    const known = shown.some(one => one.name === state.document)
+    this.#store.setState({ documents: shown, document: known ? state.document : (shown[0]?.name ?? '') })
+  }
+
+  /** Name of the document that a span's source means, empty where there is none. */
+  documentOf(source: string): string {
+    return documentOfSource(source, this.documents.shown)
+  }
+
+  goTo(place: Place): void {
+    if (!this.documents.has(place.document)) return
+    this.#store.setState({ document: place.document })
+    for (const listener of this.#places) listener(place)
+  }
+
+  onGoTo(listener: (place: Place) => void): () => void {
+    this.#places.add(listener)
+    return () => this.#places.delete(listener)
+  }
+}

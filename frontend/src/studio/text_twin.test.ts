@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest'
+import type { Run } from '../run/run'
+import type { SceneDescription } from '../scene/description'
+import { limitShare, textTwin } from './text_twin'
+
+const SCENE = {
+  bodies: [{ name: 'link1' }],
+  frames: [{ name: 'tcp', kind: 'tcp', parent: 0, pose: [0.1, 0, 0, 1, 0, 0, 0] }],
+  robot: {
+    joints: [
+      { name: '1', lower: -2, upper: 2 },
+      { name: '2', lower: 0, upper: 1 },
+    ],
+  },
+} as unknown as SceneDescription
+
+test('it names the TCP in millimetres and the joint nearest to its limit', () => {
+  const run = { value: (_: string, joint: number) => [1, 0.97][joint] } as unknown as Run
+  // Turned by 90° about z: what the tool has along x points along y.
+  const poses = Float32Array.of(0.3, 0.12, 0.6, Math.SQRT1_2, 0, 0, Math.SQRT1_2)
+  expect(textTwin(SCENE, poses, run, 0)).toBe('TCP 300.0, 220.0, 600.0 mm; J2 at 94 % of limit')
+})
+
+test('without a run it says where the TCP is', () => {
+  expect(textTwin(SCENE, Float32Array.of(0, 0, 0, 1, 0, 0, 0), null, 0)).toBe('TCP 100.0, 0.0, 0.0 mm')
+})
+
+test('a joint without limits is never near one', () => {
+  expect(limitShare(3, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)).toBe(0)
+  expect(limitShare(-2, -2, 2)).toBe(1)
+})

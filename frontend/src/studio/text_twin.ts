@@ -1,0 +1,44 @@
+/** The picture in words, for people who do not see it. */
+import type { Run } from '../run/run'
+import type { Pose, SceneDescription } from '../scene/description'
+import { words } from '../text/messages'
+import { compose } from '../units/pose'
+import { formatNumber } from '../units/quantity'
+
+/** Pose of the TCP in W at the shown poses; null where the cell marks none. */
+export function tcpOf(scene: SceneDescription, poses: Float32Array): Pose | null {
+  const mark = scene.frames.find(frame => frame.kind === 'tcp')
+  if (!mark || poses.length < 7 * (mark.parent + 1)) return null
+  if (mark.parent < 0) return mark.pose
+  const at = (k: number) => poses[7 * mark.parent + k] ?? 0
+  return compose([at(0), at(1), at(2), at(3), at(4), at(5), at(6)], mark.pose)
+}
+
+/** Share of the way from the middle of its range to its limit that a joint has gone: 1 at the limit. */
+export function limitShare(value: number, lower: number, upper: number): number {
+  const half = (upper - lower) / 2
+  return half > 0 && Number.isFinite(half) ? Math.abs(value - (upper + lower) / 2) / half : 0
+}
+
+/** "TCP 435.1, 120.0, 612.4 mm; J3 at 97 % of limit" */
+export function textTwin(
+  scene: SceneDescription,
+  poses: Float32Array,
+  run: Run | null,
+  time: number,
+): string {
+  const parts: string[] = []
+  const tcp = tcpOf(scene, poses)
+  if (tcp)
+    parts.push(
+      words.twin.tcp(formatNumber(tcp[0], 'm'), formatNumber(tcp[1], 'm'), formatNumber(tcp[2], 'm')),
+    )
+  let worst = { name: '', share: 0 }
+  scene.robot.joints.forEach((joint, at) => {
+    const share = limitShare(run?.value('q', at, time) ?? Number.NaN, joint.lower, joint.upper)
+    const name = /^\d+$/.test(joint.name) ? `J${joint.name}` : joint.name
+    if (share > worst.share) worst = { name, share }
+  })
+  if (worst.name) parts.push(words.twin.joint(worst.name, Math.round(100 * worst.share)))
+  return parts.join('; ')
+}
