@@ -7,10 +7,10 @@ DEMO = examples/palletizing
 help:
 	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'
 	@echo 'make test    run the whole test suite'
-	@echo 'make check   lint, format, types, import contracts, spelling, generated pages'
+	@echo 'make check   lint, format, types, import contracts, spelling, generated pages; the pages of the studio'
 	@echo 'make bench   run the benchmarks'
 	@echo 'make docs    write the generated pages under docs/reference'
-	@echo 'make clean   remove .venv, caches, build and example output'
+	@echo 'make clean   remove .venv, node_modules, caches, build and example output'
 
 demo:
 	@$(VENV)
@@ -29,6 +29,7 @@ check:
 	.venv/bin/codespell
 	.venv/bin/python tools/diagnostic_pages.py --check
 	.venv/bin/python tools/icr_table.py --check
+	.venv/bin/python -m tools.frontend
 
 bench:
 	@$(VENV) test
@@ -41,7 +42,7 @@ docs:
 
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
-	rm -rf .benchmarks examples/*/out
+	rm -rf .benchmarks examples/*/out frontend/node_modules frontend/dist src/ropsim/static
 	find src tests tools benchmarks -name __pycache__ -type d -prune -exec rm -rf '{}' +
 
 .PHONY: help demo test check bench docs clean

