@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from math import cos, sin
+from math import sin
 
 import numpy.typing as npt
 
@@ -88,10 +88,7 @@ def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
         NotFiniteError: M552, q holds NaN or infinity.
     """
     arm = wrist_arm(robot)
-    angles = joint_vector(robot, q) * arm.signs + arm.zeros
-    a1, _, _, upper, fore = arm.lengths.tolist()
-    _, shoulder, elbow, _, wrist, _ = angles.tolist()
-    ahead = a1 + upper * cos(shoulder) + fore * cos(shoulder + elbow)
+    ahead, elbow, wrist = arm.turned(joint_vector(robot, q))
     bend, flip = sin(elbow), sin(wrist)
     above = -bend if ahead * arm.front > TIE else bend
     return Posture(

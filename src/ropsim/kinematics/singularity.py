@@ -1,7 +1,7 @@
 """How far an arm with spherical wrist is from its three kinds of singularity."""
 
 from dataclasses import dataclass
-from math import asin, cos, sin
+from math import asin, sin
 
 import numpy.typing as npt
 
@@ -40,8 +40,5 @@ def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    arm = wrist_arm(robot)
-    a1, _, _, upper, fore = arm.lengths.tolist()
-    _, shoulder, elbow, _, wrist, _ = (joint_vector(robot, q) * arm.signs + arm.zeros).tolist()
-    ahead = a1 + upper * cos(shoulder) + fore * cos(shoulder + elbow)
+    ahead, elbow, wrist = wrist_arm(robot).turned(joint_vector(robot, q))
     return SingularDistances(abs(ahead), asin(abs(sin(elbow))), asin(abs(sin(wrist))))

@@ -14,7 +14,7 @@ centre is in J at
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import atan2, hypot
+from math import atan2, cos, hypot
 
 import numpy as np
 
@@ -53,6 +53,16 @@ class WristArm:
     X_J: Array
     X_M: Array
     R_F: Array
+
+    def turned(self, q: Array) -> tuple[float, float, float]:
+        """Return how an arm at `q` [rad], shape (6,), stands.
+
+        Returns:
+            Distance of the wrist centre ahead of axis 1 along e_x [m], and the angles θ3 and θ5 [rad].
+        """
+        _, shoulder, elbow, _, wrist, _ = (q * self.signs + self.zeros).tolist()
+        a1, _, _, upper, fore = self.lengths.tolist()
+        return a1 + upper * cos(shoulder) + fore * cos(shoulder + elbow), elbow, wrist
 
 
 def has_closed_form(robot: RobotModel) -> bool:

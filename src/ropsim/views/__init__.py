@@ -15,6 +15,7 @@ from ropsim.views.joint_summary import JointSummary as JointSummary
 from ropsim.views.joint_summary import LimitApproach as LimitApproach
 from ropsim.views.pack import Pack as Pack
 from ropsim.views.pack import pack as pack
+from ropsim.views.pack import plain_finding as plain_finding
 from ropsim.views.pack_channels import group_of as group_of
 from ropsim.views.path_summary import PathLine as PathLine
 from ropsim.views.path_summary import PathMove as PathMove

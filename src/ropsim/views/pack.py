@@ -6,11 +6,11 @@ makes one file of them.
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic
 from ropsim.flow import Event, Recording
 from ropsim.model import Cell
 from ropsim.spatial import Array
@@ -62,8 +62,8 @@ def pack(recording: Recording, cell: Cell, findings: Iterable[Diagnostic] = ()) 
         "bodies": packed_bodies(recording, cell, times, body),
         "events": [_event(event) for event in recording.events],
         "findings": [
-            *(_finding(one, None) for one in findings),
-            *(_finding(one, time_of(one, recording.events)) for one in recording.findings),
+            *(plain_finding(one) for one in findings),
+            *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
         ],
         "recording": dict(about),
     }
@@ -95,29 +95,18 @@ def _event(event: Event) -> dict[str, object]:
         "duration": event.duration,
         "kind": event.kind,
         "text": event.text,
-        "span": _span(event.span),
+        "span": asdict(event.span) if event.span else None,
         "data": dict(event.data),
     }
 
 
-def _finding(finding: Diagnostic, time: float | None) -> dict[str, object]:
+def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, object]:
+    """Return a finding as plain values, with the time [s] at which it arose; None where it has none."""
     return {
         "code": finding.code,
         "severity": finding.severity.value,
         "message": finding.message,
         "hint": finding.hint,
-        "span": _span(finding.span),
+        "span": asdict(finding.span) if finding.span else None,
         "time": time,
-    }
-
-
-def _span(span: Span | None) -> dict[str, object] | None:
-    if span is None:
-        return None
-    return {
-        "source": span.source,
-        "line": span.line,
-        "column": span.column,
-        "end_line": span.end_line,
-        "end_column": span.end_column,
     }

@@ -4,6 +4,7 @@ The document only ever grows: entries are added, never renamed or given another 
 """
 
 from collections.abc import Callable, Iterable
+from dataclasses import asdict
 
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.workbench.plain_values import readable as plain
@@ -54,12 +55,4 @@ def diagnostic_entry(diagnostic: Diagnostic, form: Callable[[object], object]) -
 
 def span_entry(span: Span | None) -> dict[str, object] | None:
     """Return a span as a mapping, None for none."""
-    if span is None:
-        return None
-    return {
-        "source": span.source,
-        "line": span.line,
-        "column": span.column,
-        "end_line": span.end_line,
-        "end_column": span.end_column,
-    }
+    return asdict(span) if span else None
