@@ -6,7 +6,6 @@ from enum import Enum
 from ropsim.views.findings import plural
 from ropsim.views.summary import Summary
 
-
 STOPPED_BY_HAND = "S761"
 """Code of the finding of a live run that did not come to the program's end."""
 

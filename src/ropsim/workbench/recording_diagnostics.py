@@ -116,8 +116,8 @@ INPUTS_UNREADABLE = define(
     Severity.ERROR,
     "recorded inputs cannot be read",
     """
-`ropsim run PATH --inputs FILE` gives a run the inputs of an earlier live run. FILE is the recording of that run
-(`.npz`), or a JSON list such as `[{"signal": "start", "time": 1.5, "value": 1}]` with times in seconds of
+`ropsim run PATH --inputs FILE` gives a run the inputs of an earlier live run. FILE is the recording of that
+run (`.npz`), or a JSON list such as `[{"signal": "start", "time": 1.5, "value": 1}]` with times in seconds of
 simulated time.
 
 The file is missing, is no JSON, or an entry lacks one of the three keys.
