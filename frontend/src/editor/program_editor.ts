@@ -12,15 +12,18 @@ import {
   highlightActiveLineGutter,
   keymap,
   lineNumbers,
+  tooltips,
   type ViewUpdate,
 } from '@codemirror/view'
 import type { Problem } from '../studio/problems'
 import { LanguageClient } from './language_client'
 import { LineEnds } from './line_ends'
+import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { replacement } from './replacement'
 import { task } from './task_language'
 import { theme } from './theme'
+import { lineInSight } from './view_sight'
 import { words } from './words'
 import type { OpenedDocument } from './workspace'
 
@@ -61,6 +64,7 @@ export class ProgramEditor {
   #line = 0
   #isReadOnly = false
   #marks: MarkedLines = { running: null, ghost: null }
+  readonly #sight: LineInSight
 
   constructor(host: HTMLElement, options: ProgramEditorOptions) {
     this.#options = options
@@ -69,6 +73,7 @@ export class ProgramEditor {
       if (name) options.onShow(name)
       return name === this.#name ? this.#view : null
     })
+    this.#sight = lineInSight(this.#view)
   }
 
   /** Name of the document in the view, empty before the first. */
@@ -99,6 +104,12 @@ export class ProgramEditor {
   /** Mark the line that runs (from 1), null for none. Cheap where nothing changes. */
   markRunning(line: number | null): void {
     this.#mark({ ...this.#marks, running: line })
+  }
+
+  /** Scroll to the running line where it is out of sight and the user leaves the text alone. */
+  followRunning(): void {
+    const { running } = this.#marks
+    if (running !== null && running <= this.#view.state.doc.lines) this.#sight.show(running)
   }
 
   /** Mark the line whose pose is shown as a ghost. */
@@ -207,6 +218,8 @@ export class ProgramEditor {
       closeBrackets(),
       indentUnit.of('  '),
       search({ top: true }),
+      // Lists and hints may be larger than the panel.
+      tooltips({ parent: window.document.body }),
       document.language === 'task' ? task() : [],
       this.#language.extension(document),
       keymap.of([

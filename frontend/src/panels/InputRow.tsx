@@ -16,6 +16,8 @@ export function InputRow({ signal, value }: { signal: SignalDescription; value: 
   useEffect(() => {
     if (!learning) return
     const learn = (event: KeyboardEvent) => {
+      // Tab leads on, here as everywhere: bound, it would lock the keyboard in while keys are armed.
+      if (event.key === 'Tab') return
       event.preventDefault()
       event.stopPropagation()
       setLearning(false)

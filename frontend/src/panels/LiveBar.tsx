@@ -21,7 +21,7 @@ export function LiveBar() {
             disabled={!connected}
             onClick={() => studio.send({ type: 'live_start', program, speed: 1 })}
           >
-            {words.signals.live}: {words.signals.start}
+            {words.signals.start}
           </button>
           {programs.length > 1 ? (
             <select

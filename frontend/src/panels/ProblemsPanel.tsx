@@ -45,9 +45,7 @@ function ProblemRow({ problem }: { problem: Problem }) {
   const { document, line, column, severity, code, message, hint, time } = problem
   const act = () => {
     if (document) studio.goTo(document, Math.max(line, 1), Math.max(column, 1))
-    if (time === null) return
-    studio.cursor.pause()
-    studio.cursor.seek(time)
+    if (time !== null) studio.transport.go(time)
   }
   const place = [document, line > 0 ? words.at(line) : '', time === null ? '' : words.time(time)]
   return (

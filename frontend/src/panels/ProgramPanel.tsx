@@ -1,7 +1,8 @@
 /** The texts of the project: tabs, editor, what stands between a text and its file, passes of the line. */
-import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react'
+import { type ReactNode, useEffect, useRef, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import type { StudioDocument } from '../studio/documents'
+import { DocumentBar } from './DocumentBar'
 import { words } from './editor_words'
 import { neighbour } from './problem_order'
 import { useEditor } from './use_editor'
@@ -25,66 +26,6 @@ export function ProgramPanel() {
       )}
       <div ref={host} className="program-text" id="program-text" />
       <PassBar />
-    </div>
-  )
-}
-
-function DocumentBar({
-  documents,
-  shown,
-}: {
-  documents: readonly StudioDocument[]
-  shown: StudioDocument | undefined
-}) {
-  const studio = useStudio()
-  const editing = useStudioState(state => state.editing)
-  const stale = useStudioState(state => state.stale)
-  const show = (document: string) => studio.store.setState({ document })
-  const step = (event: KeyboardEvent) => {
-    const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0
-    const at = documents.findIndex(one => one.name === shown?.name)
-    const next = documents[(at + by + documents.length) % documents.length]
-    if (by === 0 || !next) return
-    event.preventDefault()
-    show(next.name)
-    const tabs = event.currentTarget.querySelectorAll<HTMLElement>('[role=tab]')
-    tabs[documents.indexOf(next)]?.focus()
-  }
-  return (
-    <div className="program-bar">
-      <div role="tablist" aria-label={words.documents} className="program-tabs" onKeyDown={step}>
-        {documents.map(one => (
-          <button
-            key={one.name}
-            type="button"
-            role="tab"
-            aria-selected={one === shown}
-            tabIndex={one === shown ? 0 : -1}
-            onClick={() => show(one.name)}
-            title={one.name}
-          >
-            {one.name.replace(/^programs\//, '')}
-            {one.unsaved ? (
-              <span className="unsaved" role="img" aria-label={words.unsaved}>
-                ●
-              </span>
-            ) : null}
-          </button>
-        ))}
-      </div>
-      {stale ? (
-        <span className="program-stale" title={words.stale}>
-          {words.staleShort}
-        </span>
-      ) : null}
-      <button
-        type="button"
-        title={words.saveTitle}
-        disabled={!shown?.unsaved || !editing}
-        onClick={() => shown && studio.save(shown.name)}
-      >
-        {words.save}
-      </button>
     </div>
   )
 }
@@ -159,13 +100,7 @@ function PassBar() {
       >
         ›
       </button>
-      <button
-        type="button"
-        onClick={() => {
-          studio.cursor.pause()
-          studio.cursor.seek(time)
-        }}
-      >
+      <button type="button" onClick={() => studio.transport.go(time)}>
         {words.seek}
       </button>
       <button type="button" onClick={() => studio.clearGhost()}>

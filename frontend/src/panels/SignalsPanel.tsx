@@ -1,9 +1,13 @@
 /** Inputs and outputs of the cell; keys that set inputs; the live run they act in. */
+import { useMemo } from 'react'
+import { marksOf } from '../run/marks'
 import { useStudio, useStudioState } from '../studio/context'
 import { useChanges, useTicks } from '../studio/hooks'
+import type { SignalBoard } from '../studio/signal_board'
 import { words } from '../text/messages'
 import { formatPlain, formatQuantity } from '../units/quantity'
 import { InputRow } from './InputRow'
+import { keyLabel } from './key_label'
 import { LiveBar } from './LiveBar'
 import { Scroll } from './Scroll'
 
@@ -11,6 +15,7 @@ export function SignalsPanel() {
   const studio = useStudio()
   const { signals } = studio
   const scene = useStudioState(state => state.scene)
+  const live = useStudioState(state => state.live !== null && state.live.state !== 'over')
   useChanges(signals)
   useTicks(10)
   const value = (name: string, initial: number) => {
@@ -36,7 +41,7 @@ export function SignalsPanel() {
           </button>
           <strong>{signals.armed ? words.signals.armed : words.signals.disarmed}</strong>
         </div>
-        <p className="quiet">{words.signals.onlyLive}</p>
+        {inputs.length > 0 ? <p role="status">{nextStep(signals, live)}</p> : null}
         <h2>{words.signals.inputs}</h2>
         {inputs.length === 0 ? <p className="quiet">{words.signals.noInputs}</p> : null}
         {inputs.map(one => (
@@ -57,30 +62,53 @@ export function SignalsPanel() {
   )
 }
 
+/** What to do now, for somebody who does it for the first time. */
+function nextStep(signals: Pick<SignalBoard, 'armed' | 'bindings'>, live: boolean): string {
+  const { steps, keyOf, or } = words.signals
+  if (!live) return signals.armed ? steps.armedOnly : steps.start
+  const keys = signals.bindings
+    .filter(one => one.code)
+    .map(one => keyOf(keyLabel(one.code), one.signal))
+    .join(or)
+  return signals.armed ? steps.press(keys) : steps.arm(keys)
+}
+
 function Presses() {
   const studio = useStudio()
-  const presses = useStudioState(state => state.presses)
+  const stamped = useStudioState(state => state.presses)
+  const shown = useStudioState(state => state.shown)
   const recorded = useStudioState(state => state.status?.inputs ?? 0)
+  const run = shown > 0 ? studio.run : null
+  const presses = useMemo(
+    () =>
+      run && !run.live
+        ? marksOf(run).inputs
+        : stamped.map(({ time, name, value }) => ({ time, text: `${name} = ${formatPlain(value)}` })),
+    [run, stamped],
+  )
+  const count = Math.max(recorded, presses.length)
   return (
     <>
       <h2>{words.signals.presses}</h2>
-      {recorded || presses.length ? (
-        <div className="toolbar">
-          <span>{words.status.inputs(Math.max(recorded, presses.length))}</span>
-          <button type="button" onClick={() => studio.forgetPresses()}>
-            {words.signals.forget}
-          </button>
-        </div>
+      {count > 0 ? (
+        <>
+          <p className="quiet">{words.signals.repeated}</p>
+          <div className="toolbar">
+            <span>{words.status.inputs(count)}</span>
+            <button type="button" onClick={() => studio.forgetPresses()}>
+              {words.signals.forget}
+            </button>
+          </div>
+        </>
       ) : (
         <p className="quiet">{words.signals.noPresses}</p>
       )}
-      {presses.length ? (
+      {presses.length > 0 ? (
         <table className="presses">
           <thead>
             <tr>
               <th scope="col">{words.signals.time}</th>
               <th scope="col">{words.signals.signal}</th>
-              <th scope="col">{words.signals.value}</th>
             </tr>
           </thead>
           <tbody>
@@ -88,8 +116,7 @@ function Presses() {
               // biome-ignore lint/suspicious/noArrayIndexKey: presses are only ever appended
               <tr key={at}>
                 <td>{formatQuantity(one.time, 's')}</td>
-                <td>{one.name}</td>
-                <td>{formatPlain(one.value)}</td>
+                <td>{one.text}</td>
               </tr>
             ))}
           </tbody>

@@ -20,6 +20,7 @@ export function ViewsPanel() {
     const theme = () => stage.setTheme(dark.matches ? 'dark' : 'light')
     dark.addEventListener('change', theme)
     studio.picture.attach(stage)
+    stage.select(studio.store.getState().selected)
     const cameras = studio.storage.read('cameras')
     if (isStageState(cameras)) stage.restore({ ...cameras, layout: studio.store.getState().look.layout })
     const keep = stage.onViewChange(() => studio.storage.write('cameras', stage.state()))
@@ -79,7 +80,7 @@ function StageBadges() {
       {ghost ? (
         <span className="badge ghost">
           {words.views.ghost(ghost.line, ghost.pass, ghost.passes)}
-          <button type="button" onClick={() => studio.cursor.seek(ghost.time)}>
+          <button type="button" onClick={() => studio.transport.go(ghost.time)}>
             {words.views.goThere}
           </button>
           <button

@@ -3,6 +3,8 @@ export const words = {
   documents: 'Texts of the project',
   unsaved: 'not saved',
   save: 'Save',
+  simulate: 'Simulate this program',
+  simulateTitle: 'The views show the run of another program (Ctrl+Enter)',
   saveTitle: 'Write this text to its file (Ctrl+S)',
   loading: 'The editor is being loaded …',
   failed: (reason: string) =>

@@ -89,6 +89,9 @@ function useMarks(editor: ProgramEditor | null): void {
     return studio.loop.every(10, () => {
       const running = studio.runningLine()
       editor.markRunning(running?.document === editor.document ? running.line : null)
+      if (studio.cursor.playing || (studio.run?.live && studio.store.getState().following)) {
+        editor.followRunning()
+      }
     })
   }, [studio, editor, name])
 }

@@ -53,12 +53,13 @@ export class Plot {
     this.#rebuild()
   }
 
-  /** Show these columns of a run; the zoomed stretch stays while only the run is another. */
+  /** Show these columns of a run; the zoomed stretch stays as long as the run has something there. */
   show(run: Run | null, columns: readonly PlotColumn[]): void {
     const traces = run ? tracesOf(run, columns) : []
     const same = JSON.stringify(traces) === JSON.stringify(this.#traces)
     this.#run = run
     this.#traces = traces
+    if (this.#range && this.#range[0] >= (run?.duration ?? 0)) this.#range = null
     if (same && this.#chart) this.refresh()
     else this.#rebuild()
   }
@@ -113,7 +114,7 @@ export class Plot {
             width: 1.5,
             pxAlign: 0,
             points: { show: false },
-            ...(stepped && run.series(one.column.channel, one.column.column)?.held ? { paths: stepped } : {}),
+            ...(stepped && one.held ? { paths: stepped } : {}),
           })),
         ],
         hooks: { setSelect: [self => this.#zoom(self)] },

@@ -12,6 +12,8 @@ export interface Trace {
   readonly name: string
   readonly unit: string
   readonly column: PlotColumn
+  /** The values hold between changes: drawn as steps. */
+  readonly held: boolean
 }
 
 const NO_POINTS: Points = { times: new Float64Array(0), values: new Float64Array(0) }
@@ -22,7 +24,14 @@ export function tracesOf(run: Run, columns: readonly PlotColumn[]): readonly Tra
     const channel = run.channels.find(one => one.name === column.channel)
     const name = channel?.columns[column.column]
     if (!channel || name === undefined) return []
-    return [{ name: name ? `${channel.name} ${name}` : channel.name, unit: channel.unit, column }]
+    return [
+      {
+        name: name ? `${channel.name} ${name}` : channel.name,
+        unit: channel.unit,
+        column,
+        held: run.series(column.channel, column.column)?.held ?? false,
+      },
+    ]
   })
 }
 

@@ -13,13 +13,13 @@ const section = document.getElementById('replay')
 if (section) void start(section)
 
 async function start(host: HTMLElement): Promise<void> {
-  const waiting = element('p', {}, words.reading)
-  host.append(waiting)
+  const message = element('p', {}, words.reading)
+  host.append(message)
   try {
     const { scene, texts, pack } = readData(document)
     const run = await RecordedRun.decode(pack, scene)
-    waiting.remove()
     const replay = new Replay(host, run, scene, texts)
+    message.remove()
     Object.assign(window, { __ropsim: hookOf(replay, scene) })
     const ready = () => {
       host.dataset.ready = ''
@@ -32,8 +32,9 @@ async function start(host: HTMLElement): Promise<void> {
       })
     }
   } catch (error) {
-    if (!(error instanceof PackError)) throw error
-    waiting.textContent = words.failed(error.message)
-    waiting.setAttribute('role', 'alert')
+    const isKnown = error instanceof PackError
+    message.textContent = words.failed(isKnown ? error.message : words.unexpected)
+    message.setAttribute('role', 'alert')
+    if (!isKnown) throw error
   }
 }

@@ -27,6 +27,7 @@ export class Picture {
     // The stage measures its host, so that has to be in the page first.
     document.getElementById('replay')?.append(this.element)
     this.element.append(host)
+    if (!Stage.supported()) this.element.classList.add('replay-plain')
     this.stage = new Stage(host, { reducedMotion, theme: theme() })
     dark.addEventListener('change', () => this.stage.setTheme(theme()))
     this.stage.layout(host.clientWidth > 700 ? '4' : '1')

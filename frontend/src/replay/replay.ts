@@ -2,6 +2,7 @@
 import { Cursor } from '../run/cursor'
 import type { RecordedRun } from '../run/recorded_run'
 import { Timeline } from '../run/timeline'
+import { Transport } from '../run/transport'
 import type { SceneDescription } from '../scene/description'
 import { embeddedMesh } from './data'
 import { element, panel } from './elements'
@@ -15,7 +16,7 @@ import { words } from './words'
 
 /** Numbers change this often, pictures at every frame [ms]. */
 const PERIOD = 100
-/** Spoken text changes at most this often [ms]. */
+/** Spoken text follows so long after a change, and changes no more often [ms]. */
 const SPEECH = 1000
 
 export class Replay {
@@ -25,12 +26,12 @@ export class Replay {
   readonly #readout: Readout
   readonly #program: ProgramList
   readonly #passes = element('p', { class: 'replay-quiet', role: 'status' })
-  readonly #timeline: Timeline
+  readonly #transport = new Transport(this.cursor)
   #ghostUntil: number | null = null
   #frame = 0
   #last: number | null = null
   #written = Number.NEGATIVE_INFINITY
-  #spoken = Number.NEGATIVE_INFINITY
+  #speech: ReturnType<typeof setTimeout> | null = null
 
   constructor(
     host: HTMLElement,
@@ -42,9 +43,9 @@ export class Replay {
     this.picture = new Picture(run, scene, embeddedMesh)
     const bar = element('div', { class: 'replay-timeline' })
     host.append(bar)
-    this.#timeline = new Timeline(bar, this.cursor)
     this.cursor.setEnd(run.duration)
-    this.#timeline.show(run)
+    this.#transport.show(run)
+    new Timeline(bar, this.#transport)
     const steps = stepsByLine(run, run.source)
     const text = texts[run.source]
     this.#program = new ProgramList(text ?? words.noProgram(run.source), steps, line => {
@@ -89,9 +90,8 @@ export class Replay {
   }
 
   #go(time: number): void {
-    this.cursor.pause()
     this.#showGhost(null)
-    this.cursor.seek(time)
+    this.#transport.go(time)
   }
 
   #showGhost(time: number | null): void {
@@ -117,20 +117,20 @@ export class Replay {
   }
 
   #write(time: number): void {
-    const now = performance.now()
-    this.#written = now
+    this.#written = performance.now()
     this.#program.run(this.#run.value('line', 0, time))
     this.#readout.show(time)
-    if (now - this.#spoken < SPEECH) return
-    this.#spoken = now
-    this.picture.stage.describe(this.#readout.spoken(time))
+    this.#speech ??= setTimeout(() => {
+      this.#speech = null
+      this.picture.stage.describe(this.#readout.spoken(this.cursor.time))
+    }, SPEECH)
   }
 
   /** Keys that mean something on the timeline do so everywhere but in controls with keys of their own. */
   #key(event: KeyboardEvent): void {
     const target = event.target
     if (event.defaultPrevented || !(target instanceof Element)) return
-    if (target.closest('button, select, input, [role="slider"], [role="application"]')) return
-    if (this.#timeline.key(event)) event.preventDefault()
+    if (target.closest('button, select, input, [role="slider"]')) return
+    if (this.#transport.key(event)) event.preventDefault()
   }
 }

@@ -7,6 +7,7 @@ export const words = {
   frames: 'Frames',
   reading: 'The replay is being prepared …',
   failed: (reason: string) => `The replay cannot be shown: ${reason} The report below is complete.`,
+  unexpected: 'The viewer met something that it does not know.',
   values: 'State',
   time: 'time',
   tcp: 'TCP',

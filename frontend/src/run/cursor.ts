@@ -46,9 +46,14 @@ export class Cursor {
     return () => this.#changes.delete(listener)
   }
 
-  /** The run has this length [s] now; a cursor beyond it comes back to it. */
+  /** The run has this length [s] now; a cursor beyond it comes back to it, and so does the loop. */
   setEnd(end: number): void {
     if (end === this.#end) return
+    if (this.#loop) {
+      const [from, to] = this.#loop
+      // Who repeats the whole run repeats the whole of the next one, too.
+      this.#loop = from === 0 && to === this.#end ? stretch(0, end) : stretch(from, Math.min(to, end))
+    }
     this.#end = end
     if (this.#time > end) this.#move(end)
     this.#changed()
@@ -77,8 +82,9 @@ export class Cursor {
     this.#changed()
   }
 
+  /** Repeat a stretch of the run; null, and a stretch of no length, for none. */
   setLoop(range: readonly [number, number] | null): void {
-    this.#loop = range
+    this.#loop = range && stretch(Math.max(range[0], 0), Math.min(range[1], this.#end))
     this.#changed()
   }
 
@@ -106,4 +112,8 @@ export class Cursor {
   #changed(): void {
     for (const listener of this.#changes) listener()
   }
+}
+
+function stretch(from: number, to: number): readonly [number, number] | null {
+  return to > from ? [from, to] : null
 }

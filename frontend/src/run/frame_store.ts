@@ -28,11 +28,6 @@ export class FrameStore {
     return this.#rows
   }
 
-  /** Time of the oldest row, 0 for none [s]. */
-  get first(): number {
-    return this.#count > 0 ? (this.#times[0] ?? 0) : 0
-  }
-
   /** Time of the newest row, 0 for none [s]. */
   get last(): number {
     return this.#count > 0 ? (this.#times[this.#count - 1] ?? 0) : 0
@@ -68,7 +63,7 @@ export class FrameStore {
 
   /** The row at or before a time, and the share of the way to the next one; clamped. */
   locate(time: number): { readonly index: number; readonly share: number } {
-    const index = Math.max(timesUpTo(this.#times.subarray(0, this.#count), time) - 1, 0)
+    const index = Math.max(timesUpTo(this.#times, time, this.#count) - 1, 0)
     const from = this.#times[index] ?? 0
     const to = index + 1 < this.#count ? (this.#times[index + 1] ?? from) : from
     return { index, share: to > from ? Math.min(Math.max((time - from) / (to - from), 0), 1) : 0 }

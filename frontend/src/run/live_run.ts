@@ -1,5 +1,5 @@
 /** A run while it is simulated: a window of the newest frames, asked by time like a finished run. */
-import type { SceneDescription } from '../scene/description'
+import type { Pose, SceneDescription } from '../scene/description'
 import type { StateFrame } from '../wire/frame'
 import type { LiveLayout, Placed, SignalStamped } from '../wire/messages'
 import { FrameStore } from './frame_store'
@@ -24,35 +24,45 @@ export class LiveRun implements Run {
   readonly findings: readonly Finding[] = []
   readonly channels: readonly LiveChannel[]
   readonly events: RunEvent[] = []
-  readonly #scene: SceneDescription
+  readonly #base: Pose
+  /** Names of the bodies as the run counts them. */
+  readonly #names: readonly string[]
   readonly #store: FrameStore
   readonly #columns: number
   readonly #bodies: readonly number[]
-  readonly #placements: Placements
-  readonly #tracked: Uint8Array
+  readonly #placed: Placed[] = []
+  #placements: Placements
+  /** Place in the scene of each body whose poses are in the frames; -1 where the scene lacks it. */
+  #places: readonly number[] = []
+  #tracked = NONE
   readonly #series = new Map<string, Series>()
   readonly #trails = new Map<string, Trail>()
 
   constructor(program: string, source: string, scene: SceneDescription, layout: LiveLayout) {
     this.program = program
     this.source = source
-    this.#scene = scene
+    this.#base = scene.base
+    this.#names = scene.bodies.map(body => body.name)
     this.channels = channelsOf(layout)
     this.#columns = layout.channels.length
     this.#bodies = layout.bodies
     this.#store = new FrameStore(this.#columns + POSE * layout.bodies.length)
-    this.#placements = new Placements(scene)
+    this.#placements = new Placements(scene, this.#names)
+    this.showIn(scene)
+  }
+
+  /** Let the bodies of another description of the cell be moved; the simulated cell stays what it was. */
+  showIn(scene: SceneDescription): void {
+    const placements = new Placements(scene, this.#names)
+    this.#placements = placements
+    this.#places = this.#bodies.map(body => placements.placeOf(body))
     this.#tracked = new Uint8Array(scene.bodies.length)
-    for (const body of layout.bodies) this.#tracked[body] = 1
+    for (const place of this.#places) if (place >= 0) this.#tracked[place] = 1
+    for (const placed of this.#placed) placements.add(placed.body, placed)
   }
 
   get duration(): number {
     return this.#store.last
-  }
-
-  /** The oldest time that is still known [s]. */
-  get start(): number {
-    return this.#store.first
   }
 
   /** Take a frame in. One that does not fit the layout, or is not newer than the last, is left out. */
@@ -66,6 +76,7 @@ export class LiveRun implements Run {
 
   /** Let a body ride, rest or be gone from a time on. */
   place(placed: Placed): void {
+    this.#placed.push(placed)
     this.#placements.add(placed.body, placed)
   }
 
@@ -101,9 +112,11 @@ export class LiveRun implements Run {
     if (count > 0) {
       const { index, share } = this.#store.locate(time)
       const next = Math.min(index + 1, count - 1)
-      for (const [k, body] of this.#bodies.entries()) {
-        const place = this.#columns + k * POSE
-        between(poses, body, rows, index * width + place, next * width + place, share)
+      for (let k = 0; k < this.#places.length; k++) {
+        const body = this.#places[k] ?? -1
+        if (body < 0) continue
+        const at = this.#columns + k * POSE
+        between(poses, body, rows, index * width + at, next * width + at, share)
       }
     }
     this.#placements.write(time, poses, visible, count > 0 ? this.#tracked : NONE)
@@ -113,7 +126,7 @@ export class LiveRun implements Run {
     const known = this.#trails.get(kind)
     if (known) return known
     const position = [0, 1, 2].map(column => this.series(`${kind}_position`, column))
-    const made = trailOf(this.#store.times(), position, this.#scene.base)
+    const made = trailOf(this.#store.times(), position, this.#base)
     this.#trails.set(kind, made)
     return made
   }
@@ -137,10 +150,11 @@ export class LiveRun implements Run {
 }
 
 const NONE = new Uint8Array(0)
+const HELD = new Set(['line', 'move', 'gripper', 'payload'])
 
 /** Channels whose values hold between changes; finished runs say so in their pack. */
 function isHeld(channel: string): boolean {
-  return ['line', 'move', 'gripper', 'payload'].includes(channel) || channel.startsWith('signal.')
+  return HELD.has(channel) || channel.startsWith('signal.')
 }
 
 /** Neighbouring entries of one name are the columns of one channel. */

@@ -6,7 +6,14 @@ const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column:
 const event = (time: number, kind: string) => ({ time, duration: 0.5, kind, text: kind, span, data: {} })
 
 const run = {
-  events: [event(2, 'move'), event(0, 'task'), event(1, 'grip'), { ...event(3, 'output'), span: null }],
+  events: [
+    event(2, 'move'),
+    event(0, 'task'),
+    event(1, 'grip'),
+    { ...event(3, 'output'), span: null },
+    { ...event(1.5, 'input'), text: 'start = 0', span: null },
+    { ...event(0.5, 'input'), text: 'start = 1', span: null },
+  ],
   findings: [
     { code: 'S720', severity: 'warning', message: 'late', hint: '', span, time: 2.25 },
     { code: 'N205', severity: 'error', message: 'unknown', hint: '', span, time: null },
@@ -23,6 +30,13 @@ describe('marks', () => {
 
   it('hold only findings that have a time', () => {
     expect(marksOf(run).findings).toEqual([{ time: 2.25, severity: 'warning', text: 'S720 late' }])
+  })
+
+  it('hold the inputs that were set from outside, which belong to no line', () => {
+    expect(marksOf(run).inputs).toEqual([
+      { time: 0.5, text: 'start = 1' },
+      { time: 1.5, text: 'start = 0' },
+    ])
   })
 
   it('are stepped over one by one, never staying at the same time', () => {

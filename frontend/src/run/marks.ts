@@ -1,4 +1,4 @@
-/** What the timeline marks: steps of the program and findings, in order of time. */
+/** What the timeline marks: steps of the program, findings and presses of keys, in order of time. */
 import type { Finding, Run, RunEvent } from './run'
 import { countUpTo } from './search'
 
@@ -17,10 +17,20 @@ export interface FindingMark {
   readonly text: string
 }
 
+/** An input that was set from outside: by a key of a live run, or as such a run was recorded. */
+export interface InputMark {
+  readonly time: number
+  /** Signal and value. */
+  readonly text: string
+}
+
 export interface Marks {
   readonly steps: readonly StepMark[]
   readonly findings: readonly FindingMark[]
+  readonly inputs: readonly InputMark[]
 }
+
+export const NO_MARKS: Marks = { steps: [], findings: [], inputs: [] }
 
 /** Times nearer than this are the same step [s]: far below a control tick. */
 const SAME = 1e-6
@@ -36,7 +46,8 @@ export function marksOf(run: Run): Marks {
   const findings = run.findings.flatMap(one =>
     one.time === null ? [] : [{ time: one.time, severity: one.severity, text: `${one.code} ${one.message}` }],
   )
-  return { steps: inOrder(steps), findings: inOrder(findings) }
+  const inputs = run.events.filter(one => one.kind === 'input').map(({ time, text }) => ({ time, text }))
+  return { steps: inOrder(steps), findings: inOrder(findings), inputs: inOrder(inputs) }
 }
 
 /** The first mark after `time`, or undefined. */

@@ -11,17 +11,19 @@ export function put(poses: Float32Array, to: number, pose: Pose): void {
 /** Write the pose of place `parent` times `pose` to place `to`. */
 export function ride(poses: Float32Array, to: number, parent: number, pose: Pose): void {
   const p = parent * POSE
-  const at = (k: number) => poses[p + k] ?? 0
-  const [w, x, y, z] = [at(3), at(4), at(5), at(6)]
+  const w = poses[p + 3] ?? 1
+  const x = poses[p + 4] ?? 0
+  const y = poses[p + 5] ?? 0
+  const z = poses[p + 6] ?? 0
   const [px, py, pz, ow, ox, oy, oz] = pose
   // v + 2 w (u × v) + 2 u × (u × v) with u = (x, y, z)
   const cx = 2 * (y * pz - z * py)
   const cy = 2 * (z * px - x * pz)
   const cz = 2 * (x * py - y * px)
   const t = to * POSE
-  poses[t] = at(0) + px + w * cx + y * cz - z * cy
-  poses[t + 1] = at(1) + py + w * cy + z * cx - x * cz
-  poses[t + 2] = at(2) + pz + w * cz + x * cy - y * cx
+  poses[t] = (poses[p] ?? 0) + px + w * cx + y * cz - z * cy
+  poses[t + 1] = (poses[p + 1] ?? 0) + py + w * cy + z * cx - x * cz
+  poses[t + 2] = (poses[p + 2] ?? 0) + pz + w * cz + x * cy - y * cx
   poses[t + 3] = w * ow - x * ox - y * oy - z * oz
   poses[t + 4] = w * ox + x * ow + y * oz - z * oy
   poses[t + 5] = w * oy - x * oz + y * ow + z * ox

@@ -54,7 +54,7 @@ export class RecordedRun implements Run {
       min: columns.map(column => column.min ?? Number.NaN),
       max: columns.map(column => column.max ?? Number.NaN),
     }))
-    this.#placements = new Placements(scene)
+    this.#placements = placementsIn(scene, header)
     this.showIn(scene)
   }
 
@@ -66,20 +66,17 @@ export class RecordedRun implements Run {
 
   /** Let the bodies of another description of the cell be moved; those that the run does not know stand still. */
   showIn(scene: SceneDescription): void {
-    const places = placesIn(scene, this.#header)
     const poses = new Map<number, Float64Array>()
-    this.#placements = new Placements(scene)
+    this.#placements = placementsIn(scene, this.#header)
     this.#tracked = new Uint8Array(scene.bodies.length)
     for (const [index, body] of this.#header.bodies.entries()) {
-      const place = places[index] ?? -1
+      const place = this.#placements.placeOf(index)
       if (place < 0) continue
       if (body.track === 'poses') {
         poses.set(place, this.#posesOf(body.columns.map(code => new Column(code, this.#body, this.#clock))))
         this.#tracked[place] = 1
       } else if (body.track === 'placed') {
-        for (const one of body.placements) {
-          this.#placements.add(place, { ...one, parent: one.parent < 0 ? -1 : (places[one.parent] ?? -1) })
-        }
+        for (const one of body.placements) this.#placements.add(index, one)
       }
     }
     this.#poses = poses
@@ -120,9 +117,9 @@ export class RecordedRun implements Run {
   }
 }
 
-/** For each body of the pack its place in the scene: the same one, else that of the same name, else -1. */
-function placesIn(scene: SceneDescription, header: PackHeader): readonly number[] {
-  return header.bodies.map(({ name }, index) =>
-    scene.bodies[index]?.name === name ? index : scene.bodies.findIndex(body => body.name === name),
+function placementsIn(scene: SceneDescription, header: PackHeader): Placements {
+  return new Placements(
+    scene,
+    header.bodies.map(body => body.name),
   )
 }

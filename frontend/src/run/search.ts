@@ -1,9 +1,14 @@
 /** Binary search in ascending times. */
 
-/** How many of `items` have a time of at most `time`. */
-export function countUpTo<T>(items: ArrayLike<T>, time: number, timeOf: (item: T) => number): number {
+/** How many of the first `count` items have a time of at most `time`. */
+export function countUpTo<T>(
+  items: ArrayLike<T>,
+  time: number,
+  timeOf: (item: T) => number,
+  count = items.length,
+): number {
   let low = 0
-  let high = items.length
+  let high = count
   while (low < high) {
     const middle = (low + high) >> 1
     const item = items[middle]
@@ -13,9 +18,9 @@ export function countUpTo<T>(items: ArrayLike<T>, time: number, timeOf: (item: T
   return low
 }
 
-/** How many of the ascending `times` are at most `time`. */
-export function timesUpTo(times: ArrayLike<number>, time: number): number {
-  return countUpTo(times, time, itself)
+/** How many of the first `count` ascending times are at most `time`. */
+export function timesUpTo(times: ArrayLike<number>, time: number, count = times.length): number {
+  return countUpTo(times, time, itself, count)
 }
 
 function itself(time: number): number {

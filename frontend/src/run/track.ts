@@ -1,9 +1,7 @@
 /** The bar of the timeline: marks, playhead and scrubbing; a slider for assistive technology. */
 import type { Cursor } from './cursor'
-import { type Marks, nearest, stepAt } from './marks'
+import { type Marks, NO_MARKS, nearest, stepAt } from './marks'
 import { words } from './words'
-
-const NONE: Marks = { steps: [], findings: [] }
 
 /** How near a click must be to a finding to land on it exactly [px]. */
 const SNAP = 5
@@ -18,7 +16,9 @@ export class Track {
   readonly #observer: ResizeObserver
   readonly #scheme = matchMedia('(prefers-color-scheme: dark)')
   readonly #paint = () => this.#draw()
-  #marks: Marks = NONE
+  #marks: Marks = NO_MARKS
+  /** Length of the run for which the marks were drawn last. */
+  #drawnEnd = Number.NaN
   #width = 0
   #playAfter = false
   #anchor: number | null = null
@@ -48,6 +48,7 @@ export class Track {
   }
 
   show(marks: Marks): void {
+    if (marks === this.#marks) return
     this.#marks = marks
     this.#draw()
   }
@@ -64,7 +65,7 @@ export class Track {
     this.element.setAttribute('aria-valuetext', words.valueText(time, end, text))
   }
 
-  /** Follow a new length of the run or a new loop. */
+  /** Take over a new length of the run or a new loop. */
   relate(): void {
     this.element.setAttribute('aria-valuemax', this.#cursor.end.toFixed(1))
     const loop = this.#cursor.loop
@@ -73,8 +74,10 @@ export class Track {
       this.#range.style.left = `${this.#x(loop[0])}px`
       this.#range.style.width = `${this.#x(loop[1]) - this.#x(loop[0])}px`
     }
-    this.#draw()
-    this.follow()
+    // A live run grows with every frame: without marks nothing that is drawn moves.
+    const marked =
+      this.#marks.steps.length > 0 || this.#marks.findings.length > 0 || this.#marks.inputs.length > 0
+    if (marked && this.#drawnEnd !== this.#cursor.end) this.#draw()
   }
 
   destroy(): void {
@@ -126,7 +129,14 @@ export class Track {
   #tell(time: number): void {
     const found = nearest(this.#marks.findings, time, this.#reach())
     const step = stepAt(this.#marks, time)
-    const what = found ? found.text : step ? `${words.line(step.line)} · ${step.text}` : ''
+    const input = nearest(this.#marks.inputs, time, this.#reach())
+    const what = found
+      ? found.text
+      : input
+        ? words.input(input.text)
+        : step
+          ? `${words.line(step.line)} · ${step.text}`
+          : ''
     this.#tip.textContent = `${time.toFixed(2)} s${what ? ` · ${what}` : ''}`
     this.#tip.hidden = false
     const x = this.#x(time)
@@ -140,10 +150,13 @@ export class Track {
 
   #resize(): void {
     this.#width = this.element.clientWidth
+    this.#draw()
     this.relate()
+    this.follow()
   }
 
   #draw(): void {
+    this.#drawnEnd = this.#cursor.end
     const ratio = window.devicePixelRatio || 1
     const height = this.element.clientHeight
     this.#canvas.width = Math.round(this.#width * ratio)
@@ -164,6 +177,13 @@ export class Track {
       context.fillRect(x, height / 2 - 5, width, 10)
     }
     context.globalAlpha = 1
+    context.fillStyle = colour('--ghost')
+    for (const { time } of this.#marks.inputs) {
+      const x = this.#x(time)
+      context.fillRect(x - 1, height / 2 - 2, 2, height / 2 + 2)
+      // A foot tells presses from findings, which have a head.
+      context.fillRect(x - 3, height - 4, 6, 4)
+    }
     for (const found of this.#marks.findings) {
       context.fillStyle = colour(`--${found.severity === 'hint' ? 'info' : found.severity}`)
       const x = this.#x(found.time)

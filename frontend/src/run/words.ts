@@ -13,6 +13,7 @@ export const words = {
   speed: 'Speed',
   speedOf: (speed: number) => `${speed}×`,
   line: (line: number) => `line ${line}`,
+  input: (text: string) => `input ${text}`,
   valueText: (time: number, end: number, step: string) =>
     `${time.toFixed(1)} of ${end.toFixed(1)} seconds${step ? `, ${step}` : ''}`,
   reading: (time: number, end: number) => `${time.toFixed(2)} / ${end.toFixed(2)} s`,

@@ -1,5 +1,6 @@
 /** The bodies of a cell in the scene: where they are and which are seen. */
 import { Box3, Matrix4, type Object3D, Quaternion, Vector3 } from 'three'
+import { cornersOf } from './camera_pose'
 import type { Body, Pose, SceneDescription } from './description'
 import { Crowd, Figure, type Wardrobe } from './figure'
 import { initialState } from './initial_state'
@@ -135,8 +136,7 @@ export class Bodies {
 
   /** Box about a body in W; empty when it has no form. */
   boxOf(body: number): Box3 {
-    const [look, matrix] = [this.#looks[body], this.#matrices[body]]
-    return look && matrix && !look.box.isEmpty() ? look.box.clone().applyMatrix4(matrix) : new Box3()
+    return new Box3().setFromPoints(this.cornersOf(body))
   }
 
   /** Boxes in W about the feet of all that stands on a floor at this height [m]: the base and objects. */
@@ -157,11 +157,20 @@ export class Bodies {
     })
   }
 
+  /** Corners in W of the box about one body, in whose frame it is. */
+  cornersOf(body: number): Vector3[] {
+    const [look, matrix] = [this.#looks[body], this.#matrices[body]]
+    return look && matrix ? cornersOf(look.box).map(corner => corner.applyMatrix4(matrix)) : []
+  }
+
+  /** Those of all bodies that are in the picture: nearer to what is seen than one box about everything. */
+  corners(): Vector3[] {
+    return this.#bodies.flatMap((_, i) => (this.shown(i) ? this.cornersOf(i) : []))
+  }
+
   /** Box about all that is in the picture, in W. */
   box(): Box3 {
-    const all = new Box3()
-    for (let i = 0; i < this.#bodies.length; i++) if (this.shown(i)) all.union(this.boxOf(i))
-    return all
+    return new Box3().setFromPoints(this.corners())
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
 import { Box3, Ray, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
-import { between, DIRECTIONS, eyeOf, lookFrom, orbit, pan, zoom } from './camera_pose'
+import { between, cornersOf, DIRECTIONS, eyeOf, lookFrom, orbit, pan, zoom } from './camera_pose'
 import type { CameraPose, Projection } from './settings'
 import { ViewCamera } from './view_camera'
 
@@ -61,21 +61,26 @@ describe.each(PROJECTIONS)('a camera in %s projection', projection => {
     (_, [a, e]) => {
       const view = camera(projection, lookFrom(POSE, a, e))
       const box = new Box3(new Vector3(-0.5, -0.9, 0), new Vector3(1.1, 0.4, 1.7))
-      view.set(view.fitted(box))
-      let greatest = 0
-      for (const x of [box.min.x, box.max.x]) {
-        for (const y of [box.min.y, box.max.y]) {
-          for (const z of [box.min.z, box.max.z]) {
-            const at = place(view, new Vector3(x, y, z))
-            greatest = Math.max(greatest, Math.abs(at.x), Math.abs(at.y))
-            expect(Math.abs(at.z)).toBeLessThan(1)
-          }
-        }
-      }
-      expect(greatest).toBeLessThan(0.93)
-      expect(greatest).toBeGreaterThan(0.88)
+      view.set(view.fitted(cornersOf(box)))
+      const at = cornersOf(box).map(corner => place(view, corner))
+      const greatest = Math.max(...at.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]))
+      expect(greatest).toBeLessThan(0.95)
+      expect(greatest).toBeGreaterThan(0.91)
+      expect(Math.max(...at.map(({ z }) => Math.abs(z)))).toBeLessThan(1)
     },
   )
+
+  it('leaves the upper part of the picture free for buttons', () => {
+    const view = camera(projection, lookFrom(POSE, -0.9, 0.4))
+    const box = new Box3(new Vector3(-0.1, -0.1, 0), new Vector3(0.1, 0.1, 1.7))
+    view.set(view.fitted(cornersOf(box), 0.2))
+    const heights = cornersOf(box).map(corner => place(view, corner).y)
+    // A fifth of the height, which runs from -1 to 1, is 0.4.
+    expect(Math.max(...heights)).toBeLessThan(0.6)
+    expect(Math.max(...heights)).toBeGreaterThan(0.5)
+    expect(Math.min(...heights)).toBeGreaterThan(-1)
+    expect(Math.min(...heights)).toBeLessThan(-0.9)
+  })
 })
 
 describe('directions of view', () => {

@@ -1,5 +1,5 @@
 /** Where a camera stands and how gestures move it: pure functions. Up in the picture is z in the world, always. */
-import { type Box3, MathUtils, Vector3 } from 'three'
+import { Box3, MathUtils, Vector3 } from 'three'
 import type { Vector3 as Triple } from './description'
 import type { CameraPose, Preset, Projection } from './settings'
 
@@ -14,7 +14,7 @@ const NEAREST = 0.02
 const FARTHEST = 200
 
 /** Share of the picture that a fitted box fills. */
-const FILLED = 0.9
+const FILLED = 0.93
 
 /** Directions of view: azimuth and elevation of the eye seen from the target [rad], and the projection. */
 export const DIRECTIONS: Record<Exclude<Preset, 'custom'>, readonly [number, number, Projection]> = {
@@ -98,20 +98,29 @@ export function depthOf(pose: CameraPose, point: Vector3): number {
   )
 }
 
-/** The same direction of view, near enough that the box just fits with a margin about it. */
-export function fitted(pose: CameraPose, box: Box3, aspect: number, projection: Projection): CameraPose {
+/**
+ * The same direction of view, near enough that all points just fit with a margin about them. The upper `covered` share
+ * of the picture stays free: buttons lie there.
+ */
+export function fitted(
+  pose: CameraPose,
+  points: readonly Vector3[],
+  aspect: number,
+  projection: Projection,
+  covered = 0,
+): CameraPose {
   const { right, up, back } = basisOf(pose)
-  const centre = box.getCenter(new Vector3())
-  const corners = [...cornersOf(box)].map(corner => corner.sub(centre))
+  const centre = new Box3().setFromPoints([...points]).getCenter(new Vector3())
+  const corners = points.map(point => point.clone().sub(centre))
   const near = projection === 'perspective' ? 1 : 0
-  // In perspective the middle of the picture is not that of the box: both are found by turns.
+  // In perspective the middle of the picture is not that of the points: both are found by turns.
   const target = new Vector3()
   let distance = NEAREST
   for (let turn = 0; turn < 6; turn++) {
     const arms = corners.map(corner => corner.clone().sub(target))
     distance = NEAREST
     for (const arm of arms) {
-      const half = Math.max(Math.abs(arm.dot(up)), Math.abs(arm.dot(right)) / aspect)
+      const half = Math.max(Math.abs(arm.dot(up)) / (1 - covered), Math.abs(arm.dot(right)) / aspect)
       distance = Math.max(distance, half / (HALF_HEIGHT * FILLED) + near * arm.dot(back))
     }
     for (const axis of [right, up]) {
@@ -119,6 +128,7 @@ export function fitted(pose: CameraPose, box: Box3, aspect: number, projection: 
       target.addScaledVector(axis, 0.5 * distance * (Math.min(...places) + Math.max(...places)))
     }
   }
+  target.addScaledVector(up, covered * HALF_HEIGHT * distance)
   return { ...pose, target: centre.add(target).toArray(), distance: Math.min(distance, FARTHEST) }
 }
 
@@ -155,8 +165,11 @@ function wrapped(angle: number): number {
   return MathUtils.euclideanModulo(angle + Math.PI, 2 * Math.PI) - Math.PI
 }
 
-function* cornersOf({ min, max }: Box3): Generator<Vector3> {
-  for (const x of [min.x, max.x]) {
-    for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) yield new Vector3(x, y, z)
-  }
+/** The eight corners of a box; none of an empty one. */
+export function cornersOf(box: Box3): Vector3[] {
+  if (box.isEmpty()) return []
+  const { min, max } = box
+  return [min.x, max.x].flatMap(x =>
+    [min.y, max.y].flatMap(y => [min.z, max.z].map(z => new Vector3(x, y, z))),
+  )
 }

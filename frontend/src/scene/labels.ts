@@ -10,8 +10,9 @@ export interface Label {
   readonly kind: 'frame' | 'problem' | 'selection'
 }
 
-/** Rough width of a letter [px]. */
+/** Rough width of a letter, height of a name and its gap [px]. */
 const GLYPH = 7
+const LINE = 24
 
 const PLACE = new Vector3()
 
@@ -44,9 +45,10 @@ export class Labels {
       const { x, y, z } = view.project(point, PLACE)
       const inside = Math.abs(x) <= 1 && Math.abs(y) <= 1 && Math.abs(z) <= 1
       const [left, top] = [Math.round((0.5 + 0.5 * x) * width), Math.round((0.5 - 0.5 * y) * height)]
-      // A name that would run out of the picture stands to the left of its point.
-      const side = left + GLYPH * text.length > width ? ' translate(calc(-100% - 12px))' : ''
-      const at = inside ? `translate(${left}px, ${top}px)${side}` : ''
+      // A name that would run out of the picture stands to the left of its point, or above it.
+      const side = left + GLYPH * text.length > width ? ' translateX(calc(-100% - 12px))' : ''
+      const lift = top + LINE > height ? ' translateY(calc(-100% - 8px))' : ''
+      const at = inside ? `translate(${left}px, ${top}px)${side}${lift}` : ''
       if (at === entry.at) return
       entry.at = at
       entry.span.style.visibility = inside ? 'visible' : 'hidden'

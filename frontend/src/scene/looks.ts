@@ -34,7 +34,10 @@ export class Looks {
       this.#asked.add(mesh)
       source(mesh)
         .then(readMesh)
-        .then(data => this.#meshes.set(mesh, data))
+        .then(data => {
+          this.#meshes.set(mesh, data)
+          this.#failed.delete(mesh)
+        })
         .catch((error: unknown) => {
           this.#asked.delete(mesh)
           this.#failed.set(

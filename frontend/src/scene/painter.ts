@@ -65,6 +65,14 @@ export class Painter {
     this.#renderer.setSize(width, height, false)
   }
 
+  /** Empty all of the canvas: viewports have moved, and what was drawn between them would stay. */
+  clear(): void {
+    this.#renderer.setScissorTest(false)
+    this.#renderer.setClearAlpha(0)
+    this.#renderer.clear()
+    this.#renderer.setClearAlpha(1)
+  }
+
   /** A frame begins: counts start anew. */
   begin(): void {
     this.#renderer.info.reset()

@@ -1,10 +1,10 @@
 import { Box3, Vector3 } from 'three'
 import { beforeEach, describe, expect, it } from 'vitest'
-import { DIRECTIONS } from './camera_pose'
+import { cornersOf, DIRECTIONS } from './camera_pose'
 import { Pilot } from './pilot'
 import { type Key, pressKey } from './view_keys'
 
-const BOX = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1))
+const BOX = cornersOf(new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1)))
 const HIT = new Vector3(0.2, -0.5, 0.4)
 
 let moves = 0
@@ -72,6 +72,31 @@ describe('a camera that is moved', () => {
     pilot.zoom(0.5)
     pilot.resize(200, 400)
     expect(pilot.view.pose.distance).toBeCloseTo(wide / 2, 9)
+  })
+
+  it('shows things as large as can be, but not below the buttons at the top left', () => {
+    const pilot = pilotOf('front')
+    const top = (points: Vector3[]) => {
+      pilot.home(points)
+      return Math.min(...points.map(point => pixel(pilot, point)[1]))
+    }
+    const slim = cornersOf(new Box3(new Vector3(-0.3, 0, 0), new Vector3(0.3, 0.1, 1)))
+    expect(top(slim)).toBeLessThan(20)
+    const wide = cornersOf(new Box3(new Vector3(-1, 0, 0), new Vector3(0.6, 0.1, 1)))
+    expect(top(wide)).toBeGreaterThan(34)
+  })
+
+  it('shows what comes later, too, but not once it was moved by hand', () => {
+    const pilot = pilotOf('front')
+    const more = [...BOX, new Vector3(3, 0, 0)]
+    pilot.home(BOX)
+    pilot.grown(more)
+    expect(Math.max(...more.map(point => pixel(pilot, point)[0]))).toBeLessThan(640)
+    pilot.anchorInMiddle()
+    pilot.zoom(0.5)
+    const before = pilot.state
+    pilot.grown(more)
+    expect(pilot.state).toEqual(before)
   })
 
   it('glides to a direction and arrives', () => {

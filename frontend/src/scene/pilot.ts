@@ -1,9 +1,13 @@
 /** Moves the camera of one viewport: what gestures, keys and buttons ask for, done to its pose. */
-import { type Box3, Plane, Ray, Vector3 } from 'three'
+import { Plane, Ray, Vector3 } from 'three'
 import { basisOf, DIRECTIONS, lookFrom, orbit, pan, zoom } from './camera_pose'
 import { Glide } from './glide'
 import type { CameraPose, Preset, ViewState } from './settings'
 import { ViewCamera } from './view_camera'
+
+/** What the buttons at the top left of a viewport cover [CSS px], and the share of its height left to them at most. */
+const BUTTONS = { width: 156, height: 34 }
+const MOST_COVERED = 0.2
 
 export interface PilotContext {
   readonly reducedMotion: boolean
@@ -22,7 +26,7 @@ export class Pilot {
   #height = 1
   #glide: Glide | null = null
   /** What it shows all of, as long as the user has not moved it. */
-  #home: Box3 | null = null
+  #home: readonly Vector3[] | null = null
 
   /** `moved` is told of every new pose, `renamed` of another direction or projection. */
   constructor(
@@ -68,16 +72,21 @@ export class Pilot {
     this.renamed()
   }
 
-  /** Back to its own direction, with all of a box in sight. */
-  home(box: Box3): void {
+  /** Back to its own direction, with all points in sight. */
+  home(points: readonly Vector3[]): void {
     const [azimuth, elevation, projection] = DIRECTIONS[this.id]
     this.#glide = null
     this.#preset = this.id
     this.view.set(lookFrom(this.view.pose, azimuth, elevation), projection)
-    if (!box.isEmpty()) this.view.set(this.view.fitted(box))
-    this.#home = box
+    if (points.length > 0) this.view.set(this.#fitted(points))
+    this.#home = points
     this.renamed()
     this.moved()
+  }
+
+  /** There is more to show: do so, unless the user has moved the view. */
+  grown(points: readonly Vector3[]): void {
+    if (this.#home) this.home(points)
   }
 
   switchProjection(): void {
@@ -85,8 +94,14 @@ export class Pilot {
     this.renamed()
   }
 
-  fit(box: Box3): void {
-    if (!box.isEmpty()) this.#glideTo(this.view.fitted(box))
+  /** One thing in the middle, as large as can be. */
+  fit(points: readonly Vector3[]): void {
+    if (points.length > 0) this.#glideTo(this.view.fitted(points))
+  }
+
+  /** All there is, and nothing of it below the buttons. */
+  fitAll(points: readonly Vector3[]): void {
+    if (points.length > 0) this.#glideTo(this.#fitted(points))
   }
 
   /** Turn about the anchor [rad]. */
@@ -142,6 +157,20 @@ export class Pilot {
     if (over) this.#glide = null
     this.#set(pose)
     return !over
+  }
+
+  /** All points in sight, as large as can be; where one would lie below the buttons, their rows stay free. */
+  #fitted(points: readonly Vector3[]): CameraPose {
+    const pose = this.view.fitted(points)
+    const before = this.view.pose
+    this.view.set(pose)
+    const [right, low] = [(2 * BUTTONS.width) / this.#width - 1, 1 - (2 * BUTTONS.height) / this.#height]
+    const isCovered = points.some(point => {
+      const { x, y } = this.view.project(point, new Vector3())
+      return x < right && y > low
+    })
+    this.view.set(before)
+    return isCovered ? this.view.fitted(points, Math.min(BUTTONS.height / this.#height, MOST_COVERED)) : pose
   }
 
   #glideTo(pose: CameraPose): void {

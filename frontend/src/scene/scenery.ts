@@ -2,6 +2,7 @@
 import { Box3, type Camera, Scene, Vector3 } from 'three'
 import { Backdrop } from './backdrop'
 import { Bodies } from './bodies'
+import { cornersOf } from './camera_pose'
 import { Contacts } from './contacts'
 import { Crosses } from './crosses'
 import type { SceneDescription } from './description'
@@ -18,7 +19,7 @@ import { TrailLine } from './trail_line'
 import type { Words } from './words'
 
 /** Share of the arm's reach beyond what is there that the first picture leaves room for. */
-const REACH_SHOWN = 0.07
+const REACH_SHOWN = 0.04
 
 export class Scenery {
   readonly scene = new Scene()
@@ -130,8 +131,8 @@ export class Scenery {
   /** All that is to be named in a viewport. Points go on moving with their bodies. */
   labels(): Label[] {
     this.#labelPoints.clear()
-    const problems = this.problems.map(({ body, file, reason }) => ({
-      text: this.words.missingMesh(file, reason),
+    const problems = this.problems.map(({ body, file }) => ({
+      text: this.words.missingMesh(file.slice(file.lastIndexOf('/') + 1)),
       kind: 'problem' as const,
       point: this.#point(`body ${this.bodies.list.findIndex(({ name }) => name === body)}`),
     }))
@@ -151,18 +152,19 @@ export class Scenery {
   }
 
   /** What all views show at first: everything there is now, and some of the room that the arm reaches. */
-  homeBox(): Box3 {
+  homePoints(): Vector3[] {
     const box = this.bodies.box()
-    if (box.isEmpty()) return this.#extent
-    box.min.lerp(this.#extent.min, REACH_SHOWN).min(this.bodies.box().min)
-    box.max.lerp(this.#extent.max, REACH_SHOWN).max(this.bodies.box().max)
-    return box
+    if (box.isEmpty()) return cornersOf(this.#extent)
+    const room = box.clone()
+    room.min.min(box.min.clone().lerp(this.#extent.min, REACH_SHOWN))
+    room.max.max(box.max.clone().lerp(this.#extent.max, REACH_SHOWN))
+    return [...this.bodies.corners(), ...facesOf(room)]
   }
 
-  /** Box about a body, or about all that is in the picture. */
-  box(body: number | null): Box3 {
-    const own = body === null ? new Box3() : this.bodies.boxOf(body)
-    return own.isEmpty() ? this.bodies.box() : own
+  /** Corners about a body, or about all that is in the picture. */
+  points(body: number | null): Vector3[] {
+    const own = body === null ? [] : this.bodies.cornersOf(body)
+    return own.length > 0 ? own : this.bodies.corners()
   }
 
   get selected(): number | null {
@@ -227,4 +229,14 @@ export class Scenery {
       if (matrix) point.setFromMatrixPosition(matrix)
     }
   }
+}
+
+/** The middles of the six faces of a box. */
+function facesOf({ min, max }: Box3): Vector3[] {
+  const middle = min.clone().lerp(max, 0.5)
+  return [min, max].flatMap(({ x, y, z }) => [
+    middle.clone().setX(x),
+    middle.clone().setY(y),
+    middle.clone().setZ(z),
+  ])
 }

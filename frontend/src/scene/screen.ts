@@ -52,8 +52,13 @@ export class Screen {
   }
 
   set layout(layout: Layout) {
+    if (layout === this.#layout) return
     this.#layout = layout
     this.#place()
+    if (!this.#painter || this.#painter.lost) return
+    // The places are others now: all is drawn at once, or the picture would flicker.
+    this.#painter.clear()
+    this.#paint(this.#painter, this.shown, performance.now())
   }
 
   get state(): StageState {
@@ -90,6 +95,13 @@ export class Screen {
     const labels = this.scenery.labels()
     for (const view of this.views) view.labels.set(labels)
     this.redraw()
+  }
+
+  /** Meshes have come: views that nobody has moved show all again. */
+  reformed(): void {
+    const points = this.scenery.homePoints()
+    for (const view of this.views) view.pilot.grown(points)
+    this.relabel()
   }
 
   /** Draw at the next animation frame. */
@@ -198,8 +210,8 @@ export class Screen {
 
   #key(view: Viewport, event: KeyboardEvent): void {
     const acted = pressKey(view.pilot, event, {
-      fitSelection: () => view.pilot.fit(this.scenery.box(this.scenery.selected)),
-      fitAll: () => view.pilot.fit(this.scenery.homeBox()),
+      fitSelection: () => view.pilot.fit(this.scenery.points(this.scenery.selected)),
+      fitAll: () => view.pilot.fitAll(this.scenery.homePoints()),
     })
     if (!acted) return
     event.preventDefault()
@@ -213,7 +225,7 @@ export class Screen {
       reducedMotion,
       hit: (ray: Ray) => pick(this.scenery.bodies, ray)?.point ?? null,
       floor: () => this.scenery.floor.height,
-      all: () => this.scenery.homeBox(),
+      all: () => this.scenery.homePoints(),
       dirty: view => {
         view.dirty = true
         this.request()

@@ -5,7 +5,7 @@ import { rectsOf } from './layouts'
 import { meshData } from './mesh_data'
 import { LAYOUTS } from './settings'
 import { volume } from './solid'
-import { bridgeGaps, countUntil } from './trail_line'
+import { bridgeGaps, countUntil, placeAt } from './trail_line'
 
 describe('layouts', () => {
   it.each(LAYOUTS)('%s: viewports lie inside the stage, do not overlap and leave only thin gaps', layout => {
@@ -28,6 +28,22 @@ describe('a path', () => {
   it('is passed up to and including a time', () => {
     const times = Float64Array.from([0, 1, 1, 2])
     expect([-1, 0, 0.5, 1, 2, 9].map(time => countUntil(times, time))).toEqual([0, 1, 1, 3, 4, 4])
+  })
+
+  it('reaches to the very place of a time', () => {
+    const trail = {
+      times: Float64Array.from([1, 2, 4]),
+      points: Float32Array.from([0, 0, 0, 1, 2, 3, 1, 2, 5]),
+    }
+    expect([0, 1, 1.5, 3, 4, 9, Number.POSITIVE_INFINITY].map(time => [...placeAt(trail, time)])).toEqual([
+      [0, 0, 0],
+      [0, 0, 0],
+      [0.5, 1, 1.5],
+      [1, 2, 4],
+      [1, 2, 5],
+      [1, 2, 5],
+      [1, 2, 5],
+    ])
   })
 
   it('stays where it was while there is no position', () => {

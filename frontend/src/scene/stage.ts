@@ -56,7 +56,7 @@ export class Stage {
   /** Show a cell. Cameras stay where they are unless it is the first one or one of another project. */
   load(scene: SceneDescription, meshes: MeshSource): void {
     this.#scenery.load(scene, meshes, () => {
-      this.#screen.relabel()
+      this.#screen.reformed()
       this.#troubled.tell()
     })
     // Cameras that were brought back before the first cell are meant for it.
@@ -180,13 +180,13 @@ export class Stage {
 
   /** Fit the selected body, or all, into every viewport. */
   fit(): void {
-    const box = this.#scenery.box(this.#scenery.selected)
-    for (const view of this.#screen.views) view.pilot.fit(box)
+    const points = this.#scenery.points(this.#scenery.selected)
+    for (const view of this.#screen.views) view.pilot.fit(points)
   }
 
   /** Every viewport back to its own direction of view, all in sight. */
   home(): void {
-    for (const view of this.#screen.views) view.pilot.home(this.#scenery.homeBox())
+    for (const view of this.#screen.views) view.pilot.home(this.#scenery.homePoints())
   }
 
   /** Text twin of the picture for people who do not see it; at most once a second. */

@@ -1,13 +1,5 @@
 /** The camera of one viewport: a pose and a projection made into the matrices that three.js draws with. */
-import {
-  type Box3,
-  type Camera,
-  MathUtils,
-  OrthographicCamera,
-  PerspectiveCamera,
-  type Ray,
-  Vector3,
-} from 'three'
+import { type Camera, MathUtils, OrthographicCamera, PerspectiveCamera, type Ray, Vector3 } from 'three'
 import { basisOf, depthOf, eyeOf, FIELD_OF_VIEW, fitted, HALF_HEIGHT } from './camera_pose'
 import type { CameraPose, Projection } from './settings'
 
@@ -55,9 +47,9 @@ export class ViewCamera {
     this.#update()
   }
 
-  /** The pose that shows all of a box from the present direction. */
-  fitted(box: Box3): CameraPose {
-    return fitted(this.#pose, box, this.#aspect, this.#projection)
+  /** The pose that shows all points from the present direction, below the `covered` share of the picture. */
+  fitted(points: readonly Vector3[], covered = 0): CameraPose {
+    return fitted(this.#pose, points, this.#aspect, this.#projection, covered)
   }
 
   /** Place in the picture: x and y from -1 (left, bottom) to 1; z in -1 … 1 when it is in front. */

@@ -1,5 +1,5 @@
 /** One viewport: what lies over the canvas there, and the camera behind it. */
-import { type Box3, type Ray, Vector3 } from 'three'
+import { type Ray, Vector3 } from 'three'
 import { Gestures } from './gestures'
 import { Labels } from './labels'
 import type { Rect } from './layouts'
@@ -13,7 +13,7 @@ import type { Words } from './words'
 export interface ViewportContext extends PilotContext {
   readonly words: Words
   /** What `fit` shows. */
-  all(): Box3
+  all(): Vector3[]
   /** Its picture is out of date. */
   dirty(viewport: Viewport): void
   /** The user has changed its view. */
@@ -54,7 +54,7 @@ export class Viewport {
       {
         look: preset => this.#changed(() => this.pilot.look(preset)),
         switchProjection: () => this.#changed(() => this.pilot.switchProjection()),
-        fit: () => this.#changed(() => this.pilot.fit(context.all())),
+        fit: () => this.#changed(() => this.pilot.fitAll(context.all())),
       },
       context.words,
     )

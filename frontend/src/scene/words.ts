@@ -24,7 +24,7 @@ export const words = {
   contextLost:
     'The graphics driver has stopped the 3-D views for a moment. They come back by themselves; if they do not, ' +
     'reload the page.',
-  missingMesh: (file: string, reason: string) => `${file}: ${reason}`,
+  missingMesh: (file: string) => `⚠ ${file}`,
   meshFailed: (reason: string) => `could not be loaded (${reason})`,
 }
 

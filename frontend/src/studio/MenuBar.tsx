@@ -4,6 +4,7 @@ import { words } from '../text/messages'
 import { MENUS, type Menu, type StudioCommand } from './commands'
 import { useStudio } from './context'
 import { useChanges } from './hooks'
+import { shownKey } from './keys'
 
 export function MenuBar() {
   const studio = useStudio()
@@ -100,7 +101,7 @@ function MenuList({ menu, onDone }: { menu: Menu; onDone: () => void }) {
                   {one.checked?.() ? '✓' : ''}
                 </span>
                 <span className="title">{title(one)}</span>
-                {one.keys[0] ? <kbd>{one.keys[0]}</kbd> : null}
+                {one.keys[0] ? <kbd>{shownKey(one.keys[0])}</kbd> : null}
               </button>
             ))}
         </div>

@@ -3,6 +3,7 @@ import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react'
 import { words } from '../text/messages'
 import type { StudioCommand } from './commands'
 import { useStudio } from './context'
+import { shownKey } from './keys'
 
 export function Palette({ onClose }: { onClose: () => void }) {
   const { commands } = useStudio()
@@ -16,12 +17,16 @@ export function Palette({ onClose }: { onClose: () => void }) {
   useEffect(() => {
     if (active) document.getElementById(`${id}${active.id}`)?.scrollIntoView({ block: 'nearest' })
   }, [active, id])
+  // The dialog gives the focus back where it was; the command may then take it elsewhere.
+  const close = () => dialog.current?.close()
   const run = (command: StudioCommand | undefined) => {
     if (!command || !commands.isEnabled(command)) return
-    onClose()
+    close()
     commands.run(command.id)
   }
   const keys = (event: KeyboardEvent) => {
+    // Enter and arrows choose among the characters that an input method offers.
+    if (event.nativeEvent.isComposing) return
     if (event.key === 'ArrowDown') setChosen((chosen + 1) % Math.max(found.length, 1))
     else if (event.key === 'ArrowUp') setChosen((chosen - 1 + found.length) % Math.max(found.length, 1))
     else if (event.key === 'Enter') run(active)
@@ -35,7 +40,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
       className="palette"
       aria-label={words.palette.title}
       onClose={onClose}
-      onClick={event => (event.target === dialog.current ? onClose() : undefined)}
+      onClick={event => (event.target === dialog.current ? close() : undefined)}
     >
       <input
         type="search"
@@ -68,7 +73,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
             <span className="where">{words.menus[one.menu]}</span>
             <span className="title">{one.title}</span>
             {one.keys.map(key => (
-              <kbd key={key}>{key}</kbd>
+              <kbd key={key}>{shownKey(key)}</kbd>
             ))}
           </div>
         ))}

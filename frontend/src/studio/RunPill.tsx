@@ -24,7 +24,9 @@ export function runWords(state: StudioState): readonly [Tone, string] {
     case 'cancelled':
       return ['warning', words.run.cancelled]
     case 'done':
-      return ['good', words.run.done]
+      return state.problems.some(one => one.severity === 'error' && one.time !== null)
+        ? ['warning', words.run.withErrors]
+        : ['good', words.run.done]
     default:
       return ['quiet', words.run.none]
   }

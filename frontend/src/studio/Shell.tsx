@@ -1,6 +1,6 @@
 /** The page around the panels: menus, banners, dock, timeline, status. */
 import { type DockviewApi, DockviewReact, type DockviewTheme } from 'dockview-react'
-import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
+import { useCallback, useEffect, useMemo, useState } from 'react'
 import { words } from '../text/messages'
 import { Banners } from './Banners'
 import { addCommands } from './builtin_commands'
@@ -28,17 +28,12 @@ export function Shell() {
   const studio = useStudio()
   const folder = useStudioState(state => state.folder)
   const project = useStudioState(state => state.project)
+  const several = useStudioState(state => state.programs.length > 1)
+  const program = useStudioState(state => state.program)
   const unsaved = useStudioState(state => state.documents.some(one => one.unsaved))
   const [palette, setPalette] = useState(false)
-  const opener = useRef<Element | null>(null)
-  const openPalette = useCallback(() => {
-    opener.current = document.activeElement
-    setPalette(true)
-  }, [])
-  const closePalette = useCallback(() => {
-    setPalette(false)
-    if (opener.current instanceof HTMLElement) opener.current.focus()
-  }, [])
+  const openPalette = useCallback(() => setPalette(true), [])
+  const closePalette = useCallback(() => setPalette(false), [])
   useEffect(() => addCommands(studio, openPalette), [studio, openPalette])
   usePageEvents(studio)
   useEffect(() => {
@@ -58,7 +53,7 @@ export function Shell() {
         <h1 className="brand">ropsim</h1>
         <MenuBar />
         <span className="project" title={folder}>
-          {project}
+          {several ? words.projectProgram(project, program) : project}
         </span>
         <button type="button" className="palette-button" onClick={openPalette}>
           {words.palette.open} <kbd>Ctrl+K</kbd>

@@ -13,9 +13,11 @@ export function StatusBar() {
   const scene = useStudioState(state => state.scene)
   const [twin, setTwin] = useState('')
   const [software, setSoftware] = useState(false)
+  const [moving, setMoving] = useState(false)
   useEvery(1, () => {
     const { stage, poses } = studio.picture
     setSoftware(stage?.stats().software ?? false)
+    setMoving(studio.cursor.playing || studio.store.getState().following)
     if (!scene) return
     const text = textTwin(scene, poses, studio.run, studio.cursor.time)
     setTwin(text)
@@ -30,7 +32,8 @@ export function StatusBar() {
       >
         {words.status.problems(errors, warnings)}
       </button>
-      <span className="twin" aria-live="polite">
+      {/* Spoken where the picture stands still: while it moves, the words would never end. */}
+      <span className="twin" aria-live={moving ? 'off' : 'polite'}>
         {twin}
       </span>
       {inputs ? <span>{words.status.inputs(inputs)}</span> : null}

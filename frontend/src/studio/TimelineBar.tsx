@@ -9,19 +9,21 @@ export function TimelineBar() {
   const host = useRef<HTMLDivElement>(null)
   const timeline = useRef<Timeline | null>(null)
   const shown = useStudioState(state => state.shown)
-  const stale = useStudioState(state => state.stale)
+  const presses = useStudioState(state => state.presses)
   const lagging = useStudioState(
     state => state.live !== null && state.live.state !== 'over' && !state.following,
   )
   useEffect(() => {
     if (!host.current) return
-    const made = new Timeline(host.current, studio.cursor)
+    const made = new Timeline(host.current, studio.transport)
     timeline.current = made
     return () => made.destroy()
   }, [studio])
   useEffect(() => {
-    if (shown >= 0) timeline.current?.show(studio.run)
-  }, [studio, shown])
+    // Presses of a live run are marked as they come.
+    if (studio.run?.live && presses.length > 0) studio.transport.show(studio.run)
+    if (shown >= 0) timeline.current?.show()
+  }, [studio, shown, presses])
   return (
     <div className="timeline-bar">
       <div className="timeline-host" ref={host} />
@@ -30,7 +32,6 @@ export function TimelineBar() {
           {words.run.follow}
         </button>
       ) : null}
-      {stale ? <span className="badge warning">{words.run.stale}</span> : null}
     </div>
   )
 }

@@ -1,11 +1,11 @@
 /** The commands of the shell. Panels add their own where they need to. */
-import { firstAfter, lastBefore, marksOf } from '../run/marks'
 import { LAYOUTS, SHADINGS } from '../scene/settings'
 import { commandWords as titles } from '../text/commands'
 import { words } from '../text/messages'
 import type { Menu, StudioCommand } from './commands'
 import type { Dock } from './dock'
 import { PANELS, PRESETS } from './dock'
+import { programIn } from './document_names'
 import type { Studio } from './studio'
 
 type Extra = Partial<Pick<StudioCommand, 'enabled' | 'checked' | 'textKeeps'>>
@@ -125,47 +125,23 @@ function addView(studio: Studio, group: Grouped): void {
 }
 
 function addSimulate(studio: Studio, group: Grouped): void {
-  const { cursor, jog, signals } = studio
+  const { cursor, jog, signals, transport } = studio
   const state = () => studio.store.getState()
   const has = { enabled: () => studio.run !== null }
-  const marks = () => (studio.run ? marksOf(studio.run) : { steps: [], findings: [] })
-  const go = (time: number | undefined) => {
-    if (time === undefined) return
-    cursor.pause()
-    cursor.seek(time)
-  }
   const time = group('Simulate', 'time')
-  time('timeline.play', titles.play, ['Space'], () => (cursor.playing ? cursor.pause() : cursor.play()), has)
-  time(
-    'timeline.next',
-    titles.next,
-    ['ArrowRight'],
-    () => go(firstAfter(marks().steps, cursor.time)?.time ?? cursor.end),
-    has,
-  )
-  time(
-    'timeline.previous',
-    titles.previous,
-    ['ArrowLeft'],
-    () => go(lastBefore(marks().steps, cursor.time)?.time ?? 0),
-    has,
-  )
-  time(
-    'timeline.nextFinding',
-    titles.nextFinding,
-    ['Shift+ArrowRight'],
-    () => go(firstAfter(marks().findings, cursor.time)?.time),
-    has,
-  )
+  time('timeline.play', titles.play, ['Space'], () => transport.toggle(), has)
+  time('timeline.next', titles.next, ['ArrowRight'], () => transport.nextStep(), has)
+  time('timeline.previous', titles.previous, ['ArrowLeft'], () => transport.previousStep(), has)
+  time('timeline.nextFinding', titles.nextFinding, ['Shift+ArrowRight'], () => transport.nextFinding(), has)
   time(
     'timeline.previousFinding',
     titles.previousFinding,
     ['Shift+ArrowLeft'],
-    () => go(lastBefore(marks().findings, cursor.time)?.time),
+    () => transport.previousFinding(),
     has,
   )
-  time('timeline.start', titles.start, ['Home'], () => go(0), has)
-  time('timeline.end', titles.end, ['End'], () => go(cursor.end), has)
+  time('timeline.start', titles.start, ['Home'], () => transport.go(0), has)
+  time('timeline.end', titles.end, ['End'], () => transport.go(cursor.end), has)
   const run = group('Simulate', 'run')
   const connected = { enabled: () => state().connection === 'connected' }
   const busy = () => ['waiting', 'running'].includes(state().status?.state ?? '')
@@ -206,9 +182,11 @@ function addSimulate(studio: Studio, group: Grouped): void {
   )
 }
 
+/** Simulate the program in the editor; where that shows none, the last one again. */
 function runNow(studio: Studio, fidelity: 'dynamic' | 'kinematic'): void {
+  const { document, programs, program } = studio.store.getState()
   studio.desk.flush()
-  studio.send({ type: 'run', program: studio.store.getState().program, fidelity })
+  studio.send({ type: 'run', program: programIn(document, programs) || program, fidelity })
 }
 
 /** Move the panels in one step that can be undone. */

@@ -6,7 +6,7 @@ interface Press {
   readonly key: string
   readonly ctrl?: boolean
   readonly shift?: boolean
-  readonly on?: 'text' | 'button' | 'page'
+  readonly on?: 'text' | 'button' | 'view' | 'page'
   readonly repeat?: boolean
 }
 
@@ -14,6 +14,7 @@ function press({ key, ctrl = false, shift = false, on = 'page', repeat = false }
   const targets = {
     text: { tagName: 'INPUT', type: 'text', closest: () => ({}) },
     button: { tagName: 'BUTTON', closest: () => ({}) },
+    view: { tagName: 'DIV', closest: (wanted: string) => (wanted.includes('application') ? {} : null) },
     page: { tagName: 'BODY', closest: () => null },
   }
   const modifiers = { ctrlKey: ctrl, shiftKey: shift, altKey: false, metaKey: false }
@@ -49,6 +50,11 @@ test('plain keys act on the page, never while typing or on a control', () => {
   expect(commands.key(press({ key: ' ', on: 'button' }))).toBe(false)
   expect(done).toHaveLength(0)
   expect(commands.key(press({ key: ' ' }))).toBe(true)
+})
+
+test('plain keys that a 3-D view leaves alone act there, too', () => {
+  const { commands } = bench({ keys: ['Space'] })
+  expect(commands.key(press({ key: ' ', on: 'view' }))).toBe(true)
 })
 
 test('keys with Ctrl and function keys act while typing, unless the text keeps them', () => {

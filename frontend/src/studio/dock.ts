@@ -109,10 +109,10 @@ export class Dock {
     const wide = this.#api.width
     const tall = this.#api.height
     if (preset === 'simulate') {
-      const program = right('program', Math.min(440, wide * 0.34))
+      const program = right('program', Math.max(260, Math.min(440, wide * 0.34)))
       const states = below('states', program, tall * 0.44)
       for (const kind of ['problems', 'jog', 'signals', 'cell'] as const) within(kind, states)
-      below('plot', views, tall * 0.32)
+      below('plot', views, Math.max(190, tall * 0.32))
     } else if (preset === 'write') {
       const program = right('program', wide * 0.55)
       const problems = below('problems', program, 180)

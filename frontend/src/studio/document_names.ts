@@ -22,3 +22,8 @@ export function fileName(path: string): string {
 function stem(path: string): string {
   return fileName(path).replace(/\.[^.]*$/, '')
 }
+
+/** Name of the program that a document holds, empty where it holds none. */
+export function programIn(document: string, programs: readonly string[]): string {
+  return document.startsWith('programs/') && programs.includes(stem(document)) ? stem(document) : ''
+}

@@ -1,5 +1,6 @@
 /** The texts of the project in this page: what was typed, what the server has, what must still be sent. */
-import type { DocumentState, Documents as DocumentsMessage, Edit } from '../wire/messages'
+import type { Edit } from '../wire/commands'
+import type { DocumentState, Documents as DocumentsMessage } from '../wire/messages'
 
 /** A document as the page shows it. For the newest text ask `Documents.text`. */
 export interface StudioDocument extends Omit<DocumentState, 'text' | 'version'> {

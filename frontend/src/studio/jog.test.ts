@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest'
 import type { JointDescription } from '../scene/description'
-import type { Command, Jogged } from '../wire/messages'
+import type { Command } from '../wire/commands'
+import type { Jogged } from '../wire/messages'
 import { Jog } from './jog'
 import { UndoStack } from './undo'
 
@@ -100,4 +101,16 @@ test('it starts only with as many finite numbers as the robot has joints', () =>
   jog.start([0])
   jog.start([0, Number.NaN])
   expect(sent).toHaveLength(0)
+})
+
+test('a step of another robot cannot be undone onto this one', () => {
+  const { jog, undo, answer } = bench()
+  jog.start([0, 0])
+  answer()
+  jog.moveJoint(0, 0.1)
+  answer()
+  jog.commit('Jog joint 1')
+  jog.robot([], '')
+  undo.undo()
+  expect(jog.q).toBeNull()
 })

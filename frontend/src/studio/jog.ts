@@ -1,6 +1,7 @@
 /** The robot moved by hand: joint coordinates or a TCP pose go to the real kinematics, its answer is shown. */
 import type { JointDescription, Pose } from '../scene/description'
-import type { Command, Jogged } from '../wire/messages'
+import type { Command } from '../wire/commands'
+import type { Jogged } from '../wire/messages'
 import type { UndoStack } from './undo'
 
 export interface JogWires {
@@ -58,7 +59,7 @@ export class Jog {
     if (this.#q) this.#ask(this.#q)
   }
 
-  /** Begin at these joint coordinates. */
+  /** Begin at these joint coordinates, or go there; those of a robot with other joints are left out. */
   start(q: readonly number[]): void {
     if (q.length === 0 || q.length !== this.#joints.length || q.some(one => !Number.isFinite(one))) return
     this.#ask(q)
@@ -86,11 +87,6 @@ export class Jog {
     if (!q) return
     this.#before ??= q
     this.#request(id => ({ type: 'jog_tcp', id, q: this.#answer?.q ?? q, tool: this.#tool, target }))
-  }
-
-  setTool(tool: string): void {
-    this.#tool = tool
-    if (this.#q) this.#ask(this.#q)
   }
 
   /** A gesture has ended: keep the way back under a name. */
@@ -131,7 +127,7 @@ export class Jog {
   #keep(name: string, from: readonly number[]): void {
     const to = this.#q
     if (!to || to.every((one, at) => one === from[at])) return
-    this.#wires.undo.did({ name, undo: () => this.#ask(from), redo: () => this.#ask(to) })
+    this.#wires.undo.did({ name, undo: () => this.start(from), redo: () => this.start(to) })
   }
 
   #ask(q: readonly number[]): void {

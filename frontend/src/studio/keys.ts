@@ -16,6 +16,11 @@ export function keyName(event: KeyboardEvent): string {
     .join('+')
 }
 
+/** A key as menus show it. */
+export function shownKey(name: string): string {
+  return name.replace('ArrowLeft', '←').replace('ArrowRight', '→')
+}
+
 /** Keys that the browser keeps for itself; no command may have them. */
 export const KEPT_BY_BROWSER: readonly string[] = [
   'Ctrl+W',
@@ -42,13 +47,16 @@ export function isTyping(target: EventTarget | null): boolean {
   return tag === 'TEXTAREA' || element?.isContentEditable === true
 }
 
-/** Whether the element has its own use for plain keys (space presses a button, arrows move a slider). */
+/**
+ * Whether the element has its own use for plain keys (space presses a button, arrows move a slider). The 3-D
+ * views keep the keys that they use to themselves: what comes from there is free.
+ */
 export function takesPlainKeys(target: EventTarget | null): boolean {
   const element = target as Partial<Element> | null
   if (isTyping(target)) return true
   return (
     element?.closest?.(
-      'button, select, input, a, summary, [role=application], [role=slider], [role=tab], [role=menu], [role=dialog]',
+      'button, select, input, a, summary, [role=slider], [role=tab], [role=menu], [role=dialog]',
     ) != null
   )
 }

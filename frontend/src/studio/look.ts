@@ -23,7 +23,7 @@ export const DEFAULT_LOOK: Look = {
   layout: '4',
   shading: 'standard',
   frames: ['world', 'tcp'],
-  names: true,
+  names: false,
   trails: true,
   arm: 1,
   lights: null,
@@ -40,7 +40,8 @@ export function lookFrom(kept: unknown): Look {
     Array.isArray(look.frames) &&
     Array.isArray(look.hidden) &&
     typeof look.arm === 'number' &&
-    typeof look.opacity === 'object'
+    typeof look.opacity === 'object' &&
+    look.opacity !== null
   return sound ? look : DEFAULT_LOOK
 }
 

@@ -11,10 +11,6 @@ class Frames implements LoopClock {
     return 1
   }
 
-  cancel = () => {
-    this.waiting = null
-  }
-
   after = (milliseconds: number, act: () => void) => {
     const one = { milliseconds, act }
     this.timers.push(one)
@@ -102,4 +98,22 @@ test('nobody is called who has stopped listening', () => {
   loop.mark()
   frames.tick(0)
   expect(calls).toBe(0)
+})
+
+test('a frame that fails does not stop the clock for good', () => {
+  const frames = new Frames()
+  let shown = 0
+  const loop = new Loop(
+    () => false,
+    () => {
+      shown += 1
+      if (shown === 1) throw new Error('a picture that cannot be drawn')
+    },
+    frames,
+  )
+  loop.mark()
+  expect(() => frames.tick(0)).toThrow('cannot be drawn')
+  loop.mark()
+  expect(frames.tick(16)).toBe(true)
+  expect(shown).toBe(2)
 })

@@ -2,7 +2,6 @@
 
 export interface LoopClock {
   readonly frame: (act: (now: number) => void) => number
-  readonly cancel: (handle: number) => void
   readonly after: (milliseconds: number, act: () => void) => () => void
 }
 
@@ -58,24 +57,25 @@ export class Loop {
     return () => this.#subscribers.delete(one)
   }
 
-  stop(): void {
-    this.#cancelWait()
-    if (this.#handle) this.#clock.cancel(this.#handle)
-    this.#subscribers.clear()
-  }
-
   #tick(now: number): void {
     this.#handle = 0
     this.#inside = true
     const seconds = this.#last === null ? 0 : Math.min((now - this.#last) / 1000, LONGEST)
-    const more = this.#advance(seconds)
-    if (this.#dirty) {
-      this.#dirty = false
-      this.#show()
+    this.#last = null
+    let more = false
+    let wait: number | null = null
+    try {
+      more = this.#advance(seconds)
+      if (this.#dirty) {
+        this.#dirty = false
+        this.#show()
+      }
+      wait = this.#serve(now)
+    } finally {
+      // One frame that fails must not stop the clock for good.
+      this.#inside = false
     }
-    const wait = this.#serve(now)
-    this.#inside = false
-    this.#last = more ? now : null
+    if (more) this.#last = now
     if (more || this.#dirty) this.wake()
     else if (wait !== null) this.#cancelWait = this.#clock.after(wait, () => this.wake())
   }
@@ -101,7 +101,6 @@ export class Loop {
 
 const browserClock: LoopClock = {
   frame: act => requestAnimationFrame(act),
-  cancel: handle => cancelAnimationFrame(handle),
   after: (milliseconds, act) => {
     const timer = setTimeout(act, milliseconds)
     return () => clearTimeout(timer)

@@ -9,6 +9,7 @@ import '../style/theme.css'
 import '../style/shell.css'
 import '../style/dock.css'
 import '../style/panels.css'
+import '../style/forced.css'
 
 const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
 const studio = new Studio(`${scheme}://${location.host}/ws/studio`)

@@ -1,5 +1,5 @@
 /** Sends typed text to the server: soon, newest only, and again when the connection is back. */
-import type { Command } from '../wire/messages'
+import type { Command } from '../wire/commands'
 import type { Documents } from './documents'
 
 /** Keystrokes within this time go as one [ms]. */

@@ -44,7 +44,7 @@ export class Picture {
   get joggedPoses(): Float32Array | null {
     if (!this.#jogged) return null
     const poses = this.#poses.slice()
-    for (const { body, pose } of this.#jogged.bodies) poses.set(pose, 7 * body)
+    for (const { body, pose } of this.#jogged.bodies) if (7 * body < poses.length) poses.set(pose, 7 * body)
     this.#scene?.bodies.forEach(({ kind, parent, pose }, at) => {
       if (kind === 'tool' && parent >= 0) poses.set(compose(poseAt(poses, parent), pose), 7 * at)
     })
@@ -64,6 +64,8 @@ export class Picture {
 
   setScene(scene: SceneDescription): void {
     this.#scene = scene
+    // It counts the bodies of the scene before; whoever jogs asks again.
+    this.#jogged = null
     this.#poses = new Float32Array(7 * scene.bodies.length)
     this.#visible = new Uint8Array(scene.bodies.length)
     restAt(scene, this.#poses, this.#visible)

@@ -60,7 +60,9 @@ export class Receiver {
     this.#folder = message.folder
     const { ropsim, project, folder, programs, program, editing, trust } = message
     studio.desk.documents.welcome(message.documents)
-    studio.store.setState({ ropsim, project, folder, programs, program, editing, trust, live: null })
+    // What there is of a live run is told anew after this.
+    const over = { live: null, following: false }
+    studio.store.setState({ ropsim, project, folder, programs, program, editing, trust, ...over })
     const first = message.documents.find(one => one.name.includes(`/${program}.`)) ?? message.documents[0]
     if (!studio.store.getState().document) studio.store.setState({ document: first?.name ?? '' })
     studio.desk.sync()
@@ -76,9 +78,14 @@ export class Receiver {
     studio.store.setState({ sceneKnown: true, cellBroken: scene === null })
     // A broken cell keeps the picture of the last good one.
     if (!scene) return
+    const { scene: before, selected } = studio.store.getState()
+    const name = selected === null ? undefined : before?.bodies[selected]?.name
+    const still = scene.bodies.findIndex(body => body.name === name)
     studio.store.setState({ scene })
     studio.runs.setScene(scene)
     studio.picture.setScene(scene)
+    // The selected body may stand at another place in the edited cell, or be gone.
+    studio.select(still < 0 ? null : still)
     studio.jog.robot(scene.robot.joints, toolOf(scene.bodies))
     studio.signals.setSignals(scene.signals, studio.storage)
     studio.loop.mark()
@@ -86,7 +93,7 @@ export class Receiver {
 
   #run(status: RunStatus): void {
     const studio = this.#studio
-    studio.store.setState({ status })
+    studio.store.setState({ status, program: status.program || studio.store.getState().program })
     studio.setFindings('compile', status.findings)
     if (status.state === 'done') void studio.runs.take(status.id)
     const { run } = studio

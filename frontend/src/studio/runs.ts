@@ -48,16 +48,20 @@ export class Runs {
   setScene(scene: SceneDescription): void {
     this.#scene = scene
     this.#recorded?.showIn(scene)
+    this.#live?.showIn(scene)
     const early = this.#early
     this.#early = null
-    if (early) void this.#decode(early, this.#newest)
+    if (early) void this.#take(this.#newest, async () => early)
   }
 
   /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
   async take(id: number): Promise<void> {
-    const order = ++this.#newest
+    await this.#take(++this.#newest, () => fetchPack(id))
+  }
+
+  async #take(order: number, fetch: () => Promise<ArrayBuffer>): Promise<void> {
     try {
-      const bytes = await fetchPack(id)
+      const bytes = await fetch()
       if (order === this.#newest) await this.#decode(bytes, order)
     } catch (error) {
       if (order === this.#newest)
@@ -91,12 +95,15 @@ export class Runs {
   }
 
   async #decode(bytes: ArrayBuffer, order: number): Promise<void> {
-    if (!this.#scene) {
+    const scene = this.#scene
+    if (!scene) {
       this.#early = bytes
       return
     }
-    const run = await RecordedRun.decode(bytes, this.#scene)
+    const run = await RecordedRun.decode(bytes, scene)
     if (order !== this.#newest) return
+    // Another scene may have come while the pack was unpacked.
+    if (this.#scene && this.#scene !== scene) run.showIn(this.#scene)
     this.#recorded = run
     this.#live = null
     this.#show(run)

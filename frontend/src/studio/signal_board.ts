@@ -1,6 +1,6 @@
 /** Signals of the cell in the page: keys that set inputs, the switch that arms them, what was pressed. */
 import type { SignalDescription } from '../scene/description'
-import type { Command } from '../wire/messages'
+import type { Command } from '../wire/commands'
 import { KEY_MODES, type KeyBinding, type KeyMode, KeySensors } from './key_sensors'
 import { isTyping } from './keys'
 import type { StudioStore } from './state'

@@ -4,9 +4,10 @@
  */
 import { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
+import { Transport } from '../run/transport'
 import { words } from '../text/messages'
+import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
-import type { Command } from '../wire/messages'
 import { Commands } from './commands'
 import type { Dock } from './dock'
 import type { StudioDocument } from './documents'
@@ -27,14 +28,12 @@ import { ProjectStorage, tabName } from './storage'
 import { type Place, TextDesk } from './text_desk'
 import { UndoStack } from './undo'
 
-export { useStudio, useStudioState } from './context'
-export type { StudioDocument } from './documents'
-export type { Problem as ProblemItem } from './problems'
 export type { Place } from './text_desk'
 
 export class Studio {
   readonly store: StudioStore = createStudioStore()
   readonly cursor = new Cursor()
+  readonly transport = new Transport(this.cursor)
   readonly commands = new Commands()
   readonly undo = new UndoStack()
   readonly picture = new Picture(this.cursor)
@@ -66,7 +65,7 @@ export class Studio {
       },
     )
     this.desk = new TextDesk(store, send, text => this.notify('warning', text))
-    this.view = new RunView(store, cursor, picture, this.loop)
+    this.view = new RunView(store, this.transport, picture, this.loop)
     this.#lines = new LineGhost(store, picture, {
       run: () => this.run,
       time: () => cursor.time,
@@ -123,6 +122,7 @@ export class Studio {
   }
 
   revert(document: string): void {
+    this.desk.flush() // an edit on its way must not undo it
     this.send({ type: 'revert', document })
   }
 

@@ -1,6 +1,6 @@
 /** The texts on the desk: typing, saving, giving up, and where the editor is asked to go. */
 import { words } from '../text/messages'
-import type { Command } from '../wire/messages'
+import type { Command } from '../wire/commands'
 import { documentOfSource } from './document_names'
 import { Documents } from './documents'
 import { Outbox } from './outbox'

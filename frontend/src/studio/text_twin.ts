@@ -20,7 +20,7 @@ export function limitShare(value: number, lower: number, upper: number): number 
   return half > 0 && Number.isFinite(half) ? Math.abs(value - (upper + lower) / 2) / half : 0
 }
 
-/** "TCP 435.1, 120.0, 612.4 mm; J3 at 97 % of limit" */
+/** "TCP 435.1, 120.0, 612.4 mm; J3 97 % of the way to its limit" */
 export function textTwin(
   scene: SceneDescription,
   poses: Float32Array,

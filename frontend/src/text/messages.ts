@@ -1,6 +1,7 @@
 /** Every visible or spoken text of shell and panels. */
 export const words = {
   product: 'ropsim studio',
+  projectProgram: (project: string, program: string) => `${project} · ${program}`,
   menus: { File: 'File', Edit: 'Edit', View: 'View', Simulate: 'Simulate', Help: 'Help' },
   panels: {
     views: '3-D views',
@@ -45,6 +46,7 @@ export const words = {
     waiting: 'Waiting to simulate …',
     running: 'Simulating …',
     done: 'Run is current',
+    withErrors: 'Run is current, with errors',
     refused: 'Program has errors',
     cancelled: 'Run cancelled',
     failed: (message: string) => `The run failed: ${message}`,
@@ -68,7 +70,7 @@ export const words = {
     timeTitle: 'The same program and cell give the same run, bit for bit; no clock takes part',
     software: 'software graphics',
     softwareTitle: 'This browser draws without a graphics card; side views are drawn in turn',
-    inputs: (count: number) => `${count} recorded key ${count === 1 ? 'press' : 'presses'}`,
+    inputs: (count: number) => `${count} recorded ${count === 1 ? 'change' : 'changes'} of inputs`,
   },
   palette: {
     open: 'Commands …',
@@ -171,7 +173,6 @@ export const words = {
     noInputs: 'This cell has no inputs. Add some under [signals] in cell.toml.',
     noOutputs: 'This cell has no outputs.',
     signal: 'Signal',
-    value: 'Value',
     modes: { hold: 'while held', toggle: 'toggle', pulse: 'pulse 0.25 s', ramp: 'ramp 1 s' },
     press: 'Set',
     learn: 'Press a key …',
@@ -182,14 +183,23 @@ export const words = {
     bound: (signal: string, key: string) => `Key ${key} for ${signal}`,
     moded: (signal: string) => `Mode of ${signal}`,
     live: 'Live run',
-    start: 'Start',
+    start: '▶ Start a live run',
     pause: 'Pause',
     resume: 'Go on',
-    stop: 'End',
+    stop: 'End the run',
     speed: 'Speed',
-    onlyLive: 'Keys act in a live run: the simulator keeps pace with the clock and stamps each press.',
+    steps: {
+      start:
+        'Start a live run: the program then keeps pace with the clock, and keys of this keyboard set its inputs.',
+      armedOnly: 'The keys are armed; they act as soon as a live run is started.',
+      arm: (keys: string) => `Now arm the keys with the switch, then press ${keys}.`,
+      press: (keys: string) => `Press ${keys}. Each press is stamped with simulated time and recorded.`,
+    },
+    keyOf: (key: string, signal: string) => `${key} for ${signal}`,
+    or: ' or ',
     presses: 'Recorded presses',
-    noPresses: 'None. Presses of a live run stand here and are replayed exactly in the next runs.',
+    noPresses: 'None. Presses of a live run stand here; later runs repeat them exactly.',
+    repeated: 'Each run repeats them exactly until they are forgotten.',
     forget: 'Forget presses',
     time: 'Time',
   },
@@ -207,7 +217,7 @@ export const words = {
   },
   twin: {
     tcp: (x: string, y: string, z: string) => `TCP ${x}, ${y}, ${z} mm`,
-    joint: (name: string, percent: number) => `${name} at ${percent} % of limit`,
+    joint: (name: string, percent: number) => `${name} ${percent} % of the way to its limit`,
   },
   panel: {
     close: 'Close panel',

@@ -18,7 +18,8 @@ export function parseQuantity(text: string, dimension: Dimension): Parsed {
   const sum = match?.[1]?.trim() ?? ''
   const unit = match?.[2] ?? ''
   const known = UNITS[dimension]
-  const factor = unit === '' ? 1 / shownUnit(SI[dimension]).factor : known[unit]
+  const named = Object.hasOwn(known, unit) ? known[unit] : undefined
+  const factor = unit === '' ? 1 / shownUnit(SI[dimension]).factor : named
   if (factor === undefined) {
     return { mistake: `“${unit}” is no unit here; use ${Object.keys(known).join(', ')}` }
   }

@@ -1,5 +1,6 @@
 /** The page's line to `ropsim studio`: says hello, delivers messages in order, comes back by itself. */
-import type { Command, Message } from './messages'
+import type { Command } from './commands'
+import type { Message } from './messages'
 
 /** `expired`: the server refuses this page; only the address that the terminal shows helps. */
 export type ConnectionState = 'connecting' | 'connected' | 'lost' | 'expired'

@@ -1,36 +1,41 @@
-"""What a page says to the server over `/ws/studio`; `frontend/src/wire/messages.ts` is the other side."""
+"""What a page says to the server over `/ws/studio`; `frontend/src/wire/commands.ts` is the other side."""
 
-from typing import Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
-from msgspec import Struct
+from msgspec import Meta, Struct
+
+Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
+Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
+"""Whole numbers of a page; larger ones are not exact there."""
+Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
 
 
 class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
     """First message of a connection; `tab` is a random name that lives as long as the tab."""
 
-    tab: str
+    tab: Name
 
 
 class Edit(Struct, frozen=True, tag_field="type", tag="edit"):
     """New text of a document; `version` counts up in the tab."""
 
-    document: str
+    document: Name
     text: str
-    version: int
+    version: Number
 
 
 class Save(Struct, frozen=True, tag_field="type", tag="save"):
     """Write a document to its file; `overwrite` also over a file that has changed since it was read."""
 
-    document: str
+    document: Name
     overwrite: bool
 
 
 class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
     """Give up unsaved text and read the file again."""
 
-    document: str
+    document: Name
 
 
 class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
@@ -40,7 +45,7 @@ class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
 class RunNow(Struct, frozen=True, tag_field="type", tag="run"):
     """Simulate now. Empty program: the cell's."""
 
-    program: str
+    program: Name
     fidelity: Literal["dynamic", "kinematic"]
 
 
@@ -51,7 +56,7 @@ class CancelRun(Struct, frozen=True, tag_field="type", tag="cancel"):
 class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
     """Start a run in real time whose inputs come from keys."""
 
-    program: str
+    program: Name
     speed: float
 
 
@@ -70,7 +75,7 @@ class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
 class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
     """Set an input of the cell in a live run."""
 
-    name: str
+    name: Name
     value: float
 
 
@@ -81,17 +86,17 @@ class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):
 class JogJoints(Struct, frozen=True, tag_field="type", tag="jog_joints"):
     """Put the jogged arm at joint coordinates `q` [rad | m]."""
 
-    id: int
-    q: tuple[float, ...]
-    tool: str
+    id: Number
+    q: Coordinates
+    tool: Name
 
 
 class JogTcp(Struct, frozen=True, tag_field="type", tag="jog_tcp"):
     """Move the TCP of the jogged arm, standing at `q`, to a pose in W."""
 
-    id: int
-    q: tuple[float, ...]
-    tool: str
+    id: Number
+    q: Coordinates
+    tool: Name
     target: tuple[float, float, float, float, float, float, float]
 
 

@@ -141,8 +141,26 @@ Message: TypeAlias = (
 
 
 def wire(message: Message) -> bytes:
-    """Return the JSON text of a message; numbers that are not finite become null."""
-    return msgspec.json.encode(message)
+    """Return the JSON text of a message; numbers that are not finite become null.
+
+    Names of files may hold what is no Unicode; it becomes `�`.
+    """
+    try:
+        return msgspec.json.encode(message)
+    except UnicodeEncodeError:
+        return msgspec.json.encode(_sendable(msgspec.to_builtins(message)))
+
+
+def _sendable(value: object) -> object:
+    match value:
+        case str():
+            return value.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+        case dict():
+            return {_sendable(key): _sendable(item) for key, item in value.items()}
+        case list() | tuple():
+            return [_sendable(item) for item in value]
+        case _:
+            return value
 
 
 def notice(finding: Diagnostic) -> Notice:

@@ -104,7 +104,7 @@ dl.words dd { margin: 0; max-width: 80ch; }
 footer { color: var(--quiet); font-size: 13px; margin-top: 18px; overflow-wrap: anywhere; }
 @media (max-width: 620px) { main { padding: 16px 8px 48px; } section { padding: 14px 12px; } }
 @media print {
-  @page { margin: 14mm; }
+  :root { color-scheme: light; } @page { margin: 14mm; }
   body { background: none; font-size: 11pt; } main { max-width: none; padding: 0; }
   section { border: 0; border-radius: 0; padding: 0; margin: 0 0 8mm; }
   .figures { border: 1px solid var(--line); }

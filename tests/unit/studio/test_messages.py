@@ -1,5 +1,7 @@
 """Both sides of `/ws/studio` know the same messages with the same fields."""
 
+import json
+import math
 import re
 from pathlib import Path
 from typing import get_args
@@ -11,7 +13,7 @@ from hypothesis import strategies as st
 
 from ropsim.studio import commands, messages
 
-PAGE_SIDE = Path(__file__).parents[3] / "frontend" / "src" / "wire" / "messages.ts"
+PAGE_SIDE = Path(__file__).parents[3] / "frontend" / "src" / "wire"
 BY_THE_WORKER = {"layout", "placed", "stamped"}
 """Messages of a live run that are put together in the worker."""
 
@@ -21,10 +23,8 @@ FIELD = re.compile(r"^  readonly (\w+): ([^\n]+)", re.MULTILINE)
 
 def page_side() -> dict[str, dict[str, str]]:
     """Return the fields of each interface of the page, with their types."""
-    found = {
-        name: (base, dict(FIELD.findall(body)))
-        for name, base, body in INTERFACE.findall(PAGE_SIDE.read_text("utf-8"))
-    }
+    text = "".join((PAGE_SIDE / name).read_text("utf-8") for name in ("commands.ts", "messages.ts"))
+    found = {name: (base, dict(FIELD.findall(body))) for name, base, body in INTERFACE.findall(text)}
     return {name: {**(found[base][1] if base else {}), **fields} for name, (base, fields) in found.items()}
 
 
@@ -91,3 +91,31 @@ def test_no_text_raises(text: str | bytes) -> None:
 
 def test_numbers_that_are_not_finite_are_sent_as_null() -> None:
     assert messages.wire({"type": "live", "speed": float("nan")}) == b'{"type":"live","speed":null}'
+
+
+def test_names_that_are_no_unicode_are_sent_all_the_same() -> None:
+    sent = messages.wire(
+        messages.RunStatus(1, "done", "a\udcff", findings=({"time": math.nan, "x": "\udcff"},))
+    )
+    message = json.loads(sent)
+    assert (message["type"], message["program"]) == ("run", "a\ufffd")
+    assert message["findings"] == [{"time": None, "x": "\ufffd"}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        json.dumps({"type": "edit", "document": "a", "text": "", "version": 2**60}),
+        json.dumps({"type": "edit", "document": "a" * 5000, "text": "", "version": 1}),
+        json.dumps({"type": "jog_joints", "id": 1, "q": [0.0] * 1000, "tool": ""}),
+        json.dumps({"type": "run", "program": "a" * 5000, "fidelity": "dynamic"}),
+        json.dumps({"type": "signal", "name": "a" * 5000, "value": 1.0}),
+        '{"type":"signal","name":"a","value":1e999}',
+        '{"type":"hello","tab":"\\ud800"}',
+        '{"type":"edit","x":' + "[" * 100_000,
+    ],
+)
+def test_what_is_beyond_measure_is_no_command(text: str) -> None:
+    command, words = commands.read_command(text)
+    assert command is None
+    assert words

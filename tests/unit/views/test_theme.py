@@ -2,7 +2,7 @@ import re
 
 import pytest
 
-from ropsim.views.theme import DARK, LIGHT
+from ropsim.views.theme import DARK, LIGHT, stylesheet
 
 TEXT_CONTRAST = 4.5
 """WCAG 2.1, 1.4.3 (AA) for text."""
@@ -45,3 +45,9 @@ def test_traces_have_contrast(scheme: str, name: str, ground: str) -> None:
 
 def test_both_schemes_name_the_same_colors() -> None:
     assert colors(LIGHT).keys() == colors(DARK).keys()
+
+
+def test_paper_is_light() -> None:
+    onto_paper = stylesheet().split("@media print {")[1]
+    assert ":root { color-scheme: light; }" in onto_paper
+    assert "@media screen and (prefers-color-scheme: dark)" in stylesheet()

@@ -1,0 +1,107 @@
+/** Which text is shown, whether it is saved, and whether it is the program that is simulated. */
+import type { KeyboardEvent } from 'react'
+import { useStudio, useStudioState } from '../studio/context'
+import { programIn } from '../studio/document_names'
+import type { StudioDocument } from '../studio/documents'
+import { words } from './editor_words'
+
+/** With more texts than these a list takes the place of tabs. */
+const MOST_TABS = 5
+
+interface DocumentsProps {
+  readonly documents: readonly StudioDocument[]
+  readonly shown: StudioDocument | undefined
+}
+
+export function DocumentBar({ documents, shown }: DocumentsProps) {
+  const studio = useStudio()
+  const editing = useStudioState(state => state.editing)
+  const stale = useStudioState(state => state.stale)
+  const other = useStudioState(state => {
+    const own = programIn(state.document, state.programs)
+    return own !== '' && own !== state.program
+  })
+  const Choice = documents.length > MOST_TABS ? DocumentList : DocumentTabs
+  return (
+    <div className="program-bar">
+      <Choice documents={documents} shown={shown} />
+      {other ? (
+        <button type="button" title={words.simulateTitle} onClick={() => studio.commands.run('run.now')}>
+          {words.simulate}
+        </button>
+      ) : null}
+      {stale ? (
+        <span className="program-stale" title={words.stale}>
+          {words.staleShort}
+        </span>
+      ) : null}
+      <button
+        type="button"
+        title={words.saveTitle}
+        disabled={!shown?.unsaved || !editing}
+        onClick={() => shown && studio.save(shown.name)}
+      >
+        {words.save}
+      </button>
+    </div>
+  )
+}
+
+function DocumentList({ documents, shown }: DocumentsProps) {
+  const studio = useStudio()
+  return (
+    <select
+      className="program-list"
+      aria-label={words.documents}
+      value={shown?.name ?? ''}
+      onChange={event => studio.store.setState({ document: event.target.value })}
+    >
+      {documents.map(one => (
+        <option key={one.name} value={one.name}>
+          {one.unsaved ? `● ${shortName(one.name)}` : shortName(one.name)}
+        </option>
+      ))}
+    </select>
+  )
+}
+
+function DocumentTabs({ documents, shown }: DocumentsProps) {
+  const studio = useStudio()
+  const show = (document: string) => studio.store.setState({ document })
+  const step = (event: KeyboardEvent) => {
+    const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0
+    const at = documents.findIndex(one => one.name === shown?.name)
+    const next = documents[(at + by + documents.length) % documents.length]
+    if (by === 0 || !next) return
+    event.preventDefault()
+    show(next.name)
+    const tabs = event.currentTarget.querySelectorAll<HTMLElement>('[role=tab]')
+    tabs[documents.indexOf(next)]?.focus()
+  }
+  return (
+    <div role="tablist" aria-label={words.documents} className="program-tabs" onKeyDown={step}>
+      {documents.map(one => (
+        <button
+          key={one.name}
+          type="button"
+          role="tab"
+          aria-selected={one === shown}
+          tabIndex={one === shown ? 0 : -1}
+          onClick={() => show(one.name)}
+          title={one.name}
+        >
+          {shortName(one.name)}
+          {one.unsaved ? (
+            <span className="unsaved" role="img" aria-label={words.unsaved}>
+              ●
+            </span>
+          ) : null}
+        </button>
+      ))}
+    </div>
+  )
+}
+
+function shortName(name: string): string {
+  return name.replace(/^programs\//, '')
+}

@@ -1,0 +1,130 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import fixture from '../run/fixtures/first_cell.json'
+import type { SceneDescription } from '../scene/description'
+import type { DocumentState, Message, RunStatus, Welcome } from '../wire/messages'
+import { Receiver } from './receiver'
+import { Studio } from './studio'
+
+const scene = fixture.scene as unknown as SceneDescription
+const document = (name: string, recovered = false): DocumentState => ({
+  name,
+  uri: `file:///cell/${name}`,
+  language: 'task',
+  text: '',
+  version: 0,
+  unsaved: recovered,
+  conflict: false,
+  recovered,
+})
+const WELCOME: Welcome = {
+  type: 'welcome',
+  ropsim: '0',
+  project: 'cell',
+  folder: '/cell',
+  programs: ['pick', 'place'],
+  program: 'place',
+  documents: [document('cell.toml'), document('programs/pick.task'), document('programs/place.task')],
+  editing: true,
+  trust: { trusted: false, code: [] },
+}
+const sceneMessage = (shown: SceneDescription | null): Message => ({
+  type: 'scene',
+  scene: shown,
+  findings: [],
+})
+
+let studio: Studio
+let receiver: Receiver
+const state = () => studio.store.getState()
+
+beforeEach(() => {
+  vi.stubGlobal('requestAnimationFrame', () => 1)
+  // Not started: no connection is made.
+  studio = new Studio('ws://127.0.0.1:9/ws/studio')
+  receiver = new Receiver(studio)
+})
+
+afterEach(() => {
+  vi.unstubAllGlobals()
+})
+
+describe('a welcome', () => {
+  it('shows the program that runs when none is named', () => {
+    receiver.receive(WELCOME)
+    expect(state().document).toBe('programs/place.task')
+  })
+
+  it('leaves the shown document after the connection was lost', () => {
+    receiver.receive(WELCOME)
+    studio.store.setState({ document: 'cell.toml' })
+    receiver.receive(WELCOME)
+    expect(state().document).toBe('cell.toml')
+  })
+
+  it('forgets a live run that may be over', () => {
+    receiver.receive({ type: 'live', state: 'running', speed: 1, program: 'place' })
+    studio.store.setState({ following: true })
+    receiver.receive(WELCOME)
+    expect([state().live, state().following]).toEqual([null, false])
+  })
+
+  it('tells of texts that were brought back', () => {
+    receiver.receive({ ...WELCOME, documents: [document('programs/place.task', true)] })
+    expect(state().notices.map(one => one.level)).toEqual(['warning'])
+  })
+})
+
+describe('a scene', () => {
+  it('keeps the selected body, wherever it stands now', () => {
+    receiver.receive(sceneMessage(scene))
+    const last = scene.bodies.length - 1
+    studio.select(last)
+    const first = scene.bodies[0]
+    if (!first) throw new Error('the example has bodies')
+    receiver.receive(sceneMessage({ ...scene, bodies: [{ ...first, name: 'new' }, ...scene.bodies] }))
+    expect(state().selected).toBe(last + 1)
+    receiver.receive(sceneMessage({ ...scene, bodies: scene.bodies.slice(0, last) }))
+    expect(state().selected).toBeNull()
+  })
+
+  it('that is broken leaves the last good one', () => {
+    receiver.receive(sceneMessage(scene))
+    receiver.receive(sceneMessage(null))
+    expect(state().scene).toBe(scene)
+    expect(state().cellBroken).toBe(true)
+  })
+})
+
+describe('a run', () => {
+  const status: RunStatus = {
+    type: 'run',
+    id: 1,
+    state: 'failed',
+    program: 'place',
+    message: 'out of memory',
+    findings: [],
+    inputs: 0,
+  }
+
+  it('that failed says why', () => {
+    receiver.receive(status)
+    expect(state().notices).toHaveLength(1)
+    expect(state().notices[0]?.text).toContain('out of memory')
+  })
+
+  it('that was refused lists its errors', () => {
+    const span = { source: 'place', line: 3, column: 1, end_line: 3, end_column: 4 }
+    const finding = { code: 'T1', severity: 'error', message: 'no', hint: '', span, time: null } as const
+    receiver.receive(WELCOME)
+    receiver.receive({ ...status, state: 'refused', findings: [finding] })
+    expect(state().problems.map(one => [one.document, one.line])).toEqual([['programs/place.task', 3]])
+    receiver.receive({ ...status, state: 'running' })
+    expect(state().problems).toEqual([])
+  })
+})
+
+it('a message that this page does not know is passed over', () => {
+  const before = state()
+  receiver.receive({ type: 'hologram' } as unknown as Message)
+  expect(state()).toBe(before)
+})

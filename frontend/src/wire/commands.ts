@@ -1,0 +1,120 @@
+/**
+ * What the page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
+ * `ropsim.studio.commands` is the other side, `messages.ts` is what the server answers.
+ */
+import type { Pose } from '../scene/description'
+
+/** First message of a connection. `tab` is a random name that lives as long as the tab. */
+export interface Hello {
+  readonly type: 'hello'
+  readonly tab: string
+}
+
+/** New text of a document; the server journals it, then compiles and simulates in the background. */
+export interface Edit {
+  readonly type: 'edit'
+  readonly document: string
+  readonly text: string
+  /** Counts up in the tab; comes back in `documents`. */
+  readonly version: number
+}
+
+/** Write a document to its file. `overwrite` also when the file has changed on the disk since it was read. */
+export interface Save {
+  readonly type: 'save'
+  readonly document: string
+  readonly overwrite: boolean
+}
+
+/** Give up unsaved text and read the file again. */
+export interface Revert {
+  readonly type: 'revert'
+  readonly document: string
+}
+
+/** Take the right to edit from another tab. */
+export interface TakeOver {
+  readonly type: 'take_over'
+}
+
+/** Simulate now. Empty program: the cell's. */
+export interface RunNow {
+  readonly type: 'run'
+  readonly program: string
+  readonly fidelity: 'dynamic' | 'kinematic'
+}
+
+export interface CancelRun {
+  readonly type: 'cancel'
+}
+
+/** Start a run in real time whose inputs come from keys. */
+export interface LiveStart {
+  readonly type: 'live_start'
+  readonly program: string
+  readonly speed: number
+}
+
+/** Pause, go on, change speed, end; ending keeps what was recorded so far. */
+export interface LiveControl {
+  readonly type: 'live_control'
+  readonly action: 'pause' | 'resume' | 'stop'
+}
+
+export interface LiveSpeed {
+  readonly type: 'live_speed'
+  readonly speed: number
+}
+
+/** Set an input of the cell in a live run; the simulator stamps it with simulated time. */
+export interface SetSignal {
+  readonly type: 'signal'
+  readonly name: string
+  readonly value: number
+}
+
+/** Forget recorded key presses: the next runs take the cell's own signal changes only. */
+export interface ForgetInputs {
+  readonly type: 'forget_inputs'
+}
+
+/** Move the jogged robot: to joint coordinates, or its TCP to a pose in `frame` nearest to `q`. */
+export interface JogJoints {
+  readonly type: 'jog_joints'
+  readonly id: number
+  readonly q: readonly number[]
+  readonly tool: string
+}
+
+export interface JogTcp {
+  readonly type: 'jog_tcp'
+  readonly id: number
+  /** Where the arm stands now [rad | m]. */
+  readonly q: readonly number[]
+  readonly tool: string
+  /** Target pose of the TCP in W. */
+  readonly target: Pose
+}
+
+/** Let code inside the project folder run, or no more. */
+export interface Trust {
+  readonly type: 'trust'
+  readonly trusted: boolean
+}
+
+export type Command =
+  | Hello
+  | Edit
+  | Save
+  | Revert
+  | TakeOver
+  | RunNow
+  | CancelRun
+  | LiveStart
+  | LiveControl
+  | LiveSpeed
+  | SetSignal
+  | ForgetInputs
+  | JogJoints
+  | JogTcp
+  | Trust
