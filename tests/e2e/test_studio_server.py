@@ -2,37 +2,33 @@
 
 import contextlib
 import gzip
-import http.client
 import json
 import socket
 import subprocess
-import sys
-import time
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import Any
 
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
-from websockets.sync.client import ClientConnection, connect
 
 from ropsim.workbench import new_project
-from support import studio_launcher
+from support.studio_client import (
+    PATIENCE,
+    command,
+    get,
+    opened,
+    page_of,
+    secret,
+    wait_for_journal,
+)
+from support.studio_family import ends, group, needs_proc
 from support.studio_process import Studio
-
-PATIENCE = 120.0
-"""Longer than compiling an arm for the first time takes, so that a broken test ends [s]."""
 
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
     return new_project(tmp_path / "cell")
-
-
-def command(home: Path) -> tuple[str, ...]:
-    """Return the command that runs ropsim with a tiny page."""
-    return (sys.executable, studio_launcher.__file__, str(home / "pages"))
 
 
 @pytest.fixture
@@ -41,109 +37,22 @@ def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
         yield running
 
 
-def secret(studio: Studio) -> dict[str, str]:
-    """Return the cookie that the first address gives."""
-    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
-        connection.request("GET", studio.url.split(str(studio.port), 1)[1])
-        answer = connection.getresponse()
-        answer.read()
-    assert (answer.status, answer.getheader("location")) == (303, "/")
-    return {"Cookie": (answer.getheader("set-cookie") or "").split(";")[0]}
-
-
-def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET") -> tuple[int, bytes]:
-    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
-        connection.request(method, path, headers=headers)
-        answer = connection.getresponse()
-        return answer.status, answer.read()
-
-
-def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientConnection:
-    """Return an open socket; a page's headers unless others are given."""
-    ours = {**secret(studio), "Origin": f"http://127.0.0.1:{studio.port}", **headers}
-    return connect(
-        f"ws://127.0.0.1:{studio.port}{path}",
-        additional_headers={name: value for name, value in ours.items() if name != "Origin" and value},
-        origin=ours["Origin"] or None,  # type: ignore[arg-type]  # any text, also a foreign one
-        max_size=None,
-        compression=None,
-        proxy=None,
-    )
-
-
-class Page:
-    """A tab of the studio: what it says, and what it has heard and not asked for yet."""
-
-    def __init__(self, socket: ClientConnection) -> None:
-        self._socket = socket
-        self._heard: list[dict[str, Any]] = []
-        self.say(type="hello", tab="a")
-
-    def say(self, **message: object) -> None:
-        self._socket.send(json.dumps(message))
-
-    def hear(self, kind: str, **fields: object) -> dict[str, Any]:
-        """Return the oldest message of a kind with these fields; others keep waiting."""
-        end = time.monotonic() + PATIENCE
-        while True:
-            for message in self._heard:
-                if message["type"] == kind and all(
-                    message.get(name) == value for name, value in fields.items()
-                ):
-                    self._heard.remove(message)
-                    return message
-            text = self._socket.recv(timeout=max(0.0, end - time.monotonic()))
-            if isinstance(text, str):
-                self._heard.append(json.loads(text))
-
-
-@contextlib.contextmanager
-def page_of(studio: Studio) -> Iterator[Page]:
-    with opened(studio) as socket:
-        yield Page(socket)
-
-
-def group(studio: Studio) -> list[int]:
-    """Return the processes that the studio and its children are, by the session they share."""
-    found = []
-    for place in Path("/proc").iterdir():
-        if place.name.isdigit():
-            try:
-                fields = (place / "stat").read_text("utf-8").rsplit(")", 1)[1].split()
-            except (FileNotFoundError, ProcessLookupError):
-                continue
-            if int(fields[3]) == studio.process.pid and fields[0] != "Z":
-                found.append(int(place.name))
-    return found
-
-
-def ends(studio: Studio) -> bool:
-    """Return whether all processes are gone soon."""
-    end = time.monotonic() + 20
-    while group(studio) and time.monotonic() < end:
-        time.sleep(0.05)
-    return not group(studio)
-
-
-needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
-
-
 @needs_proc
 def test_ctrl_c_ends_server_workers_and_language_server(studio: Studio) -> None:
     with page_of(studio) as page, opened(studio, "/ws/lsp") as language:
         page.hear("welcome")
         language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
         language.recv(timeout=PATIENCE)
-        assert len(group(studio)) >= 3
+        assert len(group(studio.process.pid)) >= 3
         assert studio.interrupt() == 0
-    assert ends(studio)
+    assert ends(studio.process.pid)
     assert studio.errors() == ""
 
 
 @needs_proc
 def test_a_request_of_the_system_ends_it_too(studio: Studio) -> None:
     assert studio.terminate() == 0
-    assert ends(studio)
+    assert ends(studio.process.pid)
     assert studio.errors() == ""
 
 
@@ -154,12 +63,9 @@ def test_unsaved_text_survives_a_killed_server_and_no_process_does(
     with page_of(studio) as page:
         page.hear("welcome")
         page.say(type="edit", document="programs/main.task", text="-- unsaved\n", version=1)
-        end = time.monotonic() + PATIENCE
-        while not any("unsaved" in one.read_text() for one in tmp_path.rglob("journal/*.json")):
-            assert time.monotonic() < end
-            time.sleep(0.02)
+        wait_for_journal(tmp_path, "unsaved")
         studio.kill()
-    assert ends(studio)
+    assert ends(studio.process.pid)
     assert "unsaved" not in (project / "programs" / "main.task").read_text("utf-8")
     with Studio(project, tmp_path / "home", command=command(tmp_path)) as again, page_of(again) as page:
         documents = {one["name"]: one for one in page.hear("welcome")["documents"]}
@@ -312,6 +218,6 @@ def test_no_code_of_a_project_runs_whatever_is_done_with_it(project: Path, tmp_p
         with opened(studio, "/ws/lsp") as language:
             language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
             language.recv(timeout=PATIENCE)
-        for pid in group(studio) if Path("/proc").exists() else []:
+        for pid in group(studio.process.pid) if Path("/proc").exists() else []:
             assert Path(f"/proc/{pid}/cwd").readlink() != project
     assert not mark.exists(), mark.read_text("utf-8")

@@ -103,7 +103,7 @@ class Documents:
         document, finding = self.find(name)
         if document is None:
             return None, finding
-        if len(text) > LARGEST:
+        if len(text.encode("utf-8", "replace")) > LARGEST:
             message = f"the new text of `{name}` has more than {LARGEST / 1e6:.0f} MB"
             return None, NOT_EDITABLE.at(None, message, hint="is this a program?")
         document.edit(text, version)
@@ -135,7 +135,10 @@ class Documents:
                 message = f"`{document.name}` has changed on the disk; it was not written"
                 return CHANGED_ON_DISK.at(None, message, hint="reload it or overwrite it")
             return None
-        new = document.content()
+        new = await asyncio.to_thread(document.content)
+        if len(new) > LARGEST:  # its line ends may be longer than those of the page
+            message = f"`{document.name}` would have more than {LARGEST / 1e6:.0f} MB"
+            return NOT_SAVED.at(None, message, hint="is this a program?")
         try:
             await asyncio.to_thread(replace_file, document.path, new)
         except OSError as error:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ropsim.core import Diagnostic
 from ropsim.studio import commands
-from ropsim.studio.diagnostics import NO_JOURNAL, READ_ONLY
+from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, READ_ONLY
 from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
@@ -122,12 +122,19 @@ class Editing:
     async def _watch(self) -> None:
         while True:
             await asyncio.sleep(LOOK)
-            changed, change = await self.documents.look()
-            if change is ListChange.SOME:
-                self._list_changed()
-            self._tell(changed)
-            for document in changed:
-                self._text_changed(document)
+            try:
+                await self._look()
+            except Exception as error:  # the next look may succeed
+                message = f"the files of the project cannot be watched: {type(error).__name__}: {error}"
+                self._warn(INTERNAL.at(None, message, hint="please report it"))
+
+    async def _look(self) -> None:
+        changed, change = await self.documents.look()
+        if change is ListChange.SOME:
+            self._list_changed()
+        self._tell(changed)
+        for document in changed:
+            self._text_changed(document)
 
     def _tell(self, documents: Iterable[Document], knows: Tab | None = None) -> None:
         """Send the states of documents, with their texts to all tabs but the one that knows them."""

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
-LARGEST = 8_000_000
+LARGEST = 16_000_000
 """Longest message in either direction [bytes]: a text of the largest size, escaped."""
 
 GOODBYE = 1.0
-"""How long a language server may take to end by itself, then to follow the system [s]."""
+"""How long a language server may take to end by itself [s]."""
 
 
 class LanguageBridge:
@@ -96,10 +96,12 @@ async def _start(folder: Path) -> asyncio.subprocess.Process:
 
 
 async def _end(process: asyncio.subprocess.Process) -> None:
-    for push in (None, process.terminate, process.kill):
-        if push is not None:
-            with contextlib.suppress(ProcessLookupError):
-                push()
-        with contextlib.suppress(TimeoutError):
-            await asyncio.wait_for(process.wait(), GOODBYE)
-            return
+    """End a server whose pipe is closed, also when there is no time left to wait for it."""
+    try:
+        await asyncio.wait_for(process.wait(), GOODBYE)
+    except (TimeoutError, asyncio.CancelledError) as error:
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+        if isinstance(error, asyncio.CancelledError):
+            raise
+        await process.wait()

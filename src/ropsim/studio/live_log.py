@@ -4,6 +4,9 @@ from collections.abc import Callable, Mapping
 
 from ropsim.studio.messages import LiveStatus, Message
 
+MOST_PRESSES = 1000
+"""Key presses that a late tab still hears of, newest."""
+
 
 class LiveLog:
     """Messages of the live run that is on; none while there is no such run.
@@ -17,30 +20,47 @@ class LiveLog:
         self._status: Message | None = None
         self._program = ""
         self._speed = 1.0
-        self._others: list[Message] = []
+        self._presses = 0
+        self._layout: tuple[Message, ...] = ()
+        self._others: dict[object, Message] = {}
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """Return layout, placements and stamps so far, then how the run stands."""
-        return () if self._status is None else (self._status, *self._others)
+        """Return how the run stands, its layout, and in order where parts are and which keys were pressed."""
+        return () if self._status is None else (self._status, *self._layout, *self._others.values())
 
     def start(self, program: str, speed: float) -> None:
         """Begin a new run."""
-        self._others.clear()
+        self._forget()
         self._program, self._speed = program, speed
         self._status = LiveStatus("starting", speed, program)
         self._tell(self._status)
 
     def add(self, message: Mapping[str, object]) -> None:
         """Take a message of the run and send it on."""
-        if message.get("type") == "live":
-            self._status = message
-        elif message.get("type") != "notice":
-            self._others.append(message)
+        match message:
+            case {"type": "live"}:
+                self._status = message
+            case {"type": "layout"}:
+                self._layout = (message,)
+            case {"type": "placed", "body": body}:
+                self._others.pop(("placed", body), None)  # only where it is now, in order of time
+                self._others["placed", body] = message
+            case {"type": "stamped"}:
+                self._presses += 1
+                self._others["stamped", self._presses] = message
+                self._others.pop(("stamped", self._presses - MOST_PRESSES), None)
+            case _:  # notices are for who is there
+                pass
         self._tell(message)
 
     def end(self) -> None:
         """Tell that the run is over and forget it."""
         self._tell(LiveStatus("over", self._speed, self._program))
         self._status = None
+        self._forget()
+
+    def _forget(self) -> None:
+        self._presses = 0
+        self._layout = ()
         self._others.clear()

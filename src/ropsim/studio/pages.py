@@ -44,7 +44,8 @@ def routes(folder: Path, session: Session) -> list[BaseRoute]:
         return HTMLResponse(page, headers=headers)
 
     async def pack(request: Request) -> Response:
-        content = session.runs.pack(request.path_params["run"])
+        number = request.path_params["run"]
+        content = session.runs.pack(int(number)) if len(number) < 19 and number.isdecimal() else None
         return _bytes(content, "application/octet-stream", {})
 
     async def mesh(request: Request) -> Response:
@@ -53,7 +54,7 @@ def routes(folder: Path, session: Session) -> list[BaseRoute]:
 
     return [
         Route("/", index),
-        Route("/run/{run:int}.pack", pack),
+        Route("/run/{run}.pack", pack),
         Route("/mesh/{address}.glb", mesh),
         Mount("/assets", _Assets(directory=folder / "assets")),
     ]

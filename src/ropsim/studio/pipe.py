@@ -9,12 +9,20 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from importlib import import_module
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 
 from ropsim.studio.jobs import Answer, Request, Stop
 
 GOODBYE = 1.5
-"""How long a worker may take to end by itself, then to follow a request of the system [s]."""
+"""How long a worker may take to end by itself, then to be gone after it was killed [s]."""
+
+ENDINGS = [
+    number
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+    if (number := getattr(signal, name, None)) is not None
+]
+"""Signals that may be sent to all processes of the studio at once: the web process alone answers them."""
 
 
 class Pipe:
@@ -40,7 +48,10 @@ class Pipe:
         self._connection, far = context.Pipe()
         self._outbox: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
         self._process = context.Process(target=_serve, args=(target, far, folder), name=name, daemon=True)
-        with _interrupts_held():
+        if sys.platform != "win32":
+            with _endings_held():
+                resource_tracker.ensure_running()  # it lets some of them through again
+        with _endings_held():
             self._process.start()
         far.close()
         self.process_id = self._process.pid
@@ -65,11 +76,9 @@ class Pipe:
         self._outbox.put(Request(0, Stop()))
         self._outbox.put(None)
         self._reader.join(GOODBYE)
-        for push in (self._process.terminate, self._process.kill):
-            if self._reader.is_alive():
-                with contextlib.suppress(ValueError):  # it has just gone
-                    push()
-                self._reader.join(GOODBYE)
+        if self._reader.is_alive():
+            self.kill()
+            self._reader.join(GOODBYE)
 
     def _read(self) -> None:
         with contextlib.suppress(EOFError, OSError):  # the far end is closed when the process ends
@@ -90,7 +99,8 @@ class Pipe:
 
 def _serve(target: str, connection: Connection, folder: str) -> None:
     """Run a worker in this process until its end of the pipe is closed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches the web process, which ends its workers
+    for number in ENDINGS:
+        signal.signal(number, signal.SIG_IGN)
     os.chdir(folder)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     module, function = target.split(":")
@@ -106,12 +116,12 @@ def _end_with_parent() -> None:
 
 
 @contextlib.contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Keep Ctrl+C from a process that is just being started; here it arrives afterwards."""
+def _endings_held() -> Iterator[None]:
+    """Keep signals from a process that is just being started; here they arrive afterwards."""
     if sys.platform == "win32":
         yield
     else:
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDINGS)
         try:
             yield
         finally:

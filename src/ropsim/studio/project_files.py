@@ -1,6 +1,7 @@
 """The files of a project that the studio shows as texts: which there are, and what is in them now."""
 
 import contextlib
+import os
 import stat
 from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
@@ -51,15 +52,16 @@ def stamps(folder: Path) -> dict[str, Stamp]:
 def content(path: Path) -> bytes | None:
     """Return what is in a file, cut where no text is that long; None where it cannot be read."""
     try:
-        with path.open("rb") as stream:
-            return stream.read(LARGEST + 1)
+        with open(path, "rb", opener=_without_waiting) as stream:
+            return stream.read(LARGEST + 1) if stat.S_ISREG(os.fstat(stream.fileno()).st_mode) else None
     except OSError:
         return None
 
 
 def leaves_project(folder: Path, path: Path) -> bool:
     """Return whether a file is a link that leads out of the project."""
-    return not path.resolve().is_relative_to(folder.resolve())
+    # Path.resolve raises RuntimeError where links go round
+    return not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
 
 
 def program_names(documents: Iterable[str]) -> Mapping[str, str]:
@@ -69,6 +71,11 @@ def program_names(documents: Iterable[str]) -> Mapping[str, str]:
     for path in sorted(paths, key=lambda one: (one.suffix != PROGRAM_ENDINGS[0], one)):
         names[path.stem if path.stem not in names else path.name] = str(path)
     return names
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    """Open a file; a pipe that nobody writes to is no reason to wait."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _programs(folder: Path) -> list[str]:

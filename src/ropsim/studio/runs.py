@@ -194,7 +194,7 @@ class Runs:
     def _end_deaf(self, current: Current) -> None:
         """End a simulator that has not given up its job."""
         if self._current is current:
-            self._simulator.restart()
+            self._simulator.kill()
 
     def _drop_next(self) -> None:
         self._next = None

@@ -3,12 +3,13 @@
 import contextlib
 import os
 import secrets
+import signal
 import socket
 import sys
 import tempfile
 import threading
 import webbrowser
-from collections.abc import AsyncIterator, Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
@@ -66,52 +67,62 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
     page_folder = pages.pages_folder()
     listener = _listen(options.port)
     port = listener.getsockname()[1]
-    token = secrets.token_urlsafe(24)
-    address = f"http://{ADDRESS}:{port}/?token={token}"
+    token, once = (secrets.token_urlsafe(24) for _ in range(2))
 
     def ready() -> None:
-        say(address)
+        say(_address(port, token))
         if options.browser is Browser.OPENED:
             # a browser of the terminal would hold the server up
-            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+            threading.Thread(target=webbrowser.open, args=(_address(port, once),), daemon=True).start()
 
     with tempfile.TemporaryDirectory(prefix="ropsim-", ignore_cleanup_errors=True) as neutral:
         _leave_project(Path(neutral), folder)
-        app = application(Session(folder, Path(neutral)), page_folder, Path(neutral))
-        _Server(_configuration(Gate(app, port, token)), ready).run(sockets=[listener])
-        os.chdir(Path(neutral).anchor)
-
-
-def application(session: Session, page_folder: Path, neutral: Path) -> Starlette:
-    """Return what is behind the gate; the session lives as long as the server."""
-
-    @contextlib.asynccontextmanager
-    async def lifespan(app: Starlette) -> AsyncIterator[None]:
-        del app
-        await session.open()
+        session = Session(folder, Path(neutral))
+        behind = Starlette(
+            routes=[*pages.routes(page_folder, session), *sockets.routes(session, Path(neutral))]
+        )
         try:
-            yield
+            _Server(_configuration(Gate(behind, port, token, once)), session, ready).run(sockets=[listener])
         finally:
-            await session.close()
+            session.kill()
+            os.chdir(Path(neutral).anchor)
 
-    everything = [*pages.routes(page_folder, session), *sockets.routes(session, neutral)]
-    return Starlette(routes=everything, lifespan=lifespan)
+
+def _address(port: int, token: str) -> str:
+    return f"http://{ADDRESS}:{port}/?token={token}"
 
 
 class _Server(uvicorn.Server):
-    """A server that tells when it listens, and that ends without an error on Ctrl+C."""
+    """A server with its session. It tells when it listens, and ends without an error when it is asked to.
 
-    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
+    Asked again it goes on ending: it takes a few seconds at most, and unsaved text is kept meanwhile.
+    """
+
+    def __init__(self, config: uvicorn.Config, session: Session, ready: Callable[[], None]) -> None:
         super().__init__(config)
+        self._session = session
         self._ready = ready
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await self._session.open()
         await super().startup(sockets)
-        self._ready()
+        if not self.should_exit:
+            self._ready()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().shutdown(sockets)
+        await self._session.close()
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        with super().capture_signals():
+            # a terminal that is closed ends the studio, unless it was started to outlive its terminal (nohup)
+            if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) is signal.SIG_DFL:
+                signal.signal(signal.SIGHUP, self.handle_exit)
+            yield
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         del sig, frame
-        self.force_exit = self.should_exit
         self.should_exit = True
 
 
@@ -121,7 +132,7 @@ def _configuration(app: ASGIApp) -> uvicorn.Config:
         access_log=False,
         log_config=None,
         log_level="critical",
-        lifespan="on",
+        lifespan="off",
         ws="websockets-sansio",
         ws_max_size=LONGEST_MESSAGE,
         ws_per_message_deflate=False,

@@ -65,6 +65,11 @@ class Session:
         for task in self._background:
             task.cancel()
 
+    def kill(self) -> None:
+        """End the workers at once, whether the session was closed or not."""
+        self._desk.kill()
+        self._simulator.kill()
+
     async def receive(self, tab: Tab, text: str | bytes) -> None:
         """Do what a page says; whatever it says, the session goes on."""
         command, problem = commands.read_command(text)

@@ -27,8 +27,11 @@ class Tabs:
         return iter(tuple(self._tabs))
 
     def add(self, tab: Tab) -> None:
-        """Enter a tab that has said its name; it may edit if nobody does."""
+        """Enter a tab that has said its name; it may edit if nobody does, or if it did and comes again."""
         self._tabs.append(tab)
+        if self._editor is not None and self._editor.name == tab.name:
+            self._editor.send(EditingRight(editing=False))  # a connection that is as good as gone
+            self._editor = tab
         kept = self._clock() < self._kept_until and self._kept_for != tab.name
         if self._editor is None and not kept:
             self._editor = tab

@@ -54,10 +54,11 @@ class WorkerLink:
         self._tasks: dict[int, Task] = {}
         self._pipe: Pipe | None = None
         self._asked_to_die = False
+        self._closed = False
 
     def start(self) -> None:
         """Start the process if it does not run, so that it is warm for the first job."""
-        if self._pipe is None:
+        if self._pipe is None and not self._closed:
             self._pipe = self._open()
 
     @property
@@ -69,8 +70,11 @@ class WorkerLink:
         """Send a job; `report` hears what the worker tells before its reply."""
         self.start()
         task = Task(next(self._numbers), job, report, asyncio.get_running_loop().create_future())
-        self._tasks[task.number] = task
-        self._send(Request(task.number, job))
+        if self._closed:
+            task.reply.set_result(_failure(job, f"the {self._name} has been ended"))
+        else:
+            self._tasks[task.number] = task
+            self._send(Request(task.number, job))
         return task
 
     def order(self, task: Task, order: Order) -> None:
@@ -78,17 +82,18 @@ class WorkerLink:
         if task.number in self._tasks:
             self._send(Request(task.number, order))
 
-    def restart(self) -> None:
-        """End a process that does not listen any more; its jobs fail and the next job starts a new one."""
+    def kill(self) -> None:
+        """End the process at once, whatever it does; its jobs fail and the next job starts a new one."""
         if self._pipe is not None:
             self._asked_to_die = True
             self._pipe.kill()
 
     async def close(self) -> None:
-        """End the process."""
-        pipe, self._pipe = self._pipe, None
-        if pipe is not None:
-            await asyncio.to_thread(pipe.close)
+        """End the process for good."""
+        self._closed = True
+        if self._pipe is not None:
+            self._asked_to_die = True
+            await asyncio.to_thread(self._pipe.close)
 
     def _open(self) -> Pipe:
         loop = asyncio.get_running_loop()

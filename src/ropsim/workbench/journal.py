@@ -1,5 +1,6 @@
 """The journal: unsaved texts of a project, kept outside of it through a crash."""
 
+import errno
 import hashlib
 import json
 import sys
@@ -16,6 +17,8 @@ VERSION = 1
 MOST_SLOTS = 16
 """Sessions that may have the same project open at once, each with a journal of its own."""
 
+_TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
+
 
 @dataclass(frozen=True, slots=True)
 class Draft:
@@ -31,19 +34,26 @@ class Draft:
 
 
 class Journal:
-    """Unsaved texts of one session. The first free place among those of the project is taken and held."""
+    """Unsaved texts of one session, in a place of its own among those of the project.
+
+    Of the free places one is taken that an earlier session has left texts in, else the first.
+
+    Raises:
+        OSError: there can be no journal.
+    """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder.resolve()
         key = hashlib.sha256(str(self._folder).encode("utf-8", "surrogateescape")).hexdigest()[:20]
         home = state_folder() / "journal"
         home.mkdir(parents=True, exist_ok=True, mode=0o700)
-        self._lock: IO[bytes] | None = None
-        for slot in range(MOST_SLOTS):
-            self._place = home / f"{key}-{slot}.json"
-            self._lock = _locked(home / f"{key}-{slot}.lock")
-            if self._lock is not None:
-                break
+        places = [home / f"{key}-{slot}.json" for slot in range(MOST_SLOTS)]
+        for place in sorted(places, key=lambda one: not one.exists()):
+            lock = _locked(place.with_suffix(".lock"))
+            if lock is not None:
+                self._place, self._lock = place, lock
+                return
+        raise OSError(errno.EBUSY, f"the project is open {MOST_SLOTS} times")
 
     def read(self) -> tuple[Mapping[str, Draft], tuple[Diagnostic, ...]]:
         """Return what an earlier session has left, by the names of the documents."""
@@ -74,8 +84,7 @@ class Journal:
 
     def close(self) -> None:
         """Leave the place to the next session."""
-        if self._lock is not None:
-            self._lock.close()
+        self._lock.close()
 
 
 def _drafts(content: bytes) -> dict[str, Draft] | None:
@@ -91,7 +100,10 @@ def _drafts(content: bytes) -> dict[str, Draft] | None:
 
 
 def _locked(place: Path) -> IO[bytes] | None:
-    """Return the file with a lock that the system frees when this process ends, None where another has it."""
+    """Return the file with a lock that the system frees when this process ends, None where another has it.
+
+    On file systems that know no locks it is returned without one.
+    """
     stream = place.open("ab")
     try:
         if sys.platform == "win32":
@@ -102,7 +114,8 @@ def _locked(place: Path) -> IO[bytes] | None:
             import fcntl
 
             fcntl.flock(stream.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        stream.close()
-        return None
+    except OSError as error:
+        if error.errno in _TAKEN:
+            stream.close()
+            return None
     return stream

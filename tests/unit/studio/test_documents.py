@@ -1,10 +1,13 @@
 import asyncio
 import hashlib
+import os
+import sys
 from pathlib import Path
 
 import pytest
 
 from ropsim.studio.diagnostics import StudioError
+from ropsim.studio.document import LARGEST
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.project_files import program_names, project_folder
 from ropsim.workbench import Draft
@@ -181,3 +184,42 @@ def test_where_no_project_is_the_finding_says_what_to_do(tmp_path: Path, name: s
         project_folder(tmp_path / name)
     assert refused.value.diagnostic.code == "U950"
     assert "ropsim new" in refused.value.diagnostic.hint
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such files")
+def test_a_pipe_in_place_of_a_program_holds_nothing_up(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "new\n", 1)
+    (folder / "programs" / "main.task").unlink()
+    os.mkfifo(folder / "programs" / "main.task")
+    changed, _ = asyncio.run(documents.look())
+    assert [(one.name, one.conflict) for one in changed] == [("programs/main.task", True)]
+    assert save(documents, "programs/main.task") == "U956"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_links_that_go_round_are_refused_in_words(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "new\n", 1)
+    (folder / "programs" / "main.task").unlink()
+    (folder / "programs" / "main.task").symlink_to("main.task")
+    asyncio.run(documents.look())
+    assert save(documents, "programs/main.task", Overwriting.WANTED) == "U957"
+    assert documents.unsaved_texts == {"programs/main.task": "new\n"}
+
+
+def test_a_text_counts_in_bytes_as_readers_count_it(folder: Path) -> None:
+    documents = opened(folder)
+    taken, finding = documents.edit("programs/main.task", "\u20ac" * (LARGEST // 2), 1)
+    assert (taken, finding.code if finding else "") == (None, "U958")
+    assert documents.unsaved_texts == {}
+
+
+def test_a_file_that_its_line_ends_would_make_too_long_is_not_written(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    documents = opened(folder)
+    monkeypatch.setattr("ropsim.studio.documents.LARGEST", 12)
+    documents.edit("programs/main.task", "one\n1\n2\n3\n4\n", 1)
+    assert save(documents, "programs/main.task") == "U957"
+    assert (folder / "programs" / "main.task").read_bytes() == b"one\r\ntwo\r\n"

@@ -23,6 +23,13 @@ def ask(
     headers: dict[str, str], path: str = "/", query: str = "", **scope: Any
 ) -> tuple[int, dict[str, str]]:
     """Return status and headers of the answer to a request."""
+    return answered(Gate(behind, PORT, TOKEN), headers, path, query, **scope)
+
+
+def answered(
+    gate: Gate, headers: dict[str, str], path: str = "/", query: str = "", **scope: Any
+) -> tuple[int, dict[str, str]]:
+    """Return status and headers of a gate's answer to a request."""
     sent: list[Message] = []
 
     async def send(message: Message) -> None:
@@ -41,7 +48,7 @@ def ask(
         "extensions": {"websocket.http.response": {}},
         **scope,
     }
-    asyncio.run(Gate(behind, PORT, TOKEN)(whole, receive, send))
+    asyncio.run(gate(whole, receive, send))
     if sent[0]["type"] == "websocket.close":
         return 0, {}
     return sent[0]["status"], {name.decode(): value.decode() for name, value in sent[0]["headers"]}
@@ -109,3 +116,13 @@ def test_the_policy_allows_no_script_but_files_of_ours_and_style_elements_with_t
     assert rules["script-src"] == rules["default-src"] == "'self'"
     assert rules["style-src-elem"] == "'self' 'nonce-abc'"
     assert rules["frame-ancestors"] == rules["object-src"] == rules["base-uri"] == "'none'"
+
+
+def test_the_address_that_a_browser_is_started_with_works_once() -> None:
+    gate = Gate(behind, PORT, TOKEN, "0nce")
+    first = answered(gate, {"host": HOST}, "/", "token=0nce")
+    assert (first[0], TOKEN in first[1]["set-cookie"]) == (303, True)
+    assert answered(gate, {"host": HOST}, "/", "token=0nce")[0] == 401
+    assert answered(gate, {"host": HOST}, "/", "token=")[0] == 401
+    assert answered(gate, {"host": HOST}, "/", f"token={TOKEN}")[0] == 303
+    assert answered(gate, {"host": HOST, "cookie": f"ropsim-{PORT}=0nce"})[0] == 401

@@ -2,6 +2,8 @@
 
 import asyncio
 import json
+import os
+import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
@@ -243,5 +245,39 @@ def test_a_journal_that_cannot_be_is_told_and_the_rest_works(
         await first.say(type="edit", document="programs/main.task", text="new\n", version=1)
         await first.say(type="save", document="programs/main.task", overwrite=False)
         assert (folder / "programs" / "main.task").read_text("utf-8") == "new\n"
+
+    in_session(folder, play)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+def test_a_file_whose_name_is_no_text_takes_nothing_from_the_others(folder: Path) -> None:
+    (folder / "programs" / os.fsdecode(b"\xff.task")).write_text("x\n", "utf-8")
+
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        assert [one["name"] for one in (await first.hear("welcome"))["documents"]] == [
+            "cell.toml",
+            "programs/main.task",
+            "programs/\ufffd.task",
+        ]
+        await first.hear("run", state="done")
+
+    in_session(folder, play)
+
+
+def test_files_are_watched_on_after_a_fault(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        documents = first.session.editing.documents
+        look = documents.look
+
+        async def fail() -> None:
+            monkeypatch.setattr(documents, "look", look)
+            raise ValueError("once")
+
+        monkeypatch.setattr(documents, "look", fail)
+        assert (await first.hear("notice"))["code"] == "U961"
+        (folder / "programs" / "main.task").write_text("written elsewhere\n", "utf-8")
+        await first.hear("documents")
 
     in_session(folder, play)

@@ -2,8 +2,11 @@ import asyncio
 import json
 
 from ropsim.studio.messages import EditingRight
-from ropsim.studio.tab import Tab
+from ropsim.studio.tab import MOST_WAITING, Tab
 from ropsim.studio.tabs import GRACE, Tabs
+
+PATIENCE = 20.0
+"""So that a broken test ends [s]."""
 
 
 class Clock:
@@ -90,3 +93,38 @@ def test_of_frames_the_newest_three_are_sent_and_of_messages_all_before_them() -
         tab.send(EditingRight(editing=number % 2 == 0))
     assert sent(tab)[5:] == [b"\x02", b"\x03", b"\x04"]
     assert len(sent(tab)) == 0
+
+
+def test_a_tab_that_comes_again_before_its_former_connection_has_gone_goes_on_editing() -> None:
+    tabs, first, again = Tabs(Clock()), named("a"), named("a")
+    tabs.add(first)
+    tabs.add(again)
+    assert [tabs.may_edit(first), tabs.may_edit(again)] == [False, True]
+    tabs.remove(first)
+    assert tabs.may_edit(again)
+    assert sent(first) == [{"type": "editing", "editing": False}]
+
+
+def test_a_tab_that_has_stopped_reading_is_closed_and_holds_nothing() -> None:
+    tab = Tab()
+    text = b"x" * (MOST_WAITING // 4)
+    for _ in range(5):
+        tab.send_text(text)
+        tab.send_frame(text)
+    assert tab.closed
+    assert sent(tab) == []
+
+
+def test_a_tab_ends_although_its_page_reads_nothing() -> None:
+    async def never(_: object) -> None:
+        await asyncio.sleep(3600)
+
+    async def play() -> None:
+        tab = Tab()
+        tab.send_frame(b"1")
+        pumping = asyncio.create_task(tab.pump(never, never))
+        await asyncio.sleep(0)
+        tab.close()
+        await asyncio.wait_for(pumping, PATIENCE)
+
+    asyncio.run(play())

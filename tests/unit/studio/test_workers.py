@@ -3,8 +3,11 @@
 import asyncio
 import os
 import signal
+import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
+
+import pytest
 
 from ropsim.studio import jobs
 from ropsim.studio.workers import WorkerLink
@@ -58,7 +61,7 @@ def test_a_worker_that_dies_fails_its_job_in_words_and_the_next_job_has_a_new_on
 
 def test_a_worker_that_does_not_listen_is_ended_on_request(tmp_path: Path) -> None:
     async def use(link: WorkerLink) -> None:
-        task = link.submit(simulate("deaf"), lambda _: link.restart())
+        task = link.submit(simulate("deaf"), lambda _: link.kill())
         reply = await task.reply
         assert isinstance(reply, jobs.RunReply)
         assert reply.state == "failed"
@@ -96,3 +99,37 @@ def _alive(pid: int) -> bool:
     except ProcessLookupError:
         return False
     return True
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other signals")
+@pytest.mark.parametrize("number", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_what_ends_a_whole_group_leaves_the_end_of_workers_to_the_server(tmp_path: Path, number: str) -> None:
+    async def use(link: WorkerLink) -> None:
+        link.start()  # signals that come while it starts count, too
+        for _ in range(20):
+            os.kill(link.process_id or 0, getattr(signal, number))
+            await asyncio.sleep(0.02)
+        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.JogReply)
+        os.kill(link.process_id or 0, getattr(signal, number))
+        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.JogReply)
+
+    assert with_link(tmp_path, use) == []
+
+
+def test_a_link_that_is_closed_starts_no_process_any_more(tmp_path: Path) -> None:
+    async def use(link: WorkerLink) -> None:
+        await link.submit(jobs.JogJoints((1.0,), "")).reply
+        await link.close()
+        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.Failed)
+        assert link.process_id is None
+
+    assert with_link(tmp_path, use) == []
+
+
+def test_killing_ends_a_worker_at_once_and_silently(tmp_path: Path) -> None:
+    async def use(link: WorkerLink) -> None:
+        task = link.submit(simulate("deaf"))
+        link.kill()
+        assert isinstance(await task.reply, jobs.RunReply)
+
+    assert with_link(tmp_path, use) == []

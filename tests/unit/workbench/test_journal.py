@@ -1,9 +1,11 @@
+import contextlib
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 
 from ropsim.workbench import Draft, Journal
+from ropsim.workbench.journal import MOST_SLOTS
 
 DRAFTS = {"programs/main.task": Draft("mov p\n\ud83e", ""), "cell.toml": Draft("", "ab")}
 
@@ -62,3 +64,18 @@ def test_a_damaged_journal_is_set_aside_and_told(project: Path, tmp_path: Path, 
     assert (drafts, [one.code for one in findings]) == ({}, ["X893"])
     assert place.with_suffix(".damaged").read_bytes() == content
     assert journal.read() == ({}, ())
+
+
+def test_what_a_second_session_has_left_is_found_by_the_next_one(project: Path) -> None:
+    with closing(Journal(project)), closing(Journal(project)) as second:
+        second.write(DRAFTS)
+    with closing(Journal(project)) as third:
+        assert third.read() == (DRAFTS, ())
+
+
+def test_when_all_places_are_taken_there_is_no_journal(project: Path) -> None:
+    with contextlib.ExitStack() as stack:
+        for _ in range(MOST_SLOTS):
+            stack.enter_context(closing(Journal(project)))
+        with pytest.raises(OSError, match="open 16 times"):
+            Journal(project)

@@ -1,0 +1,94 @@
+"""A page of a running studio without a browser: HTTP, sockets, and the processes behind them."""
+
+import contextlib
+import http.client
+import json
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+from websockets.sync.client import ClientConnection, connect
+
+from support import studio_launcher
+from support.studio_process import Studio
+
+PATIENCE = 120.0
+"""Longer than compiling an arm for the first time takes, so that a broken test ends [s]."""
+
+
+def command(home: Path) -> tuple[str, ...]:
+    """Return the command that runs ropsim with a tiny page."""
+    return (sys.executable, studio_launcher.__file__, str(home / "pages"))
+
+
+def secret(studio: Studio) -> dict[str, str]:
+    """Return the cookie that the first address gives."""
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+        connection.request("GET", studio.url.split(str(studio.port), 1)[1])
+        answer = connection.getresponse()
+        answer.read()
+    assert (answer.status, answer.getheader("location")) == (303, "/")
+    return {"Cookie": (answer.getheader("set-cookie") or "").split(";")[0]}
+
+
+def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET") -> tuple[int, bytes]:
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+        connection.request(method, path, headers=headers)
+        answer = connection.getresponse()
+        return answer.status, answer.read()
+
+
+def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientConnection:
+    """Return an open socket; a page's headers unless others are given."""
+    ours = {**secret(studio), "Origin": f"http://127.0.0.1:{studio.port}", **headers}
+    return connect(
+        f"ws://127.0.0.1:{studio.port}{path}",
+        additional_headers={name: value for name, value in ours.items() if name != "Origin" and value},
+        origin=ours["Origin"] or None,  # type: ignore[arg-type]  # any text, also a foreign one
+        max_size=None,
+        compression=None,
+        proxy=None,
+    )
+
+
+class Page:
+    """A tab of the studio: what it says, and what it has heard and not asked for yet."""
+
+    def __init__(self, socket: ClientConnection, name: str = "a") -> None:
+        self.socket = socket
+        self._heard: list[dict[str, Any]] = []
+        self.say(type="hello", tab=name)
+
+    def say(self, **message: object) -> None:
+        self.socket.send(json.dumps(message))
+
+    def hear(self, kind: str, **fields: object) -> dict[str, Any]:
+        """Return the oldest message of a kind with these fields; others keep waiting."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            for message in self._heard:
+                if message["type"] == kind and all(
+                    message.get(name) == value for name, value in fields.items()
+                ):
+                    self._heard.remove(message)
+                    return message
+            text = self.socket.recv(timeout=max(0.0, end - time.monotonic()))
+            if isinstance(text, str):
+                self._heard.append(json.loads(text))
+
+
+@contextlib.contextmanager
+def page_of(studio: Studio) -> Iterator[Page]:
+    with opened(studio) as socket:
+        yield Page(socket)
+
+
+def wait_for_journal(home: Path, text: str) -> None:
+    """Wait until a journal below a folder holds a text."""
+    end = time.monotonic() + PATIENCE
+    while not any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json")):
+        assert time.monotonic() < end
+        time.sleep(0.02)

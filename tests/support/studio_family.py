@@ -1,0 +1,65 @@
+"""The processes that a studio has started, as Linux lists them."""
+
+import contextlib
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+PATIENCE = 20.0
+"""Until a process that ends must be gone [s]."""
+
+needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
+
+
+class Process(NamedTuple):
+    """A process that runs: numbers of itself, its parent and its session, and its command line."""
+
+    pid: int
+    parent: int
+    session: int
+    words: bytes
+
+
+def group(studio: int) -> list[int]:
+    """Return the processes that the studio and its children are, by the session they share."""
+    return [one.pid for one in _processes() if one.session == studio]
+
+
+def workers(studio: int) -> list[int]:
+    """Return the workers: desk and simulator."""
+    return [one.pid for one in _processes() if one.parent == studio and b"spawn_main" in one.words]
+
+
+def language_servers(studio: int) -> list[int]:
+    """Return the language servers, which have sessions of their own."""
+    return [
+        one.pid for one in _processes() if one.parent == studio and one.words.endswith(b"\0ropsim\0lsp\0")
+    ]
+
+
+def ends(studio: int) -> bool:
+    """Return whether all processes of a studio are gone soon."""
+    return gone(group(studio)) and not group(studio)
+
+
+def gone(pids: list[int]) -> bool:
+    """Return whether processes have ended soon."""
+    end = time.monotonic() + PATIENCE
+    while left := {one.pid for one in _processes()} & set(pids):
+        if time.monotonic() > end:
+            break
+        time.sleep(0.05)
+    return not left
+
+
+def _processes() -> Iterator[Process]:
+    for place in Path("/proc").iterdir():
+        if place.name.isdigit():
+            with contextlib.suppress(OSError):  # it has just ended
+                state, parent, _, session = (place / "stat").read_text("utf-8").rsplit(")", 1)[1].split()[:4]
+                if state != "Z":
+                    words = (place / "cmdline").read_bytes()
+                    yield Process(int(place.name), int(parent), int(session), words)
