@@ -218,8 +218,8 @@ export class ProgramEditor {
       closeBrackets(),
       indentUnit.of('  '),
       search({ top: true }),
-      // Lists and hints may be larger than the panel.
-      tooltips({ parent: window.document.body }),
+      // Lists and hints may be larger than the panel; they stay inside the page's landmark.
+      tooltips({ parent: this.#view.dom.closest('main') ?? window.document.body }),
       document.language === 'task' ? task() : [],
       this.#language.extension(document),
       keymap.of([
@@ -232,7 +232,8 @@ export class ProgramEditor {
         indentWithTab,
       ]),
       theme,
-      EditorView.contentAttributes.of({ 'aria-label': words.label(document.name) }),
+      // What scrolls must take the keyboard, also by the letter of the rule.
+      EditorView.contentAttributes.of({ 'aria-label': words.label(document.name), tabindex: '0' }),
       EditorView.updateListener.of(update => this.#updated(update)),
     ]
   }

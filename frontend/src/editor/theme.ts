@@ -7,7 +7,9 @@ import { tags } from '@lezer/highlight'
 const mix = (color: string, share: number) => `color-mix(in srgb, var(${color}) ${share}%, transparent)`
 
 const view = EditorView.theme({
-  '&': { height: '100%', fontSize: '13px', backgroundColor: 'var(--panel)', color: 'var(--text)' },
+  // The place of the tooltips has the class of the theme, too: a size is for the editor alone.
+  '&': { fontSize: '13px', color: 'var(--text)' },
+  '&.cm-editor': { height: '100%', backgroundColor: 'var(--panel)' },
   '&.cm-focused': { outline: '2px solid var(--accent)', outlineOffset: '-2px' },
   '.cm-scroller': { fontFamily: 'ui-monospace, "DejaVu Sans Mono", Consolas, monospace', lineHeight: '1.5' },
   '.cm-content': { caretColor: 'var(--text)' },

@@ -70,7 +70,7 @@ export class Dock {
   /** Put the keyboard into the next group of panels. */
   cycle(direction: 1 | -1): void {
     const groups = this.#api.groups
-    const at = groups.findIndex(group => group.element.contains(document.activeElement))
+    const at = groups.findIndex(group => holdsFocus(group))
     const next = groups[(at + direction + groups.length) % groups.length] ?? groups[0]
     const panel = next?.activePanel
     if (!panel) return
@@ -173,6 +173,12 @@ export class Dock {
       ...(kind === 'views' || kind === 'program' ? { renderer: 'always' as const } : {}),
     })
   }
+}
+
+/** Whether the keyboard is in a group: in its tabs, or in a panel that may be drawn above and not inside it. */
+function holdsFocus({ element, panels }: DockviewApi['groups'][number]): boolean {
+  const places = [element, ...panels.map(panel => panel.view.content.element)]
+  return places.some(place => place.contains(document.activeElement))
 }
 
 /** Focus the first thing in a panel that takes the keyboard. */

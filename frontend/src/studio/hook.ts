@@ -61,6 +61,7 @@ export function installHook(studio: Studio): void {
         delivered: studio.desk.delivered,
         unsaved: documents.filter(one => one.unsaved).map(one => one.name),
         duration: studio.run?.duration ?? 0,
+        recorded: studio.run?.live === false,
       }
     },
     command: id => studio.commands.run(id),
