@@ -10,7 +10,7 @@ from ropsim.workbench import open_project
 from ropsim.workbench.replay import pack_of
 from ropsim.workbench.viewer import built_viewer
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
+EXAMPLES = Path(__file__).parents[2] / "examples"
 #: A report may have this much, and this much for each simulated minute [bytes].
 PAGE, MINUTE = 1.7e6, 0.5e6
 #: A pack may have this much for each simulated minute of the palletizing cell [bytes].

@@ -1,15 +1,9 @@
 """Budgets of the built pages: what a browser loads at once, what later, what every report carries."""
 
-import gzip
-import re
-from collections.abc import Iterable
-from pathlib import Path
-
 import pytest
 
-import ropsim
+from support.bundle import STATIC, compressed, of_the_replay, scripts_at_once, scripts_of_the_editor, styles
 
-STATIC = Path(ropsim.__file__).parent / "static"
 AT_ONCE = 400_000
 """Compressed scripts and styles that the first page asks for, in bytes."""
 EDITOR = 170_000
@@ -22,27 +16,10 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def compressed(paths: Iterable[Path]) -> int:
-    """Return the total size of files as sent with gzip."""
-    return sum(len(gzip.compress(path.read_bytes(), 9)) for path in paths)
-
-
-def scripts_at_once() -> set[Path]:
-    """Return the scripts that index.html names: the entry and what it imports statically."""
-    index = (STATIC / "studio" / "index.html").read_text("utf-8")
-    return {STATIC / "studio" / name for name in re.findall(r'"/(assets/[^"]+\.js)"', index)}
-
-
-def scripts_of_the_editor() -> set[Path]:
-    """Return the scripts that hold CodeMirror, known by one of its class names."""
-    scripts = (STATIC / "studio").rglob("*.js")
-    return {path for path in scripts if "cm-widgetBuffer" in path.read_text("utf-8")}
-
-
 def test_the_first_page_is_within_its_budget() -> None:
     scripts = scripts_at_once()
     assert scripts
-    assert compressed(scripts | set((STATIC / "studio").rglob("*.css"))) <= AT_ONCE
+    assert compressed(scripts | styles()) <= AT_ONCE
 
 
 def test_the_editor_comes_later_and_is_within_its_budget() -> None:
@@ -53,7 +30,7 @@ def test_the_editor_comes_later_and_is_within_its_budget() -> None:
 
 
 def test_the_replay_is_within_its_budget() -> None:
-    assert sum((STATIC / "replay" / name).stat().st_size for name in ("replay.js", "replay.css")) <= REPLAY
+    assert sum(path.stat().st_size for path in of_the_replay()) <= REPLAY
 
 
 def test_the_pages_carry_the_notices_of_what_they_contain() -> None:

@@ -36,6 +36,11 @@ def apart(one: Pose, other: Pose) -> tuple[float, float]:
 
 
 def worst_apart(page: Mapping[str, Sequence[float]], expected: Mapping[str, Pose]) -> tuple[float, float]:
-    """Return the greatest distance [m] and turn [rad] between shown bodies and where they should be."""
+    """Return the greatest distance [m] and turn [rad] between shown bodies and where they should be.
+
+    Infinite where nothing is shown.
+    """
+    if not page:
+        return float("inf"), float("inf")
     pairs = [apart(shown(page[name]), pose) for name, pose in expected.items()]
     return max(distance for distance, _ in pairs), max(turn for _, turn in pairs)

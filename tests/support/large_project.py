@@ -6,6 +6,7 @@ from pathlib import Path
 from ropsim.core import replace_file
 
 PALLETIZING = Path(__file__).parents[2] / "examples" / "palletizing"
+INPUT = b"\n[signals.ready]\ninput = 1\n"
 TASK = """\
 task Visit{k}(part: loc, clear: length = {k} mm)
   set speed 250 mm/s
@@ -21,14 +22,11 @@ endp
 """
 
 
-def palletizing(folder: Path) -> Path:
-    """Copy the palletizing example to a folder that does not exist yet and return that."""
-    return Path(shutil.copytree(PALLETIZING, folder, ignore=shutil.ignore_patterns("out")))
-
-
 def large_palletizing(folder: Path, lines: int = 1_000) -> Path:
-    """Copy the example with tasks before its main loop that nobody calls, `lines` lines in all, and return it."""
-    program = palletizing(folder) / "programs" / "main.task"
+    """Copy the example with an input, and with tasks that nobody calls: a program of `lines` lines."""
+    shutil.copytree(PALLETIZING, folder, ignore=shutil.ignore_patterns("out"))
+    cell, program = folder / "cell.toml", folder / "programs" / "main.task"
+    replace_file(cell, cell.read_bytes() + INPUT)
     head, loop, tail = program.read_text("utf-8").partition("for each slot")
     missing = lines - (head + loop + tail).count("\n")
     tasks = "".join(TASK.format(k=k + 1) for k in range(-(-missing // TASK.count("\n"))))

@@ -4,9 +4,11 @@ import struct
 import zlib
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.spatial import Array
 
+Bytes = npt.NDArray[np.uint8]
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 CHANNELS = {2: 3, 6: 4}
 """Bytes of a pixel by colour type: RGB and RGBA."""
@@ -20,8 +22,8 @@ def read_png(content: bytes) -> Array:
     assert (bits, interlaced) == (8, 0)
     step = CHANNELS[kind]
     rows = np.frombuffer(zlib.decompress(chunks[b"IDAT"]), np.uint8).reshape(height, 1 + width * step)
-    picture = np.zeros((height, width, step), np.uint8)
-    above = np.zeros((width, step), np.uint8)
+    picture: Bytes = np.zeros((height, width, step), np.uint8)
+    above: Bytes = np.zeros((width, step), np.uint8)
     for at, row in enumerate(rows):
         above = picture[at] = _unfiltered(int(row[0]), row[1:].reshape(width, step), above)
     return picture[:, :, :3].astype(np.float64)
@@ -39,7 +41,7 @@ def _chunks(content: bytes) -> dict[bytes, bytes]:
     return found
 
 
-def _unfiltered(kind: int, row: Array, above: Array) -> Array:
+def _unfiltered(kind: int, row: Bytes, above: Bytes) -> Bytes:
     """Return a row of pixels from its differences to its neighbours at the left and above."""
     if kind == 0:
         return row

@@ -16,7 +16,7 @@ def processor_time(pid: int) -> float:
         if not place.name.isdigit():
             continue
         try:
-            # behind the name, which may hold spaces: state, parent, …, user and system time as fields 12 and 13
+            # behind the name, which may hold spaces: state, parent, …, user and system time
             fields = (place / "stat").read_text("utf-8").rsplit(")", 1)[1].split()
         except (FileNotFoundError, ProcessLookupError):
             continue

@@ -1,13 +1,13 @@
-"""How fast the studio is in a real browser: one function for each figure that has a budget."""
+"""How soon the studio stands in a real browser, how smoothly it plays, and what it costs while it is idle."""
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from support.browser import Pages
 from support.process_time import processor_time
+from support.studio_page import DRAWN, StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
@@ -19,34 +19,35 @@ FULL = 300
 
 
 def opened(open_page: Pages, studio: Studio, **context: Any) -> "Page":
-    """Open the studio with the probe inside and return its page with a run shown and the editor ready."""
+    """Open the studio with the probe inside; its page shows a run, has its text checked and may edit."""
     page = open_page("about:blank", **context)
     page.add_init_script(PROBE)
     page.goto(studio.url)
-    page.wait_for_function("() => __probe.picture && __probe.editor")
-    page.wait_for_function("() => __ropsim.state().runState === 'done' && __ropsim.state().shown > 0")
+    StudioPage(page).ready()
+    page.wait_for_function("() => __probe.picture && __probe.editor && __probe.checked")
     calm(page)
     return page
 
 
 def calm(page: "Page") -> None:
     """Wait until the picture is up to date."""
-    page.wait_for_function("() => __ropsim.stats().pending === 0")
+    page.wait_for_function(DRAWN)
 
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """First contentful paint, first picture with the cell and first text in the editor [ms]."""
+    """First contentful paint, picture with the cell, text in the editor and findings of the compiler [ms]."""
 
     contentful: float
     picture: float
     editor: float
+    checked: float
 
 
 def start_of(page: "Page") -> Start:
     """Return when the page first showed something."""
     paint = page.evaluate("() => performance.getEntriesByName('first-contentful-paint')[0].startTime")
-    return Start(paint, *page.evaluate("() => [__probe.picture, __probe.editor]"))
+    return Start(paint, *page.evaluate("() => [__probe.picture, __probe.editor, __probe.checked]"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,72 +86,6 @@ def playing(page: "Page") -> Playing:
 
 
 @dataclass(frozen=True, slots=True)
-class Live:
-    """A live run.
-
-    Attributes:
-        rate: state frames received per second.
-        frame: bytes of the largest frame.
-        stream: bytes per second.
-        latencies: age of the newest state one animation frame after it was drawn [ms], growing.
-    """
-
-    rate: float
-    frame: int
-    stream: float
-    latencies: list[float]
-
-
-def live(page: "Page", seconds: float) -> Live:
-    """Run the program live for some time and return how it was received."""
-    page.evaluate("() => __ropsim.command('live.start')")
-    page.wait_for_function("() => __ropsim.state().frames > 60")
-    found = page.evaluate(
-        """async seconds => {
-            __probe.reset()
-            const begun = performance.now()
-            await new Promise(done => setTimeout(done, 1000 * seconds))
-            return { ...__probe, seconds: (performance.now() - begun) / 1000 }
-        }""",
-        seconds,
-    )
-    page.evaluate("() => __ropsim.command('live.stop')")
-    page.wait_for_function("() => __ropsim.state().live === 'over' && __ropsim.state().runState === 'done'")
-    rates = (found["frames"] / found["seconds"], found["largest"], found["bytes"] / found["seconds"])
-    return Live(*rates, sorted(found["ages"]))
-
-
-def squiggles(page: "Page", rounds: int) -> list[float]:
-    """Return the times from a keystroke that breaks a word, or mends it, to the change of the marks [ms], growing.
-
-    Before each keystroke the run of the one before has ended, so that nothing else is computed.
-    """
-    page.locator(".cm-line", has_text="close").first.click()
-    page.keyboard.press("End")
-    page.evaluate("() => __probe.reset()")
-    for done in range(2 * rounds):
-        page.keyboard.press("q" if done % 2 == 0 else "Backspace")
-        page.wait_for_function("count => __probe.marks.length === count", arg=done + 1)
-        wanted = "refused" if done % 2 == 0 else "done"
-        page.wait_for_function("state => __ropsim.state().runState === state", arg=wanted)
-        calm(page)
-    return sorted(page.evaluate("() => __probe.marks"))
-
-
-def jogs(page: "Page", count: int) -> list[float]:
-    """Return the times from a movement of a joint's slider to the answer of the kinematics [ms], growing."""
-    page.evaluate("() => { __ropsim.command('view.panel.jog'); __ropsim.command('jog.start') }")
-    slider = page.get_by_role("slider", name="J1", exact=True)
-    slider.focus()
-    page.evaluate("() => __probe.reset()")
-    for done in range(count):
-        slider.press("ArrowRight")
-        page.wait_for_function("count => __probe.jogs.length === count", arg=done + 1)
-    page.evaluate("() => __ropsim.command('jog.stop')")
-    return sorted(page.evaluate("() => __probe.jogs"))
-
-
-@dataclass(frozen=True, slots=True)
 class Idle:
     """Nothing happens: frames drawn, and shares of a processor that server with children and page use."""
 
@@ -173,15 +108,6 @@ def idle(page: "Page", studio: Studio, seconds: float) -> Idle:
 def heap(page: "Page") -> float:
     """Return the bytes that the page's scripts hold, garbage included."""
     return Metrics(page).total("JSHeapUsedSize")
-
-
-def edited(page: "Page", change: Callable[[], None]) -> float:
-    """Return the time from a change of the text to its run on the page [s]."""
-    shown = page.evaluate("() => __ropsim.state().shown")
-    begun = time.monotonic()
-    change()
-    page.wait_for_function("shown => __ropsim.state().shown > shown", arg=shown)
-    return time.monotonic() - begun
 
 
 def _counts(page: "Page") -> tuple[int, float]:

@@ -1,16 +1,21 @@
 """The studio's page as its users handle it, and the few numbers it tells about what it shows."""
 
+from collections.abc import Callable
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from support.browser import Pages
+from support.browser import PATIENCE, Pages
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
-CURRENT = (
-    "() => { const now = __ropsim.state(); return now.shown > 0 && now.runState === 'done' && !now.stale }"
+COMPILING = 120_000
+"""How long the first run of an arm may take: its code is compiled [ms]."""
+
+NEWER = (
+    "shown => { const now = __ropsim.state();"
+    " return now.shown > shown && now.runState === 'done' && !now.stale }"
 )
-NEWER = "shown => { const now = __ropsim.state(); return now.shown > shown && now.runState === 'done' && !now.stale }"
 DRAWN = "() => __ropsim.stats().pending === 0"
 
 
@@ -30,10 +35,8 @@ class StudioPage:
             url: that the server has printed.
             options: of `Pages`.
         """
-        studio = cls.arrived(pages, url, **options)
-        studio.take_over()
-        studio.page.wait_for_function(CURRENT)
-        studio.page.locator(".cm-content").wait_for()
+        studio = cls(pages(url, **options))
+        studio.ready()
         return studio
 
     @classmethod
@@ -50,8 +53,15 @@ class StudioPage:
             button.click()
         self.page.wait_for_function("() => __ropsim.state().editing")
 
+    def ready(self) -> None:
+        """Wait until a page that is being loaded shows a run and may edit."""
+        self.page.wait_for_selector("body[data-ready]", state="attached")
+        self.take_over()
+        self.page.wait_for_function(NEWER, arg=0, timeout=COMPILING)
+        self.editor().wait_for()
+
     def rest(self) -> None:
-        """Leave nothing of the test before: time 0, views and panels as at the start, no ghost, no jogging."""
+        """Leave nothing of the test before: time 0, views and panels as at the start, no second arm."""
         for command in ("jog.stop", "view.ghost", "view.reset", "view.home"):
             self.page.evaluate("command => __ropsim.command(command)", command)
         self.seek(0.0)
@@ -73,8 +83,8 @@ class StudioPage:
         self.page.evaluate("time => __ropsim.seek(time)", time)
 
     def poses(self, arm: str = "poses") -> dict[str, list[float]]:
-        """Return the world poses by body: those of the run, of the `ghost` or of the `jogged` arm."""
-        shown: dict[str, list[float]] = self.page.evaluate("arm => __ropsim[arm]()", arm)
+        """Return the world poses by body: of the run, of the `ghost` or of the `jogged` arm."""
+        shown: dict[str, list[float]] = self.page.evaluate("arm => __ropsim[arm]() ?? {}", arm)
         return shown
 
     def projected(self, view: str, point: tuple[float, float, float] | list[float]) -> tuple[float, float]:
@@ -86,6 +96,13 @@ class StudioPage:
         """Return where three points that tell a camera from any other one are drawn [px]."""
         points = ([0.0, 0.0, 0.0], [0.3, 0.2, 0.4], [0.5, -0.3, 0.2])
         return [number for point in points for number in self.projected(view, point)]
+
+    def until(self, condition: Callable[[], bool]) -> None:
+        """Wait until something that is computed here holds; it is looked at after each frame."""
+        end = monotonic() + PATIENCE / 1000
+        while not condition():
+            assert monotonic() < end, "what was waited for has not come"
+            self.page.evaluate("() => new Promise(requestAnimationFrame)")
 
     # ---- what the user does ----
 
@@ -106,9 +123,19 @@ class StudioPage:
         panel.wait_for()
         return panel
 
+    def show(self, panel: str) -> "Locator":
+        """Bring a panel whose tab tells more than its name to the front and return it."""
+        self.page.get_by_role("tab", name=panel).first.click()
+        return self.page.locator(f".panel-{panel.lower()}")
+
     def view(self, name: str) -> "Locator":
         """Return the drawing area of a view that still has its first name."""
         return self.page.get_by_role("application", name=f"3-D view: {name}")
+
+    def ghost_of(self, line: int) -> None:
+        """Wait until the ghost of a line is shown."""
+        self.page.wait_for_function("line => __ropsim.state().ghost?.line === line", arg=line)
+        self.page.get_by_text(f"Ghost: line {line}").wait_for()
 
     def slider(self) -> "Locator":
         """Return the timeline."""
@@ -122,6 +149,7 @@ class StudioPage:
 
     def document(self, name: str) -> None:
         """Show a text of the project."""
+        self.page.mouse.move(5, 5)  # away from words that would explain themselves over the tabs
         tabs = self.page.get_by_role("tablist", name="Texts of the project")
         tabs.get_by_role("tab", name=name).click()
 

@@ -4,16 +4,20 @@ window.__probe = (() => {
     /** Times since the page was asked for [ms]. */
     picture: null,
     editor: null,
+    /** First findings of the language server. */
+    checked: null,
     /** State frames of live runs: how many, how large, and their age one animation frame after they were drawn [ms]. */
     frames: 0,
     bytes: 0,
     largest: 0,
     ages: [],
-    /** From a key to the change of the marks in the editor, and from a slider to the answer of the kinematics [ms]. */
+    /** From a key to the change of the marks in the editor, and to its stamp by the simulator [ms]. */
     marks: [],
+    stamps: [],
+    /** From a slider to the answer of the kinematics [ms]. */
     jogs: [],
     reset() {
-      Object.assign(probe, { frames: 0, bytes: 0, largest: 0, ages: [], marks: [], jogs: [] })
+      Object.assign(probe, { frames: 0, bytes: 0, largest: 0, ages: [], marks: [], stamps: [], jogs: [] })
     },
   }
   let newest = 0
@@ -21,6 +25,7 @@ window.__probe = (() => {
   let shown = 0
   let watching = false
   let key = null
+  let pressed = null
   let moved = null
   let marked = 0
 
@@ -32,9 +37,16 @@ window.__probe = (() => {
       newest = new DataView(data).getFloat64(16, true)
       if (!watching) requestAnimationFrame(watch)
       watching = true
-    } else if (moved !== null && data.startsWith('{"type":"jogged"')) {
+      return
+    }
+    if (data.includes('publishDiagnostics')) probe.checked ??= performance.now()
+    if (moved !== null && data.startsWith('{"type":"jogged"')) {
       probe.jogs.push(performance.now() - moved)
       moved = null
+    }
+    if (pressed !== null && data.startsWith('{"type":"stamped"')) {
+      probe.stamps.push(performance.now() - pressed)
+      pressed = null
     }
   }
 
@@ -67,7 +79,7 @@ window.__probe = (() => {
   }
 
   new MutationObserver(changed).observe(document, { childList: true, subtree: true, attributeFilter: ['data-ready'] })
-  addEventListener('keydown', () => { key = performance.now() }, true)
+  addEventListener('keydown', () => { key = pressed = performance.now() }, true)
   addEventListener('input', event => { if (event.target.type === 'range') moved = performance.now() }, true)
   return probe
 })()

@@ -1,0 +1,79 @@
+"""The studio of the first example in the browser, shared by the tests of a module."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from ropsim.flow import Recording
+from ropsim.workbench import Project, open_project
+from support.browser import Pages
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+FIRST_CELL = Path(__file__).parents[2] / "examples" / "first_cell"
+TEXTS = ("cell.toml", "programs/main.task")
+
+
+@pytest.fixture(scope="module")
+def first_cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a copy of the example."""
+    folder = tmp_path_factory.mktemp("project") / "first_cell"
+    shutil.copytree(FIRST_CELL, folder, ignore=shutil.ignore_patterns("out"))
+    return folder
+
+
+@pytest.fixture(scope="session")
+def first_project() -> Project:
+    """Return the example as its file has it."""
+    return open_project(FIRST_CELL)
+
+
+@pytest.fixture(scope="session")
+def first_run(first_project: Project) -> Recording:
+    """Return the run of the example."""
+    return first_project.simulate()
+
+
+@pytest.fixture(scope="module")
+def first_studio(first_cell: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    """Return the server with the example, shared by a module."""
+    with Studio(first_cell, tmp_path_factory.mktemp("home")) as studio:
+        yield studio
+
+
+@pytest.fixture
+def fresh(open_page: Pages, first_studio: Studio, first_cell: Path) -> Iterator[StudioPage]:
+    """Return a new tab; what it has done to the texts is undone after the test."""
+    page = StudioPage.opened(open_page, first_studio.url)
+    yield page
+    for name in TEXTS:
+        shutil.copyfile(FIRST_CELL / name, first_cell / name)
+    page.revert_all()
+
+
+@pytest.fixture(scope="module")
+def first_pages(browser: "Browser") -> Iterator[Pages]:
+    """Return what opens the shared tab."""
+    pages = Pages(browser)
+    yield pages
+    pages.close()
+
+
+@pytest.fixture(scope="module")
+def first_tab(first_pages: Pages, first_studio: Studio) -> StudioPage:
+    """Return a tab that a module shares."""
+    return StudioPage.opened(first_pages, first_studio.url)
+
+
+@pytest.fixture
+def tab(first_pages: Pages, first_tab: StudioPage) -> Iterator[StudioPage]:
+    """Return the shared tab, at time 0, with nothing but the run in sight; texts must not be edited there."""
+    first_tab.rest()
+    yield first_tab
+    assert first_pages.unexpected() == [], "the page complained"

@@ -1,0 +1,136 @@
+"""The studio for everybody: rules of accessibility, keyboard instead of mouse, small windows."""
+
+import pytest
+
+from support.browser import VIEWPORT, Pages, axe
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+PANELS = ("States", "Jog", "Signals", "Cell")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_no_rule_of_accessibility_is_broken_in_any_panel(
+    first_studio: Studio, open_page: Pages, scheme: str
+) -> None:
+    page = StudioPage.opened(open_page, first_studio.url, color_scheme=scheme)
+    page.append(16, "x")
+    page.page.get_by_text("Program has errors").wait_for()
+    found = {"errors": axe(page.page)}
+    page.revert_all()
+    page.line(6).click()
+    page.ghost_of(6)
+    for panel in PANELS:
+        page.panel(panel)
+        if panel == "Jog":
+            page.page.get_by_role("button", name="Jog from here").click()
+            page.page.get_by_role("heading", name="Joints").wait_for()
+        found[panel] = axe(page.page)
+    page.show("Problems")
+    page.panel("Plot").get_by_role("button", name="Channels").click()
+    found["Plot"] = axe(page.page)
+    page.document("cell.toml")
+    page.page.get_by_role("menuitem", name="View").click()
+    found["menu"] = axe(page.page)
+    page.page.keyboard.press("Escape")
+    page.page.keyboard.press("Control+k")
+    page.page.get_by_role("dialog", name="All commands").wait_for()
+    found["palette"] = axe(page.page)
+    assert {place: rules for place, rules in found.items() if rules} == {}
+
+
+def test_f6_leads_from_panel_to_panel(tab: StudioPage) -> None:
+    tab.view("Perspective").focus()
+    for panel in ("program", "states", "plot", "views", "program"):
+        tab.page.keyboard.press("F6")
+        inside = "panel => document.activeElement.closest('.panel')?.classList.contains(`panel-${panel}`)"
+        tab.page.wait_for_function(inside, arg=panel)
+
+
+def test_menus_open_and_close_with_the_keyboard(tab: StudioPage) -> None:
+    tab.page.get_by_role("menuitem", name="File").focus()
+    tab.page.keyboard.press("ArrowRight")
+    tab.page.keyboard.press("ArrowRight")
+    tab.page.keyboard.press("ArrowDown")
+    menu = tab.page.get_by_role("menu", name="View")
+    menu.wait_for()
+    menu.get_by_role("menuitemcheckbox", name="Panel: Plot").focus()
+    tab.page.keyboard.press("Enter")
+    tab.page.get_by_role("tab", name="Plot", exact=True).wait_for(state="detached")
+    tab.page.keyboard.press("ArrowDown")
+    tab.page.keyboard.press("Escape")
+    assert tab.page.get_by_role("menu").count() == 0
+
+
+def test_the_palette_finds_a_command_by_its_words(tab: StudioPage) -> None:
+    tab.page.keyboard.press("F1")
+    tab.page.get_by_label("Search for a command").fill("one large")
+    tab.page.keyboard.press("Enter")
+    tab.page.get_by_role("dialog").wait_for(state="detached")
+    assert tab.page.get_by_label("Number of views").input_value() == "3+1"
+    tab.command("Four views")
+
+
+def test_every_command_of_the_palette_has_words_and_no_key_of_the_browser(tab: StudioPage) -> None:
+    tab.page.keyboard.press("Control+k")
+    options = tab.page.get_by_role("dialog").get_by_role("option")
+    keys = options.locator("kbd").all_text_contents()
+    assert options.count() > 40
+    assert all(len(title) > 2 for title in options.locator(".title").all_text_contents())
+    assert not {"Ctrl+W", "Ctrl+N", "Ctrl+T", "Ctrl+Tab", "F5", "F11"} & set(keys)
+    tab.page.keyboard.press("Escape")
+
+
+def test_escape_and_tab_leave_the_editor(tab: StudioPage) -> None:
+    tab.line(3).click()
+    tab.page.keyboard.press("Escape")
+    tab.page.keyboard.press("Tab")
+    assert not tab.editor().evaluate("element => element.contains(document.activeElement)")
+    assert tab.state()["unsaved"] == []
+
+
+def test_a_panel_is_closed_and_comes_back_by_keys(tab: StudioPage) -> None:
+    tab.panel("States")
+    tab.page.keyboard.press("Control+Alt+w")
+    tab.page.get_by_role("tab", name="States", exact=True).wait_for(state="detached")
+    tab.command("Panel: States")
+    tab.page.get_by_role("tab", name="States", exact=True).wait_for()
+
+
+def test_closed_panels_come_back_with_undo(tab: StudioPage) -> None:
+    tab.command("Only the 3-D views")
+    tab.page.get_by_role("tab", name="Program", exact=True).wait_for(state="detached")
+    tab.view("Perspective").focus()
+    tab.page.keyboard.press("Control+z")
+    tab.page.get_by_role("tab", name="Program", exact=True).wait_for()
+    tab.editor().wait_for()
+
+
+def test_the_picture_is_told_in_words(tab: StudioPage) -> None:
+    described = tab.view("Perspective").get_attribute("aria-describedby") or ""
+    spoken = tab.page.locator(f"#{described.split()[0]}")
+    tab.seek(0.0)
+    tab.page.wait_for_function("text => text.textContent.startsWith('TCP ')", arg=spoken.element_handle())
+    before = spoken.text_content()
+    tab.seek(2.0)
+    tab.until(lambda: spoken.text_content() != before)
+
+
+def test_nothing_lies_beyond_the_window(tab: StudioPage) -> None:
+    tab.line(7).get_by_text("lin", exact=True).hover()
+    tab.page.locator(".cm-tooltip").wait_for()
+    size = "() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]"
+    assert tab.page.evaluate(size) == [VIEWPORT["width"], VIEWPORT["height"]]
+    tab.page.mouse.move(5, 5)
+    tab.page.locator(".cm-tooltip").wait_for(state="detached")
+
+
+@pytest.mark.parametrize("window", [{"width": 1024, "height": 640}, {"width": 640, "height": 400}])
+def test_a_small_window_or_a_large_zoom_needs_no_sideways_scrolling(
+    first_studio: Studio, open_page: Pages, window: dict[str, int]
+) -> None:
+    """1280×800 at 200 % leaves the page 640×400; that low, it scrolls down to the timeline."""
+    page = StudioPage.opened(open_page, first_studio.url, viewport=window)
+    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= window["width"]
+    page.page.get_by_role("button", name="Next step of the program").click()
+    assert page.time() > 0.0

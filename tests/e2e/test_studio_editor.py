@@ -1,0 +1,246 @@
+"""Writing programs in the studio: squiggles, quick fixes, completion, saving; what edits do to the run."""
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from ropsim.flow import Recording
+from support.studio_page import StudioPage
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator
+
+#: Line of the example's program that calls the task, and that of its first slow move.
+CALL, SLOW = 16, 7
+#: A box set down by a servo with a millimetre's path error stands this near to its goal [m].
+PLACING = 1e-3
+
+TWICE = """\
+program twice
+units mm, deg, s
+repeat 2
+  mov pick_up above 60 mm
+  mov home
+endr
+"""
+#: Opens the gripper on the way, so that the box is not there where it closes again.
+LOST = "  open\n  mov b above 60 mm\n  close"
+
+
+def squiggle(fresh: StudioPage, text: str) -> "Locator":
+    return fresh.page.locator(".cm-lintRange-error", has_text=text)
+
+
+def tooltip(fresh: StudioPage) -> "Locator":
+    return fresh.page.locator(".cm-tooltip")
+
+
+def program(folder: Path) -> Path:
+    return folder / "programs" / "main.task"
+
+
+def test_a_mistake_keeps_the_last_good_run_and_its_repair_keeps_the_view(fresh: StudioPage) -> None:
+    fresh.view("Perspective").focus()
+    fresh.page.keyboard.press("ArrowLeft")
+    fresh.seek(1.5)
+    poses, camera, shown = fresh.poses(), fresh.camera("perspective"), fresh.state()["shown"]
+    fresh.append(CALL, "x")
+    squiggle(fresh, "set_downx").wait_for()
+    fresh.page.get_by_text("Program has errors").wait_for()
+    fresh.page.locator(".stage-badges").get_by_text("Last good run – the text has changed").wait_for()
+    assert fresh.state()["stale"]
+    assert fresh.state()["shown"] == shown
+    assert (fresh.time(), fresh.poses()) == (1.5, poses)
+    fresh.seek(2.0)
+    assert fresh.poses() != poses
+    fresh.seek(1.5)
+    fresh.page.keyboard.press("Backspace")
+    fresh.rerun(shown)
+    assert squiggle(fresh, "set_down").count() == 0
+    assert fresh.page.locator(".stage-badges").get_by_text("Last good run").count() == 0
+    assert (fresh.time(), fresh.poses(), fresh.camera("perspective")) == (1.5, poses, camera)
+
+
+def test_an_edit_changes_the_run(fresh: StudioPage, first_run: Recording) -> None:
+    shown = fresh.state()["shown"]
+    fresh.line(SLOW).get_by_text("150 mm/s").click()
+    fresh.line(SLOW).click(position={"x": 5, "y": 8})
+    fresh.write(fresh.text().replace("150 mm/s", "50 mm/s"))
+    fresh.rerun(shown)
+    assert fresh.state()["duration"] > first_run.duration + 1.0
+
+
+def test_a_squiggle_says_what_is_wrong_and_mends_it(fresh: StudioPage) -> None:
+    shown = fresh.state()["shown"]
+    fresh.write(fresh.text().replace("Carry pick_up", "Cary pick_up"))
+    squiggle(fresh, "Cary").hover()
+    tip = tooltip(fresh)
+    tip.get_by_text("Task not defined: “Cary”").or_(tip.get_by_text("Task not defined: `Cary`")).wait_for()
+    tip.get_by_role("button", name=re.compile("Carry")).click()
+    fresh.rerun(shown)
+    assert fresh.line(CALL).text_content() == "Carry pick_up, set_down"
+
+
+def test_completion_offers_tasks_and_places_of_the_cell(fresh: StudioPage) -> None:
+    fresh.append(17, "\nCar")
+    options = fresh.page.get_by_role("option")
+    options.filter(has_text="Carry").first.click()
+    assert "Carry" in (fresh.line(18).text_content() or "")
+    fresh.page.keyboard.type(" pick")
+    options.filter(has_text="pick_up").first.click()
+    assert (fresh.line(18).text_content() or "").endswith("pick_up")
+
+
+def test_a_word_explains_itself_under_the_pointer(fresh: StudioPage) -> None:
+    fresh.line(CALL).get_by_text("Carry", exact=True).hover()
+    tooltip(fresh).get_by_text("a: loc").first.wait_for()
+    fresh.page.mouse.move(5, 5)
+    fresh.line(SLOW).get_by_text("lin", exact=True).hover()
+    tooltip(fresh).get_by_text("straight").first.wait_for()
+
+
+def test_a_problem_leads_to_its_line(fresh: StudioPage) -> None:
+    fresh.write(fresh.text().replace("mov home", "mov hom"))
+    fresh.page.get_by_role("button", name="1 error, 0 warnings").click()
+    row = fresh.page.locator(".panel-problems").get_by_role("button", name="there is no name `hom`")
+    fresh.document("cell.toml")
+    row.click()
+    line = fresh.page.locator(".cm-activeLine", has_text="mov hom")
+    line.wait_for()
+    assert fresh.editor().evaluate("element => element.contains(document.activeElement)")
+
+
+def test_f8_goes_through_the_problems(fresh: StudioPage) -> None:
+    fresh.write(fresh.text().replace("mov home", "mov hom").replace("Carry pick_up", "Carry pick"))
+    fresh.page.get_by_role("button", name="2 errors, 0 warnings").wait_for()
+    fresh.page.keyboard.press("Control+Home")
+    lines = []
+    for _ in range(3):
+        fresh.page.keyboard.press("F8")
+        lines.append(fresh.page.locator(".cm-activeLine").text_content())
+    assert lines == ["Carry pick, set_down", "mov hom", "Carry pick, set_down"]
+
+
+def test_a_finding_of_the_run_leads_to_its_time(fresh: StudioPage, first_cell: Path) -> None:
+    shown = fresh.state()["shown"]
+    fresh.write(fresh.text().replace("  mov b above 60 mm", LOST, 1))
+    fresh.rerun(shown)
+    problems = fresh.show("Problems")
+    row = problems.get_by_role("button", name="when the gripper closed").first
+    time = float(re.search(r"at ([\d.]+) s", row.text_content() or "")[1])  # type: ignore[index]
+    row.click()
+    assert fresh.time() == pytest.approx(time, abs=0.005)
+    assert fresh.page.locator(".cm-activeLine").text_content() == "  close"
+    fresh.seek(0.0)
+    fresh.page.get_by_role("button", name="Next finding").click()
+    assert fresh.time() == pytest.approx(time, abs=0.005)
+
+
+def test_passes_of_a_loop_are_shown_one_by_one(fresh: StudioPage) -> None:
+    shown = fresh.state()["shown"]
+    fresh.write(TWICE)
+    fresh.rerun(shown)
+    fresh.line(4).click()
+    passes = fresh.page.locator(".pass-bar")
+    passes.get_by_text("Line 4, pass 1 of 2").wait_for()
+    first = fresh.state()["ghost"]["time"]
+    passes.get_by_role("button", name="Next pass").click()
+    passes.get_by_text("Line 4, pass 2 of 2").wait_for()
+    assert fresh.state()["ghost"]["time"] > first + 0.5
+
+
+def test_an_edit_of_the_cell_moves_its_things(fresh: StudioPage, first_cell: Path) -> None:
+    shown = fresh.state()["shown"]
+    fresh.document("cell.toml")
+    cell = (first_cell / "cell.toml").read_text("utf-8")
+    fresh.write(cell.replace("position = [600, -250, 420]", "position = [600, -150, 420]"))
+    fresh.rerun(shown)
+    fresh.seek(fresh.state()["duration"])
+    assert fresh.poses()["box"][:3] == pytest.approx([0.6, -0.15, 0.42], abs=PLACING)
+
+
+def test_only_saving_writes_the_file(fresh: StudioPage, first_cell: Path) -> None:
+    before, shown = program(first_cell).read_bytes(), fresh.state()["shown"]
+    fresh.append(2, "  # kept")
+    fresh.rerun(shown)
+    tab = fresh.page.get_by_role("tab", name="main.task")
+    tab.get_by_role("img", name="not saved").wait_for()
+    assert program(first_cell).read_bytes() == before
+    assert fresh.page.title().startswith("● ")
+    fresh.page.keyboard.press("Control+s")
+    tab.get_by_role("img", name="not saved").wait_for(state="detached")
+    assert program(first_cell).read_bytes() == before.replace(b"mm, deg, s\n", b"mm, deg, s  # kept\n")
+    assert not fresh.page.title().startswith("● ")
+    assert fresh.page.get_by_role("button", name="Save", exact=True).is_disabled()
+
+
+def test_line_ends_of_the_file_survive_editing(fresh: StudioPage, first_cell: Path) -> None:
+    content = program(first_cell).read_bytes().replace(b"\n", b"\r\n")
+    program(first_cell).write_bytes(content + b"# from elsewhere\r\n")
+    fresh.page.locator(".cm-line", has_text="# from elsewhere").wait_for()
+    fresh.append(2, " # kept")
+    fresh.page.get_by_role("button", name="Save", exact=True).click()
+    fresh.page.get_by_role("img", name="not saved").wait_for(state="detached")
+    written = program(first_cell).read_bytes()
+    assert written == content.replace(b"deg, s\r\n", b"deg, s # kept\r\n") + b"# from elsewhere\r\n"
+
+
+def test_undo_in_the_editor_takes_back_typing_only(fresh: StudioPage) -> None:
+    fresh.page.get_by_label("Number of views").select_option("Two views")
+    before = fresh.text()
+    fresh.append(2, " # not for long")
+    fresh.page.keyboard.press("Control+z")
+    assert fresh.text() == before
+    assert fresh.page.get_by_label("Number of views").input_value() == "2"
+    fresh.page.get_by_role("img", name="not saved").wait_for(state="detached")
+    fresh.page.keyboard.press("Control+Shift+z")
+    assert " # not for long" in fresh.text()
+
+
+def test_each_text_keeps_its_own_history(fresh: StudioPage) -> None:
+    fresh.append(2, " # first")
+    fresh.document("cell.toml")
+    fresh.append(1, " second")
+    fresh.document("main.task")
+    fresh.editor().focus()
+    fresh.page.keyboard.press("Control+z")
+    assert "# first" not in fresh.text()
+    fresh.document("cell.toml")
+    assert (fresh.line(1).text_content() or "").endswith(" second")
+
+
+def test_a_change_on_the_disk_is_shown_where_nothing_was_typed(fresh: StudioPage, first_cell: Path) -> None:
+    shown = fresh.state()["shown"]
+    program(first_cell).write_text(TWICE, "utf-8")
+    fresh.page.locator(".cm-line", has_text="program twice").wait_for()
+    fresh.rerun(shown)
+    assert fresh.state()["unsaved"] == []
+
+
+@pytest.mark.parametrize(
+    ("choice", "here", "there"),
+    [
+        ("Read the file again", "program twice", b"program twice"),
+        ("Overwrite the file", "# mine", b"# mine"),
+    ],
+)
+def test_a_change_on_the_disk_beside_typed_text_is_asked_about(
+    fresh: StudioPage, first_cell: Path, choice: str, here: str, there: bytes
+) -> None:
+    fresh.append(2, " # mine")
+    fresh.page.get_by_role("img", name="not saved").wait_for()
+    fresh.page.wait_for_function("() => __ropsim.state().delivered")
+    program(first_cell).write_text(TWICE, "utf-8")
+    banner = fresh.page.locator(".program-banner", has_text="The file has changed on the disk")
+    banner.wait_for()
+    fresh.editor().focus()
+    fresh.page.keyboard.press("Control+s")
+    fresh.page.locator(".notice").first.wait_for()
+    assert program(first_cell).read_text("utf-8") == TWICE
+    banner.get_by_role("button", name=choice).click()
+    banner.wait_for(state="detached")
+    fresh.page.get_by_role("img", name="not saved").wait_for(state="detached")
+    fresh.page.locator(".cm-line", has_text=here).wait_for()
+    assert there in program(first_cell).read_bytes()

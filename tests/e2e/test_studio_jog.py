@@ -1,0 +1,190 @@
+"""The robot moved by hand: the page shows what the real kinematics say, and what they say in words."""
+
+from math import degrees, radians
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from ropsim.flow import Recording
+from ropsim.spatial import Array, Pose
+from ropsim.workbench import Project
+from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
+from support.studio_page import StudioPage
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator
+
+#: Poses are drawn in single precision; the joint angles to begin with come from the pack [m, rad].
+SHOWN = 1e-4
+
+
+@pytest.fixture
+def jog(tab: StudioPage) -> "Locator":
+    """Return the panel, with the arm taken where it stands at time 0."""
+    panel = tab.panel("Jog")
+    panel.get_by_role("button", name="Jog from here").click()
+    panel.get_by_role("heading", name="Joints").wait_for()
+    return panel
+
+
+@pytest.fixture
+def start(first_run: Recording) -> Array:
+    return joints_at(first_run, 0.0)
+
+
+def put(jog: "Locator", name: str, value: str) -> None:
+    """Type a value into the field of a joint or of a direction of the TCP."""
+    field = jog.get_by_label(f"{name}, typed value")
+    field.fill(value)
+    field.press("Enter")
+
+
+def stands_at(tab: StudioPage, project: Project, q: Array) -> None:
+    """Wait until the jogged arm is where the joints put it."""
+    assert project.cell is not None
+    expected = body_poses(project.cell, q)
+    tab.until(lambda: max(worst_apart(tab.poses("jogged"), expected)) < SHOWN)
+
+
+def tcp(tab: StudioPage, project: Project) -> Pose:
+    assert project.cell is not None
+    tool = project.cell.tools[project.cell.default_tool]
+    return shown(tab.poses("jogged")[f"tool:{project.cell.default_tool}"]) @ tool.X_MT
+
+
+def test_a_typed_angle_moves_the_arm_and_its_tool(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    put(jog, "J1", "30 deg")
+    stands_at(tab, first_project, np.array([radians(30.0), *start[1:]]))
+    put(jog, "J3", "-0.5 rad")
+    stands_at(tab, first_project, np.array([radians(30.0), start[1], -0.5, *start[3:]]))
+    put(jog, "J5", "-90/2")
+    stands_at(
+        tab, first_project, np.array([radians(30.0), start[1], -0.5, start[3], radians(-45.0), start[5]])
+    )
+
+
+def test_a_slider_moves_the_arm_with_the_mouse(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    slider = jog.get_by_role("slider", name="J2", exact=True)
+    slider.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    assert box is not None
+    tab.page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + box["height"] / 2)
+    tab.page.mouse.down()
+    tab.page.mouse.move(box["x"] + 0.55 * box["width"], box["y"] + box["height"] / 2)
+    tab.page.mouse.up()
+    tab.page.wait_for_function("slider => slider.value > -0.1", arg=slider.element_handle())
+    angle = float(slider.input_value())
+    stands_at(tab, first_project, np.array([start[0], angle, *start[2:]]))
+    assert jog.get_by_label("J2, typed value").input_value() == f"{degrees(angle):.2f}°"
+
+
+def test_jogging_leaves_run_and_texts_alone(tab: StudioPage, jog: "Locator", first_project: Project) -> None:
+    before = tab.poses()
+    put(jog, "J1", "45")
+    tab.page.wait_for_function("() => Math.abs(__ropsim.jogged().link1[6]) > 0.3")
+    assert tab.poses() == before
+    assert tab.state()["unsaved"] == []
+    jog.get_by_role("button", name="Back to the run").click()
+    assert tab.page.evaluate("() => __ropsim.jogged()") is None
+
+
+def test_a_joint_stops_at_its_limit_and_says_so(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    assert first_project.cell is not None
+    limit = float(first_project.cell.robot.upper_limits[0])
+    put(jog, "J1", "200 deg")
+    jog.get_by_text(f"joint 1 stops at its upper limit {degrees(limit):g}°").wait_for()
+    stands_at(tab, first_project, np.array([limit, *start[1:]]))
+
+
+def test_the_tcp_steps_along_the_axes_of_the_world(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    stands_at(tab, first_project, start)
+    before = tcp(tab, first_project)
+    step = jog.get_by_label("Step", exact=True)
+    step.fill("2 cm")
+    step.press("Enter")
+    jog.get_by_role("button", name="Y plus").click()
+    tab.page.wait_for_function("y => __ropsim.jogged().link6[1] > y", arg=tab.poses()["link6"][1] + 0.019)
+    after = tcp(tab, first_project)
+    assert after.position - before.position == pytest.approx([0.0, 0.02, 0.0], abs=SHOWN)
+    assert apart(Pose(before.position, after.orientation), before)[1] < SHOWN
+
+
+def test_the_tcp_steps_along_its_own_axes(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    stands_at(tab, first_project, start)
+    before = tcp(tab, first_project)
+    jog.get_by_label("Directions of").select_option("Tool")
+    jog.get_by_role("button", name="Z minus").click()
+    tab.page.wait_for_function(
+        "link6 => __ropsim.jogged().link6.some((one, k) => Math.abs(one - link6[k]) > 0.005)",
+        arg=tab.poses()["link6"],
+    )
+    assert apart(tcp(tab, first_project), before @ Pose(np.array([0.0, 0.0, -0.01])))[0] < SHOWN
+
+
+def test_a_pose_out_of_reach_is_refused_in_words(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    put(jog, "X", "3 m")
+    words = jog.get_by_text("out of reach: the wrist would be")
+    words.wait_for()
+    assert "mm too far away" in (words.text_content() or "")
+    stands_at(tab, first_project, start)
+
+
+def test_a_singularity_is_named_with_its_distance(tab: StudioPage, jog: "Locator") -> None:
+    put(jog, "J5", "2 deg")
+    jog.get_by_text("wrist nearly straight: axes 4 and 6 are 2.0° from lining up").wait_for()
+    put(jog, "J5", "-60 deg")
+    jog.get_by_text("wrist nearly straight").wait_for(state="detached")
+
+
+def test_what_is_no_quantity_is_refused_in_words(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    put(jog, "J1", "12 furlong")
+    jog.get_by_role("alert").get_by_text("“furlong” is no unit here; use deg, °, rad").wait_for()
+    jog.get_by_label("J1, typed value").press("Escape")
+    assert jog.get_by_label("J1, typed value").input_value() == f"{degrees(start[0]):.2f}°"
+    stands_at(tab, first_project, start)
+
+
+def test_jog_moves_are_undone_and_redone_one_by_one(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    put(jog, "J1", "20")
+    one = np.array([radians(20.0), *start[1:]])
+    stands_at(tab, first_project, one)
+    put(jog, "J2", "-60")
+    two = np.array([one[0], radians(-60.0), *start[2:]])
+    stands_at(tab, first_project, two)
+    jog.get_by_role("button", name="Undo: Jog joint J2").click()
+    stands_at(tab, first_project, one)
+    jog.get_by_role("button", name="Undo: Jog joint J1").click()
+    stands_at(tab, first_project, start)
+    for q in (one, two):
+        tab.page.keyboard.press("Control+Shift+z")
+        stands_at(tab, first_project, q)
+
+
+def test_the_table_of_states_jogs_from_the_shown_time(
+    tab: StudioPage, first_project: Project, first_run: Recording
+) -> None:
+    time = 0.3 * first_run.duration
+    tab.seek(time)
+    slider = tab.panel("States").get_by_role("slider", name="Jog q 1 from here")
+    slider.focus()
+    slider.press("Home")
+    assert first_project.cell is not None
+    q = joints_at(first_run, time)
+    stands_at(tab, first_project, np.array([first_project.cell.robot.lower_limits[0], *q[1:]]))

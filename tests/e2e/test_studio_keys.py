@@ -1,0 +1,210 @@
+"""Keys as sensors: armed, they set inputs in a live run, and that run can be had again exactly."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from ropsim.workbench import open_project
+from support.browser import Pages
+from support.keys_project import keys_project
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Locator
+
+ON = "() => { const now = __ropsim.state(); return now.live === 'running' && !now.recorded }"
+OVER = (
+    "() => { const now = __ropsim.state();"
+    " return now.live !== 'running' && now.recorded && now.runState === 'done' && !now.stale }"
+)
+WAITING = "() => document.querySelector('.cm-running')?.textContent.startsWith('wait until start')"
+#: What tells one finished run from another, bit by bit.
+DIGEST = (
+    "async id => { const bytes = await (await fetch(`/run/${id}.pack`)).arrayBuffer();"
+    " return [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].join(' ') }"
+)
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return keys_project(tmp_path_factory.mktemp("project") / "keys")
+
+
+@pytest.fixture(scope="module")
+def pages(browser: "Browser") -> Iterator[Pages]:
+    pages = Pages(browser)
+    yield pages
+    pages.close()
+
+
+@pytest.fixture(scope="module")
+def shared(pages: Pages, project: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudioPage]:
+    with Studio(project, tmp_path_factory.mktemp("home")) as studio:
+        yield StudioPage.opened(pages, studio.url)
+
+
+@pytest.fixture
+def keys(pages: Pages, shared: StudioPage) -> Iterator[StudioPage]:
+    """Return the page of the project with the panel of signals in front, and no live run."""
+    shared.panel("Signals")
+    yield shared
+    for command in ("live.stop", "live.forget"):
+        shared.page.evaluate("command => __ropsim.command(command)", command)
+        shared.page.wait_for_function(OVER)
+    shared.page.locator(".presses").wait_for(state="detached")
+    assert pages.unexpected() == [], "the page complained"
+
+
+@pytest.fixture
+def signals(keys: StudioPage) -> "Locator":
+    return keys.page.locator(".panel-signals")
+
+
+def live(keys: StudioPage, signals: "Locator") -> None:
+    """Start a live run and wait until its program waits for the input."""
+    signals.get_by_role("button", name="Start a live run").click()
+    keys.page.wait_for_function(ON)
+    keys.page.wait_for_function(
+        "() => document.querySelector('.cm-running')?.textContent.startsWith('wait until')"
+    )
+
+
+def arm(signals: "Locator") -> None:
+    signals.get_by_role("switch", name="Keys set inputs").click()
+    signals.get_by_role("switch", name="Keys set inputs", checked=True).wait_for()
+
+
+def over(keys: StudioPage) -> None:
+    keys.page.wait_for_function(OVER)
+
+
+def presses(signals: "Locator", name: str) -> list[tuple[float, float]]:
+    """Return times and values of the recorded changes of an input."""
+    rows = signals.locator(".presses tbody tr", has_text=name).all_inner_texts()
+    numbers = [[float(one) for one in re.findall(r"[\d.]+", row)] for row in rows]
+    return [(row[0], row[-1]) for row in numbers]
+
+
+def test_without_a_press_the_program_waits_in_vain(keys: StudioPage, project: Path) -> None:
+    assert keys.state()["duration"] == pytest.approx(open_project(project).simulate().duration)
+    assert keys.state()["duration"] > 60.0
+
+
+def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
+    keys: StudioPage, signals: "Locator"
+) -> None:
+    arm(signals)
+    live(keys, signals)
+    keys.page.keyboard.down("1")
+    signals.locator(".outputs", has_text="lamp 1").wait_for()
+    keys.page.keyboard.up("1")
+    over(keys)
+    first = keys.state()
+    (pressed, on), (released, off) = presses(signals, "start")
+    assert (on, off) == (1.0, 0.0)
+    assert 0.0 < pressed < released < first["duration"] < 60.0
+    keys.page.locator(".status").get_by_text("2 recorded").wait_for()
+    keys.page.keyboard.press("Control+Enter")
+    keys.rerun(first["shown"])
+    again = keys.state()
+    assert again["run"] > first["run"]
+    assert again["duration"] == first["duration"]
+    assert keys.page.evaluate(DIGEST, again["run"]) == keys.page.evaluate(DIGEST, first["run"])
+
+
+def test_forgotten_presses_take_no_more_part(keys: StudioPage, signals: "Locator") -> None:
+    arm(signals)
+    live(keys, signals)
+    keys.page.keyboard.press("1", delay=100)
+    over(keys)
+    shown = keys.state()["shown"]
+    assert keys.state()["duration"] < 60.0
+    signals.get_by_role("button", name="Forget presses").click()
+    keys.rerun(shown)
+    assert keys.state()["duration"] > 60.0
+    assert presses(signals, "start") == []
+
+
+def test_a_key_that_is_not_armed_does_nothing(keys: StudioPage, signals: "Locator") -> None:
+    live(keys, signals)
+    signals.get_by_role("switch", name="Keys set inputs", checked=False).wait_for()
+    keys.page.keyboard.press("1", delay=100)
+    # what was sent before is heard before: this press comes behind that one
+    signals.get_by_role("button", name="Set level").click(delay=100)
+    signals.locator(".presses", has_text="level").wait_for()
+    assert presses(signals, "start") == []
+
+
+def test_a_key_in_the_text_is_text(keys: StudioPage, signals: "Locator") -> None:
+    arm(signals)
+    live(keys, signals)
+    keys.append(1, " # 1")
+    keys.page.locator(".cm-line", has_text="program keys # 1").wait_for()
+    signals.get_by_role("button", name="Set level").click(delay=100)
+    signals.locator(".presses", has_text="level").wait_for()
+    assert presses(signals, "start") == []
+    keys.revert_all()
+
+
+def test_a_button_sets_its_input_without_a_key(keys: StudioPage, signals: "Locator") -> None:
+    live(keys, signals)
+    signals.get_by_role("button", name="Set start").click(delay=150)
+    signals.locator(".outputs", has_text="lamp 1").wait_for()
+    over(keys)
+
+
+def test_another_key_is_learnt_and_undone(keys: StudioPage, signals: "Locator") -> None:
+    key = signals.get_by_role("button", name="Key of start")
+    assert key.inner_text() == "1"
+    key.click()
+    signals.get_by_text("Press a key …").wait_for()
+    keys.page.keyboard.press("g")
+    assert key.inner_text() == "G"
+    arm(signals)
+    live(keys, signals)
+    keys.page.keyboard.press("g", delay=150)
+    over(keys)
+    keys.page.get_by_role("menuitem", name="Edit").click()
+    keys.page.get_by_role("menuitem", name="Undo: Key G for start").click()
+    assert key.inner_text() == "1"
+
+
+def test_a_toggled_input_stays_until_the_next_press(keys: StudioPage, signals: "Locator") -> None:
+    mode = signals.get_by_label("Mode of start")
+    mode.select_option("toggle")
+    arm(signals)
+    live(keys, signals)
+    keys.page.keyboard.press("1")
+    signals.locator(".outputs", has_text="lamp 1").wait_for()
+    assert [value for _, value in presses(signals, "start")] == [1.0]
+    keys.page.keyboard.press("1")
+    over(keys)
+    mode.select_option("while held")
+
+
+def test_a_paused_live_run_stands_still_and_goes_on(keys: StudioPage, signals: "Locator") -> None:
+    live(keys, signals)
+    signals.get_by_role("button", name="Pause").click()
+    keys.pill().get_by_text("Live, paused").wait_for()
+    paused = keys.state()["duration"]
+    signals.get_by_role("button", name="Go on").click()
+    keys.page.wait_for_function("paused => __ropsim.state().duration > paused + 0.1", arg=paused)
+
+
+def test_scrubbing_back_stays_there_until_the_run_is_followed_again(
+    keys: StudioPage, signals: "Locator"
+) -> None:
+    live(keys, signals)
+    assert keys.state()["following"]
+    keys.slider().press("Home")
+    follow = keys.page.get_by_role("button", name="Follow the live run")
+    follow.wait_for()
+    frames = keys.state()["frames"]
+    keys.page.wait_for_function("frames => __ropsim.state().frames > frames + 3", arg=frames)
+    assert keys.time() == 0.0
+    follow.click()
+    keys.page.wait_for_function("() => __ropsim.state().following && __ropsim.time() > 0.5")

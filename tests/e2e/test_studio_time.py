@@ -1,0 +1,207 @@
+"""One cursor through the run: views, table, plot, program and ghost show the same time, and rightly."""
+
+from math import degrees
+
+import numpy as np
+import pytest
+
+from ropsim.flow import Event, Recording
+from ropsim.workbench import Project
+from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
+from support.studio_page import StudioPage
+
+#: What nobody sees in the views: a pose may be off by this much [m, rad].
+UNSEEN = 1e-3
+#: A part in the gripper moves with it but for the rounding of the pack [m, rad].
+HELD = 1e-4
+#: A box set down by a servo with a millimetre's path error stands this near to its goal [m].
+PLACING = 1e-3
+#: The samples of the pack are this near to each other [s]: half the way is the error of a time found by eye.
+SAMPLE = 1 / 60
+
+
+def event_of(run: Recording, kind: str) -> Event:
+    return next(event for event in run.events if event.kind == kind)
+
+
+def steps_of(run: Recording) -> list[float]:
+    """Return when the steps of the program begin [s]."""
+    return sorted({event.time for event in run.events if event.kind != "task" and event.span})
+
+
+@pytest.mark.parametrize("share", [0.0, 0.07, 0.31, 0.55, 0.83, 1.0])
+def test_the_arm_stands_where_its_kinematics_put_it(
+    tab: StudioPage, first_project: Project, first_run: Recording, share: float
+) -> None:
+    assert first_project.cell is not None
+    time = share * first_run.duration
+    tab.seek(time)
+    expected = body_poses(first_project.cell, joints_at(first_run, time))
+    distance, turn = worst_apart(tab.poses(), expected)
+    assert distance < UNSEEN
+    assert turn < UNSEEN
+
+
+def test_the_gripped_box_rides_and_ends_on_its_goal(
+    tab: StudioPage, first_project: Project, first_run: Recording
+) -> None:
+    grip, release = event_of(first_run, "grip"), event_of(first_run, "release")
+    held = []
+    for time in np.linspace(grip.time + grip.duration, release.time, 5).tolist():
+        tab.seek(time)
+        poses = tab.poses()
+        held.append(shown(poses["link6"]).inverse() @ shown(poses["box"]))
+    assert all(max(apart(held[0], other)) < HELD for other in held[1:])
+    tab.seek(first_run.duration)
+    cell = first_project.cell
+    assert cell is not None
+    goal = (cell.X_WB @ cell.locations["set_down"]).position
+    assert np.linalg.norm(np.array(tab.poses()["box"][:3]) - goal) < PLACING
+
+
+def test_play_goes_on_to_the_end_and_stops_there(tab: StudioPage, first_run: Recording) -> None:
+    tab.page.get_by_label("Speed", exact=True).select_option("8×")
+    tab.page.get_by_role("button", name="Play", exact=True).click()
+    tab.page.get_by_role("button", name="Pause").wait_for()
+    tab.page.get_by_role("button", name="Play", exact=True).wait_for()
+    assert tab.time() == first_run.duration
+    tab.page.get_by_label("Speed", exact=True).select_option("1×")
+
+
+def test_pause_keeps_the_time(tab: StudioPage) -> None:
+    tab.page.keyboard.press("Space")
+    tab.page.wait_for_function("() => __ropsim.time() > 0.1")
+    tab.page.keyboard.press("Space")
+    stopped = tab.time()
+    tab.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    assert tab.time() == stopped
+
+
+def test_buttons_and_arrow_keys_go_from_step_to_step(tab: StudioPage, first_run: Recording) -> None:
+    steps = steps_of(first_run)
+    tab.page.get_by_role("button", name="Next step of the program").click()
+    assert tab.time() == pytest.approx(steps[1])
+    tab.slider().press("ArrowRight")
+    assert tab.time() == pytest.approx(steps[2])
+    tab.page.get_by_role("button", name="Previous step of the program").click()
+    assert tab.time() == pytest.approx(steps[1])
+    tab.slider().press("End")
+    assert tab.time() == first_run.duration
+    tab.slider().press("ArrowLeft")
+    assert tab.time() == pytest.approx(steps[-1])
+    tab.slider().press("Home")
+    assert tab.time() == 0.0
+
+
+def test_the_timeline_is_scrubbed_with_the_mouse(tab: StudioPage, first_run: Recording) -> None:
+    box = tab.slider().bounding_box()
+    assert box is not None
+    middle = box["y"] + box["height"] / 2
+    tab.page.mouse.move(box["x"] + 0.25 * box["width"], middle)
+    tab.page.mouse.down()
+    assert tab.time() == pytest.approx(0.25 * first_run.duration, abs=SAMPLE)
+    tab.page.mouse.move(box["x"] + 0.5 * box["width"], middle, steps=3)
+    tab.page.mouse.up()
+    assert tab.time() == pytest.approx(0.5 * first_run.duration, abs=SAMPLE)
+    assert f"of {first_run.duration:.1f} seconds" in (tab.slider().get_attribute("aria-valuetext") or "")
+
+
+def test_the_line_that_runs_is_marked(tab: StudioPage, first_run: Recording) -> None:
+    for event in (event for event in first_run.events if event.kind == "move"):
+        assert event.span is not None
+        tab.seek(event.time + event.duration / 2)
+        text = tab.line(event.span.line).text_content()
+        tab.page.wait_for_function(
+            "text => document.querySelector('.cm-running')?.textContent === text", arg=text
+        )
+
+
+def test_a_line_shows_the_arm_where_its_move_ends(
+    tab: StudioPage, first_project: Project, first_run: Recording
+) -> None:
+    assert first_project.cell is not None
+    move = [event for event in first_run.events if event.kind == "move"][3]
+    assert move.span is not None
+    tab.line(move.span.line).click()
+    tab.ghost_of(move.span.line)
+    assert tab.time() == 0.0
+    end = move.time + move.duration
+    expected = body_poses(first_project.cell, joints_at(first_run, end))
+    distance, turn = worst_apart(tab.poses("ghost"), expected)
+    assert distance < UNSEEN
+    assert turn < UNSEEN
+    tab.page.locator(".pass-bar").get_by_role("button", name="Go there").click()
+    assert tab.time() == pytest.approx(end)
+    tab.page.wait_for_function("() => JSON.stringify(__ropsim.poses()) === JSON.stringify(__ropsim.ghost())")
+
+
+def test_the_keyboard_moves_the_ghost_from_line_to_line(tab: StudioPage) -> None:
+    tab.line(6).click()
+    tab.ghost_of(6)
+    tab.page.keyboard.press("ArrowDown")
+    tab.ghost_of(7)
+    tab.page.locator(".pass-bar").get_by_role("button", name="Hide the ghost").click()
+    tab.page.wait_for_function("() => __ropsim.ghost() === null")
+
+
+def test_the_table_shows_the_joints_in_degrees(tab: StudioPage, first_run: Recording) -> None:
+    time = 0.4 * first_run.duration
+    panel = tab.panel("States")
+    tab.seek(time)
+    for number, angle in enumerate(joints_at(first_run, time), start=1):
+        row = panel.get_by_role("row", name=f"q {number} ", exact=False).first
+        row.get_by_role("cell", name=f"{degrees(angle):.2f}°").first.wait_for()
+
+
+def test_the_table_is_searched_by_name_and_group(tab: StudioPage) -> None:
+    panel = tab.panel("States")
+    panel.get_by_label("Filter states").fill("tau")
+    names = panel.get_by_role("rowheader")
+    names.first.wait_for()
+    assert {name.split()[0] for name in names.all_text_contents()} <= {"tau", "tau_ref", "tau_motor"}
+    panel.get_by_label("Filter states").fill("no such state")
+    panel.get_by_text("No state has this name.").wait_for()
+    panel.get_by_label("Filter states").fill("")
+
+
+def test_a_plot_shows_the_channel_that_was_chosen_at_the_cursor(
+    tab: StudioPage, first_run: Recording
+) -> None:
+    time = 0.6 * first_run.duration
+    tab.seek(time)
+    plot = tab.panel("Plot")
+    plot.get_by_role("button", name="Clear").click()
+    plot.get_by_role("button", name="Channels").click()
+    plot.get_by_label("Search for channels").fill("qd")
+    plot.get_by_role("checkbox", name="qd 3", exact=True).check()
+    drawing = plot.get_by_role("img", name="Plot over time of qd 3")
+    drawing.wait_for()
+    speed = np.interp(time, first_run.time, first_run.channels["qd"].values[:, 2])
+    value = plot.locator(".plot-legend output").text_content() or ""
+    assert float(value.removesuffix("°/s")) == pytest.approx(degrees(speed), abs=0.5)
+
+
+def test_a_click_into_a_plot_goes_to_that_time(tab: StudioPage, first_run: Recording) -> None:
+    over = tab.panel("Plot").locator(".u-over")
+    box = over.bounding_box()
+    assert box is not None
+    over.click(position={"x": 0.5 * box["width"], "y": 0.5 * box["height"]})
+    assert tab.time() == pytest.approx(0.5 * first_run.duration, abs=0.01 * first_run.duration)
+
+
+def test_dragging_zooms_a_plot_and_a_double_click_shows_all_again(
+    tab: StudioPage, first_run: Recording
+) -> None:
+    over = tab.panel("Plot").locator(".u-over")
+    box = over.bounding_box()
+    assert box is not None
+    x, y, width = box["x"], box["y"] + box["height"] / 2, box["width"]
+    tab.page.mouse.move(x + 0.5 * width, y)
+    tab.page.mouse.down()
+    tab.page.mouse.move(x + 0.75 * width, y, steps=4)
+    tab.page.mouse.up()
+    over.click(position={"x": 0.5 * width, "y": box["height"] / 2})
+    assert tab.time() == pytest.approx(0.625 * first_run.duration, abs=0.02 * first_run.duration)
+    over.dblclick(position={"x": 0.25 * width, "y": box["height"] / 2})
+    over.click(position={"x": 0.25 * width, "y": box["height"] / 2})
+    assert tab.time() == pytest.approx(0.25 * first_run.duration, abs=0.02 * first_run.duration)

@@ -1,0 +1,220 @@
+"""What goes wrong around the studio is said in words, the rest goes on, and no typed text is lost."""
+
+import shutil
+from collections.abc import Callable
+from math import degrees
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from ropsim.flow import Recording
+from ropsim.workbench import Project
+from support.arm_poses import body_poses, joints_at, worst_apart
+from support.browser import FLAGS, Pages, chromium
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "first_cell"
+#: A page whose server is gone tells its own console, too.
+GONE = ("WebSocket connection", "Failed to load resource", "ERR_CONNECTION")
+NO_WEBGL = (*FLAGS, "--disable-software-rasterizer", "--disable-3d-apis")
+FIXTURE = """
+[[objects]]
+name = "fixture"
+position = [0, 500, 0]
+shapes = [{ mesh = "lost/fixture.stl" }]
+"""
+#: What nobody sees in the views: a pose may be off by this much [m, rad].
+UNSEEN = 1e-3
+
+Start = Callable[..., Studio]
+"""Asked for before `open_page`, so that pages are closed before their server ends."""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a copy of the example that the test may spoil."""
+    return Path(shutil.copytree(EXAMPLE, tmp_path / "cell", ignore=shutil.ignore_patterns("out")))
+
+
+def program(folder: Path) -> Path:
+    return folder / "programs" / "main.task"
+
+
+def journalled(home: Path, text: str) -> bool:
+    return any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json"))
+
+
+def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
+    start_studio: Start,
+    open_page: Pages,
+    folder: Path,
+    tmp_path: Path,
+    first_project: Project,
+    first_run: Recording,
+) -> None:
+    before = program(folder).read_bytes()
+    studio = start_studio(folder)
+    page = StudioPage.opened(open_page, studio.url, expected=GONE)
+    page.append(2, "  # unsaved")
+    page.until(lambda: journalled(tmp_path, "# unsaved"))
+    studio.kill()
+    page.page.get_by_role("alert").get_by_text("Connection lost").wait_for()
+    assert first_project.cell is not None
+    time = 0.4 * first_run.duration
+    page.seek(time)
+    expected = body_poses(first_project.cell, joints_at(first_run, time))
+    assert max(worst_apart(page.poses(), expected)) < UNSEEN
+    page.page.keyboard.press("Control+s")
+    page.page.locator(".notice", has_text="Not saved").wait_for()
+    assert program(folder).read_bytes() == before
+    again = StudioPage.opened(open_page, start_studio(folder).url)
+    assert again.line(2).text_content() == "units mm, deg, s  # unsaved"
+    banner = again.page.locator(".program-banner", has_text="has been brought back")
+    banner.get_by_role("button", name="Discard it").click()
+    again.page.locator(".cm-line", has_text="# unsaved").wait_for(state="detached")
+    assert program(folder).read_bytes() == before
+
+
+def test_text_typed_without_a_server_is_sent_when_it_is_back(
+    start_studio: Start, open_page: Pages, folder: Path
+) -> None:
+    studio = start_studio(folder)
+    page = StudioPage.opened(open_page, studio.url, expected=(*GONE, "401"))
+    studio.kill()
+    page.page.get_by_role("alert").get_by_text("Connection lost").wait_for()
+    page.append(2, "  # typed alone")
+    back = start_studio(folder, studio.port)
+    page.page.get_by_role("alert").get_by_text("use the URL the terminal shows").wait_for()
+    other = open_page(back.url, beside=page.page)
+    other.wait_for_selector("body[data-ready]", state="attached")
+    page.page.wait_for_function("() => __ropsim.state().connection === 'connected'")
+    page.take_over()
+    other.locator(".cm-line", has_text="# typed alone").wait_for()
+    assert "# typed alone" not in program(folder).read_text("utf-8")
+    assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
+
+
+def test_a_closed_tab_loses_no_text(start_studio: Start, open_page: Pages, folder: Path) -> None:
+    studio = start_studio(folder)
+    page = StudioPage.opened(open_page, studio.url)
+    page.page.on("dialog", lambda dialog: dialog.accept())
+    page.append(2, "  # last words")
+    with page.page.expect_event("close"):
+        page.page.close(run_before_unload=True)
+    again = StudioPage.opened(open_page, studio.url)
+    assert again.line(2).text_content() == "units mm, deg, s  # last words"
+    again.page.get_by_role("img", name="not saved").wait_for()
+
+
+def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
+    start_studio: Start, open_page: Pages, folder: Path
+) -> None:
+    first = StudioPage.opened(open_page, start_studio(folder).url)
+    second = StudioPage(open_page(first.page.url, beside=first.page))
+    banner = second.page.locator(".banner", has_text="Another tab edits this project")
+    banner.wait_for()
+    second.line(2).click()
+    second.page.keyboard.type("x")
+    assert second.line(2).text_content() == "units mm, deg, s"
+    first.append(2, "  # of the first")
+    second.page.locator(".cm-line", has_text="# of the first").wait_for()
+    second.page.locator(".banners").get_by_role("button", name="Take over editing").click()
+    banner.wait_for(state="detached")
+    first.page.locator(".banner", has_text="Another tab edits this project").wait_for()
+    second.append(2, " and the second")
+    first.page.locator(".cm-line", has_text="# of the first and the second").wait_for()
+    first.line(3).click()
+    first.page.keyboard.type("x")
+    assert first.line(3).text_content() == ""
+
+
+def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
+    start_studio: Start, open_page: Pages, folder: Path
+) -> None:
+    cell = (folder / "cell.toml").read_text("utf-8")
+    (folder / "cell.toml").write_text(cell.replace('tool = "jaws"', 'tool = "jaws'), "utf-8")
+    page = StudioPage.arrived(open_page, start_studio(folder).url)
+    page.page.locator(".stage-words", has_text="cell.toml has errors").wait_for()
+    page.show("Problems").locator(".problem.error", has_text="cell.toml").first.click()
+    line = page.page.locator(".cm-activeLine", has_text='tool = "jaws')
+    line.wait_for()
+    page.page.keyboard.press("End")
+    page.page.keyboard.type('"')
+    page.rerun(0)
+    page.page.locator(".stage-words").wait_for(state="detached")
+    assert page.poses()["box"][:3] == pytest.approx([0.6, 0.25, 0.42], abs=UNSEEN)
+
+
+def test_a_cell_that_breaks_keeps_its_last_good_picture(
+    start_studio: Start, open_page: Pages, folder: Path
+) -> None:
+    page = StudioPage.opened(open_page, start_studio(folder).url)
+    before = page.poses()
+    page.document("cell.toml")
+    page.append(1, "\n[robot")
+    page.page.locator(".stage-badges", has_text="cell.toml has errors").wait_for()
+    assert page.poses() == before
+    assert page.state()["stale"]
+
+
+def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
+    start_studio: Start, open_page: Pages, folder: Path, first_run: Recording
+) -> None:
+    with (folder / "cell.toml").open("a", encoding="utf-8") as cell:
+        cell.write(FIXTURE)
+    page = StudioPage.opened(open_page, start_studio(folder).url)
+    page.page.locator(".stage-problems summary").click()
+    page.page.locator(".stage-problems li", has_text="fixture.stl").wait_for()
+    page.show("Problems").get_by_role("button", name="fixture.stl").first.wait_for()
+    page.drawn()
+    assert page.page.evaluate("() => __ropsim.stats().triangles") > 1000
+    assert page.state()["duration"] == first_run.duration
+
+
+def test_without_webgl_numbers_plots_and_editor_work(
+    browser: "Browser", start_studio: Start, folder: Path, first_run: Recording
+) -> None:
+    bare = browser.browser_type.launch(executable_path=chromium(), args=list(NO_WEBGL))
+    pages = Pages(bare)
+    try:
+        page = StudioPage.opened(pages, start_studio(folder).url)
+        page.page.locator(".stage").get_by_text("no WebGL 2").wait_for()
+        page.slider().press("End")
+        assert page.time() == first_run.duration
+        angle = degrees(joints_at(first_run, first_run.duration)[1])
+        page.panel("States").get_by_role("row", name=f"q 2 {angle:.2f}°").wait_for()
+        page.panel("Plot").locator(".u-over").click()
+        assert 0.0 < page.time() < first_run.duration
+        shown = page.state()["shown"]
+        page.append(2, "  # edited")
+        page.rerun(shown)
+        assert pages.unexpected() == []
+    finally:
+        pages.close()
+        bare.close()
+
+
+def test_files_with_code_are_listed_until_the_folder_is_trusted(
+    start_studio: Start, open_page: Pages, folder: Path
+) -> None:
+    (folder / "controllers").mkdir()
+    (folder / "controllers" / "mine.py").write_text("raise SystemExit\n", "utf-8")
+    studio = start_studio(folder)
+    page = StudioPage.opened(open_page, studio.url)
+    banner = page.page.locator(".banner.warning", has_text="until you trust this folder")
+    banner.get_by_text("Files with code").click()
+    banner.get_by_text("controllers/mine.py").wait_for()
+    banner.get_by_role("button", name="Leave inert").click()
+    banner.wait_for(state="detached")
+    page.page.reload()
+    page.ready()
+    banner.get_by_role("button", name="Trust this folder").click()
+    banner.wait_for(state="detached")
+    page.page.reload()
+    page.ready()
+    assert banner.count() == 0
