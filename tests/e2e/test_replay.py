@@ -173,7 +173,9 @@ def test_a_line_leads_to_its_move(open_page: Pages, first: Made) -> None:
     source = first.project.texts[event.span.source].lines[event.span.line - 1].strip()
     page.get_by_role("list", name="Program").get_by_role("button", name=source, exact=True).first.click()
     assert time_of(page) == pytest.approx(event.time, abs=1e-9)
-    marked = "source => document.querySelector('.replay-program [aria-current=step]')?.innerText.trim() === source"
+    marked = (
+        "source => document.querySelector('.replay-program [aria-current=step]')?.innerText.trim() === source"
+    )
     page.wait_for_function(marked, arg=source)  # the program follows the cursor a few times a second
 
 
