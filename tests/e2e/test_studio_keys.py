@@ -163,14 +163,14 @@ def test_another_key_is_learnt_and_undone(keys: StudioPage, signals: "Locator") 
     key.click()
     signals.get_by_text("Press a key …").wait_for()
     keys.page.keyboard.press("g")
-    key.and_(signals.get_by_text("G", exact=True)).wait_for()
+    key.filter(has_text="G").wait_for()
     arm(signals)
     live(keys, signals)
     keys.page.keyboard.press("g", delay=150)
     over(keys)
     keys.page.get_by_role("menuitem", name="Edit").click()
     keys.page.get_by_role("menuitem", name="Undo: Key G for start").click()
-    key.and_(signals.get_by_text("1", exact=True)).wait_for()
+    key.filter(has_text="1").wait_for()
 
 
 def test_a_toggled_input_stays_until_the_next_press(keys: StudioPage, signals: "Locator") -> None:
