@@ -1,6 +1,6 @@
 """The budgets of the studio: how soon, how smoothly and at what cost it shows the palletizing cell.
 
-Frame rates and times have twice their budget here, because the cores are shared. `make bench` measures them,
+Times have twice their budget here, because the cores are shared. `make bench` measures them,
 docs/explanation/studio-performance.md says what they were.
 """
 
@@ -24,7 +24,7 @@ CONTENTFUL, PICTURE, EDITOR = 1_000, 2_500, 3_000
 FRAME_WORK = 4.0
 """Time of the main thread for drawing one frame of four views, 95 % [ms]."""
 FRAME_RATE = 20.0
-"""Frames per second where the processor draws; half of what was measured, so it has its slack already."""
+"""Frames per second where the processor draws; a lower bound that gets no slack."""
 TRIANGLES = 40_000
 FRAMES_RECEIVED = (45.0, 75.0)
 """State frames per second, sent at 60."""

@@ -3,6 +3,7 @@ import type { Ray } from 'three'
 import { FrameTimes } from './frame_times'
 import { PLACES, rectsOf } from './layouts'
 import { Listeners } from './listeners'
+import { onNextFrame } from './next_frame'
 import type { Overlay } from './overlay'
 import { Painter, tier } from './painter'
 import { pick } from './picker'
@@ -21,8 +22,8 @@ export class Screen {
   readonly #times = new FrameTimes()
   readonly #sizes = new ResizeObserver(() => this.#resize())
   #layout: Layout = '4'
-  /** Animation frame that has been asked for, 0 for none. */
-  #asked = 0
+  /** Calls off the frame that has been asked for; null while none is. */
+  #callOff: (() => void) | null = null
   #turn = 0
   #width = 0
   #height = 0
@@ -106,13 +107,13 @@ export class Screen {
 
   /** Draw at the next animation frame. */
   request(): void {
-    if (this.#asked === 0 && this.#painter) this.#asked = requestAnimationFrame(() => this.draw())
+    if (this.#painter) this.#callOff ??= onNextFrame(() => this.draw())
   }
 
   /** Draw what is out of date; as much of it as one frame has time for. */
   draw(): void {
-    cancelAnimationFrame(this.#asked)
-    this.#asked = 0
+    this.#callOff?.()
+    this.#callOff = null
     if (!this.#painter || this.#painter.lost) return
     const start = performance.now()
     const gliding = this.views.map(view => view.pilot.step(start)).includes(true)
@@ -141,7 +142,7 @@ export class Screen {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.#asked)
+    this.#callOff?.()
     this.#sizes.disconnect()
     for (const listeners of [this.picked, this.drawn, this.changed]) listeners.clear()
     this.#painter?.dispose()

@@ -4,11 +4,18 @@ import { Loop, type LoopClock } from './loop'
 /** A browser whose frames and timers come when the test says so. */
 class Frames implements LoopClock {
   waiting: ((now: number) => void) | null = null
+  /** Whether the frame that is waited for leaves time before it. */
+  calm = false
   timers: { milliseconds: number; act: () => void }[] = []
 
   frame = (act: (now: number) => void) => {
     this.waiting = act
-    return 1
+    this.calm = false
+  }
+
+  calmFrame = (act: (now: number) => void) => {
+    this.waiting = act
+    this.calm = true
   }
 
   after = (milliseconds: number, act: () => void) => {
@@ -40,6 +47,25 @@ test('an idle page asks for no frames', () => {
   expect(frames.waiting).toBeNull()
   expect(frames.timers).toHaveLength(0)
   expect(shown).toBe(1)
+})
+
+test('what comes from outside waits for a calm frame, playing goes on from frame to frame', () => {
+  const frames = new Frames()
+  let playing = true
+  const loop = new Loop(
+    () => playing,
+    () => {},
+    frames,
+  )
+  loop.mark()
+  expect(frames.calm).toBe(true)
+  frames.tick(0)
+  expect(frames.waiting).not.toBeNull()
+  expect(frames.calm).toBe(false)
+  playing = false
+  frames.tick(16)
+  loop.mark()
+  expect(frames.calm).toBe(true)
 })
 
 test('while it plays every frame lets the time pass that has passed, but never leaps', () => {

@@ -1,7 +1,11 @@
 /** The page's clock: one animation frame at a time, and only while there is something to do. */
+import { onNextFrame } from '../scene/next_frame'
 
 export interface LoopClock {
-  readonly frame: (act: (now: number) => void) => number
+  /** The very next animation frame. */
+  readonly frame: (act: (now: number) => void) => void
+  /** One that lets messages and input in before it, where drawing holds the page up. */
+  readonly calmFrame: (act: (now: number) => void) => void
   readonly after: (milliseconds: number, act: () => void) => () => void
 }
 
@@ -20,7 +24,7 @@ export class Loop {
   readonly #show: () => void
   readonly #clock: LoopClock
   readonly #subscribers = new Set<Subscriber>()
-  #handle = 0
+  #asked = false
   #last: number | null = null
   #dirty = false
   #inside = false
@@ -44,9 +48,10 @@ export class Loop {
   }
 
   wake(): void {
-    if (this.#handle || this.#inside) return
+    if (this.#asked || this.#inside) return
     this.#cancelWait()
-    this.#handle = this.#clock.frame(now => this.#tick(now))
+    this.#asked = true
+    this.#clock.calmFrame(now => this.#tick(now))
   }
 
   /** Be called after changes, at most `rate` times a second; the last change is never missed. */
@@ -58,7 +63,7 @@ export class Loop {
   }
 
   #tick(now: number): void {
-    this.#handle = 0
+    this.#asked = false
     this.#inside = true
     const seconds = this.#last === null ? 0 : Math.min((now - this.#last) / 1000, LONGEST)
     this.#last = null
@@ -75,9 +80,16 @@ export class Loop {
       // One frame that fails must not stop the clock for good.
       this.#inside = false
     }
-    if (more) this.#last = now
-    if (more || this.#dirty) this.wake()
+    if (more) this.#goOn(now)
+    else if (this.#dirty) this.wake()
     else if (wait !== null) this.#cancelWait = this.#clock.after(wait, () => this.wake())
+  }
+
+  /** While it plays, frames follow each other. */
+  #goOn(now: number): void {
+    this.#last = now
+    this.#asked = true
+    this.#clock.frame(next => this.#tick(next))
   }
 
   /** Call who is due; return the time [ms] until the next one is, null when nobody waits. */
@@ -101,6 +113,7 @@ export class Loop {
 
 const browserClock: LoopClock = {
   frame: act => requestAnimationFrame(act),
+  calmFrame: act => onNextFrame(act),
   after: (milliseconds, act) => {
     const timer = setTimeout(act, milliseconds)
     return () => clearTimeout(timer)

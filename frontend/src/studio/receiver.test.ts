@@ -39,6 +39,8 @@ const state = () => studio.store.getState()
 
 beforeEach(() => {
   vi.stubGlobal('requestAnimationFrame', () => 1)
+  // A browser that cannot draw.
+  vi.stubGlobal('document', { createElement: () => ({ getContext: () => null }) })
   // Not started: no connection is made.
   studio = new Studio('ws://127.0.0.1:9/ws/studio')
   receiver = new Receiver(studio)

@@ -17,7 +17,7 @@ const status = (state: RunStatus['state']) => ({ type: 'run', id: 2, state, prog
 async function shownWhile(state: RunStatus['state']): Promise<boolean> {
   const store = createStudioStore()
   const transport = new Transport(new Cursor())
-  const idle = { frame: () => 1, cancel: () => {}, after: () => () => {} }
+  const idle = { frame: () => {}, calmFrame: () => {}, after: () => () => {} }
   const loop = new Loop(
     () => false,
     () => {},
