@@ -195,6 +195,9 @@ def main(arguments: list[str]) -> int:
     if arguments == ["--state"]:
         print("stale" if stale else "current")
         return 0
+    if arguments:
+        print(f"hatch_build.py knows `--state` only, not `{' '.join(arguments)}`", file=sys.stderr)
+        return 2
     try:
         if stale:
             build(root)

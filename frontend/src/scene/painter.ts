@@ -25,7 +25,6 @@ function look(): Tier {
 export class Painter {
   readonly canvas = document.createElement('canvas')
   readonly #renderer: WebGLRenderer
-  #width = 0
   #height = 0
 
   /** Throws where there is no WebGL 2: ask `tier` first. */
@@ -60,7 +59,6 @@ export class Painter {
 
   /** Size of the canvas [CSS px]. */
   resize(width: number, height: number): void {
-    this.#width = width
     this.#height = height
     this.#renderer.setSize(width, height, false)
   }
@@ -85,18 +83,6 @@ export class Painter {
     this.#renderer.setViewport(x, bottom, width, height)
     this.#renderer.setScissor(x, bottom, width, height)
     this.#renderer.render(scene, camera)
-  }
-
-  /** RGBA of the pixel at a place of the canvas [CSS px from its top left]. */
-  pixel(x: number, y: number): readonly [number, number, number, number] | null {
-    if (x < 0 || y < 0 || x >= this.#width || y >= this.#height) return null
-    const ratio = this.#renderer.getPixelRatio()
-    const gl = this.#renderer.getContext()
-    const bytes = new Uint8Array(4)
-    const row = Math.floor((this.#height - y) * ratio) - 1
-    gl.readPixels(Math.floor(x * ratio), Math.max(row, 0), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes)
-    const [r = 0, g = 0, b = 0, a = 0] = bytes
-    return [r, g, b, a]
   }
 
   dispose(): void {

@@ -135,12 +135,6 @@ export class Screen {
     }
   }
 
-  /** RGBA at a place of a viewport [CSS px]. */
-  pixel(which: number | string, x: number, y: number): readonly [number, number, number, number] | null {
-    const rect = this.view(which)?.rect
-    return (rect && this.#painter?.pixel(rect.x + x, rect.y + y)) ?? null
-  }
-
   dispose(): void {
     this.#callOff?.()
     this.#sizes.disconnect()

@@ -53,16 +53,6 @@ export interface StageState {
   readonly views: readonly ViewState[]
 }
 
-/** A viewport as others see it. */
-export interface ViewInfo {
-  /** Fixed name of the place: `perspective`, `top`, `front`, `right`. */
-  readonly id: string
-  readonly preset: Preset
-  readonly projection: Projection
-  /** The focusable drawing area. */
-  readonly element: HTMLElement
-}
-
 export interface Point {
   readonly x: number
   readonly y: number

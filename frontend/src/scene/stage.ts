@@ -21,7 +21,6 @@ import type {
   StageStats,
   Theme,
   Trail,
-  ViewInfo,
 } from './settings'
 import { words } from './words'
 import './stage.css'
@@ -73,10 +72,6 @@ export class Stage {
 
   layout(kind: Layout): void {
     this.#screen.layout = kind
-  }
-
-  get viewports(): readonly ViewInfo[] {
-    return this.#screen.shown
   }
 
   /** Layout and cameras, to be kept with the project or for undo. */
@@ -203,11 +198,6 @@ export class Stage {
     return this.#screen.drawn.add(listener)
   }
 
-  /** Draw at the next animation frame. */
-  requestDraw(): void {
-    this.#screen.request()
-  }
-
   /** Draw what has changed now; for callers that are inside an animation frame already. */
   draw(): void {
     this.#screen.draw()
@@ -233,11 +223,6 @@ export class Stage {
   /** World pose in which a body is shown now. */
   pose(body: number): Pose | null {
     return this.#scenery.bodies.poseOf(body)
-  }
-
-  /** RGBA of a pixel of a viewport as last drawn. */
-  readPixel(view: number | string, x: number, y: number): readonly [number, number, number, number] | null {
-    return this.#screen.pixel(view, x, y)
   }
 
   dispose(): void {

@@ -1,7 +1,6 @@
 """An open document: its text, and the change from protocol positions to characters and back."""
 
 import re
-from bisect import bisect_right
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -84,11 +83,6 @@ class Document:
             line, column = last, len(self.text)
         before = self.line(line)[: max(column, 0)]
         return {"line": line, "character": len(before) + len(_WIDE.findall(before))}
-
-    def position_at(self, offset: int) -> Json:
-        """Return the protocol position of an offset."""
-        line = bisect_right(self.starts, offset) - 1
-        return self.position(line, offset - self.starts[line])
 
     def range_of(self, span: Span | None) -> Json:
         """Return the range of a span; one of a whole line, or none, becomes the words of that line."""
