@@ -23,6 +23,7 @@ import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { replacement } from './replacement'
 import { task } from './task_language'
 import { theme } from './theme'
+import { toml } from './toml_language'
 import { lineInSight } from './view_sight'
 import { words } from './words'
 import type { OpenedDocument } from './workspace'
@@ -51,6 +52,9 @@ interface Kept {
 }
 
 const External = Annotation.define<true>()
+
+/** Colours and folding by the language of a document; code of ICR has none. */
+const LANGUAGES: Readonly<Record<string, () => Extension>> = { task, toml }
 
 export class ProgramEditor {
   readonly #options: ProgramEditorOptions
@@ -220,7 +224,7 @@ export class ProgramEditor {
       search({ top: true }),
       // Lists and hints may be larger than the panel; they stay inside the page's landmark.
       tooltips({ parent: this.#view.dom.closest('main') ?? window.document.body }),
-      document.language === 'task' ? task() : [],
+      LANGUAGES[document.language]?.() ?? [],
       this.#language.extension(document),
       keymap.of([
         ...closeBracketsKeymap,

@@ -85,7 +85,11 @@ const colours = HighlightStyle.define([
   { tag: tags.function(tags.variableName), color: 'var(--info)' },
   { tag: tags.number, color: 'var(--good)' },
   { tag: tags.string, color: 'var(--warning)' },
-  { tag: tags.lineComment, color: 'var(--quiet)', fontStyle: 'italic' },
+  { tag: tags.heading, color: 'var(--accent)', fontWeight: '700' },
+  { tag: tags.propertyName, color: 'var(--info)' },
+  { tag: tags.bool, color: 'var(--accent)' },
+  { tag: tags.invalid, color: 'var(--error)' },
+  { tag: tags.comment, color: 'var(--quiet)', fontStyle: 'italic' },
 ])
 
 export const theme: Extension = [view, syntaxHighlighting(colours)]

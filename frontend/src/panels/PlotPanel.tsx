@@ -20,7 +20,9 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
     if (!host.current) return
     const made = new Plot(host.current, studio.cursor)
     plot.current = made
+    studio.plots.add(made)
     return () => {
+      studio.plots.delete(made)
       made.destroy()
       plot.current = null
     }

@@ -2,18 +2,19 @@
 import type { IDockviewPanelProps } from 'dockview-react'
 import { useEffect, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
-import type { Problem } from '../studio/problems'
 import { severityIcons, words } from './editor_words'
+import { grouped, nextOf, type ProblemGroup } from './problem_groups'
 import { matching } from './problem_order'
 import './editor.css'
 
 export function ProblemsPanel({ api }: IDockviewPanelProps) {
   const problems = useStudioState(state => state.problems)
   const [query, setQuery] = useState('')
-  const shown = matching(problems, query)
+  const all = grouped(problems)
+  const shown = grouped(matching(problems, query))
   useEffect(() => {
-    api.setTitle(words.title(problems.length))
-  }, [api, problems.length])
+    api.setTitle(words.title(all.length))
+  }, [api, all.length])
   return (
     <div className="problems">
       <div className="problems-bar">
@@ -24,15 +25,15 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
           value={query}
           onChange={event => setQuery(event.target.value)}
         />
-        <output>{words.problems(shown.length, problems.length)}</output>
+        <output>{words.problems(shown.length, all.length)}</output>
       </div>
       {shown.length === 0 ? (
         <p className="problems-empty">{problems.length === 0 ? words.allWell : words.noMatch}</p>
       ) : (
         <ul>
-          {shown.map((problem, at) => (
+          {shown.map((group, at) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: equal findings have nothing else that tells them apart
-            <ProblemRow key={at} problem={problem} />
+            <ProblemRow key={at} group={group} />
           ))}
         </ul>
       )}
@@ -40,19 +41,23 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
   )
 }
 
-function ProblemRow({ problem }: { problem: Problem }) {
+function ProblemRow({ group }: { group: ProblemGroup }) {
   const studio = useStudio()
-  const { document, line, column, severity, code, message, hint, time } = problem
+  const { document, line, severity, code, message, hint, time } = group.first
+  const count = group.all.length
   const act = () => {
-    if (document) studio.goTo(document, Math.max(line, 1), Math.max(column, 1))
-    if (time !== null) studio.transport.go(time)
+    const chosen = nextOf(group, studio.cursor.time)
+    if (document) studio.goTo(document, Math.max(line, 1), Math.max(chosen.column, 1))
+    if (chosen.time !== null) studio.transport.go(chosen.time)
   }
-  const place = [document, line > 0 ? words.at(line) : '', time === null ? '' : words.time(time)]
+  const when = time === null ? '' : count > 1 ? words.firstTime(time) : words.time(time)
+  const place = [document, line > 0 ? words.at(line) : '', when]
   return (
     <li>
       <button
         type="button"
         className={`problem ${severity}`}
+        title={count > 1 ? words.countTitle : undefined}
         onClick={act}
         disabled={!document && time === null}
       >
@@ -61,6 +66,7 @@ function ProblemRow({ problem }: { problem: Problem }) {
         </span>
         <span className="problem-text">
           {message}
+          {count > 1 ? <strong className="problem-count">{words.count(count)}</strong> : null}
           {hint ? <span className="problem-hint"> {hint}</span> : null}
         </span>
         <span className="problem-place">

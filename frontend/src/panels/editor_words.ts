@@ -28,12 +28,15 @@ export const words = {
   problems: (count: number, all: number) =>
     count === all ? `${count} ${count === 1 ? 'problem' : 'problems'}` : `${count} of ${all} problems`,
   title: (count: number) => (count === 0 ? 'Problems' : `Problems (${count})`),
-  allWell: 'No problems: every text is right as far as it has been looked at.',
+  allWell: 'No problems found',
   noMatch: 'No problem has these words.',
   filter: 'Filter problems',
   severities: { error: 'Error', warning: 'Warning', info: 'Note', hint: 'Hint' },
   at: (line: number) => `line ${line}`,
   time: (seconds: number) => `at ${seconds.toFixed(2)} s`,
+  firstTime: (seconds: number) => `first at ${seconds.toFixed(2)} s`,
+  count: (times: number) => `× ${times}`,
+  countTitle: 'Found this many times on this line; each click goes to the next one',
   next: 'Next problem',
   previous: 'Previous problem',
 } as const

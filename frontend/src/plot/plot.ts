@@ -45,10 +45,13 @@ export class Plot {
     const schemes = matchMedia('(prefers-color-scheme: dark)')
     const recolour = () => this.#rebuild()
     schemes.addEventListener('change', recolour)
+    const themes = new MutationObserver(recolour)
+    themes.observe(document.documentElement, { attributeFilter: ['data-theme'] })
     this.#stops.push(
       cursor.onTime(() => this.#follow()),
       () => sizes.disconnect(),
       () => schemes.removeEventListener('change', recolour),
+      () => themes.disconnect(),
     )
     this.#rebuild()
   }
@@ -70,13 +73,25 @@ export class Plot {
     const run = this.#run
     if (!chart || !run) return
     chart.setData(this.#data(run))
-    this.#follow()
+    this.#tell()
   }
 
   /** The whole time again. */
   unzoom(): void {
     this.#range = null
     this.refresh()
+  }
+
+  /** Where the time line is drawn and where the scale has the time [px]; null where nothing is plotted. */
+  get timeLine(): { readonly drawn: number; readonly scale: number; readonly inside: boolean } | null {
+    const chart = this.#chart
+    if (!chart) return null
+    const drawn = this.#line.getBoundingClientRect()
+    return {
+      drawn: drawn.left + drawn.width / 2 - chart.over.getBoundingClientRect().left,
+      scale: chart.valToPos(this.#cursor.time, 'x'),
+      inside: this.#line.style.visibility !== 'hidden',
+    }
   }
 
   destroy(): void {
@@ -117,7 +132,8 @@ export class Plot {
             ...(stepped && one.held ? { paths: stepped } : {}),
           })),
         ],
-        hooks: { setSelect: [self => this.#zoom(self)] },
+        // Scales change a moment after the data that asked for it; only then the time has its new place.
+        hooks: { setSelect: [self => this.#zoom(self)], draw: [() => this.#place()] },
       },
       this.#data(run),
       this.#area,
@@ -168,13 +184,22 @@ export class Plot {
 
   /** The time line at once, values beside the names a little later. */
   #follow(): void {
+    this.#place()
+    this.#tell()
+  }
+
+  /** Put the time line where the chart's present scale has the time. */
+  #place(): void {
     const chart = this.#chart
     if (!chart) return
     const left = chart.valToPos(this.#cursor.time, 'x')
     const inside = left >= 0 && left <= chart.over.clientWidth
     this.#line.style.transform = `translateX(${Math.round(left)}px)`
     this.#line.style.visibility = inside ? 'visible' : 'hidden'
-    if (this.#timer) return
+  }
+
+  #tell(): void {
+    if (!this.#chart || this.#timer) return
     const wait = this.#written + PERIOD - performance.now()
     if (wait <= 0) this.#write()
     else

@@ -1,5 +1,6 @@
 /** One word on connection and run, at the top right. */
 import { words } from '../text/messages'
+import type { RunStatus } from '../wire/messages'
 import { useStudioState } from './context'
 import type { StudioState } from './state'
 
@@ -18,7 +19,7 @@ export function runWords(state: StudioState): readonly [Tone, string] {
     case 'running':
       return ['running', status.message || words.run[status.state]]
     case 'refused':
-      return ['error', words.run.refused]
+      return ['error', isOfCell(status) ? words.run.refusedCell : words.run.refused]
     case 'failed':
       return ['error', words.run.failedShort]
     case 'cancelled':
@@ -30,6 +31,12 @@ export function runWords(state: StudioState): readonly [Tone, string] {
     default:
       return ['quiet', words.run.none]
   }
+}
+
+/** Whether every error that stands in the way of a run is one of the cell file. */
+function isOfCell(status: RunStatus): boolean {
+  const errors = status.findings.filter(one => one.severity === 'error')
+  return errors.length > 0 && errors.every(one => one.span?.source.endsWith('cell.toml'))
 }
 
 export function RunPill() {

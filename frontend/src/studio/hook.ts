@@ -13,6 +13,8 @@ export interface StudioHook {
   readonly jogged: () => NamedPoses | null
   readonly project: (view: number | string, point: readonly [number, number, number]) => unknown
   readonly stats: () => unknown
+  /** Time lines of the plots, in the order in which they were opened. */
+  readonly plots: () => readonly unknown[]
   readonly state: () => Readonly<Record<string, unknown>>
   readonly command: (id: string) => boolean
   readonly ready: boolean
@@ -43,6 +45,7 @@ export function installHook(studio: Studio): void {
     jogged: () => picture.joggedPoses && named(picture.joggedPoses),
     project: (view, point) => picture.stage?.project(view, point) ?? null,
     stats: () => picture.stage?.stats() ?? null,
+    plots: () => [...studio.plots].map(one => one.timeLine),
     state: () => {
       const { status, stale, connection, shown, live, following, editing, ghost, documents } =
         store.getState()

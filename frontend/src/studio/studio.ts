@@ -30,6 +30,11 @@ import { UndoStack } from './undo'
 
 export type { Place } from './text_desk'
 
+/** What the page tells about a plot: where its time line is drawn, and where its scale has the time [px]. */
+export interface ShownPlot {
+  readonly timeLine: { readonly drawn: number; readonly scale: number; readonly inside: boolean } | null
+}
+
 export class Studio {
   readonly store: StudioStore = createStudioStore()
   readonly cursor = new Cursor()
@@ -44,6 +49,8 @@ export class Studio {
   readonly jog: Jog
   readonly signals: SignalBoard
   readonly connection: Connection
+  /** The plots that stand in panels. */
+  readonly plots = new Set<ShownPlot>()
   storage = new ProjectStorage('')
   /** Null until the panels stand. */
   dock: Dock | null = null

@@ -48,6 +48,7 @@ export const words = {
     done: 'Run is current',
     withErrors: 'Run is current, with errors',
     refused: 'Program has errors',
+    refusedCell: 'cell.toml has errors',
     cancelled: 'Run cancelled',
     failed: (message: string) => `The run failed: ${message}`,
     failedShort: 'Run failed',

@@ -1,0 +1,45 @@
+import { expect, test } from 'vitest'
+import type { Problem } from '../studio/problems'
+import { grouped, nextOf } from './problem_groups'
+
+const PROBLEM: Problem = {
+  document: 'programs/main.task',
+  line: 4,
+  column: 2,
+  endLine: 4,
+  endColumn: 5,
+  severity: 'warning',
+  code: 'S720',
+  message: 'joint `2` is 0.2° from its target',
+  hint: '',
+  time: 3,
+}
+
+const later = { ...PROBLEM, message: 'joint `2` is 0.3° from its target', time: 9 }
+
+test('the same finding on the same line is one row, however often and with whatever numbers', () => {
+  const [group, ...others] = grouped([later, PROBLEM])
+  expect(others).toEqual([])
+  expect(group?.first).toBe(PROBLEM)
+  expect(group?.all).toEqual([PROBLEM, later])
+})
+
+test.each([
+  ['line', { line: 5 }],
+  ['document', { document: 'cell.toml' }],
+  ['code', { code: 'S721' }],
+  ['severity', { severity: 'error' }],
+] as const)('another %s is another row', (_, change) => {
+  expect(grouped([PROBLEM, { ...PROBLEM, ...change }])).toHaveLength(2)
+})
+
+test('findings without a line are told apart by their words', () => {
+  const nowhere = { ...PROBLEM, line: 0 }
+  expect(grouped([nowhere, { ...nowhere, time: 5 }, { ...nowhere, message: 'another' }])).toHaveLength(2)
+})
+
+test('going through a row leads from time to time and round', () => {
+  const [group] = grouped([PROBLEM, later])
+  if (!group) throw new Error('there must be a group')
+  expect([0, 3, 8.9, 9, 20].map(time => nextOf(group, time).time)).toEqual([3, 9, 9, 3, 3])
+})
