@@ -3,6 +3,8 @@
 
 VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
 DEMO = examples/palletizing
+# One worker per core, at most four; tests of a module stay together, in the order of tests/conftest.py.
+SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadgroup --no-loadscope-reorder
 
 help:
 	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'
@@ -18,7 +20,7 @@ demo:
 
 test:
 	@$(VENV) test
-	.venv/bin/python -m pytest
+	.venv/bin/python -m pytest $(SIDE_BY_SIDE)
 
 check:
 	@$(VENV) test check

@@ -10,17 +10,22 @@ HERE = Path(__file__).parent
 pytest_plugins = ("support.browser",)
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Sort by folder, tests with a browser behind all others; inside a folder the order stays.
 
     From the first of them on, playwright keeps an event loop in the main thread, where others could not start
-    their own.
+    their own. For the same reason the two kinds of one module are two groups where workers run side by side;
+    otherwise a module stays together, because its tests share a server.
     """
-    items.sort(key=lambda item: ("browser" in _fixtures(item), _folder(item)))
+    items.sort(key=lambda item: (_in_browser(item), _folder(item)))
+    if config.pluginmanager.hasplugin("xdist"):
+        for item in items:
+            kind = "browser " if _in_browser(item) else ""
+            item.add_marker(pytest.mark.xdist_group(f"{kind}{item.path.relative_to(HERE)}"))
 
 
-def _fixtures(item: pytest.Item) -> list[str]:
-    return item.fixturenames if isinstance(item, pytest.Function) else []
+def _in_browser(item: pytest.Item) -> bool:
+    return isinstance(item, pytest.Function) and "browser" in item.fixturenames
 
 
 def _folder(item: pytest.Item) -> int:
