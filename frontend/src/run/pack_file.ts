@@ -46,6 +46,41 @@ export type PackedBody = { readonly name: string } & (
   | { readonly track: 'placed'; readonly placements: readonly Placement[] }
 )
 
+/** The worst share of a limit among the joints; `line` 0 for none. */
+export interface PeakFigure {
+  readonly share: number
+  readonly joint: string
+  readonly line: number
+  readonly time: number
+}
+
+/** The result of a run: what a strip shows of it. SI units; figures that a run does not know are null. */
+export interface ResultFigures {
+  readonly verdict: { readonly kind: 'good' | 'doubtful' | 'failed'; readonly text: string }
+  /** One line: what the verdict did not look at. It stands beside the verdict, wherever that is shown. */
+  readonly unchecked: string
+  readonly cycle_time: number
+  /** False where a move was skipped: the cycle time is not that of the program then. */
+  readonly cycle_time_valid: boolean
+  /** Time spent waiting for the arm to settle after moves [s]. */
+  readonly settling: number
+  readonly peak_torque: PeakFigure | null
+  readonly peak_speed: PeakFigure | null
+  readonly closest_limit: {
+    readonly margin: number
+    readonly unit: 'rad' | 'm'
+    readonly joint: string
+    readonly side: 'lower' | 'upper'
+    readonly line: number
+    readonly time: number
+  } | null
+  /** Largest distance of the TCP from the commanded path [m]; null where no move has a path. */
+  readonly path_error: { readonly max: number; readonly line: number; readonly time: number } | null
+  readonly errors: number
+  readonly warnings: number
+  readonly moves: number
+}
+
 export interface PackHeader {
   readonly version: number
   readonly duration: number
@@ -60,6 +95,8 @@ export interface PackHeader {
   readonly bodies: readonly PackedBody[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
+  /** Absent in packs of older versions of ropsim. */
+  readonly result?: ResultFigures
   readonly recording: Readonly<Record<string, unknown>>
 }
 

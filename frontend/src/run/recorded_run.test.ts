@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import type { SceneDescription } from '../scene/description'
 import fixture from './fixtures/first_cell.json'
+import { openPack } from './pack_file'
 import { RecordedRun } from './recorded_run'
 
 /** Rounding of a pack: half a step is less. */
@@ -136,3 +137,40 @@ describe('a damaged pack', () => {
     await expect(RecordedRun.decode(other, scene)).rejects.toThrow('does not begin with RPK1')
   })
 })
+
+describe('the result of a run', () => {
+  it('has the figures of the run and says what they leave open', () => {
+    const result = run.result
+    expect(result?.verdict.kind).toBe('good')
+    expect(result?.unchecked).toMatch(/^not checked: collisions, torques, drives, servo/)
+    expect(result?.cycle_time).toBeCloseTo(Math.max(...run.events.map(one => one.time + one.duration)), 9)
+    expect(result?.moves).toBe(run.events.filter(one => one.kind === 'move').length)
+    expect(result?.peak_torque).toBeNull() // a kinematic run knows no torque
+  })
+
+  it('names joint, side and time of the least margin to a limit', () => {
+    const closest = run.result?.closest_limit
+    const joint = run.channels.find(one => one.name === 'q')?.columns.indexOf(closest?.joint ?? '') ?? -1
+    const robot = run.about.robot as { lower: number[]; upper: number[] }
+    const limit = (closest?.side === 'lower' ? robot.lower : robot.upper)[joint] ?? Number.NaN
+    const there = run.value('q', joint, closest?.time ?? 0)
+    expect(Math.abs(Math.abs(limit - there) - (closest?.margin ?? 0))).toBeLessThan(5e-4)
+  })
+
+  it('is undefined in a pack of an older version', async () => {
+    const { result, ...header } = (await openPack(file)).header
+    expect(result).toBeDefined()
+    const old = await RecordedRun.decode(await packOf(header, (await openPack(file)).body), scene)
+    expect(old.result).toBeUndefined()
+    expect(old.duration).toBe(run.duration)
+  })
+})
+
+/** Put a pack together again. */
+async function packOf(header: object, body: Uint8Array): Promise<ArrayBuffer> {
+  const text = new TextEncoder().encode(JSON.stringify(header))
+  const length = new Uint8Array(4)
+  new DataView(length.buffer).setUint32(0, text.length, true)
+  const whole = new Blob(['RPK1', length, text, body.slice()])
+  return await new Response(whole.stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer()
+}

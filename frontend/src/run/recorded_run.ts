@@ -1,7 +1,7 @@
 /** A finished run, read from its pack. */
 import type { SceneDescription } from '../scene/description'
 import { Clock, Column } from './column'
-import { openPack, type PackHeader } from './pack_file'
+import { openPack, type PackHeader, type ResultFigures } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
 import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
@@ -17,6 +17,8 @@ export class RecordedRun implements Run {
   readonly channels: readonly ChannelInfo[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
+  /** Undefined for a run from a pack of an older version of ropsim. */
+  readonly result: ResultFigures | undefined
   /** What the recording says about itself: robot, limits, rates. */
   readonly about: Readonly<Record<string, unknown>>
   readonly #header: PackHeader
@@ -39,6 +41,7 @@ export class RecordedRun implements Run {
     this.duration = header.duration
     this.events = header.events
     this.findings = header.findings
+    this.result = header.result
     this.about = header.recording
     this.#clock = new Clock(header.rate, header.duration, header.count)
     for (const channel of header.channels) {

@@ -50,6 +50,7 @@ def move(state: CellRun, instruction: MoveInstruction) -> None:
         ordinal=ordinal,
         settle=settle,
         travel=planned.duration,
+        zone=instruction.modal.zone,
     )
     state.progress(f"move {ordinal + 1}")
 

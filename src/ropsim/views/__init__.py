@@ -20,6 +20,7 @@ from ropsim.views.pack_channels import group_of as group_of
 from ropsim.views.path_summary import PathLine as PathLine
 from ropsim.views.path_summary import PathMove as PathMove
 from ropsim.views.path_summary import PathSummary as PathSummary
+from ropsim.views.result import result_figures as result_figures
 from ropsim.views.scene import scene as scene
 from ropsim.views.scene_bodies import SceneIndex as SceneIndex
 from ropsim.views.scene_shapes import MeshSource as MeshSource
@@ -29,6 +30,8 @@ from ropsim.views.summary import Summary as Summary
 from ropsim.views.summary import summarize as summarize
 from ropsim.views.task_summary import TaskSummary as TaskSummary
 from ropsim.views.terminal import terminal_report as terminal_report
+from ropsim.views.unchecked import Unchecked as Unchecked
+from ropsim.views.unchecked import unchecked as unchecked
 from ropsim.views.verdict import Verdict as Verdict
 from ropsim.views.verdict import VerdictText as VerdictText
 from ropsim.views.verdict import verdict as verdict

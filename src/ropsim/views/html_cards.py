@@ -1,9 +1,12 @@
 """The cards with the key figures in the HTML report."""
 
-import math
-
 from ropsim.views.figures import MILLIMETRES, coordinate_scale, percent, seconds, with_unit
-from ropsim.views.joint_summary import JointSummary
+from ropsim.views.joint_summary import (
+    JointSummary,
+    closest_to_position_limit,
+    closest_to_speed_limit,
+    closest_to_torque_limit,
+)
 from ropsim.views.markup import text
 from ropsim.views.summary import Summary
 
@@ -41,20 +44,19 @@ def _path_figure(summary: Summary) -> list[tuple[str, str, str]]:
 
 def _joint_figures(joints: tuple[JointSummary, ...]) -> list[tuple[str, str, str]]:
     result = []
-    shares = (
-        ("peak torque", [joint.effort_share for joint in joints]),
-        ("peak speed", [joint.speed_share for joint in joints]),
-    )
-    for name, values in shares:
-        worst = max(((value, k) for k, value in enumerate(values) if math.isfinite(value)), default=None)
-        if worst is not None:
-            detail = f"of the limit, joint {text(joints[worst[1]].facts.name)}"
-            result.append((name, percent(worst[0]), detail))
-    near = [joint for joint in joints if math.isfinite(joint.nearest.margin)]
-    closest = min(near, key=lambda joint: joint.nearest.margin, default=None)
+    torque, speed = closest_to_torque_limit(joints), closest_to_speed_limit(joints)
+    if torque is not None:
+        result.append(("peak torque", percent(torque.effort_share), _of_the_limit(torque)))
+    if speed is not None:
+        result.append(("peak speed", percent(speed.speed_share), _of_the_limit(speed)))
+    closest = closest_to_position_limit(joints)
     if closest is not None:
         margin = with_unit(closest.nearest.margin, coordinate_scale(closest.facts.type), 1)
         result.append(
             ("closest to a limit", margin, f"joint {text(closest.facts.name)}, {closest.nearest.side}")
         )
     return result
+
+
+def _of_the_limit(joint: JointSummary) -> str:
+    return f"of the limit, joint {text(joint.facts.name)}"

@@ -87,14 +87,15 @@ def _header(name: str, summary: Summary) -> str:
     state = verdict(summary)
     robot = f'<p class="quiet">{text(summary.header.robot)}</p>' if summary.header.robot else ""
     kinematic = (
-        "<p>Kinematic run: without masses, drives and servo; torques are not known.</p>"
+        "<p>Kinematic run: the arm follows its references exactly.</p>"
         if summary.header.fidelity == "kinematic"
         else ""
     )
     return (
         f"<header>\n<h1>{text(name)}</h1>\n{robot}{kinematic}"
         f'<p class="verdict {state.kind.value}"><span aria-hidden="true">{_SIGNS[state.kind]} </span>'
-        f"{text(state.text)}</p>\n</header>\n"
+        f"{text(state.text)}</p>\n"
+        f'<p class="unchecked">{text(summary.unchecked.text)}</p>\n</header>\n'
     )
 
 

@@ -1,6 +1,7 @@
 """What each joint did in a run, measured against its limits."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
@@ -92,6 +93,24 @@ class JointSummary:
         """Return the closer of the two approaches."""
         lower, upper = self.nearest_lower, self.nearest_upper
         return upper if not math.isfinite(lower.margin) or upper.margin < lower.margin else lower
+
+
+def closest_to_torque_limit(joints: Iterable[JointSummary]) -> JointSummary | None:
+    """Return the joint with the largest share of its torque limit, None where no share is known."""
+    known = [joint for joint in joints if math.isfinite(joint.effort_share)]
+    return max(known, key=lambda joint: joint.effort_share, default=None)
+
+
+def closest_to_speed_limit(joints: Iterable[JointSummary]) -> JointSummary | None:
+    """Return the joint with the largest share of its speed limit, None where no share is known."""
+    known = [joint for joint in joints if math.isfinite(joint.speed_share)]
+    return max(known, key=lambda joint: joint.speed_share, default=None)
+
+
+def closest_to_position_limit(joints: Iterable[JointSummary]) -> JointSummary | None:
+    """Return the joint with the least margin to an end of its range, None where no margin is known."""
+    known = [joint for joint in joints if math.isfinite(joint.nearest.margin)]
+    return min(known, key=lambda joint: joint.nearest.margin, default=None)
 
 
 def share(value: float, limit: float) -> float:

@@ -17,7 +17,9 @@ from ropsim.spatial import Array
 from ropsim.views.pack_bodies import packed_bodies
 from ropsim.views.pack_channels import packed_channels
 from ropsim.views.pack_columns import Body
+from ropsim.views.result import result_figures
 from ropsim.views.scene_shapes import plain_pose
+from ropsim.views.summary import Summary
 
 VERSION = 1
 RATE = 60
@@ -37,12 +39,13 @@ class Pack:
     body: bytes
 
 
-def pack(recording: Recording, cell: Cell, findings: Iterable[Diagnostic] = ()) -> Pack:
+def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[Diagnostic] = ()) -> Pack:
     """Return the pack of a run.
 
     Args:
         recording: of a run in this cell; it must have the channel `q`.
         cell: as it was simulated.
+        summary: of the recording.
         findings: of compiling, shown before those of the run.
     """
     body = Body()
@@ -65,6 +68,7 @@ def pack(recording: Recording, cell: Cell, findings: Iterable[Diagnostic] = ()) 
             *(plain_finding(one) for one in findings),
             *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
         ],
+        "result": result_figures(summary),
         "recording": dict(about),
     }
     return Pack(header, body.content())

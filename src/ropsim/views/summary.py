@@ -14,6 +14,7 @@ from ropsim.views.header import RunHeader, number, run_header
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
+from ropsim.views.unchecked import Unchecked, unchecked
 
 MOVING = 1e-6
 """Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
@@ -41,6 +42,7 @@ class Summary:
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
+        unchecked: what all this leaves open.
     """
 
     header: RunHeader
@@ -59,6 +61,7 @@ class Summary:
     error_count: int
     warning_count: int
     invalid_samples: int
+    unchecked: Unchecked
 
     @property
     def cycle_time_valid(self) -> bool:
@@ -90,6 +93,7 @@ def summarize(recording: Recording) -> Summary:
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),
         invalid_samples=invalid_samples(recording),
+        unchecked=unchecked(header, events),
     )
 
 

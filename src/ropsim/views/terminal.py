@@ -66,8 +66,9 @@ def _title(summary: Summary, style: Style) -> list[str]:
     is_kinematic = header.fidelity == "kinematic"
     return [
         paint(fit(what + robot, COLUMNS), Tone.STRONG, style),
-        *(["kinematic run: no masses, drives or servo; torques are not known"] if is_kinematic else []),
+        *(["kinematic run: the arm follows its references exactly"] if is_kinematic else []),
         *(paint(line, _VERDICT_TONES[state.kind], style) for line in textwrap.wrap(state.text, COLUMNS)),
+        *textwrap.wrap(summary.unchecked.text, COLUMNS, subsequent_indent="  "),
     ]
 
 

@@ -32,6 +32,7 @@ section { background: var(--sheet); border: 1px solid var(--line); border-radius
 .quiet { color: var(--quiet); } p.screen { max-width: none; }
 .verdict { display: inline-block; margin: 12px 0 0; padding: 6px 12px; border-radius: 8px; font-weight: 600;
   border: 1.5px solid currentColor; }
+.unchecked { margin: 8px 0 0; max-width: none; }
 .good { color: var(--good); } .doubtful { color: var(--doubt); } .failed { color: var(--bad); }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); padding: 0;
   overflow: hidden; }

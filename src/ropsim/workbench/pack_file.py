@@ -8,13 +8,15 @@ from collections.abc import Iterable
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.model import Cell
-from ropsim.views import pack
+from ropsim.views import Summary, pack
 from ropsim.workbench.plain_values import numeric
 
 MAGIC = b"RPK1"
 
 
-def pack_bytes(cell: Cell, recording: Recording, findings: Iterable[Diagnostic] = ()) -> bytes:
+def pack_bytes(
+    cell: Cell, recording: Recording, summary: Summary, findings: Iterable[Diagnostic] = ()
+) -> bytes:
     """Return the pack of a run; equal recordings give equal bytes.
 
     docs/reference/pack.md describes the content.
@@ -22,9 +24,10 @@ def pack_bytes(cell: Cell, recording: Recording, findings: Iterable[Diagnostic] 
     Args:
         cell: in which the run took place.
         recording: as it was simulated.
+        summary: of the recording.
         findings: of compiling, listed before those of the run.
     """
-    made = pack(recording, cell, findings)
+    made = pack(recording, cell, summary, findings)
     text = json.dumps(
         numeric(made.header), allow_nan=False, ensure_ascii=False, separators=(",", ":")
     ).encode("utf-8", "replace")

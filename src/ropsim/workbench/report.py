@@ -94,7 +94,7 @@ class Report:
             viewer.script,
             viewer.style,
             _json(scene(cell, meshes.addresses)),
-            _base64(pack_bytes(cell, self.recording)),
+            _base64(pack_bytes(cell, self.recording, self.summary)),
             _json({name: source.text for name, source in self.sources.items()}),
             {address: _base64(content) for address, content in meshes.contents.items()},
         )

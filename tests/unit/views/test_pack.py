@@ -14,7 +14,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.cell_run import CellRun
-from ropsim.views import SceneIndex, pack, scene
+from ropsim.views import SceneIndex, pack, result_figures, scene, summarize
 from ropsim.views.pack import sample_times
 from ropsim.workbench import open_project
 from ropsim.workbench.project import Project
@@ -167,6 +167,13 @@ def test_a_part_that_leaves_by_a_sink_is_seen_no_more() -> None:
     assert not shown.visible("box", release.time + release.duration)
 
 
+def test_the_result_is_that_of_the_summary() -> None:
+    project = open_project(EXAMPLES / "first_cell")
+    recording = project.simulate(None, RunOptions(Fidelity.KINEMATIC))
+    shown = read_pack(pack_of(project, recording))
+    assert shown.header["result"] == result_figures(summarize(recording))
+
+
 def test_values_that_are_no_numbers_become_null() -> None:
     project = open_project(EXAMPLES / "first_cell")
     recording = project.simulate(None, RunOptions(Fidelity.KINEMATIC))
@@ -190,7 +197,7 @@ def test_findings_have_the_time_at_which_they_arose() -> None:
     other_pass = replace(placed, data={"pass": 7})
     nowhere = Diagnostic("S3", "c", Severity.WARNING, "nowhere")
     made = replace(recording, findings=(timed, placed, other_pass, nowhere))
-    listed = pack(made, project.cell, [replace(timed, code="T9")]).header["findings"]
+    listed = pack(made, project.cell, summarize(made), [replace(timed, code="T9")]).header["findings"]
     assert isinstance(listed, list)
     assert [(one["code"], one["time"]) for one in listed] == [
         ("T9", None),

@@ -1,0 +1,54 @@
+"""The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind."""
+
+from ropsim.model import JointType
+from ropsim.views.channels import Peak
+from ropsim.views.joint_summary import (
+    JointSummary,
+    closest_to_position_limit,
+    closest_to_speed_limit,
+    closest_to_torque_limit,
+)
+from ropsim.views.path_summary import PathMove
+from ropsim.views.summary import Summary
+from ropsim.views.verdict import verdict
+
+
+def result_figures(summary: Summary) -> dict[str, object]:
+    """Return the result as plain values in SI units; docs/reference/pack.md describes it."""
+    state = verdict(summary)
+    torque, speed = closest_to_torque_limit(summary.joints), closest_to_speed_limit(summary.joints)
+    closest, worst = closest_to_position_limit(summary.joints), summary.path.worst
+    return {
+        "verdict": {"kind": state.kind.value, "text": state.text},
+        "unchecked": summary.unchecked.text,
+        "cycle_time": summary.cycle_time,
+        "cycle_time_valid": summary.cycle_time_valid,
+        "settling": summary.settle_total,
+        "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort),
+        "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed),
+        "closest_limit": closest and _margin(closest),
+        "path_error": worst and _path_error(worst),
+        "errors": summary.error_count,
+        "warnings": summary.warning_count,
+        "moves": sum(summary.moves.values()),
+    }
+
+
+def _peak(joint: JointSummary, share: float, peak: Peak) -> dict[str, object]:
+    return {"share": share, "joint": joint.facts.name, "line": peak.line, "time": peak.time}
+
+
+def _margin(joint: JointSummary) -> dict[str, object]:
+    near = joint.nearest
+    return {
+        "margin": near.margin,
+        "unit": "rad" if joint.facts.type is JointType.REVOLUTE else "m",
+        "joint": joint.facts.name,
+        "side": near.side,
+        "line": near.line,
+        "time": near.time,
+    }
+
+
+def _path_error(move: PathMove) -> dict[str, object]:
+    return {"max": move.max_error, "line": move.line, "time": move.time}

@@ -1,0 +1,65 @@
+"""What a verdict did not look at: said beside it, in one line, the same in terminal, page and studio."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ropsim.flow import Event
+from ropsim.views.characters import clean
+from ropsim.views.findings import plural
+from ropsim.views.header import RunHeader, number
+
+NEVER_LOOKED_AT = ("collisions",)
+"""What no run looks at."""
+
+WITHOUT_DYNAMICS = ("torques", "drives", "servo")
+"""What a kinematic run does not look at, beside that."""
+
+SHORT = 40
+"""Groups of estimated parameters are named if their names take at most so many characters, else counted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unchecked:
+    """What the figures and the verdict of a run leave open.
+
+    Attributes:
+        aspects: not looked at, such as `collisions`.
+        estimated: groups of parameters that are estimates, as the model names them.
+        fine_stops: source lines of moves that ask for a zone and were stopped fine, ascending.
+    """
+
+    aspects: tuple[str, ...] = NEVER_LOOKED_AT
+    estimated: tuple[str, ...] = ()
+    fine_stops: tuple[int, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """Return all of it as one line."""
+        parts = [f"not checked: {', '.join(self.aspects)}"]
+        if self.estimated:
+            names = ", ".join(clean(name) for name in self.estimated)
+            count = plural(len(self.estimated), "group")
+            parts.append(f"estimated: {names if len(names) <= SHORT else f'{count} of parameters'}")
+        if self.fine_stops:
+            parts.append(f"zones stopped fine on {plural(len(self.fine_stops), 'line')}")
+        return " · ".join(parts)
+
+
+def unchecked(header: RunHeader, events: Sequence[Event]) -> Unchecked:
+    """Return what a run did not look at.
+
+    Args:
+        header: of the run.
+        events: of the run; moves have their `zone` [m] in the data.
+    """
+    kinematic = header.fidelity == "kinematic"
+    zoned = {
+        event.span.line
+        for event in events
+        if event.kind == "move" and event.span and number(event.data.get("zone"), 0.0) > 0.0
+    }
+    return Unchecked(
+        NEVER_LOOKED_AT + (WITHOUT_DYNAMICS if kinematic else ()),
+        header.estimated,
+        tuple(sorted(zoned)),
+    )

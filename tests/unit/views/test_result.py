@@ -1,0 +1,66 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim.flow import Channel, Event
+from ropsim.views import result_figures, summarize, verdict
+from support.recordings import empty_recording, header, pick_and_place, two_findings
+
+
+def test_verdict_counts_and_the_line_beside_it_are_those_of_the_summary() -> None:
+    summary = summarize(pick_and_place(2, findings=two_findings()))
+    result = result_figures(summary)
+    assert result["verdict"] == {"kind": "failed", "text": verdict(summary).text}
+    assert result["unchecked"] == summary.unchecked.text
+    assert (result["errors"], result["warnings"], result["moves"]) == (3, 1, 12)
+
+
+def test_the_largest_share_of_a_limit_has_joint_time_and_line() -> None:
+    recording = pick_and_place(1)
+    tau = np.zeros_like(recording.channels["tau"].values)
+    tau[7, 1], tau[9, 4] = 100.0, -15.0  # 54 % of 186.4 N·m, 75 % of 20.1 N·m
+    loaded = replace(recording, channels={**recording.channels, "tau": Channel(tau, "N·m")})
+    peak = result_figures(summarize(loaded))["peak_torque"]
+    assert isinstance(peak, dict)
+    assert peak["share"] == pytest.approx(15.0 / 20.1)
+    assert (peak["joint"], peak["time"]) == ("5", recording.time[9])
+    assert peak["line"] == recording.channels["line"].values[9]
+
+
+def test_the_least_margin_names_its_side_and_unit() -> None:
+    q = np.zeros((3, 6))
+    q[1, 2] = -np.deg2rad(134.0)
+    recording = replace(pick_and_place(1), time=np.arange(3) / 10.0, channels={"q": Channel(q, "rad")})
+    closest = result_figures(summarize(recording))["closest_limit"]
+    assert isinstance(closest, dict)
+    assert closest["margin"] == pytest.approx(np.deg2rad(1.0))
+    assert (closest["joint"], closest["side"], closest["unit"], closest["time"]) == ("3", "lower", "rad", 0.1)
+
+
+def test_a_margin_of_a_sliding_joint_is_in_metres() -> None:
+    robot = {"joint_names": ["1"], "joint_types": ["prismatic"], "lower": [0.0], "upper": [1.0]}
+    rail = replace(
+        empty_recording(),
+        time=np.zeros(1),
+        channels={"q": Channel(np.array([[0.9]]), "m")},
+        header={**header(), "robot": robot},
+    )
+    closest = result_figures(summarize(rail))["closest_limit"]
+    assert isinstance(closest, dict)
+    assert (closest["unit"], closest["side"]) == ("m", "upper")
+    assert closest["margin"] == pytest.approx(0.1)
+
+
+def test_a_skipped_move_makes_the_cycle_time_not_valid() -> None:
+    recording = pick_and_place(1)
+    skipped = replace(recording, events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    result = result_figures(summarize(skipped))
+    assert result["cycle_time_valid"] is False
+    assert result["verdict"] == {"kind": "failed", "text": verdict(summarize(skipped)).text}
+
+
+def test_figures_that_a_run_does_not_know_are_nothing() -> None:
+    result = result_figures(summarize(empty_recording()))
+    for name in ("peak_torque", "peak_speed", "closest_limit", "path_error"):
+        assert result[name] is None

@@ -1,0 +1,67 @@
+from dataclasses import replace
+
+from ropsim.flow import Event, Recording
+from ropsim.views import Style, html_report, summarize, terminal_report
+from ropsim.views.unchecked import SHORT
+from support.recordings import SOURCE, header, pick_and_place
+
+
+def line_of(recording: Recording) -> str:
+    return summarize(recording).unchecked.text
+
+
+def with_header(**changes: object) -> Recording:
+    return replace(pick_and_place(1), header={**header(), **changes})
+
+
+def zoned(*places: tuple[int, float]) -> Recording:
+    """Return a run whose moves stand on these lines with these zones [m]."""
+    recording = pick_and_place(1)
+    moves = [
+        Event(recording.duration, "move", "", SOURCE.span(line, 1, 1), 0.0, {"kind": "LIN", "zone": zone})
+        for line, zone in places
+    ]
+    return replace(recording, events=(*recording.events, *moves))
+
+
+def test_no_run_has_looked_at_collisions() -> None:
+    assert line_of(with_header(estimated=[])) == "not checked: collisions"
+
+
+def test_a_kinematic_run_has_not_looked_at_torques_drives_and_servo() -> None:
+    text = line_of(with_header(estimated=[], fidelity="kinematic"))
+    assert text == "not checked: collisions, torques, drives, servo"
+
+
+def test_few_estimates_are_named() -> None:
+    text = line_of(with_header(estimated=["motor constants"]))
+    assert text.endswith(" · estimated: motor constants")
+
+
+def test_many_estimates_are_counted_so_that_the_line_stays_one() -> None:
+    names = [f"parameters of kind {k}" for k in range(9)]
+    text = line_of(with_header(estimated=names))
+    assert text.endswith(" · estimated: 9 groups of parameters")
+    assert len(", ".join(names)) > SHORT
+
+
+def test_each_line_with_a_zone_counts_once_and_lines_without_do_not() -> None:
+    assert summarize(zoned((3, 0.05), (3, 0.05), (7, 0.01), (9, 0.0))).unchecked.fine_stops == (3, 7)
+    assert line_of(zoned((3, 0.05))).endswith("zones stopped fine on 1 line")
+    assert "zones" not in line_of(zoned((9, 0.0)))
+
+
+def test_names_from_a_model_file_cannot_break_the_line() -> None:
+    assert "\n" not in line_of(with_header(estimated=["motor\nconstants\x1b[2J"]))
+    assert "\x1b" not in line_of(with_header(estimated=["motor\nconstants\x1b[2J"]))
+
+
+def test_terminal_and_page_say_it_right_after_the_verdict() -> None:
+    recording = with_header(estimated=["motor constants"])
+    summary = summarize(recording)
+    lines = terminal_report(summary, Style.PLAIN).splitlines()
+    assert lines[1].startswith("ran to the end")
+    assert lines[2] == summary.unchecked.text
+    page = html_report(recording, summary, {})
+    head = page[: page.index("</header>")]
+    assert head.index("ran to the end") < head.index(summary.unchecked.text)
