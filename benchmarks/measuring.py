@@ -27,7 +27,10 @@ class Measure:
         stats = self._benchmark.stats.stats
         return result, Timing(stats.min, stats.median)
 
-    def figure(self, name: str, value: float) -> None:
-        """Enter a derived figure."""
+    def figure(
+        self, name: str, value: float, *, least: float = float("-inf"), most: float = float("inf")
+    ) -> None:
+        """Enter a derived figure; one outside of its budget fails the benchmark."""
         self._benchmark.extra_info[name] = value
         print(f"\n    {name}: {value:.6g}", end="")
+        assert least <= value <= most, f"{name}: {value:.6g} is not within [{least:g}, {most:g}]"

@@ -3,11 +3,16 @@
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 ORDER = ("architecture", "unit", "packaging", "golden", "reference", "spec", "property", "e2e")
 HERE = Path(__file__).parent
 
 pytest_plugins = ("support.browser",)
+
+# Both look at the clock, and the cores are shared.
+settings.register_profile("suite", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("suite")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -1,6 +1,7 @@
 """How soon the studio answers: a keystroke, a slider, a key of a live run, a changed program, its own start.
 
-Run with `make bench`; figures go into docs/explanation/studio-performance.md.
+Run with `make bench` on quiet cores: a median beyond its budget fails. Figures go into
+docs/explanation/studio-performance.md.
 """
 
 from collections.abc import Callable, Iterator
@@ -22,6 +23,11 @@ from support.studio_process import Studio
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
+MARK, MARK_WHILE_PLAYING = 100.0, 500.0
+"""From a keystroke to its mark in a thousand lines [ms]."""
+ANSWER = 20.0
+"""From a slider to the answer of the kinematics, from a key to its stamp by the simulator [ms]."""
+
 pytestmark = pytest.mark.skipif(built_viewer() is None, reason="the pages of ropsim are not built")
 
 
@@ -37,28 +43,28 @@ def page(open_page: Pages, studio: Studio) -> "Page":
     return opened(open_page, studio)
 
 
-def tell(measure: Measure, ask: Callable[[], list[float]]) -> None:
+def tell(measure: Measure, ask: Callable[[], list[float]], budget: float) -> None:
     """Measure times of answers [ms]."""
     found, _ = measure(ask, rounds=1, warmup=0)
-    measure.figure("median [ms]", median(found))
     measure.figure("95 % [ms]", found[int(0.95 * len(found))])
+    measure.figure("median [ms]", median(found), most=budget)
 
 
 def test_keystroke_to_mark(benchmark: Any, page: "Page") -> None:
-    tell(Measure(benchmark), lambda: squiggles(page, rounds=10))
+    tell(Measure(benchmark), lambda: squiggles(page, rounds=10), MARK)
 
 
 def test_keystroke_to_mark_while_a_run_plays(benchmark: Any, page: "Page") -> None:
     page.evaluate("() => { __ropsim.seek(0); __ropsim.command('timeline.play') }")
-    tell(Measure(benchmark), lambda: squiggles(page, rounds=10, rest=lambda _: None))
+    tell(Measure(benchmark), lambda: squiggles(page, rounds=10, rest=lambda _: None), MARK_WHILE_PLAYING)
 
 
 def test_slider_to_answer(benchmark: Any, page: "Page") -> None:
-    tell(Measure(benchmark), lambda: jogs(page, count=100))
+    tell(Measure(benchmark), lambda: jogs(page, count=100), ANSWER)
 
 
 def test_key_to_stamp(benchmark: Any, page: "Page") -> None:
-    tell(Measure(benchmark), lambda: key_presses(page, count=100))
+    tell(Measure(benchmark), lambda: key_presses(page, count=100), ANSWER)
 
 
 def test_changed_program_to_its_run(benchmark: Any, page: "Page") -> None:

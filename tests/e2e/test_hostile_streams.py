@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.workbench import new_project
+from support.patience import PATIENCE
 
 FULL = Path("/dev/full")
 
@@ -32,7 +33,7 @@ def shell(line: str, *arguments: str | Path, **environment: str) -> subprocess.C
         ["bash", "-o", "pipefail", "-c", line, "bash", *command(*arguments)],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
         env={**os.environ, **environment},
     )
@@ -112,7 +113,7 @@ def test_an_interrupt_leaves_nothing_half_written(project: Path, tmp_path: Path)
         assert process.stderr is not None
         assert "simulating" in process.stderr.readline()  # the progress says that work is going on
         process.send_signal(signal.SIGINT)
-        _, error = process.communicate(timeout=30)
+        _, error = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130, error
     assert error.splitlines()[-1] == "interrupted; nothing was left half-written"
     assert list(out.iterdir()) == []

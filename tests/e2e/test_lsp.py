@@ -10,13 +10,18 @@ import pytest
 
 from ropsim.lsp.framing import FrameReader, framed
 from ropsim.workbench import new_project
+from support.patience import PATIENCE
 
 
 def exchange(*messages: dict[str, Any], rest: bytes = b"") -> tuple[int, list[Any], str]:
     """Send messages to a new server, end its input and return exit code, answers and standard error."""
     sent = b"".join(framed(json.dumps({"jsonrpc": "2.0", **one}).encode()) for one in messages) + rest
     done = subprocess.run(
-        [sys.executable, "-m", "ropsim", "lsp"], input=sent, capture_output=True, timeout=60, check=False
+        [sys.executable, "-m", "ropsim", "lsp"],
+        input=sent,
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
     )
     answers = [json.loads(one) for one in FrameReader().feed(done.stdout) if isinstance(one, bytes)]
     return done.returncode, answers, done.stderr.decode()

@@ -14,8 +14,8 @@ from websockets.exceptions import InvalidStatus
 
 from ropsim.studio.sockets import MOST_LANGUAGE_SERVERS
 from ropsim.workbench import new_project
+from support.patience import PATIENCE
 from support.studio_client import (
-    PATIENCE,
     Page,
     command,
     get,

@@ -13,7 +13,8 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 
 from ropsim.workbench import new_project
-from support.studio_client import PATIENCE, Page, command, opened, page_of
+from support.patience import PATIENCE
+from support.studio_client import Page, command, opened, page_of
 from support.studio_family import ends, gone, language_servers, needs_proc, workers
 from support.studio_process import Studio
 

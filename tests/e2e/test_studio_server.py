@@ -13,8 +13,8 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from ropsim.workbench import new_project
+from support.patience import PATIENCE
 from support.studio_client import (
-    PATIENCE,
     command,
     get,
     opened,

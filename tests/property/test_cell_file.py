@@ -92,7 +92,7 @@ def test_the_text_that_is_mutated_below_is_right() -> None:
     assert findings == ()
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(st.binary(max_size=200))
 @example(b"\xef\xbb\xbf[robot]")
 @example(b"a = [[[[[[[[[[[[[[[[[[[[")
@@ -100,7 +100,7 @@ def test_random_bytes(content: bytes) -> None:
     check(content.decode("utf-8", errors="replace"))
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(st.data())
 def test_mutations_of_a_right_file(data: st.DataObject) -> None:
     text = RIGHT
@@ -111,7 +111,7 @@ def test_mutations_of_a_right_file(data: st.DataObject) -> None:
     check(text)
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(st.data())
 def test_foreign_values_in_a_right_file(data: st.DataObject) -> None:
     lines = RIGHT.split("\n")
@@ -121,7 +121,7 @@ def test_foreign_values_in_a_right_file(data: st.DataObject) -> None:
     check("\n".join(lines))
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(st.data())
 def test_every_value_of_a_valid_file_has_a_place_that_holds_it(data: st.DataObject) -> None:
     source = SourceText("t", RIGHT)

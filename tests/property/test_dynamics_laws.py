@@ -17,7 +17,7 @@ arms = st.builds(
     st.integers(0, 10_000),
     st.text("RP", min_size=1, max_size=5),
 )
-LAWS = settings(max_examples=25, deadline=None, derandomize=True)
+LAWS = settings(max_examples=25, derandomize=True)
 
 
 @LAWS

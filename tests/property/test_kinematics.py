@@ -28,7 +28,7 @@ SIGNED_AXES = [
     for matrix in product(*[[sign * row for row in np.eye(3) for sign in (1.0, -1.0)]] * 3)
     if abs(np.linalg.det(np.array(matrix)) - 1.0) < 1e-12
 ]
-MODEST = settings(max_examples=60, deadline=None, derandomize=True)
+MODEST = settings(max_examples=60, derandomize=True)
 
 arms = st.sampled_from(ARMS)
 angles = st.lists(st.floats(-pi, pi), min_size=6, max_size=6).map(np.array)

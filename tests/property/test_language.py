@@ -31,7 +31,7 @@ task Place(slot: loc)
   open
 endp
 """
-EXAMPLES = settings(max_examples=60, deadline=None, derandomize=True)
+EXAMPLES = settings(max_examples=60, derandomize=True)
 
 
 def assert_answers(text: str) -> Compiled:

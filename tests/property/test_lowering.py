@@ -186,7 +186,7 @@ def programs(draw: st.DrawFn) -> Program:
     )
 
 
-@settings(max_examples=80, deadline=None, derandomize=True)
+@settings(max_examples=80, derandomize=True)
 @given(programs())
 def test_the_icr_of_a_sound_program_is_verified_and_runs_the_same_way_twice(program: Program) -> None:
     code = lower(program, "t.task")
@@ -198,13 +198,13 @@ def test_the_icr_of_a_sound_program_is_verified_and_runs_the_same_way_twice(prog
     assert first.steps <= BUDGET
 
 
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=30, derandomize=True)
 @given(programs())
 def test_lowering_is_a_function_of_the_program(program: Program) -> None:
     assert icr.program_id(lower(program, "a")) == icr.program_id(lower(program, "b"))
 
 
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=30, derandomize=True)
 @given(programs())
 def test_without_contracts_there_is_nothing_to_warn_of(program: Program) -> None:
     assert check_contracts(program) == ()
@@ -223,7 +223,7 @@ class Timeless:
         return 0.5
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(programs(), st.integers(0, 30))
 def test_a_run_resumed_from_a_snapshot_ends_as_the_straight_run(program: Program, pause: int) -> None:
     code = lower(program, "t.task")

@@ -33,7 +33,7 @@ def read(name: str, content: bytes) -> None:
 
 
 @given(st.sampled_from(ENDINGS), st.binary(max_size=400))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_random_bytes_are_answered(ending: str, content: bytes) -> None:
     read(f"a{ending}", content)
 
@@ -43,7 +43,7 @@ def test_random_bytes_are_answered(ending: str, content: bytes) -> None:
     st.lists(st.tuples(st.floats(0.0, 1.0), st.binary(max_size=8)), min_size=1, max_size=6),
     st.floats(0.0, 1.0),
 )
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_damaged_files_are_answered(
     seed: tuple[str, bytes], patches: list[tuple[float, bytes]], keep: float
 ) -> None:

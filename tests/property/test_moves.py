@@ -35,7 +35,7 @@ wild_states = st.builds(
 )
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(configurations, configurations)
 def test_ptp_reaches_every_pose_that_the_arm_can_take_within_all_limits(start: Array, goal: Array) -> None:
     pose = interface_pose(goal)
@@ -50,7 +50,7 @@ def test_ptp_reaches_every_pose_that_the_arm_can_take_within_all_limits(start: A
         assert (np.abs(reference.qdd) / PUMA.max_accelerations).max() <= OVERSHOOT
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(configurations, shifts)
 def test_lin_is_straight_and_within_limits_or_refused_on_its_line(
     start: Array, shift: tuple[float, float, float]
@@ -75,7 +75,7 @@ def test_lin_is_straight_and_within_limits_or_refused_on_its_line(
     assert not accelerated or [finding.code for finding in move.findings] == ["M510"]
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60, derandomize=True)
 @given(configurations, shifts)
 def test_references_run_on_without_steps_of_position_or_speed(
     start: Array, shift: tuple[float, float, float]
@@ -92,7 +92,7 @@ def test_references_run_on_without_steps_of_position_or_speed(
         assert np.abs(np.diff(q, axis=0) / 1e-3 - (qd[1:] + qd[:-1]) / 2.0).max() <= bend + 1e-9
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(wild_targets, wild_states)
 def test_no_value_of_a_program_raises_an_exception(target: Target, modal: ModalState) -> None:
     for make in (ptp, lin):

@@ -37,7 +37,7 @@ places = st.lists(st.floats(-1.0, 1.0), min_size=3, max_size=3)
 poses = st.builds(lambda p, q: Pose(np.array(p), np.array(q)), places, quaternions)
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(sizes, limits)
 def test_duration_is_that_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
     request = ruckig.InputParameter(1)
@@ -50,7 +50,7 @@ def test_duration_is_that_of_ruckig(distance: float, bounds: ProfileLimits) -> N
     assert abs(duration - oracle.duration) <= SAME_TIME * oracle.duration
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(sizes, limits)
 def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: ProfileLimits) -> None:
     request = ruckig.InputParameter(1)
@@ -65,7 +65,7 @@ def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: Profi
     assert np.abs(evaluate(profile, t)[0] - expected).max() <= 1e-8 * distance
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(sizes, limits, st.floats(1.0, 3.0), st.sampled_from([stretch, lengthen]))
 def test_limits_hold_on_the_whole_way(
     distance: float, bounds: ProfileLimits, longer: float, how: Callable[[Profile, float], Profile]
@@ -83,7 +83,7 @@ def test_limits_hold_on_the_whole_way(
     assert (np.diff(way) >= -ROUNDING * distance).all()
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(angles, angles, vectors, vectors, vectors)
 def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bound(
     q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
@@ -101,7 +101,7 @@ def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bo
     assert max(jerk_share.max(), *(share.max() for share in shares)) >= 1.0 - 1e-6
 
 
-@settings(max_examples=50, deadline=None, derandomize=True)
+@settings(max_examples=50, derandomize=True)
 @given(angles, angles, vectors)
 def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray) -> None:
     bounds = JointMotionLimits(v, 4.0 * v, 40.0 * v)
@@ -116,7 +116,7 @@ def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.nd
 LINE_LIMITS = LineLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(poses, poses)
 def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start: Pose, X_end: Pose) -> None:
     trajectory = line_trajectory(X_start, X_end, LINE_LIMITS)
@@ -134,7 +134,7 @@ def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start:
     assert turning.max() <= LINE_LIMITS.orientation_speed * (1.0 + ROUNDING)
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(poses, poses, st.sampled_from(OrientationMode))
 def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose, mode: OrientationMode) -> None:
     trajectory = line_trajectory(X_start, X_end, LINE_LIMITS, mode)

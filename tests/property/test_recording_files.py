@@ -34,7 +34,7 @@ def outcome(path: Path) -> str:
     return "read"
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=300, derandomize=True)
 @given(flips=st.lists(st.integers(0, 8 * len(CONTENT) - 1), min_size=1, max_size=6))
 def test_flipped_bits_give_a_diagnostic_or_a_recording(place: Path, flips: list[int]) -> None:
     damaged = bytearray(CONTENT)
@@ -44,7 +44,7 @@ def test_flipped_bits_give_a_diagnostic_or_a_recording(place: Path, flips: list[
     assert outcome(place) in {"read", "X871", "X872", "X873", "X874", "X875"}
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(directory=st.integers(1, 8 * 2500), flips=st.integers(1, 255))
 def test_damaged_directory_gives_a_diagnostic_or_a_recording(place: Path, directory: int, flips: int) -> None:
     damaged = bytearray(CONTENT)
@@ -53,7 +53,7 @@ def test_damaged_directory_gives_a_diagnostic_or_a_recording(place: Path, direct
     assert outcome(place) in {"read", "X871", "X872", "X873", "X874", "X875"}
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60, derandomize=True)
 @given(content=st.binary(max_size=400))
 def test_arbitrary_bytes_give_a_diagnostic(place: Path, content: bytes) -> None:
     place.write_bytes(content)
@@ -61,13 +61,13 @@ def test_arbitrary_bytes_give_a_diagnostic(place: Path, content: bytes) -> None:
         read(place)
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100, derandomize=True)
 @given(value=PLAIN)
 def test_plain_values_come_back(value: object) -> None:
     assert untagged(tagged(value)) == value
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(
     values=st.lists(st.floats(width=64), max_size=20),
     header=st.dictionaries(st.text(), PLAIN, max_size=4),

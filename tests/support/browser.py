@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from support.patience import PATIENCE
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
@@ -30,8 +31,6 @@ FLAGS = (
     "--enable-unsafe-swiftshader",
 )
 VIEWPORT = {"width": 1280, "height": 800}
-PATIENCE = 20_000
-"""How long a page may take for one step, in milliseconds: the cores are shared with the rest of the suite."""
 
 
 def chromium() -> str | None:
@@ -99,7 +98,7 @@ class Pages:
 
     def _profile(self, options: dict[str, Any]) -> "BrowserContext":
         context = self._browser.new_context(**{"viewport": VIEWPORT, "reduced_motion": "reduce", **options})
-        context.set_default_timeout(PATIENCE)
+        context.set_default_timeout(1e3 * PATIENCE)
         context.on("console", lambda message: self._console(message.type, message.text))
         context.on("weberror", lambda error: self._complaints.append(f"uncaught: {error.error}"))
         self._contexts.append(context)

@@ -13,10 +13,8 @@ from typing import Any
 from websockets.sync.client import ClientConnection, connect
 
 from support import studio_launcher
+from support.patience import PATIENCE, until
 from support.studio_process import Studio
-
-PATIENCE = 120.0
-"""Longer than compiling an arm for the first time takes, so that a broken test ends [s]."""
 
 
 def command(home: Path) -> tuple[str, ...]:
@@ -88,7 +86,7 @@ def page_of(studio: Studio) -> Iterator[Page]:
 
 def wait_for_journal(home: Path, text: str) -> None:
     """Wait until a journal below a folder holds a text."""
-    end = time.monotonic() + PATIENCE
-    while not any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json")):
-        assert time.monotonic() < end
-        time.sleep(0.02)
+    until(
+        lambda: any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json")),
+        f"{text!r} in a journal",
+    )

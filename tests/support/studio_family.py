@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 import pytest
 
-PATIENCE = 20.0
-"""Until a process that ends must be gone [s]."""
+from support.patience import GLANCE, PATIENCE
 
 needs_proc = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are listed by /proc")
 
@@ -51,7 +50,7 @@ def gone(pids: list[int]) -> bool:
     while left := {one.pid for one in _processes()} & set(pids):
         if time.monotonic() > end:
             break
-        time.sleep(0.05)
+        time.sleep(GLANCE)
     return not left
 
 

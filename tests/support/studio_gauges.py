@@ -87,9 +87,16 @@ def playing(page: "Page") -> Playing:
 
 @dataclass(frozen=True, slots=True)
 class Idle:
-    """Nothing happens: frames drawn, and shares of a processor that server with children and page use."""
+    """Nothing happens.
+
+    Attributes:
+        frames: drawn nevertheless.
+        used: processor time of the server and its children [s].
+        server, page: share of a processor that server with children, and the page's main thread, use.
+    """
 
     frames: int
+    used: float
     server: float
     page: float
 
@@ -102,7 +109,7 @@ def idle(page: "Page", studio: Studio, seconds: float) -> Idle:
     page.wait_for_timeout(1e3 * seconds)
     used, passed = processor_time(studio.process.pid) - used, time.monotonic() - begun
     busy = metrics["TaskDuration"]
-    return Idle(_counts(page)[0] - frames, used / passed, busy / passed)
+    return Idle(_counts(page)[0] - frames, used, used / passed, busy / passed)
 
 
 def heap(page: "Page") -> float:

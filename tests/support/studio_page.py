@@ -4,13 +4,11 @@ from collections.abc import Callable
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from support.browser import PATIENCE, Pages
+from support.browser import Pages
+from support.patience import PATIENCE
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
-
-COMPILING = 120_000
-"""How long the first run of an arm may take: its code is compiled [ms]."""
 
 NEWER = (
     "shown => { const now = __ropsim.state();"
@@ -57,7 +55,7 @@ class StudioPage:
         """Wait until a page that is being loaded shows a run and may edit."""
         self.page.wait_for_selector("body[data-ready]", state="attached")
         self.take_over()
-        self.page.wait_for_function(NEWER, arg=0, timeout=COMPILING)
+        self.page.wait_for_function(NEWER, arg=0)
         self.editor().wait_for()
 
     def rest(self) -> None:
@@ -99,7 +97,7 @@ class StudioPage:
 
     def until(self, condition: Callable[[], bool]) -> None:
         """Wait until something that is computed here holds; it is looked at after each frame."""
-        end = monotonic() + PATIENCE / 1000
+        end = monotonic() + PATIENCE
         while not condition():
             assert monotonic() < end, "what was waited for has not come"
             self.page.evaluate("() => new Promise(requestAnimationFrame)")

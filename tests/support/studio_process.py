@@ -13,8 +13,8 @@ from threading import Thread
 from types import TracebackType
 from typing import Self
 
-PATIENCE = 30.0
-"""Seconds until the server must have printed its address, and until it must have ended."""
+from support.patience import PATIENCE
+
 ROPSIM = (sys.executable, "-P", "-m", "ropsim")
 ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/\S*")
 

@@ -10,8 +10,8 @@ from ropsim.studio import jobs
 from ropsim.studio.messages import LiveStatus, Message, RunStatus
 from ropsim.studio.runs import Runs
 from ropsim.studio.workers import WorkerLink
+from support.patience import PATIENCE
 
-PATIENCE = 20.0
 """Longer than any answer takes, so that a broken test ends [s]."""
 
 

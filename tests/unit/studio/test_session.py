@@ -12,8 +12,8 @@ import pytest
 
 from ropsim.studio.session import Session
 from ropsim.studio.tab import Tab
+from support.patience import PATIENCE
 
-PATIENCE = 20.0
 """Longer than any answer takes, so that a broken test ends [s]."""
 
 

@@ -4,8 +4,8 @@ import json
 from ropsim.studio.messages import EditingRight
 from ropsim.studio.tab import MOST_WAITING, Tab
 from ropsim.studio.tabs import GRACE, Tabs
+from support.patience import PATIENCE
 
-PATIENCE = 20.0
 """So that a broken test ends [s]."""
 
 

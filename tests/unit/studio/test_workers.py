@@ -11,9 +11,9 @@ import pytest
 
 from ropsim.studio import jobs
 from ropsim.studio.workers import WorkerLink
+from support.patience import PATIENCE
 
 TOY = "support.toy_worker:main"
-PATIENCE = 20.0
 """Longer than any answer takes, so that a broken test ends [s]."""
 
 

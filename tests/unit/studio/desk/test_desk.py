@@ -35,8 +35,8 @@ from ropsim.studio.jobs import (
     Stop,
 )
 from support.live import KEYS, project
+from support.patience import PATIENCE
 
-PATIENCE = 60.0
 BAD = "program p\nmoov home\n"
 ENDLESS = "program p\nunits mm, deg, s\nrepeat 100000\n  wait 3600 s\nendr\n"
 ASKING = "program p\nunits mm, deg, s\nmov joints (0, -60, 60, 0, 30, 0)\nwait until start\n"

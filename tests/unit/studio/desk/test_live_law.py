@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.flow import Recording
@@ -60,7 +60,7 @@ ORDERS: st.SearchStrategy[Order] = st.one_of(
 )
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=25)
 @given(
     plan=st.lists(st.tuples(st.floats(0.0, 8.0), ORDERS), max_size=12),
     speed=st.floats(0.1, 8.0),
