@@ -44,7 +44,8 @@ def standing(q: Array, ticks: int) -> JointReference:
 
 def controller(n: int, rates: Rates | None = None, kv: float = 30.0) -> ControllerModel:
     """Return a cascaded P-PI controller with the same gains for all joints."""
-    gains = CascadedGains(np.full(n, 20.0), np.full(n, kv), np.full(n, 12.0 * kv), np.ones(n))
+    none = np.zeros(n)
+    gains = CascadedGains(np.full(n, 20.0), np.full(n, kv), np.full(n, 12.0 * kv), np.ones(n), none, none)
     return ControllerModel(
         ControllerKind.CASCADED_P_PI, rates or Rates(), gains, PathDefaults(), np.full(n, 1e-3)
     )
@@ -68,7 +69,7 @@ class CascadeInPython:
         self.times.append(t)
         gains = self.gains
         error = gains.kp * (ref[0] - meas[0]) + gains.kf * ref[1] - meas[1]
-        wanted = gains.kv * error + self.integral
+        wanted = gains.kv * error + self.integral + gains.ke * ref[1] + gains.ka * ref[2]
         u = np.clip(wanted, -self.limits, self.limits)
         self.integral = np.where(u == wanted, self.integral + gains.ki * error * self.period, self.integral)
         return np.asarray(u)

@@ -6,7 +6,7 @@ from typing import Protocol
 import numpy as np
 
 from ropsim.controller.law_diagnostics import GAIN_COUNT, GainError
-from ropsim.model import ControllerKind, ControllerModel, Drive
+from ropsim.model import GAIN_NAMES, ControllerKind, ControllerModel, Drive
 from ropsim.spatial import Array, frozen
 
 
@@ -67,17 +67,17 @@ class PythonLaw(Protocol):
 
 CASCADED_P_PI_SOURCE = '''\
 def law(par, state, ref, meas, out):
-    """Position loop P with speed feed-forward, speed loop PI; see model.CascadedGains."""
+    """Position loop P, speed loop PI, both with feed-forward; see model.CascadedGains."""
     for j in range(out.shape[0]):
         speed_error = par[0, j] * (ref[0, j] - meas[0, j]) + par[3, j] * ref[1, j] - meas[1, j]
-        u = par[1, j] * speed_error + state[0, j]
-        limit = par[4, j]
+        u = par[1, j] * speed_error + state[0, j] + par[4, j] * ref[1, j] + par[5, j] * ref[2, j]
+        limit = par[6, j]
         if u > limit:
             u = limit
         elif u < -limit:
             u = -limit
         else:
-            state[0, j] += par[2, j] * speed_error * par[5, j]
+            state[0, j] += par[2, j] * speed_error * par[7, j]
         out[j] = u
 '''
 
@@ -92,8 +92,9 @@ def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> Compiled
     Raises:
         GainError: a gain does not have one number per drive.
     """
-    gains, n = model.gains, len(drives)
-    for name, values in (("kp", gains.kp), ("kv", gains.kv), ("ki", gains.ki), ("kf", gains.kf)):
+    n = len(drives)
+    gains: list[Array] = [getattr(model.gains, name) for name in GAIN_NAMES]
+    for name, values in zip(GAIN_NAMES, gains, strict=True):
         if values.shape != (n,):
             message = f"gain `{name}` has shape `{values.shape}`; allowed is `({n},)`, one number per joint"
             raise GainError(GAIN_COUNT.at(None, message, hint="give one number per joint"))
@@ -102,8 +103,8 @@ def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> Compiled
     return CompiledLaw(
         name="cascaded_p_pi",
         source=CASCADED_P_PI_SOURCE,
-        parameter_names=("kp", "kv", "ki", "kf", "max_voltage", "period"),
-        parameters=np.stack([gains.kp, gains.kv, gains.ki, gains.kf, np.array(limits), period]),
+        parameter_names=(*GAIN_NAMES, "max_voltage", "period"),
+        parameters=np.stack([*gains, np.array(limits), period]),
         state_names=("integral",),
         hold_row=0,
     )

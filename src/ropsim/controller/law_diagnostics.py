@@ -8,8 +8,8 @@ GAIN_COUNT = define(
     Severity.ERROR,
     "a gain of the joint controller does not have one number per joint",
     """
-The gains `kp`, `kv`, `ki` and `kf` of the cascaded P-PI controller are arrays with one number per joint, in
-the order of the joints. One of them has more or fewer numbers than the arm has drives.
+The gains `kp`, `kv`, `ki`, `kf`, `ke` and `ka` of the cascaded P-PI controller are arrays with one number per
+joint, in the order of the joints. One of them has more or fewer numbers than the arm has drives.
 
 Give every joint its gain:
 

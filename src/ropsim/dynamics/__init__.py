@@ -11,6 +11,7 @@ from ropsim.dynamics.arm_functions import ArmFunctions as ArmFunctions
 from ropsim.dynamics.arm_functions import compiled as compiled
 from ropsim.dynamics.arm_functions import identifier as identifier
 from ropsim.dynamics.arm_functions import trace_forward as trace_forward
+from ropsim.dynamics.axis_inertia import axis_inertias as axis_inertias
 from ropsim.dynamics.diagnostics import ChainTooLongError as ChainTooLongError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError

@@ -10,6 +10,7 @@ from ropsim.model.cell import Part as Part
 from ropsim.model.cell import Signal as Signal
 from ropsim.model.cell import Sink as Sink
 from ropsim.model.cell import Tool as Tool
+from ropsim.model.controller import GAIN_NAMES as GAIN_NAMES
 from ropsim.model.controller import CascadedGains as CascadedGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel

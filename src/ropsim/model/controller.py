@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.model.robot import ParameterOrigin
 from ropsim.spatial import Array, frozen
 
 
@@ -37,28 +38,36 @@ class Rates:
         return self.interpolation_ticks / self.control_hz
 
 
+GAIN_NAMES = ("kp", "kv", "ki", "kf", "ke", "ka")
+"""The gains of the cascaded controller, in the order of its parameters."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class CascadedGains:
     """Gains of the cascaded P-PI joint controller, each of shape (n,).
 
     Position loop: qd_cmd = kp·(q_ref - q) + kf·qd_ref.
-    Speed loop: u = kv·(qd_cmd - qd) + ki·∫(qd_cmd - qd) dt, clipped to the amplifier's voltage; the
-    integral stands still while the output is clipped.
+    Speed loop: u = kv·(qd_cmd - qd) + ki·∫(qd_cmd - qd) dt + ke·qd_ref + ka·qdd_ref, clipped to the
+    amplifier's voltage; the integral stands still while the output is clipped.
 
     Attributes:
         kp: position gain [1/s].
         kv: speed gain [V·s/rad].
         ki: integral gain of the speed loop [V/rad].
-        kf: share of the reference speed that is fed forward, usually 1.
+        kf: share of the reference speed that is fed forward into the speed loop, usually 1.
+        ke: voltage fed forward for the reference speed, against back-EMF and viscous friction [V·s/rad].
+        ka: voltage fed forward for the reference acceleration [V·s²/rad].
     """
 
     kp: Array
     kv: Array
     ki: Array
     kf: Array
+    ke: Array
+    ka: Array
 
     def __post_init__(self) -> None:
-        for name in ("kp", "kv", "ki", "kf"):
+        for name in GAIN_NAMES:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
@@ -95,6 +104,7 @@ class ControllerModel:
         in_position: a fine stop is over when every joint is this near its target [rad | m], shape (n,).
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
+        origins: where the gains come from.
     """
 
     kind: ControllerKind
@@ -104,6 +114,7 @@ class ControllerModel:
     in_position: Array
     settle_timeout: float = 1.0
     speed_override: float = 1.0
+    origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "in_position", frozen(self.in_position))

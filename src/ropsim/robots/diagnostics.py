@@ -25,12 +25,12 @@ NO_CONTROLLER = define(
     "X861",
     "no-default-controller",
     Severity.ERROR,
-    "the robot has no built-in controller",
+    "the robot has no drives, so no controller can be made for it",
     """
-Gains belong to drives. A robot without drive data (motors, gears, amplifiers) has no built-in
-controller, and neither has a model that is not in the library.
+Gains belong to drives: the standard controller is derived from motors, gears and masses of the model. A
+robot without drive data has none.
 
-Make a `ControllerModel` with gains of your own, or use a robot that has drives.
+Give the model drives, make a `ControllerModel` with gains of your own, or use a robot that has drives.
 """,
 )
 
@@ -52,16 +52,14 @@ class UnknownRobotError(RopsimError):
 
 
 class NoControllerError(RopsimError):
-    """The library holds no controller for the robot."""
+    """The robot has no drives that gains could be made for."""
 
-    def __init__(self, name: str, known: Iterable[str]) -> None:
-        names = tuple(known)
-        listed = ", ".join(f"`{each}`" for each in names)
+    def __init__(self, name: str) -> None:
         super().__init__(
             NO_CONTROLLER.at(
                 None,
-                f"`{name}` has no built-in controller, there is one for {listed}",
-                hint="give gains of your own in a `ControllerModel`",
-                data={"found": name, "allowed": names},
+                f"`{name}` has no drives, a controller needs motors, gears and amplifiers",
+                hint="take a robot with drives (`ropsim robot list`), or give the model drives",
+                data={"found": name},
             )
         )

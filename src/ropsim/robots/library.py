@@ -1,16 +1,19 @@
 """The built-in robots by name."""
 
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
-from ropsim.model import ControllerModel, RobotModel
+from ropsim.model import ControllerModel, Rates, RobotModel
 from ropsim.robots import puma560, two_link
 from ropsim.robots.diagnostics import NoControllerError, UnknownRobotError
+from ropsim.robots.standard_controller import standard_controller
 
 _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
     {"puma560": puma560.model, "two_link": two_link.model}
 )
-_CONTROLLERS: Mapping[str, Callable[[], ControllerModel]] = MappingProxyType({"puma560": puma560.controller})
+STANDARD_RATES = Rates()
+"""Rates of a controller for which nobody says others."""
 
 
 def names() -> tuple[str, ...]:
@@ -29,19 +32,23 @@ def load(name: str) -> RobotModel:
     return _MODELS[name]()
 
 
-def default_controller(robot: str | RobotModel) -> ControllerModel:
-    """Return the built-in controller of a robot, with estimated gains.
+def default_controller(robot: str | RobotModel, rates: Rates = STANDARD_RATES) -> ControllerModel:
+    """Return the standard controller of a robot, its gains derived from the model.
 
     Args:
-        robot: a built-in name, or a model that was made from a built-in one and kept its name.
+        robot: a built-in name, or a model with drives.
+        rates: of the controller; the bandwidths follow them.
 
     Raises:
         UnknownRobotError: X860, no robot has this name.
-        NoControllerError: X861, the library has no controller for it.
+        NoControllerError: X861, the robot has no drives that gains could be made for.
     """
-    name = robot if isinstance(robot, str) else robot.name
-    if isinstance(robot, str) and name not in _MODELS:
-        raise UnknownRobotError(name, names())
-    if name not in _CONTROLLERS:
-        raise NoControllerError(name, sorted(_CONTROLLERS))
-    return _CONTROLLERS[name]()
+    model = load(robot) if isinstance(robot, str) else robot
+    if not model.drives:
+        raise NoControllerError(model.name)
+    return _controller(model, rates)
+
+
+@lru_cache(maxsize=16)
+def _controller(robot: RobotModel, rates: Rates) -> ControllerModel:
+    return standard_controller(robot, rates)

@@ -8,9 +8,6 @@ import numpy as np
 
 from ropsim.model import (
     Amplifier,
-    CascadedGains,
-    ControllerKind,
-    ControllerModel,
     DcMotor,
     DhRow,
     Drive,
@@ -18,8 +15,6 @@ from ropsim.model import (
     JointLimits,
     Link,
     ParameterOrigin,
-    PathDefaults,
-    Rates,
     RobotModel,
     interface_from_dh,
     joints_from_dh,
@@ -126,23 +121,10 @@ _ORIGINS = (
     ParameterOrigin(
         "geometry", "estimated", "drawn by eye around the link lengths; nothing is computed with it"
     ),
-    ParameterOrigin(
-        "controller gains",
-        "estimated",
-        "speed loops of about 130 rad/s at the largest inertias, position loops of 50 rad/s",
-    ),
 )
 
 _SMOOTHING_SPEED = 5e-3
 _HOME = (0.0, -75.0, -15.0, 0.0, -90.0, 0.0)  # degrees
-
-# Speed loops of about 130 rad/s at the largest diagonal entries of the mass matrix (5.0, 5.2, 0.94, 0.19,
-# 0.17, 0.19 kg·m²): kv = 130·M·R/(Kt·|G|). At the smallest entries they stay below half the electrical
-# pole R/L.
-_KP = 50.0
-_KV = (115.0, 70.0, 25.0, 32.0, 30.0, 32.0)
-_INTEGRAL_RATE = 40.0  # ki/kv [1/s]; below that, Coulomb friction keeps fine stops waiting
-_IN_POSITION = 0.2e-3
 
 
 @lru_cache(maxsize=1)
@@ -162,19 +144,6 @@ def model() -> RobotModel:
         dh=_DH,
         origins=_ORIGINS,
         base_shapes=puma560_shapes.base(),
-    )
-
-
-@lru_cache(maxsize=1)
-def controller() -> ControllerModel:
-    """Return a cascaded P-PI controller at 1 kHz; its gains are estimates for the estimated motors."""
-    kv = np.array(_KV)
-    return ControllerModel(
-        kind=ControllerKind.CASCADED_P_PI,
-        rates=Rates(),
-        gains=CascadedGains(kp=np.full(6, _KP), kv=kv, ki=_INTEGRAL_RATE * kv, kf=np.ones(6)),
-        path=PathDefaults(),
-        in_position=np.full(6, _IN_POSITION),
     )
 
 

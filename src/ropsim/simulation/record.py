@@ -54,6 +54,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
     """Return what the recording says about itself; plain values only."""
     cell, robot, rates = state.cell, state.cell.robot, state.cell.controller.rates
     given = plain_inputs(inputs_taken(state))
+    origins = (*robot.origins, *cell.controller.origins)
     return {
         "ropsim": __version__,
         "project": cell.name,
@@ -69,7 +70,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         },
         "skipped_moves": sum(event.kind == "skip" for event in state.events),
         "parts_left": list(state.parts.left),
-        "estimated": [one.parameters for one in robot.origins if one.kind == "estimated"],
+        "estimated": [one.parameters for one in origins if one.kind == "estimated"],
         "robot": {
             "name": robot.name,
             "title": robot.title,
@@ -81,8 +82,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
             "max_effort": robot.max_efforts.tolist(),
             "max_current": [drive.amplifier.max_current for drive in robot.drives],
             "origins": [
-                {"parameters": one.parameters, "kind": one.kind, "source": one.source}
-                for one in robot.origins
+                {"parameters": one.parameters, "kind": one.kind, "source": one.source} for one in origins
             ],
         },
         **({"inputs": given} if given else {}),

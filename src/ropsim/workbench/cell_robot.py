@@ -7,15 +7,23 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.core import RopsimError
-from ropsim.model import CascadedGains, ControllerModel, JointType, PathDefaults, Rates, RobotModel
+from ropsim.model import (
+    GAIN_NAMES,
+    CascadedGains,
+    ControllerModel,
+    JointType,
+    ParameterOrigin,
+    PathDefaults,
+    Rates,
+    RobotModel,
+)
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_poses import read_pose
 from ropsim.workbench.quantity import NUMBER, SHARE, TIME, Quantity, Units
 from ropsim.workbench.toml_checks import TomlTable
 
-_GAIN = NUMBER.within(0.0, 1e6)
-_FEED_FORWARD = NUMBER.within(0.0, 2.0)
+_GAINS = dict.fromkeys(GAIN_NAMES, NUMBER.within(0.0, 1e6)) | {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
 _NARROWEST = 1e-9  # [rad | m], least window of a fine stop
 _WIDEST = 0.1  # [rad | m]
@@ -61,7 +69,7 @@ def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) 
     table.require("model")
     override = table.number("speed_override", SHARE, 1.0)
     start_given = "start" in table
-    loaded = _load(table)
+    loaded = _load(table, settings)
     if loaded is None:
         table.finish()
         return None
@@ -73,15 +81,26 @@ def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) 
     return RobotSection(_with_base(model, X_WB), controller, start)
 
 
-def _load(table: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
+def _load(table: TomlTable, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
+    """Return the arm with its standard controller at the rates of `settings`."""
     name = table.text("model", "")
     if not name:
         return None
     try:
-        return robots.load(name), robots.default_controller(name)
+        model = robots.load(name)
+        return model, robots.default_controller(model, _rates(settings))
     except RopsimError as error:
         table.findings.items.append(replace(error.diagnostic, span=table.value_span("model")))
         return None
+
+
+def _rates(settings: TomlTable) -> Rates:
+    standard = robots.STANDARD_RATES
+    return Rates(
+        settings.integer("control_hz", 50, 20_000, standard.control_hz),
+        settings.integer("interpolation_ticks", 1, 1000, standard.interpolation_ticks),
+        settings.integer("plant_steps", 1, 100, standard.plant_steps),
+    )
 
 
 def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
@@ -110,25 +129,27 @@ def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
 def _controller(
     table: TomlTable, controller: ControllerModel, model: RobotModel, units: Units
 ) -> ControllerModel:
-    rates, gains = controller.rates, controller.gains
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
+    given = [name for name in GAIN_NAMES if name in table]
+    gains = {
+        name: _per_joint(table, name, [_GAINS[name]] * model.n, getattr(controller.gains, name))
+        for name in GAIN_NAMES
+    }
     return replace(
         controller,
-        rates=Rates(
-            table.integer("control_hz", 50, 20_000, rates.control_hz),
-            table.integer("interpolation_ticks", 1, 1000, rates.interpolation_ticks),
-            table.integer("plant_steps", 1, 100, rates.plant_steps),
-        ),
-        gains=CascadedGains(
-            _per_joint(table, "kp", [_GAIN] * model.n, gains.kp),
-            _per_joint(table, "kv", [_GAIN] * model.n, gains.kv),
-            _per_joint(table, "ki", [_GAIN] * model.n, gains.ki),
-            _per_joint(table, "kf", [_FEED_FORWARD] * model.n, gains.kf),
-        ),
+        gains=CascadedGains(**gains),
         path=_path(table, controller.path, units),
         in_position=_per_joint(table, "in_position", windows, controller.in_position),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
+        origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )
+
+
+def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigin:
+    """Return the origin of the gains, saying which of them the cell file gives."""
+    if not given:
+        return origin
+    return replace(origin, source=f"{', '.join(given)} as in the cell file; the others {origin.source}")
 
 
 def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:

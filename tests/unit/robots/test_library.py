@@ -1,11 +1,10 @@
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from ropsim import robots
 from ropsim.core import RopsimError
-from ropsim.model import audit
+from ropsim.model import GAIN_NAMES, audit
 
 
 def test_all_names_load_a_robot_of_that_name() -> None:
@@ -29,15 +28,21 @@ def test_an_unknown_name_is_answered_with_a_near_one() -> None:
 
 def test_the_controller_of_the_puma_has_gains_for_six_joints() -> None:
     controller = robots.default_controller("puma560")
-    for gains in (controller.gains.kp, controller.gains.kv, controller.gains.ki, controller.gains.kf):
+    for name in GAIN_NAMES:
+        gains = getattr(controller.gains, name)
         assert gains.shape == (6,)
         assert (gains > 0.0).all()
     assert (controller.in_position < 1e-3).all()
 
 
-def test_a_changed_model_keeps_the_controller_of_its_name() -> None:
-    changed = replace(robots.load("puma560"), home=np.zeros(6))
-    assert robots.default_controller(changed) is robots.default_controller("puma560")
+def test_the_controller_of_a_changed_model_follows_the_model() -> None:
+    robot = robots.load("puma560")
+    drives = tuple(
+        replace(one, motor=replace(one.motor, resistance=0.5 * one.motor.resistance)) for one in robot.drives
+    )
+    own, changed = robots.default_controller(robot), robots.default_controller(replace(robot, drives=drives))
+    assert (changed.gains.kv < own.gains.kv).all()
+    assert (changed.gains.ka == 0.5 * own.gains.ka).all()
 
 
 def test_a_robot_without_drives_has_no_controller() -> None:

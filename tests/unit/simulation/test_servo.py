@@ -15,7 +15,7 @@ from ropsim.controller import CompiledLaw
 from ropsim.core import RopsimError
 from ropsim.dynamics import gravity, torque_constants
 from ropsim.flow import JointReference
-from ropsim.model import CascadedGains, Payload, Rates
+from ropsim.model import Payload, Rates
 from ropsim.simulation import (
     DivergedError,
     DriveDataError,
@@ -176,7 +176,7 @@ def test_another_law_takes_the_place_of_the_built_in_one() -> None:
 
 def test_other_gains_run_the_same_compiled_code(servo: Servo) -> None:
     robot, model = puma()
-    soft = CascadedGains(model.gains.kp * 0.5, model.gains.kv, model.gains.ki, model.gains.kf)
+    soft = replace(model.gains, kp=model.gains.kp * 0.5)
     softer = Servo.build(robot, replace(model, gains=soft))
     assert softer.kernel is servo.kernel
     reference = quintic(START, GOAL, TICKS)

@@ -1,0 +1,133 @@
+"""The standard controller of an arm: cascaded loops, gains from its model by stated bandwidths."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.dynamics import axis_inertias, torque_per_ampere
+from ropsim.model import (
+    CascadedGains,
+    ControllerKind,
+    ControllerModel,
+    ParameterOrigin,
+    PathDefaults,
+    Rates,
+    RobotModel,
+)
+from ropsim.spatial import Array, frozen
+
+ELECTRICAL_SHARE = 1.0 / 3.0
+"""Crossover of the speed loop over the electrical pole R/L: the current then lags by about 18 degrees."""
+
+CONTROL_SHARE = 1.0 / 5.0
+"""Crossover of the speed loop [rad/s] over the control rate [Hz]: the held output costs about 6 degrees."""
+
+POSITION_SHARE = 0.3
+"""Bandwidth of the position loop over that of the speed loop: no overshoot of the cascade."""
+
+INTEGRAL_SHARE = 0.4
+"""Corner of the integral action over the crossover of the speed loop: it costs about 22 degrees, and the
+Coulomb friction that vanishes at a stop is made up for within the last milliseconds of the move."""
+
+IN_POSITION = 0.2e-3
+"""Window of a fine stop [rad | m]."""
+
+SAMPLES = 512
+"""Configurations at which the inertias of the axes are looked at."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoopBandwidths:
+    """Bandwidths of the loops of a cascade, one number per joint.
+
+    Attributes:
+        speed: crossover of the speed loop at the inertia for which it is designed [rad/s], shape (n,).
+        position: bandwidth of the position loop [rad/s], shape (n,).
+        integral: corner of the integral action of the speed loop [rad/s], shape (n,).
+    """
+
+    speed: Array
+    position: Array
+    integral: Array
+
+
+def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
+    """Return the bandwidths that motors and control rate of an arm with drives allow."""
+    poles = np.array([drive.motor.resistance / drive.motor.inductance for drive in robot.drives])
+    speed = np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz)
+    return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
+
+
+def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
+    """Return gains that give an arm with drives its standard bandwidths.
+
+    Below its electrical pole, the drive of a joint with inertia M takes u = R·M/(Kt·|G|)·q̈ + (Ke·|G| +
+    R·B·|G|/Kt)·q̇. The speed gain gives that the crossover ω_s, kv = ω_s·R·M/(Kt·|G|); the feed-forward gains
+    are the two coefficients themselves, so that the loops have to correct only what differs from the drive
+    that was designed for: gravity, Coulomb friction, coupling of the joints. M is the geometric mean of the
+    least and the greatest inertia of the axis over the range of the joints. Cascades with feed-forward of
+    the reference: W. Leonhard, Control of Electrical Drives, 3rd ed., Springer 2001.
+    """
+    bandwidths = standard_bandwidths(robot, rates)
+    inertias = axis_inertias(robot, configurations(robot, SAMPLES))
+    inertia = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
+    force_per_volt = np.array(
+        [abs(torque_per_ampere(drive)) / drive.motor.resistance for drive in robot.drives]
+    )
+    emf = [abs(drive.ratio) * drive.motor.back_emf_constant for drive in robot.drives]
+    viscous = [drive.ratio**2 * drive.friction.viscous for drive in robot.drives]
+    volts_per_acceleration = inertia / force_per_volt
+    kv = bandwidths.speed * volts_per_acceleration
+    return CascadedGains(
+        kp=bandwidths.position,
+        kv=kv,
+        ki=bandwidths.integral * kv,
+        kf=np.ones(robot.n),
+        ke=np.array(emf) + np.array(viscous) / force_per_volt,
+        ka=volts_per_acceleration,
+    )
+
+
+def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:
+    """Return the cascaded P-PI controller of an arm with drives."""
+    return ControllerModel(
+        kind=ControllerKind.CASCADED_P_PI,
+        rates=rates,
+        gains=standard_gains(robot, rates),
+        path=PathDefaults(),
+        in_position=np.full(robot.n, IN_POSITION),
+        origins=(ParameterOrigin("controller gains", "derived", _statement(robot, rates)),),
+    )
+
+
+def configurations(robot: RobotModel, count: int) -> Array:
+    """Return configurations that fill the range of the joints evenly, shape (count, n) [rad | m].
+
+    The additive recurrence of M. Roberts, 2018 (a generalised golden ratio): point k has coordinate i at
+    frac(k·φ⁻ⁱ), i = 1 … n, where φ is the positive root of φⁿ⁺¹ = φ + 1.
+    """
+    n = robot.n
+    phi = 2.0
+    for _ in range(64):  # contracts to the root to the last bit
+        phi = (1.0 + phi) ** (1.0 / (n + 1))
+    shares = np.modf(np.outer(np.arange(1, count + 1), phi ** -np.arange(1.0, n + 1.0)))[0]
+    lower = np.maximum(robot.lower_limits, -np.pi)
+    upper = np.minimum(robot.upper_limits, np.pi)
+    return np.asarray(lower + shares * (upper - lower))
+
+
+def _statement(robot: RobotModel, rates: Rates) -> str:
+    bandwidths = standard_bandwidths(robot, rates)
+    speed, position, integral = (
+        _range(values) for values in (bandwidths.speed, bandwidths.position, bandwidths.integral)
+    )
+    return (
+        f"from masses, gears and motors of the model: speed loops {speed} rad/s, "
+        f"position loops {position} rad/s, integral action {integral} rad/s; speed and acceleration "
+        "fed forward"
+    )
+
+
+def _range(values: Array) -> str:
+    low, high = f"{values.min():.3g}", f"{values.max():.3g}"
+    return low if low == high else f"{low} to {high}"
