@@ -180,7 +180,9 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert controller.path.speed == pytest.approx(0.15)
     assert controller.path.orientation_speed == pytest.approx(math.pi / 2)
     assert controller.in_position[0] == pytest.approx(math.radians(0.1))
-    assert controller.gains.kv.tolist() == own.gains.kv.tolist()
+    assert (controller.gains.kv < own.gains.kv).all()  # slower loops at half the control rate
+    assert controller.gains.ke.tolist() == own.gains.ke.tolist()
+    assert controller.origins[0].source.startswith("kp as in the cell file; the others from masses")
     assert controller.path.jerk == own.path.jerk
 
 
