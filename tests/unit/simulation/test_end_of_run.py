@@ -94,7 +94,7 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
 
 
 def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> None:
-    window = np.full(6, 1e-7)  # so narrow that no arm is within it when a move ends
+    window = np.full(6, 1e-5)  # so narrow that no arm is within it when a move ends
     controller = replace(cell.controller, settle_timeout=0.0, in_position=window)
     hasty = replace(cell, controller=controller)
     recording = run(hasty, code(hasty, "mov joints (60, -60, 60, 0, 30, 0)"), RunOptions())
