@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'react'
 import type { StageState } from '../scene/settings'
 import { Stage } from '../scene/stage'
 import { useStudio, useStudioState } from '../studio/context'
+import { isDark, onScheme } from '../style/scheme'
 import { words } from '../text/messages'
 import { LookBar } from './LookBar'
 
@@ -14,11 +15,9 @@ export function ViewsPanel() {
   const scene = useStudioState(state => state.scene)
   useEffect(() => {
     if (!host.current) return
-    const dark = matchMedia('(prefers-color-scheme: dark)')
     const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches
-    const stage = new Stage(host.current, { reducedMotion, theme: dark.matches ? 'dark' : 'light' })
-    const theme = () => stage.setTheme(dark.matches ? 'dark' : 'light')
-    dark.addEventListener('change', theme)
+    const stage = new Stage(host.current, { reducedMotion, theme: isDark() ? 'dark' : 'light' })
+    const scheme = onScheme(() => stage.setTheme(isDark() ? 'dark' : 'light'))
     studio.picture.attach(stage)
     stage.select(studio.store.getState().selected)
     const cameras = studio.storage.read('cameras')
@@ -33,8 +32,7 @@ export function ViewsPanel() {
     })
     studio.loop.mark()
     return () => {
-      dark.removeEventListener('change', theme)
-      for (const stop of [keep, pick, told, drawn]) stop()
+      for (const stop of [scheme, keep, pick, told, drawn]) stop()
       studio.picture.detach()
       stage.dispose()
     }

@@ -2,6 +2,7 @@
 import uPlot from 'uplot'
 import type { Cursor } from '../run/cursor'
 import type { Run } from '../run/run'
+import { onScheme } from '../style/scheme'
 import { formatQuantity, shownUnit } from '../units/quantity'
 import { letGrasp } from './grasp'
 import { Legend } from './legend'
@@ -42,16 +43,10 @@ export class Plot {
     host.append(this.#legend.element, this.#area)
     const sizes = new ResizeObserver(() => this.#resize())
     sizes.observe(this.#area)
-    const schemes = matchMedia('(prefers-color-scheme: dark)')
-    const recolour = () => this.#rebuild()
-    schemes.addEventListener('change', recolour)
-    const themes = new MutationObserver(recolour)
-    themes.observe(document.documentElement, { attributeFilter: ['data-theme'] })
     this.#stops.push(
       cursor.onTime(() => this.#follow()),
       () => sizes.disconnect(),
-      () => schemes.removeEventListener('change', recolour),
-      () => themes.disconnect(),
+      onScheme(() => this.#rebuild()),
     )
     this.#rebuild()
   }

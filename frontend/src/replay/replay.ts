@@ -45,7 +45,7 @@ export class Replay {
     host.append(bar)
     this.cursor.setEnd(run.duration)
     this.#transport.show(run)
-    new Timeline(bar, this.#transport)
+    new Timeline(bar, this.#transport, 'with Ctrl')
     const steps = stepsByLine(run, run.source)
     const text = texts[run.source]
     this.#program = new ProgramList(text ?? words.noProgram(run.source), steps, line => {

@@ -23,6 +23,15 @@ export function timesUpTo(times: ArrayLike<number>, time: number, count = times.
   return countUpTo(times, time, itself, count)
 }
 
+/** The last item that passes a test. */
+export function lastWhere<T>(items: readonly T[], test: (item: T) => boolean): T | undefined {
+  for (let at = items.length - 1; at >= 0; at--) {
+    const item = items[at]
+    if (item !== undefined && test(item)) return item
+  }
+  return undefined
+}
+
 function itself(time: number): number {
   return time
 }

@@ -1,10 +1,19 @@
-/** The bar of the timeline: marks, playhead and scrubbing; a slider for assistive technology. */
+/** The picture of the timeline: scale, lanes, playhead and scrubbing; a slider for assistive technology. */
+import { onScheme } from '../style/scheme'
 import type { Cursor } from './cursor'
+import { LANE_HEIGHT, paintLane, paintScale, SCALE_HEIGHT } from './lane_paint'
+import { barAt, type Lane } from './lanes'
 import { type Marks, NO_MARKS, nearest, stepAt } from './marks'
+import { TimeWindow } from './time_window'
+import { trackGestures, type WheelZoom } from './track_gestures'
 import { words } from './words'
 
 /** How near a click must be to a finding to land on it exactly [px]. */
 const SNAP = 5
+/** A live run grows always: it is drawn again when its end has moved so far [px]. */
+const GROWTH = 2
+/** Zoom of a key or button. */
+const STEP = 1.6
 
 export class Track {
   readonly element = document.createElement('div')
@@ -13,18 +22,20 @@ export class Track {
   readonly #range = document.createElement('div')
   readonly #tip = document.createElement('div')
   readonly #cursor: Cursor
-  readonly #observer: ResizeObserver
-  readonly #scheme = matchMedia('(prefers-color-scheme: dark)')
-  readonly #paint = () => this.#draw()
+  readonly #window = new TimeWindow()
+  readonly #changed: () => void
+  readonly #stops: readonly (() => void)[]
   #marks: Marks = NO_MARKS
-  /** Length of the run for which the marks were drawn last. */
+  #lanes: readonly Lane[] = []
+  /** Length of the run that was drawn last. */
   #drawnEnd = Number.NaN
   #width = 0
   #playAfter = false
-  #anchor: number | null = null
 
-  constructor(cursor: Cursor) {
+  /** `changed` hears of another stretch of time in sight. */
+  constructor(cursor: Cursor, wheel: WheelZoom, changed: () => void) {
     this.#cursor = cursor
+    this.#changed = changed
     this.element.className = 'timeline-track'
     this.element.tabIndex = 0
     this.element.setAttribute('role', 'slider')
@@ -34,29 +45,62 @@ export class Track {
     this.#head.className = 'timeline-head'
     this.#tip.className = 'timeline-tip'
     this.#tip.hidden = true
-    this.element.append(this.#canvas, this.#range, this.#head, this.#tip)
-    this.element.addEventListener('pointerdown', event => this.#grab(event))
-    this.element.addEventListener('pointermove', event => this.#drag(event))
-    this.element.addEventListener('pointerup', () => this.#drop())
-    this.element.addEventListener('pointercancel', () => this.#drop())
-    this.element.addEventListener('pointerleave', () => {
-      this.#tip.hidden = true
-    })
-    this.#observer = new ResizeObserver(() => this.#resize())
-    this.#observer.observe(this.element)
-    this.#scheme.addEventListener('change', this.#paint)
+    const clip = document.createElement('div')
+    clip.className = 'timeline-clip'
+    clip.append(this.#canvas, this.#range, this.#head)
+    this.element.append(clip, this.#tip)
+    const sizes = new ResizeObserver(() => this.#resize())
+    sizes.observe(this.element)
+    this.#stops = [
+      trackGestures(this.element, wheel, {
+        grasp: x => this.#grasp(x),
+        drag: x => this.#drag(x),
+        drop: () => this.#drop(),
+        select: (from, to) => this.#select(from, to),
+        hover: (x, y) => this.#tell(x, y),
+        leave: () => {
+          this.#tip.hidden = true
+        },
+        zoom: (factor, x) => this.#zoom(factor, this.#window.time(x, this.#width)),
+        pan: pixels => this.#pan(pixels),
+      }),
+      onScheme(() => this.#draw()),
+      () => sizes.disconnect(),
+    ]
   }
 
-  show(marks: Marks): void {
-    if (marks === this.#marks) return
+  get zoomed(): boolean {
+    return this.#window.zoomed
+  }
+
+  show(marks: Marks, lanes: readonly Lane[]): void {
+    if (marks === this.#marks && lanes === this.#lanes) return
     this.#marks = marks
+    this.#lanes = lanes
+    const height = lanes.reduce((sum, lane) => sum + LANE_HEIGHT[lane.kind], SCALE_HEIGHT)
+    this.element.style.height = `${Math.max(height, 2 * SCALE_HEIGHT)}px`
     this.#draw()
+  }
+
+  /** Zoom in or out around the cursor, or around the middle where that is out of sight. */
+  zoomBy(direction: 'in' | 'out'): void {
+    const { from, to } = this.#window
+    const { time } = this.#cursor
+    const about = time >= from && time <= to ? time : (from + to) / 2
+    this.#zoom(direction === 'in' ? STEP : 1 / STEP, about)
+  }
+
+  fit(): void {
+    this.#window.fit()
+    this.#redraw()
   }
 
   /** Follow the cursor's time; cheap enough for every frame. */
   follow(): void {
     const { time, end } = this.#cursor
-    this.#head.style.transform = `translateX(${this.#x(time)}px)`
+    if (this.#window.follow(time)) this.#redraw()
+    const x = this.#window.x(time, this.#width)
+    this.#head.style.transform = `translateX(${x}px)`
     const now = time.toFixed(1)
     if (this.element.getAttribute('aria-valuenow') === now) return
     const step = stepAt(this.#marks, time)
@@ -67,92 +111,100 @@ export class Track {
 
   /** Take over a new length of the run or a new loop. */
   relate(): void {
-    this.element.setAttribute('aria-valuemax', this.#cursor.end.toFixed(1))
-    const loop = this.#cursor.loop
-    this.#range.hidden = loop === null
-    if (loop) {
-      this.#range.style.left = `${this.#x(loop[0])}px`
-      this.#range.style.width = `${this.#x(loop[1]) - this.#x(loop[0])}px`
-    }
-    // A live run grows with every frame: without marks nothing that is drawn moves.
-    const marked =
-      this.#marks.steps.length > 0 || this.#marks.findings.length > 0 || this.#marks.inputs.length > 0
-    if (marked && this.#drawnEnd !== this.#cursor.end) this.#draw()
+    const { end, loop } = this.#cursor
+    this.#window.setEnd(end)
+    this.element.setAttribute('aria-valuemax', end.toFixed(1))
+    this.#frame(loop)
+    const moved = Math.abs(end - this.#drawnEnd) * (this.#width / Math.max(end, 1e-9))
+    if (!(moved < GROWTH)) this.#draw()
   }
 
   destroy(): void {
-    this.#observer.disconnect()
-    this.#scheme.removeEventListener('change', this.#paint)
+    for (const stop of this.#stops) stop()
     this.element.remove()
   }
 
-  #x(time: number): number {
-    return this.#cursor.end > 0 ? (this.#width * time) / this.#cursor.end : 0
+  #frame(loop: readonly [number, number] | null): void {
+    this.#range.hidden = loop === null
+    if (!loop) return
+    const [left, right] = loop.map(time => this.#window.x(time, this.#width)) as [number, number]
+    this.#range.style.left = `${left}px`
+    this.#range.style.width = `${right - left}px`
   }
 
-  #time(event: PointerEvent): number {
-    const left = this.element.getBoundingClientRect().left
-    const share = (event.clientX - left) / Math.max(this.#width, 1)
-    return Math.min(Math.max(share, 0), 1) * this.#cursor.end
-  }
-
-  #grab(event: PointerEvent): void {
-    if (event.button !== 0) return
-    this.element.setPointerCapture(event.pointerId)
-    const time = this.#time(event)
-    if (event.shiftKey) {
-      this.#anchor = time
-      return
-    }
+  #grasp(x: number): void {
     this.#playAfter = this.#cursor.playing
     this.#cursor.pause()
-    const found = nearest(this.#marks.findings, time, this.#reach())
-    this.#cursor.seek(found ? found.time : time)
+    const time = this.#window.time(x, this.#width)
+    this.#cursor.seek(nearest(this.#marks.findings, time, this.#reach())?.time ?? time)
   }
 
-  #drag(event: PointerEvent): void {
-    const time = this.#time(event)
-    this.#tell(time)
-    if (!this.element.hasPointerCapture(event.pointerId)) return
-    if (this.#anchor === null) this.#cursor.seek(time)
-    else if (time !== this.#anchor) {
-      this.#cursor.setLoop([Math.min(time, this.#anchor), Math.max(time, this.#anchor)])
-    }
+  #drag(x: number): void {
+    this.#cursor.seek(this.#window.time(x, this.#width))
   }
 
   #drop(): void {
-    this.#anchor = null
     if (this.#playAfter) this.#cursor.play()
     this.#playAfter = false
   }
 
-  #tell(time: number): void {
-    const found = nearest(this.#marks.findings, time, this.#reach())
-    const step = stepAt(this.#marks, time)
-    const input = nearest(this.#marks.inputs, time, this.#reach())
-    const what = found
-      ? found.text
-      : input
-        ? words.input(input.text)
-        : step
-          ? `${words.line(step.line)} · ${step.text}`
-          : ''
-    this.#tip.textContent = `${time.toFixed(2)} s${what ? ` · ${what}` : ''}`
+  #select(from: number, to: number): void {
+    const [a, b] = [this.#window.time(from, this.#width), this.#window.time(to, this.#width)]
+    if (a !== b) this.#cursor.setLoop([Math.min(a, b), Math.max(a, b)])
+  }
+
+  #zoom(factor: number, about: number): void {
+    this.#window.zoom(factor, about)
+    this.#redraw()
+  }
+
+  #pan(pixels: number): void {
+    this.#window.pan((pixels / Math.max(this.#width, 1)) * (this.#window.to - this.#window.from))
+    this.#redraw()
+  }
+
+  #tell(x: number, y: number): void {
+    const time = this.#window.time(x, this.#width)
+    this.#tip.textContent = [`${time.toFixed(2)} s`, this.#wordsAt(time, y)].filter(Boolean).join(' · ')
     this.#tip.hidden = false
-    const x = this.#x(time)
     this.#tip.classList.toggle('timeline-tip-left', x > this.#width / 2)
-    this.#tip.style.transform = `translateX(${x}px)`
+    this.#tip.style.transform = `translateX(${Math.min(Math.max(x, 0), this.#width)}px)`
+  }
+
+  #wordsAt(time: number, y: number): string {
+    const found = nearest(this.#marks.findings, time, this.#reach())
+    if (found) return found.text
+    const input = nearest(this.#marks.inputs, time, this.#reach())
+    if (input) return words.input(input.text)
+    const lane = this.#laneAt(y)
+    const bar = lane && lane.kind !== 'steps' ? barAt(lane.bars, time) : undefined
+    if (lane && bar) return lane.kind === 'held' ? `${lane.name}: ${bar.text}` : bar.text
+    const step = stepAt(this.#marks, time)
+    return step ? `${words.line(step.line)} · ${step.text}` : ''
+  }
+
+  #laneAt(y: number): Lane | undefined {
+    let bottom = SCALE_HEIGHT
+    return this.#lanes.find(lane => {
+      bottom += LANE_HEIGHT[lane.kind]
+      return y >= bottom - LANE_HEIGHT[lane.kind] && y < bottom
+    })
   }
 
   #reach(): number {
-    return (SNAP / Math.max(this.#width, 1)) * this.#cursor.end
+    return (SNAP / Math.max(this.#width, 1)) * (this.#window.to - this.#window.from)
   }
 
   #resize(): void {
     this.#width = this.element.clientWidth
+    this.#redraw()
+  }
+
+  #redraw(): void {
     this.#draw()
-    this.relate()
-    this.follow()
+    this.#frame(this.#cursor.loop)
+    this.#head.style.transform = `translateX(${this.#window.x(this.#cursor.time, this.#width)}px)`
+    this.#changed()
   }
 
   #draw(): void {
@@ -166,34 +218,12 @@ export class Track {
     const style = getComputedStyle(this.element)
     const colour = (name: string) => style.getPropertyValue(name).trim() || 'gray'
     context.scale(ratio, ratio)
-    context.fillStyle = colour('--line')
-    context.fillRect(0, height / 2 - 2, this.#width, 4)
-    context.fillStyle = colour('--accent')
-    for (const step of this.#marks.steps) {
-      const x = this.#x(step.time)
-      // A gap of a pixel between neighbours, where there is room for one.
-      const width = Math.max(this.#x(step.end) - x - 1, 1)
-      context.globalAlpha = step.kind === 'move' ? 0.75 : 0.35
-      context.fillRect(x, height / 2 - 5, width, 10)
-    }
-    context.globalAlpha = 1
-    context.fillStyle = colour('--ghost')
-    for (const { time } of this.#marks.inputs) {
-      const x = this.#x(time)
-      context.fillRect(x - 1, height / 2 - 2, 2, height / 2 + 2)
-      // A foot tells presses from findings, which have a head.
-      context.fillRect(x - 3, height - 4, 6, 4)
-    }
-    for (const found of this.#marks.findings) {
-      context.fillStyle = colour(`--${found.severity === 'hint' ? 'info' : found.severity}`)
-      const x = this.#x(found.time)
-      context.fillRect(x - 1, 2, 2, height - 4)
-      // A head tells findings from steps without their colour.
-      context.beginPath()
-      context.moveTo(x - 4, 0)
-      context.lineTo(x + 4, 0)
-      context.lineTo(x, 7)
-      context.fill()
+    const canvas = { context, width: this.#width, window: this.#window, colour }
+    paintScale(canvas, height)
+    let top = SCALE_HEIGHT
+    for (const lane of this.#lanes) {
+      paintLane(canvas, lane, top)
+      top += LANE_HEIGHT[lane.kind]
     }
   }
 }

@@ -6,6 +6,7 @@ import { Transport } from './transport'
 const span = { source: 'main.task', line: 1, column: 1, end_line: 1, end_column: 2 }
 const run = {
   events: [1, 4, 7].map(time => ({ time, duration: 1, kind: 'move', text: '', span, data: {} })),
+  channels: [],
   findings: [{ code: 'X1', severity: 'warning', message: '', hint: '', span: null, time: 5 }],
 } as unknown as Run
 
@@ -34,6 +35,10 @@ describe('keys of the timeline', () => {
     expect(timesAfter([right, right, right, right, right])).toEqual([1, 4, 7, 10, 10])
     const left = 'ArrowLeft'
     expect(timesAfter([left, left, left, left])).toEqual([7, 4, 1, 0])
+  })
+
+  it('go from step to step with comma and full stop, too: arrows turn the 3-D views', () => {
+    expect(timesAfter(['.', '.', ','])).toEqual([1, 4, 1])
   })
 
   it('go to findings with Shift, and nowhere where there is none', () => {
@@ -91,9 +96,28 @@ it('without a run steps lead to the ends', () => {
 
 it('takes presses of keys of a live run into the marks', () => {
   const events: Run['events'][number][] = []
-  transport.show({ events, findings: [] } as unknown as Run)
+  transport.show({ events, findings: [], channels: [] } as unknown as Run)
   const before = transport.marks
   expect(transport.marks).toBe(before)
   events.push({ time: 2, duration: 0, kind: 'input', text: 'start = 1', span: null, data: {} })
   expect(transport.marks.inputs).toEqual([{ time: 2, text: 'start = 1' }])
+})
+
+it('plays and pauses a live run instead of the cursor while there is one', () => {
+  let playing = true
+  const player = {
+    get playing() {
+      return playing
+    },
+    toggle: () => {
+      playing = !playing
+    },
+  }
+  transport.drive(player)
+  expect(transport.playing).toBe(true)
+  press(' ')
+  expect([playing, transport.playing, transport.cursor.playing]).toEqual([false, false, false])
+  transport.drive(null)
+  press(' ')
+  expect([playing, transport.cursor.playing]).toEqual([false, true])
 })

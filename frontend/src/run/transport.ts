@@ -1,10 +1,17 @@
 /** Going through a run: play and pause, from step to step, from finding to finding, the repeated stretch. */
 import type { Cursor } from './cursor'
+import { type Lane, lanesOf } from './lanes'
 import { firstAfter, lastBefore, type Marks, marksOf, NO_MARKS } from './marks'
 import type { Run } from './run'
 
 export type TransportKey = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'> &
   Partial<Pick<KeyboardEvent, 'getModifierState'>>
+
+/** What play and pause act on where it is not the cursor: a live run. */
+export interface Player {
+  readonly playing: boolean
+  toggle(): void
+}
 
 /** Page Up and Page Down go this far [s]. */
 const PAGE = 1
@@ -12,7 +19,9 @@ const PAGE = 1
 export class Transport {
   readonly cursor: Cursor
   #run: Run | null = null
+  #player: Player | null = null
   #marks = NO_MARKS
+  #lanes: readonly Lane[] = []
   /** Events of the run that are in the marks. */
   #counted = 0
 
@@ -26,14 +35,30 @@ export class Transport {
     return this.#marks
   }
 
+  /** The lanes of the run, made with the marks. */
+  get lanes(): readonly Lane[] {
+    return this.#lanes
+  }
+
   show(run: Run | null): void {
     this.#run = run
     this.#marks = run ? marksOf(run) : NO_MARKS
+    this.#lanes = run ? lanesOf(run, this.#marks) : []
     this.#counted = run?.events.length ?? 0
   }
 
+  /** Play and pause act on this from now on, on the cursor again where it is null. */
+  drive(player: Player | null): void {
+    this.#player = player
+  }
+
+  get playing(): boolean {
+    return this.#player?.playing ?? this.cursor.playing
+  }
+
   toggle(): void {
-    if (this.cursor.playing) this.cursor.pause()
+    if (this.#player) this.#player.toggle()
+    else if (this.cursor.playing) this.cursor.pause()
     else this.cursor.play()
   }
 
@@ -79,7 +104,7 @@ export class Transport {
   }
 
   /**
-   * Do what a key means on the timeline and return whether it meant something: space, ←/→ one step,
+   * Do what a key means on the timeline and return whether it meant something: space, ←/→ or , and . one step,
    * Shift+←/→ one finding, Page Up/Down one second, Home/End, [ and ] for the repeated stretch.
    */
   key(event: TransportKey): boolean {
@@ -95,6 +120,8 @@ export class Transport {
     ' ': () => this.toggle(),
     ArrowRight: () => this.nextStep(),
     ArrowLeft: () => this.previousStep(),
+    '.': () => this.nextStep(),
+    ',': () => this.previousStep(),
     'Shift+ArrowRight': () => this.nextFinding(),
     'Shift+ArrowLeft': () => this.previousFinding(),
     PageUp: () => this.go(this.cursor.time + PAGE),

@@ -3,27 +3,35 @@ import { useEffect, useRef } from 'react'
 import { Timeline } from '../run/timeline'
 import { words } from '../text/messages'
 import { useStudio, useStudioState } from './context'
+import { useEvery } from './hooks'
 
 export function TimelineBar() {
   const studio = useStudio()
   const host = useRef<HTMLDivElement>(null)
-  const timeline = useRef<Timeline | null>(null)
   const shown = useStudioState(state => state.shown)
-  const presses = useStudioState(state => state.presses)
+  const live = useStudioState(state => state.live)
   const lagging = useStudioState(
     state => state.live !== null && state.live.state !== 'over' && !state.following,
   )
   useEffect(() => {
     if (!host.current) return
-    const made = new Timeline(host.current, studio.transport)
-    timeline.current = made
-    return () => made.destroy()
+    const made = new Timeline(host.current, studio.transport, 'always')
+    studio.timeline = made
+    return () => {
+      studio.timeline = null
+      made.destroy()
+    }
   }, [studio])
   useEffect(() => {
-    // Presses of a live run are marked as they come.
-    if (studio.run?.live && presses.length > 0) studio.transport.show(studio.run)
-    if (shown >= 0) timeline.current?.show()
-  }, [studio, shown, presses])
+    // Another run, or play and pause have another meaning.
+    if (shown >= 0 || live) studio.timeline?.show()
+  }, [studio, shown, live])
+  useEvery(2, () => {
+    // Signals and presses of a live run are marked as they come.
+    if (!studio.run?.live) return
+    studio.transport.show(studio.run)
+    studio.timeline?.show()
+  })
   return (
     <div className="timeline-bar">
       <div className="timeline-host" ref={host} />

@@ -130,8 +130,8 @@ function addSimulate(studio: Studio, group: Grouped): void {
   const has = { enabled: () => studio.run !== null }
   const time = group('Simulate', 'time')
   time('timeline.play', titles.play, ['Space'], () => transport.toggle(), has)
-  time('timeline.next', titles.next, ['ArrowRight'], () => transport.nextStep(), has)
-  time('timeline.previous', titles.previous, ['ArrowLeft'], () => transport.previousStep(), has)
+  time('timeline.next', titles.next, ['ArrowRight', '.'], () => transport.nextStep(), has)
+  time('timeline.previous', titles.previous, ['ArrowLeft', ','], () => transport.previousStep(), has)
   time('timeline.nextFinding', titles.nextFinding, ['Shift+ArrowRight'], () => transport.nextFinding(), has)
   time(
     'timeline.previousFinding',
@@ -142,6 +142,16 @@ function addSimulate(studio: Studio, group: Grouped): void {
   )
   time('timeline.start', titles.start, ['Home'], () => transport.go(0), has)
   time('timeline.end', titles.end, ['End'], () => transport.go(cursor.end), has)
+  const range = group('Simulate', 'range')
+  range('timeline.from', titles.repeatFrom, ['['], () => transport.repeatFrom(), has)
+  range('timeline.until', titles.repeatUntil, [']'], () => transport.repeatUntil(), has)
+  range('timeline.repeat', titles.repeat, [], () => transport.repeat(), {
+    ...has,
+    checked: () => cursor.loop !== null,
+  })
+  range('timeline.in', titles.zoomIn, [], () => studio.timeline?.zoom('in'), has)
+  range('timeline.out', titles.zoomOut, [], () => studio.timeline?.zoom('out'), has)
+  range('timeline.whole', titles.wholeRun, [], () => studio.timeline?.fit(), has)
   const run = group('Simulate', 'run')
   const connected = { enabled: () => state().connection === 'connected' }
   const busy = () => ['waiting', 'running'].includes(state().status?.state ?? '')

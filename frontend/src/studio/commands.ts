@@ -1,5 +1,5 @@
 /** Everything a user can do, once: menus, palette and keys read this list. */
-import { actsWhileTyping, isTyping, KEPT_BY_BROWSER, keyName, takesPlainKeys } from './keys'
+import { actsWhileTyping, isTyping, KEPT_BY_BROWSER, keyName, takesPlainKey } from './keys'
 
 export const MENUS = ['File', 'Edit', 'View', 'Simulate', 'Help'] as const
 export type Menu = (typeof MENUS)[number]
@@ -64,7 +64,7 @@ export class Commands {
     const command = this.#commands.get(this.#keys.get(name) ?? '')
     if (!command) return false
     if (isTyping(event.target) && (command.textKeeps || !actsWhileTyping(name))) return false
-    if (!actsWhileTyping(name) && takesPlainKeys(event.target)) return false
+    if (!actsWhileTyping(name) && takesPlainKey(event.target, name)) return false
     if (event.repeat && !command.id.startsWith('timeline.')) return true
     if (this.isEnabled(command)) command.run()
     return true

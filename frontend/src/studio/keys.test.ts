@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { actsWhileTyping, isTyping, keyName } from './keys'
+import { actsWhileTyping, isTyping, keyName, takesPlainKey } from './keys'
 
 const press = (key: string, held: Partial<KeyboardEvent> = {}) => ({ key, ...held }) as KeyboardEvent
 const target = (values: object) => values as unknown as EventTarget
@@ -38,4 +38,17 @@ test('text fields take text, boxes and sliders do not', () => {
 test('while typing only keys act that make no text', () => {
   expect(['Ctrl+S', 'Alt+X', 'F8', 'Shift+F8'].every(actsWhileTyping)).toBe(true)
   expect(['Space', 'ArrowLeft', 'Shift+A', 'F', 'Home'].some(actsWhileTyping)).toBe(false)
+})
+
+test('brackets that need AltGr are brackets', () => {
+  const altGr = { ctrlKey: true, altKey: true, getModifierState: (key: string) => key === 'AltGraph' }
+  expect(keyName(press('[', altGr as Partial<KeyboardEvent>))).toBe('[')
+})
+
+test('buttons keep Space and arrows for themselves, but not the brackets', () => {
+  const closest = (selector: string) => (/(^|, )button/.test(selector) ? {} : null)
+  const button = target({ tagName: 'BUTTON', closest })
+  expect(takesPlainKey(button, 'Space')).toBe(true)
+  expect(['[', ']', ',', '.'].some(key => takesPlainKey(button, key))).toBe(false)
+  expect(takesPlainKey(target({ tagName: 'INPUT', type: 'text' }), '[')).toBe(true)
 })

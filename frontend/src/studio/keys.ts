@@ -4,6 +4,8 @@
 export function keyName(event: KeyboardEvent): string {
   const { key } = event
   if (['Control', 'Shift', 'Alt', 'Meta', 'Dead', 'Unidentified'].includes(key)) return ''
+  // What is typed with AltGr, such as brackets on many keyboards, comes as Ctrl+Alt on some systems.
+  if (key.length === 1 && event.getModifierState?.('AltGraph')) return key.toUpperCase()
   const base = key === ' ' ? 'Space' : key.length === 1 ? key.toUpperCase() : key
   const shifted = event.shiftKey && (key.length > 1 || key === ' ' || /[a-z]/i.test(key))
   return [
@@ -47,18 +49,20 @@ export function isTyping(target: EventTarget | null): boolean {
   return tag === 'TEXTAREA' || element?.isContentEditable === true
 }
 
+/** Signs that only fields for text and lists take for themselves. */
+const FREE_SIGNS = /^[[\],.]$/
+
 /**
- * Whether the element has its own use for plain keys (space presses a button, arrows move a slider). The 3-D
+ * Whether the element has its own use for a plain key (space presses a button, arrows move a slider). The 3-D
  * views keep the keys that they use to themselves: what comes from there is free.
  */
-export function takesPlainKeys(target: EventTarget | null): boolean {
+export function takesPlainKey(target: EventTarget | null, name: string): boolean {
   const element = target as Partial<Element> | null
   if (isTyping(target)) return true
-  return (
-    element?.closest?.(
-      'button, select, input, a, summary, [role=slider], [role=tab], [role=menu], [role=dialog]',
-    ) != null
-  )
+  const takers = FREE_SIGNS.test(name)
+    ? 'select, [role=menu], [role=dialog], dialog'
+    : 'button, select, input, a, summary, [role=slider], [role=tab], [role=menu], [role=dialog]'
+  return element?.closest?.(takers) != null
 }
 
 /** Whether a command with this key may act while text is typed. */

@@ -4,6 +4,7 @@
  */
 import { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
+import type { Timeline } from '../run/timeline'
 import { Transport } from '../run/transport'
 import { words } from '../text/messages'
 import type { Command } from '../wire/commands'
@@ -13,6 +14,7 @@ import type { Dock } from './dock'
 import type { StudioDocument } from './documents'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
+import { driveLiveRuns } from './live_player'
 import type { Look } from './look'
 import { Loop } from './loop'
 import { Noticeboard } from './noticeboard'
@@ -54,6 +56,8 @@ export class Studio {
   storage = new ProjectStorage('')
   /** Null until the panels stand. */
   dock: Dock | null = null
+  /** The timeline that is shown, null until it stands. */
+  timeline: Timeline | null = null
   readonly #board = new Noticeboard(this.store)
   readonly #lines: LineGhost
 
@@ -71,6 +75,7 @@ export class Studio {
         picture.draw()
       },
     )
+    driveLiveRuns(store, this.transport, send)
     this.desk = new TextDesk(store, send, text => this.notify('warning', text))
     this.view = new RunView(store, this.transport, picture, this.loop)
     this.#lines = new LineGhost(store, picture, {

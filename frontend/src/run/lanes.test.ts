@@ -1,0 +1,87 @@
+import { describe, expect, it } from 'vitest'
+import { barAt, heldBars, lanesOf } from './lanes'
+import { marksOf } from './marks'
+import type { Run, RunEvent, Series } from './run'
+
+const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
+
+function event(time: number, duration: number, kind: string, data: RunEvent['data'] = {}): RunEvent {
+  return { time, duration, kind, text: kind, span: kind === 'task' ? null : span, data }
+}
+
+function series(times: readonly number[], values: readonly number[]): Series {
+  return { times: Float64Array.from(times), values: Float64Array.from(values), held: true }
+}
+
+function runWith(events: readonly RunEvent[], held: Readonly<Record<string, Series>> = {}): Run {
+  const channels = Object.keys(held).map(name => ({
+    name,
+    group: name.startsWith('signal.') ? 'signals' : 'program',
+  }))
+  return {
+    events,
+    findings: [],
+    duration: 10,
+    channels,
+    series: (name: string) => held[name],
+  } as unknown as Run
+}
+
+function lanes(run: Run) {
+  return lanesOf(run, marksOf(run))
+}
+
+describe('lanes of the timeline', () => {
+  it('show called tasks below their callers', () => {
+    const made = lanes(
+      runWith([
+        event(1, 2, 'task', { name: 'Grip', depth: 2 }),
+        event(0, 4, 'task', { name: 'Pick', depth: 1 }),
+        event(4, 3, 'task', { name: 'Place', depth: 1 }),
+      ]),
+    )
+    expect(made.map(one => one.bars.map(bar => bar.text))).toEqual([['Pick', 'Place'], ['Grip']])
+    expect(made.every(one => one.kind === 'tasks')).toBe(true)
+  })
+
+  it('leave out what the run does not have', () => {
+    expect(lanes(runWith([event(0, 1, 'move')])).map(one => one.kind)).toEqual(['steps'])
+    expect(lanes(runWith([]))).toEqual([])
+  })
+
+  it('say what the gripper holds', () => {
+    const grip = event(2, 0.2, 'grip', { part: 'box_1' })
+    const made = lanes(runWith([grip], { gripper: series([0, 2.2, 5], [0, 1, 0]) }))
+    expect(made.at(-1)?.bars).toEqual([{ from: 2.2, to: 5, text: 'box_1', tone: 'held' }])
+  })
+
+  it('name signals as the cell does', () => {
+    const made = lanes(runWith([], { 'signal.box_ready': series([0, 1], [0, 1]) }))
+    expect(made.map(one => one.name)).toEqual(['box_ready'])
+    expect(made[0]?.bars.map(bar => [bar.from, bar.to])).toEqual([[1, 10]])
+  })
+})
+
+describe('held values', () => {
+  it('of a switch are the stretches in which it is on', () => {
+    const bars = heldBars(series([0, 1, 2, 3, 4], [0, 1, 1, 0, 1]), 6)
+    expect(bars.map(bar => [bar.from, bar.to])).toEqual([
+      [1, 3],
+      [4, 6],
+    ])
+  })
+
+  it('of numbers are all stretches, each with its number', () => {
+    const bars = heldBars(series([0, 2, 3], [0, 12.5, Number.NaN]), 6)
+    expect(bars.map(bar => [bar.from, bar.to, bar.text])).toEqual([
+      [0, 2, '0'],
+      [2, 3, '12.5'],
+    ])
+  })
+
+  it('are found by time', () => {
+    const bars = heldBars(series([0, 1, 3], [0, 1, 0]), 6)
+    expect(barAt(bars, 2)?.from).toBe(1)
+    expect(barAt(bars, 4)).toBeUndefined()
+  })
+})
