@@ -4,20 +4,20 @@ import { tickLabel, tickStep, ticks } from './ticks'
 import type { TimeWindow } from './time_window'
 
 export const SCALE_HEIGHT = 16
-/** Heights of lanes [px]: what carries words is higher. */
+/** Heights of lanes [px]. */
 export const LANE_HEIGHT: Readonly<Record<Lane['kind'], number>> = {
-  tasks: 16,
-  steps: 12,
-  held: 12,
-  findings: 13,
-  inputs: 11,
+  findings: 14,
+  tasks: 13,
+  steps: 13,
+  held: 13,
+  inputs: 12,
 }
 
 /** Ticks with numbers are at least so far from each other [px]. */
 const TICK_ROOM = 64
 /** Shorter bars have no words in them [px]. */
 const WORD_ROOM = 22
-const FONT = '11px system-ui, "DejaVu Sans", sans-serif'
+const FONT = '10.5px system-ui, "DejaVu Sans", sans-serif'
 
 export interface Canvas {
   readonly context: CanvasRenderingContext2D
@@ -71,11 +71,12 @@ function paintBar(canvas: Canvas, lane: Lane, bar: Bar, top: number, height: num
   // A gap of a pixel between neighbours, where there is room for one.
   const wide = Math.max(right - left - (right - left > 4 ? 1 : 0), 1)
   const ground = bar.tone === 'held' ? colour('--good') : colour('--accent')
-  context.globalAlpha = { task: 0.28, move: 0.75, wait: 0.35, held: 0.45 }[bar.tone]
+  context.globalAlpha = { task: 0.45, move: 0.75, wait: 0.35, held: 0.45 }[bar.tone]
   context.fillStyle = ground
   context.fillRect(left, top, wide, height)
   context.globalAlpha = 1
-  if (lane.kind === 'steps') return
+  // Names of tasks stand beside their lanes.
+  if (lane.kind !== 'held') return
   const seen = Math.max(left, 0)
   const room = Math.min(right, width) - seen - 6
   if (room < WORD_ROOM - 6) return

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { barAt, heldBars, lanesOf } from './lanes'
+import { barAt, heldBars, lanesOf, shownLanes } from './lanes'
 import { marksOf } from './marks'
 import type { Run, RunEvent, Series } from './run'
 
@@ -32,21 +32,32 @@ function lanes(run: Run) {
 }
 
 describe('lanes of the timeline', () => {
-  it('show called tasks below their callers', () => {
+  it('are one for each task, called tasks below their callers', () => {
     const made = lanes(
       runWith([
         event(1, 2, 'task', { name: 'Grip', depth: 2 }),
         event(0, 4, 'task', { name: 'Pick', depth: 1 }),
         event(4, 3, 'task', { name: 'Place', depth: 1 }),
+        event(7, 1, 'task', { name: 'Pick', depth: 1 }),
       ]),
     )
-    expect(made.map(one => one.bars.map(bar => bar.text))).toEqual([['Pick', 'Place'], ['Grip']])
-    expect(made.every(one => one.kind === 'tasks')).toBe(true)
+    expect(made.map(one => [one.name, one.depth, one.bars.length])).toEqual([
+      ['Pick', 0, 2],
+      ['Grip', 1, 1],
+      ['Place', 0, 1],
+    ])
   })
 
   it('leave out what the run does not have', () => {
     expect(lanes(runWith([event(0, 1, 'move')])).map(one => one.kind)).toEqual(['steps'])
     expect(lanes(runWith([]))).toEqual([])
+  })
+
+  it('are few until all are asked for', () => {
+    const names = ['A', 'B', 'C', 'D', 'E']
+    const made = lanes(runWith(names.map((name, at) => event(at, 1, 'task', { name, depth: 1 }))))
+    expect(shownLanes(made, 'few').map(one => one.name)).toEqual(['A', 'B', 'C'])
+    expect(shownLanes(made, 'all').map(one => one.name)).toEqual(names)
   })
 
   it('say what the gripper holds', () => {

@@ -15,14 +15,14 @@ export interface Bar {
 export interface Lane {
   readonly kind: 'tasks' | 'steps' | 'held' | 'findings' | 'inputs'
   readonly name: string
+  /** How deep in the calls a task is. */
+  readonly depth: number
   /** In order of their beginnings. */
   readonly bars: readonly Bar[]
   readonly findings: readonly FindingMark[]
   readonly inputs: readonly InputMark[]
 }
 
-/** Calls deeper than this stand in the last row of tasks. */
-const MOST_DEPTHS = 4
 /** A switch is on above this. */
 const ON = 0.5
 
@@ -35,23 +35,28 @@ export function lanesOf(run: Run, marks: Marks): readonly Lane[] {
     tone: step.kind === 'move' ? 'move' : 'wait',
   }))
   const lanes = [
+    { ...lane('findings', words.lanes.findings), findings: marks.findings },
     ...taskLanes(run.events),
     lane('steps', words.lanes.steps, steps),
-    { ...lane('findings', words.lanes.findings), findings: marks.findings },
     ...heldLanes(run),
     { ...lane('inputs', words.lanes.inputs), inputs: marks.inputs },
   ]
   return lanes.filter(one => one.bars.length + one.findings.length + one.inputs.length > 0)
 }
 
-/** More lanes than these are shown on demand only. */
-export const FEW = 6
-/** The page has no room for more. */
-const MOST = 24
+/** So many lanes of a kind are shown at first. */
+const FEW: Readonly<Record<Lane['kind'], number>> = { findings: 1, tasks: 3, steps: 1, held: 3, inputs: 1 }
+/** The page has no room for more of a kind. */
+const MOST = 12
 
-/** Which lanes are shown: the first of them, or all. */
+/** Which lanes are shown: the first of each kind, or all. */
 export function shownLanes(lanes: readonly Lane[], wanted: 'few' | 'all'): readonly Lane[] {
-  return lanes.slice(0, wanted === 'few' ? FEW : MOST)
+  const counts = new Map<Lane['kind'], number>()
+  return lanes.filter(({ kind }) => {
+    const count = (counts.get(kind) ?? 0) + 1
+    counts.set(kind, count)
+    return count <= (wanted === 'few' ? FEW[kind] : MOST)
+  })
 }
 
 /** The bar of a lane that covers a time: the last one that has begun. */
@@ -60,23 +65,24 @@ export function barAt(bars: readonly Bar[], time: number): Bar | undefined {
 }
 
 function lane(kind: Lane['kind'], name: string, bars: readonly Bar[] = []): Lane {
-  return { kind, name, bars, findings: [], inputs: [] }
+  return { kind, name, depth: 0, bars, findings: [], inputs: [] }
 }
 
-/** One lane for each depth of calls: a called task stands below its caller. */
+/** One lane for each task, a called one below its first caller. */
 function taskLanes(events: readonly RunEvent[]): readonly Lane[] {
-  const depths = new Map<number, Bar[]>()
-  for (const event of events) {
-    if (event.kind !== 'task') continue
-    const depth = Math.min(Number(event.data.depth) || 0, MOST_DEPTHS)
-    const text = String(event.data.name ?? event.text)
-    const bar = { from: event.time, to: event.time + event.duration, text, tone: 'task' } as const
-    depths.set(depth, [...(depths.get(depth) ?? []), bar])
+  const depthOf = (event: RunEvent) => Number(event.data.depth) || 0
+  const tasks = events
+    .filter(event => event.kind === 'task')
+    .sort((a, b) => a.time - b.time || depthOf(a) - depthOf(b))
+  const least = Math.min(...tasks.map(depthOf))
+  const lanes = new Map<string, { depth: number; bars: Bar[] }>()
+  for (const event of tasks) {
+    const name = String(event.data.name ?? event.text)
+    const known = lanes.get(name) ?? { depth: depthOf(event) - least, bars: [] }
+    known.bars.push({ from: event.time, to: event.time + event.duration, text: name, tone: 'task' })
+    lanes.set(name, known)
   }
-  const rows = [...depths.keys()].sort((a, b) => a - b)
-  return rows.map((depth, at) =>
-    lane('tasks', at === 0 ? words.lanes.tasks : words.lanes.called, inOrder(depths.get(depth) ?? [])),
-  )
+  return [...lanes].map(([name, { depth, bars }]) => ({ ...lane('tasks', name, bars), depth }))
 }
 
 function heldLanes(run: Run): readonly Lane[] {
@@ -120,8 +126,4 @@ function gripped(events: readonly RunEvent[], bar: Bar): string {
   )
   const part = grip?.data.part
   return typeof part === 'string' && part ? part : words.lanes.closed
-}
-
-function inOrder(bars: readonly Bar[]): readonly Bar[] {
-  return [...bars].sort((a, b) => a.from - b.from)
 }

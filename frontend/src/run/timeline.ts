@@ -4,12 +4,15 @@
  */
 import { SPEEDS } from './cursor'
 import { LANE_HEIGHT, SCALE_HEIGHT } from './lane_paint'
-import { FEW, type Lane, shownLanes } from './lanes'
+import { type Lane, shownLanes } from './lanes'
 import { Track } from './track'
 import type { WheelZoom } from './track_gestures'
 import type { Transport } from './transport'
 import { words } from './words'
 import './timeline.css'
+
+/** Called tasks stand so far to the right of their callers [px]. */
+const INDENT = 8
 
 export class Timeline {
   readonly #transport: Transport
@@ -57,17 +60,14 @@ export class Timeline {
         button('◂|', words.previousStep, () => transport.previousStep()),
         this.#play,
         button('|▸', words.nextStep, () => transport.nextStep()),
+        this.#speed,
         this.#reading,
         ...this.#findingButtons,
         this.#loop,
-        this.#speed,
-        row(
-          'timeline-zoom',
-          this.#more,
-          button('−', words.zoomOut, () => this.zoom('out'), words.zoomOutHint),
-          button('+', words.zoomIn, () => this.zoom('in'), words.zoomInHint),
-          this.#whole,
-        ),
+        button('−', words.zoomOut, () => this.zoom('out'), words.zoomOutHint),
+        button('+', words.zoomIn, () => this.zoom('in'), words.zoomInHint),
+        this.#whole,
+        this.#more,
       ),
       row('timeline-lanes', this.#names, this.#track.element),
     )
@@ -126,7 +126,7 @@ export class Timeline {
     this.#loop.setAttribute('aria-pressed', String(loop !== null))
     this.#speed.value = String(speed)
     const all = this.#wanted === 'all'
-    this.#more.hidden = lanes.length <= FEW
+    this.#more.hidden = shownLanes(lanes, 'all').length === shownLanes(lanes, 'few').length
     this.#more.setAttribute('aria-expanded', String(all))
     name(this.#more, all ? '▴' : '▾', all ? words.fewer : words.more)
     this.#showLanes(lanes)
@@ -145,6 +145,7 @@ export class Timeline {
         const label = document.createElement('span')
         label.textContent = lane.name
         label.title = lane.name
+        label.style.paddingLeft = `${INDENT * lane.depth}px`
         label.style.height = `${LANE_HEIGHT[lane.kind]}px`
         return label
       }),

@@ -21,8 +21,6 @@ export const words = {
   more: 'More lanes',
   fewer: 'Fewer lanes',
   lanes: {
-    tasks: 'Tasks',
-    called: '↳ called',
     steps: 'Steps',
     gripper: 'Gripper',
     findings: 'Findings',

@@ -2,6 +2,7 @@
 import { createRoot } from 'react-dom/client'
 import { StudioContext } from './context'
 import { installHook } from './hook'
+import { restoreSettings } from './page_settings'
 import { Shell } from './Shell'
 import { Studio } from './studio'
 import 'dockview-react/dist/styles/dockview.css'
@@ -21,6 +22,7 @@ import '../style/signals.css'
 import '../style/cell.css'
 import '../style/forced.css'
 
+restoreSettings()
 const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
 const studio = new Studio(`${scheme}://${location.host}/ws/studio`)
 installHook(studio)
