@@ -1,6 +1,8 @@
 """Fronts: every public name exists, is imported from one place and has a docstring."""
 
+import ast
 import inspect
+import re
 from importlib import import_module
 from pathlib import Path
 
@@ -41,10 +43,23 @@ def test_every_function_and_class_of_a_front_says_what_it_is(package: str) -> No
     assert silent == []
 
 
-@pytest.mark.parametrize("package", PACKAGES)
-def test_no_package_is_an_empty_room(package: str) -> None:
-    modules = [path for path in (SOURCE / package).rglob("*.py") if path.name != "__init__.py"]
-    assert modules
+def test_the_code_map_names_every_package_that_there_is() -> None:
+    text = (Path(__file__).parents[2] / "ARCHITECTURE.md").read_text("utf-8")
+    rows = re.findall(r"^\| (`.+?) \|", text.split("## Code map")[1].split("\n## ")[0], re.MULTILINE)
+    assert sorted(name for row in rows for name in re.findall(r"`(\w+)`", row)) == PACKAGES
+
+
+@pytest.mark.parametrize("package", sorted({*PACKAGES} - {"cli", "studio"}))
+def test_a_front_offers_what_its_package_defines(package: str) -> None:
+    """Of `cli` and `studio` nothing is offered: they are entered by their commands alone."""
+    tree = ast.parse((SOURCE / package / "__init__.py").read_text("utf-8"))
+    offered = {
+        alias.asname or alias.name
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"ropsim.{package}.")
+        for alias in node.names
+    }
+    assert offered
 
 
 def test_every_folder_with_code_is_a_package() -> None:

@@ -86,6 +86,7 @@ class CellRun:
             return
         self.tool, self.parts = tool, parts
         self.payload = payload(parts, tool)
+        self.track("payload", self.payload.mass)
 
     def attained(self) -> Pose:
         """Return the attained pose of the mechanical interface X_BM."""

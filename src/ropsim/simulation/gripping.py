@@ -30,7 +30,6 @@ def grip(state: CellRun, instruction: GripInstruction) -> None:
         part = held.part.name if held else ""
         kind, text = "release", f"release {part}" if part else "open"
     state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
-    state.track("payload", state.payload.mass)
     state.note(kind, text, instruction.origin, since, part=part)
 
 

@@ -1,0 +1,141 @@
+"""The loop of a run in a cell with three tools: which is in force, which grips, what is recorded of them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim.flow import Event, Recording
+from ropsim.kinematics import forward
+from ropsim.model import Cell, Gripper, Part, Tool
+from ropsim.robots import default_controller, load
+from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.spatial import Pose
+from ropsim.workbench import environment_of
+
+JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.12])), 2.0, gripper=Gripper(0.2, 0.3, 0.005))
+CUP = Tool("cup", Pose(np.array([0.05, 0.0, 0.2])), 0.75, gripper=Gripper(0.4, 0.5, 0.005))
+PROBE = Tool("probe", Pose(np.array([0.0, 0.0, 0.15])), 0.1)
+PLACE = (0.45, -0.15, 0.1)
+DOWN = np.array([0.0, 1.0, 0.0, 0.0])
+WIDE = 0.06
+"""Edge of the part [m]; its mass is 0.5 kg."""
+FREE = 6.0
+"""Ends of all joint ranges, out of the way [rad]."""
+NEAR = 1e-9
+"""Rounding of a pose that goes to joint coordinates and back [m]."""
+
+
+@pytest.fixture(scope="module")
+def cell() -> Cell:
+    robot = load("puma560")
+    robot = replace(robot, joints=tuple(replace(one, lower=-FREE, upper=FREE) for one in robot.joints))
+    part = Part("box", np.full(3, WIDE), 0.5, Pose(np.array(PLACE)))
+    tools = {tool.name: tool for tool in (JAWS, CUP, PROBE)}
+    return Cell(
+        "c",
+        robot,
+        default_controller("puma560"),
+        tools=tools,
+        default_tool="jaws",
+        parts=(part,),
+        start=robot.home,
+    )
+
+
+def ran(cell: Cell, *lines: str) -> Recording:
+    text = "\n".join(("program p", "units mm, deg, s", *lines))
+    compiled = ropsim.language.compile(text, environment_of(cell))
+    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
+    assert compiled.icr is not None
+    return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC))
+
+
+def only(recording: Recording, kind: str) -> list[Event]:
+    return [event for event in recording.events if event.kind == kind]
+
+
+def at(recording: Recording, name: str, time: float) -> np.ndarray:
+    """Return the row of a channel that is the first one at or after a time."""
+    return np.asarray(recording.channels[name].values[np.searchsorted(recording.time, time - 1e-9)])
+
+
+def codes(recording: Recording) -> list[str]:
+    return [found.code for found in recording.findings]
+
+
+def test_the_payload_follows_each_change_of_tool(cell: Cell) -> None:
+    recording = ran(
+        cell,
+        "wait 1 s",
+        "set tool cup",
+        "wait 1 s",
+        "set tool probe",
+        "wait 1 s",
+        "set tool jaws",
+        "wait 1 s",
+    )
+    masses = [float(at(recording, "payload", time)) for time in (0.5, 1.5, 2.5, 3.5)]
+    assert masses == [2.0, 0.75, 0.1, 2.0]
+
+
+def test_each_tool_brings_its_own_tip_to_the_place(cell: Cell) -> None:
+    recording = ran(cell, "mov (450, -150, 300)", "set tool cup", "mov (450, -150, 300)")
+    first, second = only(recording, "move")
+    for move, tool in ((first, JAWS), (second, CUP)):
+        end = move.time + move.duration
+        np.testing.assert_allclose(at(recording, "command_position", end), [0.45, -0.15, 0.3], atol=NEAR)
+        flange = forward(cell.robot, at(recording, "q_ref", end))
+        np.testing.assert_allclose((flange @ tool.X_MT).position, [0.45, -0.15, 0.3], atol=NEAR)
+
+
+def test_a_tool_that_is_not_the_first_grips_at_its_own_tip_in_its_own_time(cell: Cell) -> None:
+    lines = ("set tool cup", "mov (450, -150, 100)", "close", "mov (450, 0, 300)", "open", "wait 1 s")
+    recording = ran(cell, *lines)
+    assert codes(recording) == []
+    (gripped,), (released,) = only(recording, "grip"), only(recording, "release")
+    assert (gripped.data["part"], released.data["part"]) == ("box", "box")
+    assert [gripped.duration, released.duration] == pytest.approx([0.5, 0.4])
+    masses = [
+        float(at(recording, "payload", time)) for time in (gripped.time, released.time, recording.duration)
+    ]
+    assert masses == [0.75, 1.25, 0.75]
+
+
+def test_a_gripper_that_is_named_grips_though_another_tool_is_in_force(cell: Cell) -> None:
+    # the tip of the cup is brought there; that of the jaws is 80 mm above and 50 mm beside it
+    beside = ran(cell, "set tool cup", "mov (450, -150, 100)", "close jaws")
+    assert codes(beside) == ["S721"]
+    named = ran(cell, "mov (450, -150, 100)", "set tool probe", "close jaws", "open jaws")
+    assert codes(named) == []
+    assert [event.data["part"] for event in named.events if event.kind in {"grip", "release"}] == [
+        "box",
+        "box",
+    ]
+
+
+@pytest.mark.parametrize("line", ["close", "open", "close probe"])
+def test_a_tool_without_a_gripper_grips_nothing_and_takes_no_time(cell: Cell, line: str) -> None:
+    recording = ran(cell, "set tool probe", "mov (450, -150, 100)", line)
+    assert codes(recording) == ["S722"]
+    assert only(recording, "grip") + only(recording, "release") == []
+    assert recording.duration == pytest.approx(only(recording, "move")[0].duration)
+
+
+def test_the_gripper_channel_says_closed_from_the_end_of_closing_to_the_end_of_opening(cell: Cell) -> None:
+    recording = ran(cell, "mov (450, -150, 100)", "close", "wait 1 s", "open", "wait 1 s")
+    (gripped,), (released,) = only(recording, "grip"), only(recording, "release")
+    closed = recording.time[recording.channels["gripper"].values > 0.5]
+    step = float(np.diff(recording.time).max())
+    assert closed[0] == pytest.approx(gripped.time + gripped.duration, abs=step)
+    assert closed[-1] == pytest.approx(released.time + released.duration, abs=step)
+
+
+def test_an_arm_without_drives_can_be_run_kinematically(cell: Cell) -> None:
+    lines = ("mov (450, -150, 100)", "close", "lin (450, -150, 200)")
+    bare = ran(replace(cell, robot=replace(cell.robot, drives=())), *lines)
+    driven = ran(cell, *lines)
+    assert codes(bare) == []
+    np.testing.assert_array_equal(bare.channels["q"].values, driven.channels["q"].values)
+    assert bare.events == driven.events
