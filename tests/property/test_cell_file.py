@@ -19,7 +19,7 @@ model = "puma560"
 base = { position = [100, 0, 0], rpy = [0, 0, 90] }
 tool = "jaws"
 speed_override = 0.8
-start = [0, -90, 0, 0, 0, 0]
+start = [0, 90, 0, 0, 0, 0]
 [controller]
 path_speed = 150
 kp = [20, 20, 20, 20, 20, 20]

@@ -20,11 +20,11 @@ output = 1
 PROGRAM = """\
 program keys
 units mm, deg, s
-mov joints (0, -60, 60, 0, 30, 0)
+mov joints (0, 60, -150, 0, -60, 0)
 wait until start timeout 60 s else stop "nobody has pressed start"
 set lamp on
 wait until not start timeout 60 s else stop "nobody has let it go"
-mov joints (10, -60, 60, 0, 30, 0)
+mov joints (10, 60, -150, 0, -60, 0)
 """
 
 

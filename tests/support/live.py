@@ -85,15 +85,15 @@ count = 2
 KEYS = """\
 program keys
 units mm, deg
-mov joints (0, -60, 60, 0, 30, 0)
+mov joints (0, 60, -150, 0, -60, 0)
 wait until start
 set lamp on
 repeat 2
-  mov joints (10, -60, 60, 0, 30, 0)
+  mov joints (10, 60, -150, 0, -60, 0)
   if more then
-    mov joints (0, -50, 60, 0, 30, 0)
+    mov joints (0, 50, -150, 0, -60, 0)
   else
-    mov joints (0, -60, 50, 0, 30, 0)
+    mov joints (0, 60, -140, 0, -60, 0)
   endif
   wait until not start timeout 0.5 s else set lamp off
 endr

@@ -17,7 +17,7 @@ PASS = 17
 FINE = ModalState()
 
 PUMA = robots.load("puma560")
-START: Array = np.array([0.2, -1.1, -0.5, 0.4, -0.9, 0.3])  # far from limits and singularities
+START: Array = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 0.3])  # far from limits and singularities
 CELL = Cell(
     "test",
     PUMA,

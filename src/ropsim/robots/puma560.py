@@ -32,7 +32,14 @@ _DH = (
     DhRow(a=0.0, alpha=0.0, d=0.0),
 )
 
-_POSITION_LIMITS = (160.0, 110.0, 135.0, 266.0, 100.0, 266.0)  # ± degrees
+_POSITION_LIMITS = (  # degrees; the arm is straight at q3 = -90 and bends 135 either way
+    (-160.0, 160.0),
+    (-45.0, 225.0),
+    (-225.0, 45.0),
+    (-110.0, 170.0),
+    (-100.0, 100.0),
+    (-266.0, 266.0),
+)
 _SPEEDS = (1.92, 1.51, 2.40, 5.34, 5.09, 5.74)
 _ACCELERATIONS = (6.0, 5.0, 9.0, 25.0, 25.0, 25.0)
 _JERKS = (60.0, 50.0, 90.0, 250.0, 250.0, 250.0)
@@ -81,7 +88,11 @@ _ORIGINS = (
     ParameterOrigin(
         "link lengths", "published", f"standard DH as in {_TOOLBOX}; pedestal of 26.45 in: d1 = 0.67183 m"
     ),
-    ParameterOrigin("joint position limits", "published", f"Wang & Chen 1991 as in {_TOOLBOX}"),
+    ParameterOrigin(
+        "joint position limits",
+        "published",
+        "Fu, Gonzalez & Lee, Robotics, 1987, Table 2.1, brought into this DH form",
+    ),
     ParameterOrigin(
         "masses, centres of mass, moments of inertia", "published", f"{_CORKE}, as in {_TOOLBOX}"
     ),
@@ -117,14 +128,14 @@ _ORIGINS = (
     ParameterOrigin(
         "friction smoothing speed", "estimated", "0.3 degrees per second, far below any programmed speed"
     ),
-    ParameterOrigin("home position", "estimated", "tool straight down in front of the arm, clear of limits"),
+    ParameterOrigin("home position", "estimated", "elbow up, tool straight down in front, clear of limits"),
     ParameterOrigin(
         "geometry", "estimated", "drawn by eye around the link lengths; nothing is computed with it"
     ),
 )
 
 _SMOOTHING_SPEED = 5e-3
-_HOME = (0.0, -75.0, -15.0, 0.0, -90.0, 0.0)  # degrees
+_HOME = (0.0, 75.0, -180.0, 0.0, -75.0, 0.0)  # degrees
 
 
 @lru_cache(maxsize=1)
@@ -155,8 +166,8 @@ def _links() -> tuple[Link, ...]:
 def _limits() -> tuple[JointLimits, ...]:
     columns = zip(_POSITION_LIMITS, _SPEEDS, _ACCELERATIONS, _JERKS, _EFFORTS, strict=True)
     return tuple(
-        JointLimits(-radians(bound), radians(bound), speed, acceleration, jerk, effort)
-        for bound, speed, acceleration, jerk, effort in columns
+        JointLimits(radians(lower), radians(upper), speed, acceleration, jerk, effort)
+        for (lower, upper), speed, acceleration, jerk, effort in columns
     )
 
 

@@ -111,8 +111,10 @@ def configurations(robot: RobotModel, count: int) -> Array:
     for _ in range(64):  # contracts to the root to the last bit
         phi = (1.0 + phi) ** (1.0 / (n + 1))
     shares = np.modf(np.outer(np.arange(1, count + 1), phi ** -np.arange(1.0, n + 1.0)))[0]
-    lower = np.maximum(robot.lower_limits, -np.pi)
-    upper = np.minimum(robot.upper_limits, np.pi)
+    turn = 2.0 * np.pi  # further turns are the same arm
+    wide = robot.upper_limits - robot.lower_limits > turn
+    lower = np.where(wide, np.maximum(robot.lower_limits, -np.pi), robot.lower_limits)
+    upper = np.minimum(robot.upper_limits, lower + turn)
     return np.asarray(lower + shares * (upper - lower))
 
 

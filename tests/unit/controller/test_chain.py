@@ -155,7 +155,7 @@ def test_a_target_without_coordinates_is_the_home_position() -> None:
 
 
 def test_ptp_to_joint_coordinates_ends_exactly_there() -> None:
-    goal = (0.5, -1.0, -0.4, 4.0, 0.5, -4.0)  # joints 4 and 6 beyond half a turn
+    goal = (0.5, 1.0, -3.4, 2.5, 0.5, -4.0)  # joints 3 and 6 beyond half a turn
     assert tuple(planned(ptp(goal)).q_end.tolist()) == goal
 
 
@@ -169,7 +169,7 @@ def test_moves_to_where_the_arm_is_take_no_time() -> None:
 
 
 def test_ptp_keeps_the_posture_and_the_turns_of_the_start() -> None:
-    q_start = START + np.array([0.0, 0.0, 0.0, 3.5, 0.0, 3.9])  # joints 4 and 6 beyond half a turn
+    q_start = START + np.array([0.0, 0.0, 0.0, 2.0, 0.0, 3.9])  # joint 6 beyond half a turn
     goal = shifted(interface_pose(q_start), 0.03, 0.05, -0.02)
     move = planned(ptp(goal), q_start)
     assert posture(PUMA, move.q_end) == posture(PUMA, q_start)
@@ -177,13 +177,13 @@ def test_ptp_keeps_the_posture_and_the_turns_of_the_start() -> None:
 
 
 def test_lin_keeps_the_turns_of_the_start() -> None:
-    q_start = START + np.array([0.0, 0.0, 0.0, 3.5, 0.0, 3.9])
+    q_start = START + np.array([0.0, 0.0, 0.0, 2.0, 0.0, 3.9])
     move = planned(lin(shifted(interface_pose(q_start), 0.03, 0.05, -0.02)), q_start)
     assert np.abs(move.q_end - q_start).max() < 0.5
 
 
 def test_lin_goes_straight_through_a_wrist_singularity_that_it_meets_exactly() -> None:
-    singular = np.array([0.2, -1.0, -0.6, 0.3, 0.0, 0.1])
+    singular = np.array([0.2, 1.0, -2.7, 0.3, 0.0, 0.1])
     middle = interface_pose(singular)
     q_start = planned(ptp(shifted(middle, 0.0, -0.1, 0.0)), singular).q_end
     move = planned(lin(shifted(middle, 0.0, 0.1, 0.0)), q_start)
@@ -205,7 +205,7 @@ def test_all_joints_of_a_ptp_move_start_and_end_together() -> None:
 
 
 def test_ptp_speed_share_and_override_slow_the_leading_joint_down() -> None:
-    goal = (1.5, -1.1, -0.5, 0.4, -0.9, 0.3)  # joint 1 turns 1.3 rad
+    goal = (1.5, 1.1, -2.9, -0.4, -0.9, 0.3)  # joint 1 turns 1.3 rad
     half = standard_chain(replace(CELL, controller=replace(CELL.controller, speed_override=0.5)))
     for move in (planned(ptp(goal, ModalState(ptp_speed=0.5))), planned(ptp(goal), START, half)):
         peak = np.abs(move.reference.qd[:, 0]).max()
@@ -213,7 +213,7 @@ def test_ptp_speed_share_and_override_slow_the_leading_joint_down() -> None:
 
 
 def test_ptp_acceleration_share_lowers_the_peak_acceleration() -> None:
-    goal = (1.5, -1.1, -0.5, 0.4, -0.9, 0.3)
+    goal = (1.5, 1.1, -2.9, -0.4, -0.9, 0.3)
     move = planned(ptp(goal, ModalState(ptp_acceleration=0.25)))
     peak = np.abs(move.reference.qdd[:, 0]).max()
     assert peak == pytest.approx(0.25 * PUMA.joints[0].max_acceleration, rel=0.02)

@@ -29,7 +29,7 @@ from support.motion import (
 )
 
 FAR = Pose(np.array([2.0, 0.0, 0.5]), np.array([0.0, 0.0, 1.0, 0.0]))
-BEHIND = Pose(np.array([0.044, -0.15, -0.066]), np.array([0.0, 0.0, 1.0, 0.0]))  # reached beyond the limits
+BEHIND = Pose(np.array([-0.3, -0.15, -0.1]), np.array([0.0, 0.0, 1.0, 0.0]))  # reached beyond the limits
 
 
 @pytest.mark.parametrize("make", [ptp, lin])
@@ -56,20 +56,20 @@ def test_a_pose_beyond_the_joint_limits_is_refused_with_joint_angle_and_limit(
     assert found.span == LINE
     assert found.label == "reached in pass 17"
     assert found.data["joint"] == "2"
-    assert found.data["limit_rad"] == pytest.approx(math.radians(-110.0))
+    assert found.data["limit_rad"] == pytest.approx(math.radians(225.0))
     value = found.data["value_rad"]
     assert isinstance(value, float)
-    assert value < math.radians(-110.0)
-    assert f"joint `2` at {math.degrees(value):.1f}°, the limit is -110.0°" in found.message
+    assert value > math.radians(225.0)
+    assert f"joint `2` at {math.degrees(value):.1f}°, the limit is 225.0°" in found.message
     assert found.notes == ("8 postures reach the command pose, none within the joint limits",)
 
 
 def test_joint_coordinates_out_of_range_are_refused_one_by_one() -> None:
-    result = plan_move(CHAIN, ptp((0.0, 2.0, -3.0, 0.0, 0.0, 0.0)), START)
+    result = plan_move(CHAIN, ptp((0.0, 4.0, -4.0, 0.0, 0.0, 0.0)), START)
     assert isinstance(result, Refusal)
     assert [finding.code for finding in result.diagnostics] == ["M502", "M502"]
     assert [finding.data["joint"] for finding in result.diagnostics] == ["2", "3"]
-    assert "joint `3` at -171.9°, the limit is -135.0°" in result.diagnostics[1].message
+    assert "joint `3` at -229.2°, the limit is -225.0°" in result.diagnostics[1].message
 
 
 def test_joint_coordinates_on_the_limits_are_accepted() -> None:
@@ -152,8 +152,8 @@ def test_a_move_that_would_take_longer_than_ten_minutes_is_refused() -> None:
 
 
 def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
-    q_start = np.array([-0.06, 1.2, 1.64, -1.06, 0.2, -1.32])
-    goal = interface_pose(np.array([0.42, -0.5, -0.41, 2.9, -0.76, 0.92]))  # elbow down only
+    q_start = np.array([0.26, 0.12, -1.81, 2.12, -0.83, -3.86])
+    goal = interface_pose(np.array([2.07, 0.98, -0.55, -1.06, 1.21, 3.95]))  # elbow down only
     move = planned(ptp(goal, visit=1), q_start)
     assert [(finding.code, finding.severity) for finding in move.findings] == [("M511", Severity.HINT)]
     assert "elbow from up to down" in move.findings[0].message

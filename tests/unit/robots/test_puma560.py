@@ -2,26 +2,38 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.kinematics import Elbow, Posture, Shoulder, Wrist, forward, posture
+from ropsim.kinematics import Elbow, Posture, Shoulder, Wrist, forward, posture, singular_distances
 
 PUMA = robots.load("puma560")
 
 
-def test_limits_are_those_of_wang_and_chen() -> None:
-    np.testing.assert_allclose(np.degrees(PUMA.upper_limits), [160, 110, 135, 266, 100, 266])
-    np.testing.assert_array_equal(PUMA.lower_limits, -PUMA.upper_limits)
+def test_limits_are_those_of_fu_gonzalez_and_lee() -> None:
+    """Table 2.1 of their book has θ2 -225..45, θ3 -45..225, θ5 ±100; here q2 = -θ2, q3 = -θ3, q5 = -θ5."""
+    np.testing.assert_allclose(np.degrees(PUMA.lower_limits), [-160, -45, -225, -110, -100, -266])
+    np.testing.assert_allclose(np.degrees(PUMA.upper_limits), [160, 225, 45, 170, 100, 266])
+
+
+def test_the_limits_leave_the_elbow_free_to_bend_either_way() -> None:
+    stretched = -np.pi / 2.0
+    assert PUMA.upper_limits[2] - stretched == pytest.approx(stretched - PUMA.lower_limits[2])
 
 
 def test_home_points_the_tool_straight_down_in_front_of_the_arm() -> None:
     X_BM = forward(PUMA, PUMA.home)
     np.testing.assert_allclose(X_BM.rotation()[:, 2], [0.0, 0.0, -1.0], atol=1e-12)
     assert X_BM.position[0] > 0.4
-    assert posture(PUMA, PUMA.home) == Posture(Shoulder.RIGHT, Elbow.DOWN, Wrist.NOFLIP)
+    assert posture(PUMA, PUMA.home) == Posture(Shoulder.RIGHT, Elbow.UP, Wrist.NOFLIP)
 
 
 def test_home_is_clear_of_all_limits() -> None:
     margin = np.minimum(PUMA.home - PUMA.lower_limits, PUMA.upper_limits - PUMA.home)
-    assert np.degrees(margin.min()) >= 10.0 - 1e-9
+    assert np.degrees(margin.min()) >= 20.0
+
+
+def test_home_is_far_from_every_singular_posture() -> None:
+    distances = singular_distances(PUMA, PUMA.home)
+    assert distances.shoulder > 0.3
+    assert min(np.degrees([distances.elbow, distances.wrist])) > 45.0
 
 
 @pytest.mark.parametrize("index", range(6))

@@ -65,7 +65,7 @@ def test_waits_within_the_longest_time_are_no_finding(cell: Cell) -> None:
 def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
     cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    program = code(cell, "mov joints (0, -60, 60, 0, 30, 0)", "wait 0.5 s")
+    program = code(cell, "mov joints (0, 60, -150, 0, -60, 0)", "wait 0.5 s")
     whole = run(cell, program, RunOptions())
     monkeypatch.setattr("ropsim.simulation.cell_run._SLICE", 7)
     sliced = run(cell, program, RunOptions())
@@ -85,7 +85,7 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
         cell, controller=replace(cell.controller, rates=replace(cell.controller.rates, control_hz=50))
     )
     assert coarse.controller.rates == Rates(50, 4, 4)
-    program = code(coarse, "mov home", "repeat 2", "  mov joints (90, -60, 60, 0, 30, 0)", "endr")
+    program = code(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
     with pytest.raises(DivergedError) as caught:
         run(coarse, program, RunOptions())
     found = caught.value.diagnostic
@@ -97,7 +97,7 @@ def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> Non
     window = np.full(6, 1e-5)  # so narrow that no arm is within it when a move ends
     controller = replace(cell.controller, settle_timeout=0.0, in_position=window)
     hasty = replace(cell, controller=controller)
-    recording = run(hasty, code(hasty, "mov joints (60, -60, 60, 0, 30, 0)"), RunOptions())
+    recording = run(hasty, code(hasty, "mov joints (60, 60, -150, 0, -60, 0)"), RunOptions())
     (found,) = (one for one in recording.findings if one.code == "S720")
     degrees = np.degrees(float(str(found.data["error_rad"])))
     assert f"is {degrees:.4g}° from its target" in found.message

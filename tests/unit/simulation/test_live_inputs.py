@@ -135,7 +135,7 @@ def test_many_rows_are_thinned_and_the_header_tells_the_rate(cell: Cell, program
 
 def test_a_run_may_be_ended_while_the_arm_settles(cell: Cell) -> None:
     compiled = ropsim.language.compile(
-        "program p\nunits mm, deg\nmov joints (60, -60, 60, 0, 30, 0)\n", environment_of(cell)
+        "program p\nunits mm, deg\nmov joints (60, 60, -150, 0, -60, 0)\n", environment_of(cell)
     )
     assert compiled.icr is not None
     narrow = replace(cell, controller=replace(cell.controller, in_position=np.full(6, 1e-6)))

@@ -42,7 +42,7 @@ def cell() -> Cell:
         robots.default_controller("puma560"),
         tools={"": Tool("")},
         start=robot.home,
-        signals={"go": Signal("go", is_input=True, changes=((3.0, 1.0),))},
+        signals={"go": Signal("go", is_input=True, changes=((4.0, 1.0),))},
     )
 
 
@@ -170,7 +170,7 @@ def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard
 
 
 class EarlySensor:
-    """Says `go` two seconds earlier than the cell file does."""
+    """Says `go` three seconds earlier than the cell file does."""
 
     def read(self, channel: str, time: float) -> Sample:
         return Sample(value=channel == "go" and time >= 1.0, valid=True, age=0.0)
@@ -185,4 +185,4 @@ def test_another_sensor_interface_ends_a_wait_earlier(
 
 def test_scripted_inputs_are_recorded_as_they_change(standard: Recording) -> None:
     go = standard.channels["signal.go"].values
-    assert standard.time[np.argmax(go)] == pytest.approx(3.004)
+    assert standard.time[np.argmax(go)] == pytest.approx(4.004)

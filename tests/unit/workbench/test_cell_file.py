@@ -167,14 +167,14 @@ def test_signals_have_direction_channel_sort_and_history() -> None:
 
 def test_the_controller_can_be_changed_value_by_value() -> None:
     text = (
-        "speed_override = 0.5\nstart = [0, -90, 0, 0, 0, 10]\n"
+        "speed_override = 0.5\nstart = [0, 90, 0, 0, 0, 10]\n"
         "[controller]\ncontrol_hz = 500\nkp = [1, 2, 3, 4, 5, 6]\npath_speed = 150\n"
         "orientation_speed = 90\nin_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
     )
     cell = cell_of(text)
     controller, own = cell.controller, cell_of("").controller
     assert controller.speed_override == 0.5
-    assert cell.start[1] == pytest.approx(-math.pi / 2)
+    assert cell.start[1] == pytest.approx(math.pi / 2)
     assert controller.rates.control_hz == 500
     assert controller.gains.kp.tolist() == [1, 2, 3, 4, 5, 6]
     assert controller.path.speed == pytest.approx(0.15)

@@ -118,7 +118,7 @@ CASES = [
         ROBOT + "[signals.a]\ninput = 1\nchanges = [[2, 1], [1, 0]]\n", "X814", "[1, 0]", "order", id="order"
     ),
     pytest.param(
-        ROBOT + "start = [0, -90, 0, 0, 0, 270]\n", "X815", "270", "home position", id="start beyond limit"
+        ROBOT + "start = [0, 90, 0, 0, 0, 270]\n", "X815", "270", "home position", id="start beyond limit"
     ),
     pytest.param(
         ROBOT + "[tools.'vacuum cup']\nposition = [0, 0, 0]\n",

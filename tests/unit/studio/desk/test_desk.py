@@ -39,7 +39,7 @@ from support.patience import PATIENCE
 
 BAD = "program p\nmoov home\n"
 ENDLESS = "program p\nunits mm, deg, s\nrepeat 100000\n  wait 3600 s\nendr\n"
-ASKING = "program p\nunits mm, deg, s\nmov joints (0, -60, 60, 0, 30, 0)\nwait until start\n"
+ASKING = "program p\nunits mm, deg, s\nmov joints (0, 60, -150, 0, -60, 0)\nwait until start\n"
 
 
 @dataclass
@@ -154,7 +154,7 @@ def test_what_cannot_be_found_is_refused_in_words(worker: Worker, folder: Path) 
 
 
 def test_a_run_ends_with_a_pack(worker: Worker, folder: Path) -> None:
-    reply = worker.run(simulate(folder, "program p\nunits mm, deg\nmov joints (0, -60, 60, 0, 30, 0)\n"))
+    reply = worker.run(simulate(folder, "program p\nunits mm, deg\nmov joints (0, 60, -150, 0, -60, 0)\n"))
     assert (reply.state, reply.program) == ("done", "main")
     assert reply.pack is not None
     assert reply.pack[:2] == b"\x1f\x8b"
@@ -212,11 +212,11 @@ def test_orders_for_a_run_that_is_over_are_dropped(worker: Worker, folder: Path)
 
 def test_the_arm_is_jogged_where_the_scene_has_it(worker: Worker, folder: Path) -> None:
     worker.ask(OpenScene(str(folder), {}))
-    q = (0.1, -1.0, 1.0, 0.2, 0.5, 0.3)
+    q = (0.1, 1.2, -2.8, 0.2, 0.5, 0.3)
     there = worker.ask(JogJoints(q, "jaws"))
     assert isinstance(there, JogReply)
     assert (there.q, there.reached, there.words) == (q, True, ())
-    back = worker.ask(JogTcp((0.0, -1.1, 1.1, 0.1, 0.4, 0.1), "jaws", there.tcp))
+    back = worker.ask(JogTcp((0.0, 1.1, -2.7, 0.1, 0.4, 0.1), "jaws", there.tcp))
     assert isinstance(back, JogReply)
     assert back.q == pytest.approx(q, abs=1e-9)
     assert isinstance(worker.ask(JogJoints(q[:3], "jaws")), Failed)
