@@ -120,6 +120,38 @@ def test_a_point_out_of_reach_is_a_finding_and_the_rest_goes_on(project: Path) -
     assert document["summary"]["duration"] > 0
 
 
+def test_what_a_program_prints_is_shown_before_the_summary(project: Path) -> None:
+    text = 'program talk\nrepeat 2\n  print "box", 1\n  wait 0.5 s\nendr\nmov home\n'
+    found = ropsim("run", str(program(project, text)), "--kinematic")
+    assert found.returncode == 0, found.stderr
+    told = ["0.00 s  line 3  box 1", "0.50 s  line 3  box 1", ""]
+    assert found.stdout.splitlines()[:3] == told
+    document = json.loads(ropsim("run", str(project), "--kinematic", "--json").stdout)
+    source = str(project / "programs" / "main.task")
+    assert document["messages"] == [
+        {"time": 0.0, "text": "box 1", "source": source, "line": 3, "pass": 1},
+        {"time": 0.5, "text": "box 1", "source": source, "line": 3, "pass": 2},
+    ]
+
+
+def test_the_json_of_a_run_says_what_was_not_looked_at_and_what_settling_cost(project: Path) -> None:
+    text = "program two\nunits mm, deg\nmov joints (10, 10, 10, 0, 30, 0) blend 10 mm\n"
+    document = json.loads(ropsim("run", str(program(project, text)), "--json").stdout)
+    result, summary = document["result"], document["summary"]
+    assert result["unchecked"] == summary["unchecked"]["text"]
+    assert result["unchecked"].startswith("not checked: collisions · estimated: ")
+    assert result["unchecked"].endswith(" · zones stopped fine on 1 line")
+    assert result["settling"] == summary["settling"]["total"] >= summary["settling"]["longest"]
+    assert summary["settling"]["share"] == pytest.approx(result["settling"] / result["cycle_time"])
+
+
+def test_a_warning_of_the_compiler_counts_in_the_verdict(project: Path) -> None:
+    text = "program warned\nunits mm, deg\nmov joints (10, 10, 10, 0, 30, 0) speed 50\n"
+    document = json.loads(ropsim("run", str(program(project, text)), "--kinematic", "--json").stdout)
+    assert document["counts"]["warnings"] == document["result"]["warnings"] > 0
+    assert document["result"]["verdict"]["kind"] == "doubtful"
+
+
 BAD_PROGRAMS = {
     "empty": "",
     "recursion": "task a\n  call b\nendp\ntask b\n  call a\nendp\ncall a\n",

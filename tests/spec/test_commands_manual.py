@@ -74,7 +74,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "new my_cell": {"ok", "path"},
         "examples": {"examples"},
         "check my_cell": {"ok", "programs"} | found,
-        "run my_cell --kinematic": {"ok", "summary", "written"} | found,
+        "run my_cell --kinematic": {"ok", "messages", "result", "summary", "written"} | found,
         "icr compile my_cell": {"ok", "icr"} | found,
         "icr verify my_cell": {"ok", "id"} | found,
         "icr run my_cell": {"ok", "instructions", "steps"} | found,

@@ -9,6 +9,7 @@ from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
+from ropsim.views import Message, messages, messages_text, result_figures
 from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, open_project
 from ropsim.workbench.diagnostic_json import diagnostic_document, plain
 
@@ -24,9 +25,11 @@ def run(options: argparse.Namespace, output: Output) -> int:
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
     recording = _simulate(project, compiled, options)
-    report = project.report(recording)
-    findings = (*before, *recording.findings)
+    report = project.report(recording, before)
+    findings, told = (*before, *recording.findings), messages(recording)
     code = output.findings(findings, sources)
+    if told:
+        output.text(f"{messages_text(told)}\n")
     output.text(report.text(output.style))
     written = _write(options, recording, report.save)
     for path in written:
@@ -34,12 +37,25 @@ def run(options: argparse.Namespace, output: Output) -> int:
     output.document(
         {
             "ok": code == 0,
+            "messages": [message_entry(one) for one in told],
+            "result": plain(result_figures(report.summary)),
             "summary": plain(report.summary),
             "written": written,
             **diagnostic_document(findings),
         }
     )
     return code
+
+
+def message_entry(message: Message) -> dict[str, object]:
+    """Return a message as a mapping."""
+    return {
+        "time": message.time,
+        "text": message.text,
+        "source": message.source,
+        "line": message.line,
+        "pass": message.visit,
+    }
 
 
 def _check_places(options: argparse.Namespace, project: Project) -> None:

@@ -13,6 +13,9 @@ from ropsim.views.html_report import html_report as html_report
 from ropsim.views.joint_summary import Closeness as Closeness
 from ropsim.views.joint_summary import JointSummary as JointSummary
 from ropsim.views.joint_summary import LimitApproach as LimitApproach
+from ropsim.views.messages import Message as Message
+from ropsim.views.messages import messages as messages
+from ropsim.views.messages import messages_text as messages_text
 from ropsim.views.pack import Pack as Pack
 from ropsim.views.pack import pack as pack
 from ropsim.views.pack import plain_finding as plain_finding

@@ -62,6 +62,12 @@ def passes_text(passes: tuple[int, ...], limit: int = 8) -> str:
     return f"{'pass' if len(passes) == 1 else 'passes'} {', '.join(texts[:limit] + more)}"
 
 
+def place_text(line: int, visit: int) -> str:
+    """Return such as ` (line 12 pass 3)`; a line or pass of 0 is not known and left out."""
+    parts = [f"{word} {number}" for word, number in (("line", line), ("pass", visit)) if number]
+    return f" ({' '.join(parts)})" if parts else ""
+
+
 def plural(count: int, noun: str) -> str:
     """Return `1 error`, `2 errors`."""
     return f"{count} {noun}{'' if count == 1 else 's'}"

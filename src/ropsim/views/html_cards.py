@@ -1,6 +1,8 @@
 """The cards with the key figures in the HTML report."""
 
-from ropsim.views.figures import MILLIMETRES, coordinate_scale, percent, seconds, with_unit
+from ropsim.flow import SLOW
+from ropsim.views.figures import MILLIMETRES, PERCENT, coordinate_scale, percent, seconds, with_unit
+from ropsim.views.findings import place_text, plural
 from ropsim.views.joint_summary import (
     JointSummary,
     closest_to_position_limit,
@@ -18,10 +20,9 @@ def key_figures(summary: Summary) -> str:
         (
             "cycle time",
             f"{seconds(summary.cycle_time)} s",
-            f"settling {seconds(summary.settle_total)} s"
-            if summary.cycle_time_valid
-            else "not valid: see above",
+            "settling included" if summary.cycle_time_valid else "not valid: see above",
         ),
+        *_settling_figure(summary),
         ("in motion", percent(summary.share_in_motion), "of the cycle time"),
         ("moves", str(sum(summary.moves.values())), moves),
         ("gripper", str(summary.grips), f"grips, {summary.releases} releases"),
@@ -33,6 +34,17 @@ def key_figures(summary: Summary) -> str:
         for name, value, detail in figures_
     )
     return f'<section class="figures" aria-label="key figures">\n{cells}</section>\n'
+
+
+def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
+    settling = summary.settling
+    if summary.header.fidelity == "kinematic":
+        return []
+    share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
+    place = place_text(settling.line, settling.visit)
+    longest = f"; longest {settling.longest:.3f} s{place}" if settling.longest > 0.0 else ""
+    slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
+    return [("settling", f"{seconds(settling.total)} s", share + longest + slow)]
 
 
 def _path_figure(summary: Summary) -> list[tuple[str, str, str]]:

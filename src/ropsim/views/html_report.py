@@ -13,6 +13,7 @@ from ropsim.views.figures import seconds
 from ropsim.views.html_cards import key_figures
 from ropsim.views.html_charts import active_lines, figures
 from ropsim.views.html_findings import findings_section, skipped_section
+from ropsim.views.html_messages import messages_section
 from ropsim.views.html_replay import (
     NoReplay,
     Replay,
@@ -23,6 +24,7 @@ from ropsim.views.html_replay import (
 )
 from ropsim.views.html_tables import approach_table, joint_table, origin_table, path_table, task_table
 from ropsim.views.markup import text
+from ropsim.views.messages import messages
 from ropsim.views.summary import Summary
 from ropsim.views.theme import stylesheet
 from ropsim.views.verdict import Verdict, verdict
@@ -42,7 +44,7 @@ def html_report(
 
     Args:
         recording: of the run.
-        summary: its figures, from `summarize(recording)`.
+        summary: its figures, from `summarize`.
         sources: program texts by the names that spans use, for quoting; may be empty.
         replay: of the run in 3-D, or why there is none; None says nothing about it.
     """
@@ -54,6 +56,7 @@ def html_report(
         key_figures(summary),
         findings_section(summary, sources),
         skipped_section(summary),
+        messages_section(messages(recording)),
         _tables(summary, sources),
         _charts(recording, summary),
         _origins(summary),

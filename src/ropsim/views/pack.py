@@ -45,7 +45,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
     Args:
         recording: of a run in this cell; it must have the channel `q`.
         cell: as it was simulated.
-        summary: of the recording.
+        summary: of the recording and these findings.
         findings: of compiling, shown before those of the run.
     """
     body = Body()

@@ -23,7 +23,7 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "unchecked": summary.unchecked.text,
         "cycle_time": summary.cycle_time,
         "cycle_time_valid": summary.cycle_time_valid,
-        "settling": summary.settle_total,
+        "settling": summary.settling.total,
         "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort),
         "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed),
         "closest_limit": closest and _margin(closest),

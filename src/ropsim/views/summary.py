@@ -1,16 +1,16 @@
 """The figures of a run on one page: what `ropsim run` prints and the report shows first."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.core import Severity
-from ropsim.flow import Event, Recording
+from ropsim.core import Diagnostic, Severity
+from ropsim.flow import Event, Recording, Settling, settling_of
 from ropsim.views.channels import invalid_samples, matrix
 from ropsim.views.findings import FindingGroup, group_findings
-from ropsim.views.header import RunHeader, number, run_header
+from ropsim.views.header import RunHeader, run_header
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
@@ -34,11 +34,11 @@ class Summary:
         skipped: moves that were refused and left out; with any, the cycle time is not valid.
         share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
             (m/s for a sliding joint); NaN where unknown.
-        settle_total: time spent waiting for the arm to settle after moves [s].
+        settling: what settling after moves cost.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the straight moves.
-        findings: grouped findings, worst severity first.
+        findings: grouped findings of compiling and of the run, worst severity first.
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
@@ -53,7 +53,7 @@ class Summary:
     releases: int
     skipped: tuple[Event, ...]
     share_in_motion: float
-    settle_total: float
+    settling: Settling
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
@@ -69,13 +69,19 @@ class Summary:
         return not self.skipped and self.invalid_samples == 0
 
 
-def summarize(recording: Recording) -> Summary:
-    """Return the figures of a recording; absent channels and samples that are not finite give NaN."""
+def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summary:
+    """Return the figures of a recording; absent channels and samples that are not finite give NaN.
+
+    Args:
+        recording: of the run.
+        before: findings of reading and compiling; they count as those of the run do.
+    """
     header = run_header(recording)
     events = recording.events
     cycle_time = max((event.time + event.duration for event in events), default=0.0)
-    groups = group_findings(recording.findings)
-    severities = [finding.severity for finding in recording.findings]
+    findings = (*before, *recording.findings)
+    groups = group_findings(findings)
+    severities = [finding.severity for finding in findings]
     return Summary(
         header=header,
         duration=recording.duration,
@@ -85,7 +91,7 @@ def summarize(recording: Recording) -> Summary:
         releases=sum(event.kind == "release" for event in events),
         skipped=tuple(event for event in events if event.kind == "skip"),
         share_in_motion=_share_in_motion(recording, len(header.joints), cycle_time),
-        settle_total=sum(_settle(event) for event in events if event.kind == "move"),
+        settling=settling_of(events, cycle_time),
         tasks=summarize_tasks(recording),
         joints=summarize_joints(recording, header.joints),
         path=summarize_path(recording),
@@ -95,11 +101,6 @@ def summarize(recording: Recording) -> Summary:
         invalid_samples=invalid_samples(recording),
         unchecked=unchecked(header, events),
     )
-
-
-def _settle(event: Event) -> float:
-    settle = number(event.data.get("settle"), 0.0)
-    return settle if math.isfinite(settle) else 0.0
 
 
 def _moves_by_kind(events: tuple[Event, ...]) -> dict[str, int]:

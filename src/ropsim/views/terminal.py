@@ -5,12 +5,14 @@ import textwrap
 from collections.abc import Iterable
 
 from ropsim.core import Severity
+from ropsim.flow import SLOW
 from ropsim.views.characters import clean, fit
 from ropsim.views.columns import Cell, columns_text
 from ropsim.views.figures import (
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
     PERCENT,
+    UNKNOWN,
     coordinate_scale,
     effort_scale,
     fixed,
@@ -20,9 +22,9 @@ from ropsim.views.figures import (
     speed_scale,
     with_unit,
 )
-from ropsim.views.findings import FindingGroup, passes_text, plural
+from ropsim.views.findings import FindingGroup, passes_text, place_text, plural
 from ropsim.views.joint_summary import Closeness, JointSummary
-from ropsim.views.path_summary import PathMove, PathSummary
+from ropsim.views.path_summary import PathSummary
 from ropsim.views.style import Style, Tone, paint
 from ropsim.views.summary import Summary
 from ropsim.views.verdict import Verdict, verdict
@@ -78,9 +80,22 @@ def _time(summary: Summary, style: Style) -> list[str]:
     return [
         f"cycle time   {seconds(summary.cycle_time)} s{invalid}",
         f"in motion    {percent(summary.share_in_motion)} of it (a joint reference speed above 1e-6 rad/s)",
-        f"settling     {seconds(summary.settle_total)} s in all, after moves",
+        *_settling(summary),
         f"moves        {moves}; {plural(summary.grips, 'grip')}, {plural(summary.releases, 'release')}",
     ]
+
+
+def _settling(summary: Summary) -> list[str]:
+    settling = summary.settling
+    if summary.header.fidelity == "kinematic":
+        return [f"settling     {UNKNOWN} (a kinematic run has no servo that settles)"]
+    share = with_unit(settling.share, PERCENT, 1)
+    lines = [f"settling     {seconds(settling.total)} s after moves, {share} of the cycle time"]
+    if settling.longest > 0.0:
+        place = place_text(settling.line, settling.visit)
+        slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
+        lines.append(f"             longest {settling.longest:.3f} s{place}{slow}")
+    return lines
 
 
 def _tasks(summary: Summary, style: Style) -> list[str]:
@@ -161,21 +176,16 @@ def _path(path: PathSummary, style: Style) -> list[str]:
     lines = [
         paint(f"LIN path error ({plural(len(path.moves), 'move')})", Tone.QUIET, style),
         f"  {figures}",
-        f"  worst at t = {seconds(worst.time)} s{_place(worst)}",
+        f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
     ]
     if speed is not None:
         lines += [
             f"  path velocity accuracy AV: mean {_signed(path.mean_speed_accuracy)}",
             f"  worst {_signed(speed.speed_accuracy)} of"
-            f" {with_unit(speed.command_speed, MILLIMETRES_PER_SECOND, 0)}{_place(speed)}",
+            f" {with_unit(speed.command_speed, MILLIMETRES_PER_SECOND, 0)}"
+            f"{place_text(speed.line, speed.visit)}",
         ]
     return lines
-
-
-def _place(move: PathMove) -> str:
-    line = f" line {move.line}" if move.line else ""
-    visit = f" pass {move.visit}" if move.visit else ""
-    return f" ({(line + visit).strip()})" if line or visit else ""
 
 
 def _signed(share: float) -> str:

@@ -24,7 +24,7 @@ def pack_bytes(
     Args:
         cell: in which the run took place.
         recording: as it was simulated.
-        summary: of the recording.
+        summary: of the recording and these findings.
         findings: of compiling, listed before those of the run.
     """
     made = pack(recording, cell, summary, findings)

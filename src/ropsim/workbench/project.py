@@ -1,6 +1,6 @@
 """A project folder: its cell, its programs, and what can be done with them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -120,9 +120,14 @@ class Project:
             raise ProjectError(NO_CELL.at(None, f"`{compiled.source.name}` belongs to no cell"))
         return self.cell, compiled.icr
 
-    def report(self, recording: "Recording") -> "Report":
-        """Return the report of a recording; it quotes the programs and shows the run in the cell."""
+    def report(self, recording: "Recording", before: Iterable[Diagnostic] = ()) -> "Report":
+        """Return the report of a recording; it quotes the programs and shows the run in the cell.
+
+        Args:
+            recording: of a run of this project.
+            before: findings of compiling its program; they count as those of the run do.
+        """
         from ropsim.workbench.report import Report, Setting
 
         setting = Setting(self.cell, self.folder) if self.cell else None
-        return Report.of(recording, self.texts, setting)
+        return Report.of(recording, self.texts, setting, before)

@@ -23,4 +23,5 @@ def pack_of(project: Project, recording: Recording, findings: Iterable[Diagnosti
     """
     if project.cell is None:
         raise ProjectError(NO_CELL.at(None, f"`{project.folder}` has no cell to show a run in"))
-    return pack_bytes(project.cell, recording, summarize(recording), findings)
+    before = tuple(findings)
+    return pack_bytes(project.cell, recording, summarize(recording, before), before)

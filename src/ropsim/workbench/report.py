@@ -2,11 +2,11 @@
 
 import base64
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from ropsim.core import SourceText, replace_file
+from ropsim.core import Diagnostic, SourceText, replace_file
 from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.views import (
@@ -50,19 +50,26 @@ class Report:
         summary: its key figures.
         sources: program texts for quoting, by the names that spans use.
         setting: where the run took place, for the replay; None where that is not known.
+        before: findings of reading and compiling.
     """
 
     recording: Recording
     summary: Summary
     sources: Mapping[str, SourceText]
     setting: Setting | None = None
+    before: tuple[Diagnostic, ...] = ()
 
     @classmethod
     def of(
-        cls, recording: Recording, sources: Mapping[str, SourceText], setting: Setting | None = None
+        cls,
+        recording: Recording,
+        sources: Mapping[str, SourceText],
+        setting: Setting | None = None,
+        before: Iterable[Diagnostic] = (),
     ) -> "Report":
         """Return the report of a recording; it is summarized once."""
-        return cls(recording, summarize(recording), sources, setting)
+        found = tuple(before)
+        return cls(recording, summarize(recording, found), sources, setting, found)
 
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
@@ -94,7 +101,7 @@ class Report:
             viewer.script,
             viewer.style,
             _json(scene(cell, meshes.addresses)),
-            _base64(pack_bytes(cell, self.recording, self.summary)),
+            _base64(pack_bytes(cell, self.recording, self.summary, self.before)),
             _json({name: source.text for name, source in self.sources.items()}),
             {address: _base64(content) for address, content in meshes.contents.items()},
         )

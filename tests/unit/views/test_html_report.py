@@ -68,6 +68,12 @@ def test_page_needs_no_network() -> None:
     assert "default-src &#39;none&#39;" in text
 
 
+def test_settling_is_a_figure_of_its_own() -> None:
+    text = page(pick_and_place(1))
+    start = text.index("<dt>settling</dt>")
+    assert "of the cycle time; longest 0.020 s" in text[start : text.index("</div>", start)]
+
+
 def test_every_picture_has_title_and_description() -> None:
     found = outline(page(pick_and_place()))
     assert found.tags.count("svg") >= 9

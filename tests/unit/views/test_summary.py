@@ -37,8 +37,22 @@ def test_moves_are_counted_by_kind() -> None:
     assert (summary.grips, summary.releases) == (2, 2)
 
 
-def test_settle_times_add_up() -> None:
-    assert summarize(pick_and_place(2)).settle_total == pytest.approx(12 * 0.02, abs=ROUNDING)
+def test_settle_times_add_up_and_are_a_share_of_the_cycle() -> None:
+    summary = summarize(pick_and_place(2))
+    assert summary.settling.total == pytest.approx(12 * 0.02, abs=ROUNDING)
+    assert summary.settling.share == pytest.approx(12 * 0.02 / summary.cycle_time, abs=ROUNDING)
+
+
+def test_the_longest_settling_has_its_line_pass_and_time() -> None:
+    recording = pick_and_place(2)
+    at = [k for k, event in enumerate(recording.events) if event.kind == "move"][7]
+    slow = replace(recording.events[at], data={**recording.events[at].data, "settle": 0.05})
+    changed = replace(recording, events=(*recording.events[:at], slow, *recording.events[at + 1 :]))
+    assert slow.span is not None
+    settling = summarize(changed).settling
+    assert (settling.longest, settling.slow) == (0.05, 1)
+    assert (settling.line, settling.visit) == (slow.span.line, slow.data["visit"])
+    assert settling.time == pytest.approx(slow.time + slow.duration - 0.05, abs=ROUNDING)
 
 
 def test_share_in_motion_counts_samples_with_any_joint_reference_moving() -> None:

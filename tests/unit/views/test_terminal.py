@@ -55,6 +55,21 @@ def test_kinematic_run_says_that_torques_are_not_known() -> None:
     assert "kinematic run" in report(header={**header(), "fidelity": "kinematic"})
 
 
+def test_settling_is_a_line_with_its_share_and_the_longest_wait() -> None:
+    recording = pick_and_place(1)
+    events = [
+        replace(one, data={**one.data, "settle": 0.5}) for one in recording.events if one.kind == "move"
+    ]
+    text = report(events=(*events[:1], *recording.events))
+    assert re.search(r"settling +0\.\d\d s after moves, \d+\.\d % of the cycle time\n", text)
+    assert re.search(r"longest 0\.500 s \(line \d+ pass 1\); 1 move longer than 20 ms\n", text)
+
+
+def test_a_kinematic_run_does_not_claim_to_settle_at_once() -> None:
+    text = report(header={**header(), "fidelity": "kinematic"})
+    assert "settling     – (a kinematic run has no servo that settles)" in text
+
+
 def test_empty_recording_has_a_report() -> None:
     text = terminal_report(summarize(empty_recording()), Style.PLAIN)
     assert "cycle time   0.00 s" in text

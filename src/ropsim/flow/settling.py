@@ -1,0 +1,63 @@
+"""What settling after moves costs a run."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ropsim.flow.recording import Event
+
+SLOW = 0.02
+"""A move that settles longer than this [s] settles slowly."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settling:
+    """Time that the arm needed after moves until every joint was in position.
+
+    Attributes:
+        total: over all moves [s].
+        share: of the cycle time; 0 for a run of no length.
+        slow: number of moves that settled longer than `SLOW`.
+        longest: of a single move [s].
+        time: when that settling began [s]; NaN without moves.
+        line: source line of that move, 0 where unknown.
+        visit: its loop pass, 0 where unknown.
+    """
+
+    total: float = 0.0
+    share: float = 0.0
+    slow: int = 0
+    longest: float = 0.0
+    time: float = math.nan
+    line: int = 0
+    visit: int = 0
+
+
+def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
+    """Return what settling cost.
+
+    Args:
+        events: of a run; moves have `settle` [s] and `visit` in their data.
+        cycle_time: of the run [s].
+    """
+    moves = [(settle_time(event), event) for event in events if event.kind == "move"]
+    if not moves:
+        return Settling()
+    total = sum(settle for settle, _ in moves)
+    longest, event = max(moves, key=lambda move: move[0])
+    visit = event.data.get("visit")
+    return Settling(
+        total,
+        total / cycle_time if cycle_time > 0.0 else 0.0,
+        sum(settle > SLOW for settle, _ in moves),
+        longest,
+        event.time + event.duration - longest,
+        event.span.line if event.span else 0,
+        visit if isinstance(visit, int) else 0,
+    )
+
+
+def settle_time(event: Event) -> float:
+    """Return how long a move settled [s]; 0 where the event does not say."""
+    settle = event.data.get("settle")
+    return float(settle) if isinstance(settle, (int, float)) and math.isfinite(settle) else 0.0

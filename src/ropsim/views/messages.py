@@ -1,0 +1,54 @@
+"""What a program told its operator with `print`, in order of time."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ropsim.flow import Recording
+from ropsim.views.characters import clean
+from ropsim.views.figures import seconds
+from ropsim.views.header import whole
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """One message.
+
+    Attributes:
+        time: [s].
+        text: as the program made it; any characters.
+        source: name of the program text, empty where unknown.
+        line: of the `print`, 0 where unknown.
+        visit: its loop pass, 0 where unknown.
+    """
+
+    time: float
+    text: str
+    source: str
+    line: int
+    visit: int
+
+
+def messages(recording: Recording) -> tuple[Message, ...]:
+    """Return all messages of a run."""
+    return tuple(
+        Message(
+            event.time,
+            event.text,
+            event.span.source if event.span else "",
+            event.span.line if event.span else 0,
+            whole(event.data.get("visit"), 0),
+        )
+        for event in recording.events
+        if event.kind == "message"
+    )
+
+
+def messages_text(told: Sequence[Message]) -> str:
+    """Return the messages for a terminal: time, line and text, one row each."""
+    times = [seconds(one.time) for one in told]
+    lines = [f"line {one.line}" if one.line else "" for one in told]
+    widest, longest = max(map(len, times), default=0), max(map(len, lines), default=0)
+    rows = zip(times, lines, told, strict=True)
+    return "\n".join(
+        f"{time:>{widest}} s  {line:<{longest}}  {clean(one.text)}".rstrip() for time, line, one in rows
+    )
