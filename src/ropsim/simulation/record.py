@@ -15,6 +15,7 @@ from ropsim.simulation.channels import joint_channels, pose_channels, track_chan
 from ropsim.simulation.inputs import InputChange, input_events, plain_inputs
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, Pose
 from ropsim.version import __version__
@@ -46,6 +47,7 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
     findings: tuple[Diagnostic, ...] = (
         *state.findings,
         *verdicts(state.cell, time, channels, program.source),
+        *settling_findings(events, state.time, program.source),
     )
     return Recording(time, channels, tuple(events), findings, state.time, header(state, program, options))
 
