@@ -24,7 +24,7 @@ def settling_findings(events: list[Event], duration: float, source: str) -> tupl
         f"settling after moves takes {settling.total:.2f} s, {settling.share * 100.0:.1f} % of the cycle "
         f"time; moves that settle longer than {SLOW * 1e3:g} ms: {settling.slow}",
         label=f"longest here: {settling.longest:.3f} s, pass {settling.visit}",
-        hint="raise the gains of the joint controller or widen `in_position`, in `[controller]` of the cell file",
+        hint="raise the gains or widen `in_position` in `[controller]` of the cell file",
         data={
             "settling_s": settling.total,
             "share": settling.share,
