@@ -1,10 +1,17 @@
 /** The row of settings above the 3-D views. */
-import { type FrameKind, LAYOUTS, type Layout, type Lights, SHADINGS, type Shading } from '../scene/settings'
+import {
+  DAYLIGHT,
+  type FrameKind,
+  LAYOUTS,
+  type Layout,
+  type Lights,
+  SHADINGS,
+  type Shading,
+} from '../scene/settings'
 import { useStudio, useStudioState } from '../studio/context'
 import { words } from '../text/messages'
 
 const FRAMES: readonly FrameKind[] = ['world', 'base', 'frame', 'location', 'tcp']
-const AS_DESIGNED: Lights = { ambient: 1, key: 1, azimuth: 0.9, elevation: 0.9 }
 
 export function LookBar() {
   const studio = useStudio()
@@ -80,8 +87,9 @@ export function LookBar() {
 
 function LookMenu() {
   const studio = useStudio()
-  const lights = useStudioState(state => state.look.lights) ?? studio.picture.stage?.lights ?? AS_DESIGNED
+  const lights = useStudioState(state => state.look.lights) ?? DAYLIGHT
   const arm = useStudioState(state => state.look.arm)
+  const shadows = useStudioState(state => state.look.shadows)
   const { views } = words
   const slider = (key: keyof Lights, label: string, min: number, max: number) => (
     <label>
@@ -100,6 +108,14 @@ function LookMenu() {
     <details className="drop">
       <summary>{views.lights}</summary>
       <div className="drop-body">
+        <label>
+          <input
+            type="checkbox"
+            checked={shadows}
+            onChange={event => studio.setLook({ shadows: event.target.checked }, views.shadows)}
+          />
+          {views.shadows}
+        </label>
         {slider('ambient', views.ambient, 0, 2)}
         {slider('key', views.key, 0, 2)}
         {slider('azimuth', views.azimuth, -Math.PI, Math.PI)}

@@ -190,7 +190,7 @@ export class Plot {
     const left = chart.valToPos(this.#cursor.time, 'x')
     const inside = left >= 0 && left <= chart.over.clientWidth
     this.#line.style.transform = `translateX(${Math.round(left)}px)`
-    this.#line.style.visibility = inside ? 'visible' : 'hidden'
+    this.#line.style.visibility = inside ? 'inherit' : 'hidden'
   }
 
   #tell(): void {

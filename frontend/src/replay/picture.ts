@@ -33,6 +33,7 @@ export class Picture {
     this.stage.layout(host.clientWidth > 700 ? '4' : '1')
     this.stage.load(scene, meshes)
     this.stage.frames(NO_FRAMES)
+    this.stage.shadows(true)
     this.#trails(true)
     this.element.prepend(this.#switches(host.clientWidth > 700))
   }

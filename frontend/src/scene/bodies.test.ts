@@ -11,10 +11,10 @@ import { words } from './words'
 
 const HOME: Pose = [0, 0, 0, 1, 0, 0, 0]
 const QUARTER = Math.SQRT1_2
-const NAKED: Wardrobe = { of: () => null, order: () => 0 }
+const NAKED: Wardrobe = { of: () => null, order: () => 0, casts: () => false }
 
 function cube(size: number, opacity = 1): Shape {
-  return { kind: 'box', size: [size, size, size], pose: HOME, colour: '#ff0000', opacity }
+  return { kind: 'box', size: [size, size, size], pose: HOME, colour: '#ff0000', opacity, material: 'paint' }
 }
 
 function body(name: string, pose: Pose, parent = -1, kind: BodyKind = 'object', shapes = [cube(0.2)]): Body {
@@ -82,12 +82,15 @@ describe('bodies in the scene', () => {
   })
 
   it('alike are drawn in one go', () => {
-    // Five equal cubes: one group holds them all.
-    expect(parent.children.length).toBe(1)
+    // Five equal cubes: one group holds those that are no part of the robot.
+    const arm = scene.bodies.filter(({ kind }) => ['base', 'link', 'tool'].includes(kind)).length
+    expect(arm).toBe(1)
+    expect(parent.children.length).toBe(1 + arm)
+    // Three are too few for a group.
     bodies.setOpacity(2, 0.5)
-    expect(parent.children.length).toBe(2)
+    expect(parent.children.length).toBe(scene.bodies.length)
     bodies.setOpacity(2, 1)
-    expect(parent.children.length).toBe(1)
+    expect(parent.children.length).toBe(1 + arm)
   })
 
   it('are hit by the nearest surface on a line of sight, hidden ones never', () => {
@@ -146,6 +149,7 @@ describe('a look', () => {
         pose: HOME,
         colour: '#ffffff',
         opacity: 1,
+        material: 'paint',
       }
     }
     const roles = (shape: Shape, failed: string[]) =>
@@ -165,7 +169,16 @@ describe('a look', () => {
 describe('meshes', () => {
   it('that cannot be had are told with body, file and reason', async () => {
     const shape = (mesh: string, file: string, missing: string): Shape => {
-      return { kind: 'mesh', mesh, file, missing, pose: HOME, colour: '#ffffff', opacity: 1 }
+      return {
+        kind: 'mesh',
+        mesh,
+        file,
+        missing,
+        pose: HOME,
+        colour: '#ffffff',
+        opacity: 1,
+        material: 'paint',
+      }
     }
     const list = [
       body('engine', HOME, -1, 'object', [shape('', 'a.stl', 'file not found')]),

@@ -1,17 +1,20 @@
 /** The bodies of a cell in the scene: where they are and which are seen. */
 import { Box3, Matrix4, type Object3D, Quaternion, Vector3 } from 'three'
 import { cornersOf } from './camera_pose'
-import type { Body, Pose, SceneDescription } from './description'
+import type { Body, BodyKind, Pose, SceneDescription } from './description'
 import { Crowd, Figure, type Wardrobe } from './figure'
 import { initialState } from './initial_state'
 import type { Look } from './look'
 import type { Looks } from './looks'
+import type { Wearer } from './materials'
 
 /** So many equal bodies are drawn in one go. */
 const CROWD_FROM = 4
 
 /** What is this near to the floor stands on it [m]. */
 const FOOT = 0.02
+
+const ARM: ReadonlySet<BodyKind> = new Set<BodyKind>(['base', 'link', 'tool'])
 
 const ONE = new Vector3(1, 1, 1)
 
@@ -21,6 +24,7 @@ interface Cast {
   /** Missing for a figure that is drawn by itself. */
   readonly crowd?: Crowd
   readonly opacity: number
+  readonly wearer: Wearer
 }
 
 export class Bodies {
@@ -131,7 +135,7 @@ export class Bodies {
 
   /** After the wardrobe has changed. */
   dress(): void {
-    for (const { figure, opacity } of this.#cast) figure.dress(this.wardrobe, opacity)
+    for (const { figure, opacity, wearer } of this.#cast) figure.dress(this.wardrobe, opacity, wearer)
   }
 
   /** Box about a body in W; empty when it has no form. */
@@ -184,7 +188,8 @@ export class Bodies {
     const alike = new Map<Look, number[]>()
     const alone: number[] = []
     this.#looks.forEach((look, i) => {
-      const plain = this.#opacity[i] === 1 && look.pieces.every(({ opacity }) => opacity === 1)
+      const arm = ARM.has(this.#bodies[i]?.kind ?? 'object')
+      const plain = !arm && this.#opacity[i] === 1 && look.pieces.every(({ opacity }) => opacity === 1)
       if (plain) alike.set(look, [...(alike.get(look) ?? []), i])
       else alone.push(i)
     })
@@ -194,12 +199,14 @@ export class Bodies {
         continue
       }
       const crowd = new Crowd(members.length)
-      this.#cast.push({ figure: Figure.of(look, crowd), members, crowd, opacity: 1 })
+      this.#cast.push({ figure: Figure.of(look, crowd), members, crowd, opacity: 1, wearer: 'thing' })
     }
     for (const i of alone) {
       const [look, matrix] = [this.#looks[i], this.#matrices[i]]
       if (!look || !matrix) continue
-      this.#cast.push({ figure: Figure.at(look, matrix), members: [i], opacity: this.#opacity[i] ?? 1 })
+      const opacity = this.#opacity[i] ?? 1
+      const wearer = ARM.has(this.#bodies[i]?.kind ?? 'object') ? 'arm' : 'thing'
+      this.#cast.push({ figure: Figure.at(look, matrix), members: [i], opacity, wearer })
     }
     for (const { figure } of this.#cast) this.parent.add(figure.group)
     this.dress()

@@ -101,7 +101,7 @@ function arrows(): BufferGeometry {
   const unit = new Vector3(1, 1, 1)
   AXIS_COLOURS.forEach((colour, k) => {
     const turn = new Quaternion().setFromUnitVectors(z, new Vector3().setComponent(k, 1))
-    parts.add(arrow, new Matrix4().compose(new Vector3(), turn, unit), colour)
+    parts.add(arrow, new Matrix4().compose(new Vector3(), turn, unit), colour, 'paint')
   })
   return parts.build()
 }

@@ -3,6 +3,9 @@
 /** Position x, y, z [m] and unit quaternion w, x, y, z. */
 export type Pose = readonly [number, number, number, number, number, number, number]
 
+/** What a surface looks as if it were made of. */
+export type Material = 'paint' | 'steel' | 'wood' | 'cardboard' | 'rubber' | 'glass'
+
 export type Vector3 = readonly [number, number, number]
 
 interface ShapeBase {
@@ -12,6 +15,8 @@ interface ShapeBase {
   readonly colour: string
   /** 0 invisible … 1 opaque */
   readonly opacity: number
+  /** How the colour takes the light; lines and meshes with colours of their own have it, too. */
+  readonly material: Material
 }
 
 /** Edges along x, y, z; centred at the origin of its pose. */

@@ -10,13 +10,16 @@ import {
   type Object3D,
 } from 'three'
 import type { Look, Piece } from './look'
-import type { Role } from './materials'
+import type { Role, Wearer } from './materials'
+import { CASTERS } from './shadow'
 
 /** Gives materials to the pieces of a look; null for those that are not drawn. */
 export interface Wardrobe {
-  of(role: Role, opacity: number, open: boolean): Material | null
+  of(role: Role, opacity: number, open: boolean, wearer: Wearer): Material | null
   /** Later ones are drawn over earlier ones, among the transparent. */
-  order(role: Role): number
+  order(role: Role, wearer: Wearer): number
+  /** Whether it throws a shadow. */
+  casts(role: Role, opacity: number): boolean
 }
 
 type Drawable = Mesh | LineSegments
@@ -52,12 +55,14 @@ export class Figure {
     })
   }
 
-  dress(wardrobe: Wardrobe, opacity = 1): void {
+  dress(wardrobe: Wardrobe, opacity = 1, wearer: Wearer = 'thing'): void {
     for (const { drawable, piece } of this.#drawables) {
-      const material = wardrobe.of(piece.role, piece.opacity * opacity, piece.open)
+      const material = wardrobe.of(piece.role, piece.opacity * opacity, piece.open, wearer)
       drawable.visible = material !== null
       if (material) drawable.material = material
-      drawable.renderOrder = wardrobe.order(piece.role)
+      drawable.renderOrder = wardrobe.order(piece.role, wearer)
+      if (wardrobe.casts(piece.role, piece.opacity * opacity)) drawable.layers.enable(CASTERS)
+      else drawable.layers.disable(CASTERS)
     }
   }
 

@@ -1,4 +1,4 @@
-/** The floor: a plane with lines each 100 mm and each metre that fades out, and W's x and y axes upon it. */
+/** The floor: a plane with lines each 100 mm and each metre that fades out, W's x and y axes and shadows upon it. */
 import {
   type Box3,
   Color,
@@ -10,13 +10,17 @@ import {
   Vector2,
 } from 'three'
 import { AXIS_COLOURS } from './crosses'
+import { SHADOW } from './light_code'
+import type { LightRig } from './light_rig'
 import type { Palette } from './palette'
 
 const VERTEX = /* glsl */ `
 varying vec2 place;
+varying float level;
 void main() {
   vec4 world = modelMatrix * vec4(position, 1.0);
   place = world.xy;
+  level = world.z;
   gl_Position = projectionMatrix * viewMatrix * world;
 }`
 
@@ -27,7 +31,10 @@ uniform vec3 axisX;
 uniform vec3 axisY;
 uniform vec2 centre;
 uniform float reach;
+uniform float shade;
 varying vec2 place;
+varying float level;
+${SHADOW}
 float lines(vec2 p, vec2 width) {
   vec2 near = abs(fract(p - 0.5) - 0.5) / width;
   vec2 line = 1.0 - min(near, 1.0);
@@ -45,18 +52,27 @@ void main() {
   float alpha = max(max(0.20 * fine, 0.50 * coarse), 0.045);
   if (axis.y > 0.0) { colour = mix(colour, axisX, axis.y); alpha = max(alpha, 0.85 * axis.y); }
   if (axis.x > 0.0) { colour = mix(colour, axisY, axis.x); alpha = max(alpha, 0.85 * axis.x); }
-  gl_FragColor = vec4(colour, alpha * fade);
+  alpha *= fade;
+  // Lines lie upon the shadow: both as one layer over what is behind.
+  float dark = shade * (1.0 - shadowAt(vec3(place, level))) * (1.0 - alpha);
+  gl_FragColor = vec4(colour * alpha / max(alpha + dark, 0.001), alpha + dark);
 }`
 
 export class Floor {
   readonly #mesh: Mesh<PlaneGeometry, ShaderMaterial>
   readonly #centre = new Vector2()
 
-  constructor(private readonly parent: Object3D) {
+  constructor(
+    private readonly parent: Object3D,
+    rig: LightRig,
+  ) {
     const material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
+      defines: { ...rig.defines },
       uniforms: {
+        ...rig.uniforms,
+        shade: { value: 0 },
         grid: { value: new Color() },
         axisX: { value: new Color(AXIS_COLOURS[0]).convertLinearToSRGB() },
         axisY: { value: new Color(AXIS_COLOURS[1]).convertLinearToSRGB() },
@@ -80,6 +96,7 @@ export class Floor {
 
   set palette(palette: Palette) {
     this.#uniform('grid', palette.grid.clone().convertLinearToSRGB())
+    this.#uniform('shade', palette.shade)
   }
 
   /** Lie below everything that stands still, at z = 0 where that is low enough. */

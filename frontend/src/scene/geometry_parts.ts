@@ -1,5 +1,7 @@
 /** Collects surfaces and lines in the frame of a body and makes one geometry of each sort out of them. */
 import { BufferAttribute, BufferGeometry, Color, Matrix3, type Matrix4, Vector3 } from 'three'
+import type { Material } from './description'
+import { finishBytes } from './finish'
 import type { Solid } from './solid'
 
 const POINT = new Vector3()
@@ -9,6 +11,7 @@ export class SurfaceParts {
   readonly #positions: number[] = []
   readonly #normals: number[] = []
   readonly #colours: number[] = []
+  readonly #finishes: number[] = []
   readonly #indices: number[] = []
 
   /** `colours` has three linear values per corner; without it all get `colour`. */
@@ -16,6 +19,7 @@ export class SurfaceParts {
     solid: Pick<Solid, 'positions' | 'normals' | 'indices'>,
     place: Matrix4,
     colour: string,
+    material: Material,
     colours?: number[],
   ): void {
     const start = this.#positions.length / 3
@@ -27,7 +31,9 @@ export class SurfaceParts {
       this.#normals.push(POINT.x, POINT.y, POINT.z)
     }
     const { r, g, b } = new Color(colour)
+    const finish = finishBytes(material, this.#positions.slice(3 * start))
     for (let k = 0; k < solid.positions.length; k += 3) {
+      this.#finishes.push(...finish)
       if (colours) this.#colours.push(colours[k] ?? 0, colours[k + 1] ?? 0, colours[k + 2] ?? 0)
       else this.#colours.push(r, g, b)
     }
@@ -39,6 +45,7 @@ export class SurfaceParts {
     geometry.setAttribute('position', floats(this.#positions))
     geometry.setAttribute('normal', floats(this.#normals))
     geometry.setAttribute('color', floats(this.#colours))
+    geometry.setAttribute('finish', new BufferAttribute(new Uint8Array(this.#finishes), 4, true))
     geometry.setIndex(this.#indices)
     geometry.computeBoundingSphere()
     geometry.computeBoundingBox()

@@ -51,7 +51,7 @@ export class Labels {
       const at = inside ? `translate(${left}px, ${top}px)${side}${lift}` : ''
       if (at === entry.at) return
       entry.at = at
-      entry.span.style.visibility = inside ? 'visible' : 'hidden'
+      entry.span.style.visibility = inside ? 'inherit' : 'hidden'
       entry.span.style.transform = at
     })
   }

@@ -46,17 +46,17 @@ export class Look {
       } else if (shape.kind === 'mesh') {
         const mesh = meshes.get(shape.mesh)
         if (mesh) {
-          surface(shape.opacity, true).add(mesh, place, shape.colour, mesh.colours)
+          surface(shape.opacity, true).add(mesh, place, shape.colour, shape.material, mesh.colours)
           creases.add(mesh.creases, place, shape.colour)
         } else if (shape.mesh === '' || missing.has(shape.mesh)) {
           standIn ??= new SurfaceParts()
           const solid = box([STAND_IN, STAND_IN, STAND_IN])
-          standIn.add(solid, place, shape.colour)
+          standIn.add(solid, place, shape.colour, shape.material)
           creases.add(solid.creases, place, shape.colour)
         }
       } else {
         const solid = solidOf(shape)
-        surface(shape.opacity, solid.open).add(solid, place, shape.colour)
+        surface(shape.opacity, solid.open).add(solid, place, shape.colour, shape.material)
         creases.add(solid.creases, place, shape.colour)
         contours.add(solid.contours, place, shape.colour)
       }

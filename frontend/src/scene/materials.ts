@@ -1,24 +1,33 @@
 /** The materials of bodies in each way of shading; equal ones are one object. */
 import {
+  AlwaysStencilFunc,
   DoubleSide,
   FrontSide,
   LineBasicMaterial,
   type Material,
   MeshBasicMaterial,
-  MeshLambertMaterial,
-  MeshStandardMaterial,
+  ReplaceStencilOp,
 } from 'three'
-import { gouraudMaterial } from './gouraud'
 import { hatchMaterial } from './hatch'
 import type { LightRig } from './light_rig'
 import type { Palette } from './palette'
 import type { Shading } from './settings'
+import { surfaceMaterial } from './surface_material'
 
 /**
  * What a piece of a body is: its surface; the same laid down as depth only, so that a transparent body does not
  * show its own inside; its edges; lines along round faces; drawn lines; the stand-in of a mesh that is missing.
  */
 export type Role = 'surface' | 'depth' | 'crease' | 'contour' | 'line' | 'missing'
+
+/** Who wears a material: the robot with its tools, or any other thing. */
+export type Wearer = 'arm' | 'thing'
+
+/** What stands in the stencil where the robot is seen. */
+export const ARM_MARK = 1
+
+/** What is less opaque throws no shadow. */
+const LEAST_OPAQUE = 0.5
 
 export class Materials {
   readonly #made = new Map<string, Material>()
@@ -45,19 +54,26 @@ export class Materials {
   }
 
   /** The material of a piece; null where this way of shading does not draw it. */
-  of(role: Role, opacity: number, open: boolean): Material | null {
+  of(role: Role, opacity: number, open: boolean, wearer: Wearer): Material | null {
     if (!this.#drawn(role, opacity)) return null
-    const key = `${role} ${this.#shading} ${opacity} ${open}`
+    const key = `${role} ${this.#shading} ${opacity} ${open} ${wearer}`
     const known = this.#made.get(key)
     if (known) return known
     const material = this.#make(role, opacity)
     material.side = open ? DoubleSide : FrontSide
+    if (wearer === 'arm' && opacity === 1) material.setValues(MARKED)
     this.#made.set(key, material)
     return material
   }
 
-  order(role: Role): number {
-    return role === 'depth' || role === 'surface' ? 0 : 1
+  /** The robot comes after things that may stand before it: where it is marked, it is seen. */
+  order(role: Role, wearer: Wearer): number {
+    return role === 'depth' || role === 'surface' ? (wearer === 'arm' ? 0.5 : 0) : 1
+  }
+
+  /** Surfaces that light does not pass throw shadows. */
+  casts(role: Role, opacity: number): boolean {
+    return role === 'surface' && opacity >= LEAST_OPAQUE
   }
 
   dispose(): void {
@@ -104,16 +120,19 @@ export class Materials {
   }
 
   #surface(opacity: number): Material {
-    if (this.#shading === 'gouraud') {
-      const material = gouraudMaterial(this.rig, opacity)
-      material.setValues({ ...OFFSET, transparent: opacity < 1 })
-      return material
-    }
-    const common = { vertexColors: true, transparent: opacity < 1, opacity, ...OFFSET }
-    if (this.#shading === 'flat') return new MeshLambertMaterial({ ...common, flatShading: true })
-    return new MeshStandardMaterial({ ...common, roughness: 0.52, metalness: 0.05 })
+    const shades = this.#shading === 'flat' || this.#shading === 'gouraud' ? this.#shading : 'standard'
+    const material = surfaceMaterial(this.rig, shades, opacity)
+    material.setValues({ ...OFFSET, transparent: opacity < 1 })
+    return material
   }
 }
+
+const MARKED = {
+  stencilWrite: true,
+  stencilRef: ARM_MARK,
+  stencilFunc: AlwaysStencilFunc,
+  stencilZPass: ReplaceStencilOp,
+} as const
 
 /** Surfaces step back a little so that edges and highlights upon them are seen whole. */
 const OFFSET = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } as const

@@ -1,5 +1,5 @@
 /** The next animation frame, with a breath before it where the processor draws. */
-import { tier } from './painter'
+import { tier } from './tier'
 
 /**
  * Time for messages and input before a frame [ms]. Where the processor draws, the browser holds the page up until

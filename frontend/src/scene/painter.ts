@@ -1,26 +1,8 @@
 /** Draws viewports on one canvas, as far as the graphics of this machine allow. */
 import { type Camera, type Scene, WebGLRenderer } from 'three'
 import type { Rect } from './layouts'
-
-/** `soft`: drawn by the processor, so every pixel costs time. */
-export type Tier = 'none' | 'soft' | 'full'
-
-let known: Tier | undefined
-
-/** What this browser can do; looked at once. */
-export function tier(): Tier {
-  known ??= look()
-  return known
-}
-
-function look(): Tier {
-  const context = document.createElement('canvas').getContext('webgl2')
-  if (!context) return 'none'
-  const names = context.getExtension('WEBGL_debug_renderer_info')
-  const name = String(context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER))
-  context.getExtension('WEBGL_lose_context')?.loseContext()
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'soft' : 'full'
-}
+import type { Shadow } from './shadow'
+import { tier } from './tier'
 
 export class Painter {
   readonly canvas = document.createElement('canvas')
@@ -37,6 +19,8 @@ export class Painter {
       canvas: this.canvas,
       antialias: !soft,
       alpha: false,
+      // Arms are marked in it: a ghost is drawn beside them, never upon them.
+      stencil: true,
       // A frame may draw some of the viewports only: the others must last.
       preserveDrawingBuffer: true,
       powerPreference: 'high-performance',
@@ -74,6 +58,11 @@ export class Painter {
   /** A frame begins: counts start anew. */
   begin(): void {
     this.#renderer.info.reset()
+  }
+
+  /** Bring shadows up to date before viewports are drawn. */
+  castShadows(shadow: Shadow, scene: Scene): void {
+    shadow.update(this.#renderer, scene)
   }
 
   draw(scene: Scene, camera: Camera, { x, y, width, height }: Rect): void {

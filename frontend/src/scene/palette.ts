@@ -9,6 +9,8 @@ export interface Palette {
   /** Edges of bodies, and their strength on shaded surfaces. */
   readonly ink: Color
   readonly inkStrength: number
+  /** How dark shadows on the floor are, 0 … 1. */
+  readonly shade: number
   readonly grid: Color
   readonly accent: Color
   readonly ghost: Color
@@ -17,7 +19,9 @@ export interface Palette {
   readonly command: Color
 }
 
-type Colours = Record<Exclude<keyof Palette, 'inkStrength'>, string>
+type Colours = Record<Exclude<keyof Palette, 'inkStrength' | 'shade'>, string>
+
+const SHADE: Record<Theme, number> = { light: 0.3, dark: 0.5 }
 
 const INK_STRENGTH: Record<Theme, number> = { light: 0.45, dark: 0.55 }
 
@@ -68,6 +72,7 @@ export function paletteOf(theme: Theme, host: HTMLElement): Palette {
     bottom: colour('bottom'),
     ink: colour('ink'),
     inkStrength: INK_STRENGTH[theme],
+    shade: SHADE[theme],
     grid: colour('grid'),
     accent: colour('accent'),
     ghost: colour('ghost'),

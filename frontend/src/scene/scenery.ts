@@ -1,5 +1,5 @@
 /** Everything that is in the picture, as one three.js scene; knows no canvas. */
-import { Box3, type Camera, Scene, Vector3 } from 'three'
+import { Box3, Scene, Vector3 } from 'three'
 import { Backdrop } from './backdrop'
 import { Bodies } from './bodies'
 import { cornersOf } from './camera_pose'
@@ -13,7 +13,8 @@ import { Looks, type MeshSource } from './looks'
 import { Materials } from './materials'
 import type { Palette } from './palette'
 import { SelectionMark } from './selection_mark'
-import type { Shading, StageProblem } from './settings'
+import type { Lights, Shading, StageProblem } from './settings'
+import { Shadow } from './shadow'
 import { Tint, TintedArm } from './tinted_arm'
 import { TrailLine } from './trail_line'
 import type { Words } from './words'
@@ -23,7 +24,8 @@ const REACH_SHOWN = 0.04
 
 export class Scenery {
   readonly scene = new Scene()
-  readonly lights = new LightRig(this.scene)
+  readonly #rig = new LightRig()
+  readonly shadow = new Shadow(this.#rig)
   readonly #materials: Materials
   readonly bodies: Bodies
   readonly #ghost: TintedArm
@@ -32,7 +34,7 @@ export class Scenery {
   readonly attained = new TrailLine(this.scene, 1)
   readonly command = new TrailLine(this.scene, 0.6)
   readonly #backdrop = new Backdrop(this.scene)
-  readonly floor = new Floor(this.scene)
+  readonly floor = new Floor(this.scene, this.#rig)
   readonly #contacts = new Contacts(this.scene)
   readonly crosses: Crosses
   readonly #looks: Looks
@@ -48,11 +50,11 @@ export class Scenery {
     // Nothing here hangs below anything that moves: world matrices are written, never worked out by three.js.
     this.scene.matrixWorldAutoUpdate = false
     this.#looks = new Looks(words)
-    this.#materials = new Materials(this.lights, palette)
+    this.#materials = new Materials(this.#rig, palette)
     this.bodies = new Bodies(this.scene, this.#materials)
-    this.#ghost = new TintedArm(this.scene, this.bodies, new Tint(0.42, 5))
-    this.#jogged = new TintedArm(this.scene, this.bodies, new Tint(0.62, 6))
-    this.#mark = new SelectionMark(this.scene, this.bodies, new Tint(0.2, 7))
+    this.#ghost = new TintedArm(this.scene, this.bodies, new Tint(0.3, 5, 'beside'))
+    this.#jogged = new TintedArm(this.scene, this.bodies, new Tint(0.45, 6, 'beside'))
+    this.#mark = new SelectionMark(this.scene, this.bodies, new Tint(0.2, 7, 'upon'))
     this.crosses = new Crosses(this.scene, this.bodies)
     this.setPalette(palette)
   }
@@ -97,9 +99,30 @@ export class Scenery {
     this.#mark.set(body)
   }
 
+  setOpacity(body: number, opacity: number): void {
+    this.bodies.setOpacity(body, opacity)
+    this.shadow.touch()
+  }
+
   setHidden(body: number, hidden: boolean): void {
     this.bodies.setHidden(body, hidden)
     this.#moved()
+  }
+
+  get lights(): Lights {
+    return this.#rig.lights
+  }
+
+  setLights(lights: Lights): void {
+    this.#rig.lights = lights
+    this.#coverShadows()
+  }
+
+  /** Whether the picture is different then. */
+  setShadows(on: boolean): boolean {
+    if (on === this.shadow.on) return false
+    this.shadow.on = on
+    return true
   }
 
   get shading(): Shading {
@@ -109,6 +132,7 @@ export class Scenery {
   setShading(shading: Shading): void {
     this.#materials.setShading(shading)
     this.bodies.dress()
+    this.shadow.touch()
   }
 
   setPalette(palette: Palette): void {
@@ -171,17 +195,13 @@ export class Scenery {
     return this.#mark.body
   }
 
-  /** Before a viewport is drawn. */
-  follow(camera: Camera): void {
-    this.lights.follow(camera)
-  }
-
   dispose(): void {
     this.#gone = true
     this.#looks.keep(new Set())
     for (const part of [
       this.bodies,
       this.#materials,
+      this.shadow,
       this.attained,
       this.command,
       this.#backdrop,
@@ -206,10 +226,17 @@ export class Scenery {
     const all = standing.reduce((sum, box) => sum.union(box), new Box3())
     this.floor.put(all, this.bodies.box())
     this.#contacts.put(this.bodies.footprints(this.floor.height), this.floor.height)
+    this.#coverShadows()
     this.#moved()
   }
 
+  /** Shadows are thrown by all there is, wherever the arm reaches. */
+  #coverShadows(): void {
+    this.shadow.cover(this.#extent.clone().union(this.bodies.box()))
+  }
+
   #moved(): void {
+    this.shadow.touch()
     this.crosses.update()
     this.#mark.update()
     this.#movePoints()

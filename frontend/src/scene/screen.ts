@@ -5,10 +5,11 @@ import { PLACES, rectsOf } from './layouts'
 import { Listeners } from './listeners'
 import { onNextFrame } from './next_frame'
 import type { Overlay } from './overlay'
-import { Painter, tier } from './painter'
+import { Painter } from './painter'
 import { pick } from './picker'
 import type { Scenery } from './scenery'
 import type { Layout, PickListener, StageState, StageStats } from './settings'
+import { tier } from './tier'
 import { pressKey } from './view_keys'
 import { Viewport, type ViewportContext } from './viewport'
 import type { Words } from './words'
@@ -145,10 +146,10 @@ export class Screen {
 
   #paint(painter: Painter, views: readonly Viewport[], start: number): void {
     painter.begin()
+    painter.castShadows(this.scenery.shadow, this.scenery.scene)
     for (const view of views) {
       if (!view.rect) continue
       const camera = view.pilot.view
-      this.scenery.follow(camera.camera)
       painter.draw(this.scenery.scene, camera.camera, view.rect)
       view.labels.update(camera, view.rect)
       view.dirty = false
@@ -180,6 +181,7 @@ export class Screen {
     })
     painter.canvas.addEventListener('webglcontextrestored', () => {
       this.overlay.message(null)
+      this.scenery.shadow.touch()
       this.redraw()
     })
   }

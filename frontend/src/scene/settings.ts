@@ -27,6 +27,9 @@ export interface Lights {
   readonly elevation: number
 }
 
+/** Lights as designed: the key light comes over the left shoulder of the first view. */
+export const DAYLIGHT: Lights = { ambient: 1, key: 1, azimuth: -1.75, elevation: 0.9 }
+
 /** TCP positions in W, three numbers per sample [m], and the times of the samples [s]. */
 export interface Trail {
   readonly times: Float64Array

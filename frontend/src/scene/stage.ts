@@ -4,7 +4,6 @@ import type { Pose, SceneDescription, Vector3 as Triple } from './description'
 import { Listeners } from './listeners'
 import type { MeshSource } from './looks'
 import { Overlay } from './overlay'
-import { tier } from './painter'
 import { paletteOf } from './palette'
 import { Scenery } from './scenery'
 import { Screen } from './screen'
@@ -22,6 +21,7 @@ import type {
   Theme,
   Trail,
 } from './settings'
+import { tier } from './tier'
 import { words } from './words'
 import './stage.css'
 
@@ -127,7 +127,7 @@ export class Stage {
 
   /** Opacity of a body, 0 … 1; 1 draws it as described. */
   setOpacity(body: number, opacity: number): void {
-    this.#scenery.bodies.setOpacity(body, opacity)
+    this.#scenery.setOpacity(body, opacity)
     this.#screen.redraw()
   }
 
@@ -150,12 +150,17 @@ export class Stage {
   }
 
   get lights(): Lights {
-    return this.#scenery.lights.lights
+    return this.#scenery.lights
   }
 
   setLights(lights: Lights): void {
-    this.#scenery.lights.lights = lights
+    this.#scenery.setLights(lights)
     this.#screen.redraw()
+  }
+
+  /** Whether bodies throw shadows. */
+  shadows(on: boolean): void {
+    if (this.#scenery.setShadows(on)) this.#screen.redraw()
   }
 
   get shading(): Shading {

@@ -6,39 +6,42 @@ import {
   type Material,
   Matrix4,
   MeshBasicMaterial,
-  MeshLambertMaterial,
+  NotEqualStencilFunc,
   type Object3D,
 } from 'three'
 import type { Bodies } from './bodies'
 import { Figure, type Wardrobe } from './figure'
-import type { Role } from './materials'
+import { ARM_MARK, type Role } from './materials'
+import { TintMaterial } from './tint_material'
+
+/** `beside`: nothing is drawn where the arm itself is seen; `upon`: it lies over what it marks. */
+export type TintPlace = 'beside' | 'upon'
 
 /** Dresses every piece alike. */
 export class Tint implements Wardrobe {
   readonly #depth = new MeshBasicMaterial({ colorWrite: false, transparent: true, side: DoubleSide })
-  readonly #surface: MeshLambertMaterial
+  readonly #surface: TintMaterial
   readonly #edge: LineBasicMaterial
 
   constructor(
-    opacity: number,
+    strength: number,
     private readonly layer: number,
+    place: TintPlace,
   ) {
-    this.#surface = new MeshLambertMaterial({
-      transparent: true,
-      opacity,
-      side: DoubleSide,
-      depthWrite: false,
-    })
+    this.#surface = new TintMaterial(strength)
     this.#edge = new LineBasicMaterial({
       transparent: true,
-      opacity: Math.min(1, 0.5 + opacity),
+      opacity: Math.min(1, 0.45 + strength),
       depthWrite: false,
     })
+    if (place === 'upon') return
+    for (const material of this.#all) {
+      material.setValues({ stencilWrite: true, stencilRef: ARM_MARK, stencilFunc: NotEqualStencilFunc })
+    }
   }
 
   set colour(colour: Color) {
-    this.#surface.color = colour
-    this.#surface.emissive = colour.clone().multiplyScalar(0.25)
+    this.#surface.colour = colour
     this.#edge.color = colour
   }
 
@@ -53,8 +56,16 @@ export class Tint implements Wardrobe {
     return this.layer + (role === 'depth' ? 0 : role === 'crease' ? 0.2 : 0.1)
   }
 
+  casts(): boolean {
+    return false
+  }
+
   dispose(): void {
-    for (const material of [this.#depth, this.#surface, this.#edge]) material.dispose()
+    for (const material of this.#all) material.dispose()
+  }
+
+  get #all(): readonly Material[] {
+    return [this.#depth, this.#surface, this.#edge]
   }
 }
 

@@ -38,7 +38,8 @@ export class Triad {
       text.setAttribute('y', (LETTER * y).toFixed(1))
       // An axis that points at the eye has no length: its letter would hide the cross.
       const short = Math.hypot(x, y) < 0.25
-      text.setAttribute('visibility', short ? 'hidden' : 'visible')
+      // Never `visible`: that would outshine a panel that hides its views.
+      text.setAttribute('visibility', short ? 'hidden' : 'inherit')
     })
   }
 }

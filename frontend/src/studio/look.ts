@@ -14,6 +14,8 @@ export interface Look {
   readonly arm: number
   /** Null: as designed. */
   readonly lights: Lights | null
+  /** Whether bodies throw shadows. */
+  readonly shadows: boolean
   /** Names of bodies. */
   readonly hidden: readonly string[]
   readonly opacity: Readonly<Record<string, number>>
@@ -27,6 +29,7 @@ export const DEFAULT_LOOK: Look = {
   trails: true,
   arm: 1,
   lights: null,
+  shadows: true,
   hidden: [],
   opacity: {},
 }
@@ -54,6 +57,7 @@ export function applyLook(stage: Stage, look: Look, scene: SceneDescription | nu
   stage.frames(new Set(look.frames))
   stage.labels(look.names)
   if (look.lights) stage.setLights(look.lights)
+  stage.shadows(look.shadows)
   scene?.bodies.forEach((body, at) => {
     stage.setHidden(at, look.hidden.includes(body.name))
     stage.setOpacity(at, look.opacity[body.name] ?? (ARM.has(body.kind) ? look.arm : 1))

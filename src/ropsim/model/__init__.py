@@ -27,6 +27,7 @@ from ropsim.model.drive import Friction as Friction
 from ropsim.model.geometry import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry import Box as Box
 from ropsim.model.geometry import Cylinder as Cylinder
+from ropsim.model.geometry import Material as Material
 from ropsim.model.geometry import Mesh as Mesh
 from ropsim.model.geometry import Point2 as Point2
 from ropsim.model.geometry import Point3 as Point3

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ropsim.model.controller import ControllerModel
-from ropsim.model.geometry import Shape
+from ropsim.model.geometry import Material, Shape
 from ropsim.model.robot import RobotModel
 from ropsim.spatial import Array, Pose, frozen
 
@@ -67,6 +67,7 @@ class Part:
         supply: name of the supply it comes from, empty for a part that lies there from the start.
         turn: place in the queue of its supply: it appears when the part before it has been taken away.
         colour: `#rrggbb`.
+        material: how its surface takes the light.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Part:
     supply: str = ""
     turn: int = 0
     colour: str = PART_COLOUR
+    material: Material = Material.PAINT
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", frozen(self.size))

@@ -1,6 +1,7 @@
 """Graphic elements: the solids and lines that links, tools and objects of a cell are drawn with."""
 
 from dataclasses import dataclass, field
+from enum import StrEnum
 
 from ropsim.spatial import Pose
 
@@ -9,6 +10,17 @@ Point3 = tuple[float, float, float]
 
 LIGHT_GREY = "#c9ced3"
 """Colour of what has been given none."""
+
+
+class Material(StrEnum):
+    """What a surface looks as if it were made of: it says how the colour takes the light, nothing of mass."""
+
+    PAINT = "paint"
+    STEEL = "steel"
+    WOOD = "wood"
+    CARDBOARD = "cardboard"
+    RUBBER = "rubber"
+    GLASS = "glass"
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,9 +126,11 @@ class Shape:
         pose: its frame in the frame of the body that it belongs to.
         colour: `#rrggbb`; a mesh with colours of its own keeps those.
         opacity: from 0, invisible, to 1.
+        material: how its surface takes the light.
     """
 
     solid: Solid
     pose: Pose = field(default_factory=Pose)
     colour: str = LIGHT_GREY
     opacity: float = 1.0
+    material: Material = Material.PAINT

@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.model.geometry import LIGHT_GREY, Cylinder, Shape
+from ropsim.model.geometry import LIGHT_GREY, Cylinder, Material, Shape
 from ropsim.spatial import Array, Pose
 
 
@@ -13,6 +13,7 @@ def rod(
     radius: float,
     top: float | None = None,
     colour: str = LIGHT_GREY,
+    material: Material = Material.PAINT,
 ) -> Shape:
     """Return a round rod between two different points.
 
@@ -22,11 +23,12 @@ def rod(
         radius: at the start [m].
         top: radius at the end [m]; None for the same.
         colour: `#rrggbb`.
+        material: how its surface takes the light.
     """
     first, last = np.asarray(start, dtype=np.float64), np.asarray(end, dtype=np.float64)
     length = float(np.linalg.norm(last - first))
     pose = Pose((first + last) / 2.0, z_turned_to((last - first) / length))
-    return Shape(Cylinder(radius, length, top), pose, colour)
+    return Shape(Cylinder(radius, length, top), pose, colour, material=material)
 
 
 def z_turned_to(direction: Array) -> Array:

@@ -9,7 +9,7 @@ from math import sqrt
 
 import numpy as np
 
-from ropsim.model import Box, Prism, Revolve, Shape, Sphere, around, rod
+from ropsim.model import Box, Material, Prism, Revolve, Shape, Sphere, around, rod
 from ropsim.spatial import Pose
 
 _WHITE = "#e6e8ea"
@@ -116,7 +116,7 @@ def _link6() -> tuple[Shape, ...]:
     """The flange, a disc across z."""
     return (
         rod((0.0, 0.0, 0.038), (0.0, 0.0, 0.044), 0.024, None, _DARK),
-        rod((0.0, 0.0, 0.044), (0.0, 0.0, _FLANGE), 0.0315, None, _STEEL),
+        rod((0.0, 0.0, 0.044), (0.0, 0.0, _FLANGE), 0.0315, None, _STEEL, Material.STEEL),
     )
 
 

@@ -100,4 +100,4 @@ def start_of(cell: Cell) -> Array:
 def part_shape(part: Part) -> Shape:
     """Return the box of a part in its object frame, whose origin is the centre of the top face."""
     x, y, z = part.size.tolist()
-    return Shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0])), part.colour)
+    return Shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0])), part.colour, material=part.material)

@@ -39,7 +39,8 @@ def plain_shape(shape: Shape, meshes: Mapping[Mesh, MeshSource]) -> dict[str, ob
     if isinstance(shape.solid, Mesh):
         source = meshes.get(shape.solid, NOT_READ)
         values |= {"mesh": source.address, "missing": source.missing}
-    return {**values, "pose": plain_pose(shape.pose), "colour": shape.colour, "opacity": shape.opacity}
+    look = {"colour": shape.colour, "opacity": shape.opacity, "material": shape.material.value}
+    return {**values, "pose": plain_pose(shape.pose), **look}
 
 
 def plain_pose(pose: Pose) -> list[float]:

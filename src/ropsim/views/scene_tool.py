@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ropsim.model import Box, Cell, Shape, Tool, rod
+from ropsim.model import Box, Cell, Material, Shape, Tool, rod
 from ropsim.spatial import Array, Pose, quaternion_from_matrix
 
 _BRACKET = "#59626b"
@@ -41,7 +41,7 @@ def tool_shapes(tool: Tool, width: float) -> tuple[Shape, ...]:
     radius = min(max(0.1 * distance, 0.004), 0.02)
     if tool.gripper is None:
         neck = tip - 0.35 * distance * approach
-        return (*_bracket(neck, radius), rod(neck, tip, 0.8 * radius, 0.1 * radius, _STEEL))
+        return (*_bracket(neck, radius), rod(neck, tip, 0.8 * radius, 0.1 * radius, _STEEL, Material.STEEL))
     length = min(max(0.3 * distance, 0.01), 0.06)
     palm = tip - length * approach
     return (*_bracket(palm, radius), *_fingers(tool.X_MT, length, width, radius))
@@ -52,7 +52,7 @@ def _bracket(end: Array, radius: float) -> tuple[Shape, ...]:
     corner = np.array([0.0, 0.0, end[2]])
     points = [np.zeros(3), corner, end]
     return tuple(
-        rod(first, last, radius, None, _BRACKET)
+        rod(first, last, radius, None, _BRACKET, Material.STEEL)
         for first, last in pairwise(points)
         if float(np.linalg.norm(last - first)) > _SHORTEST
     )
@@ -65,14 +65,14 @@ def _fingers(X_MT: Pose, length: float, width: float, radius: float) -> tuple[Sh
     reach = min(_OVERLAP, 0.3 * width)
     palm = Box((1.6 * breadth, width + 4.0 * thick, 0.5 * length))
     finger = Box((breadth, thick, 0.8 * length + reach))
-    pieces = [(palm, (0.0, 0.0, -length), _BRACKET)]
+    pieces = [(palm, (0.0, 0.0, -length), _BRACKET, Material.STEEL)]
     pieces += [
-        (finger, (0.0, side * (width + thick) / 2.0, reach - finger.size[2] / 2.0), colour)
-        for side, colour in ((1.0, _PAD), (-1.0, _PAD))
+        (finger, (0.0, side * (width + thick) / 2.0, reach - finger.size[2] / 2.0), _PAD, Material.RUBBER)
+        for side in (1.0, -1.0)
     ]
     turn = quaternion_from_matrix(X_MT.rotation())
     rotation = X_MT.rotation()
     return tuple(
-        Shape(solid, Pose(X_MT.position + rotation @ np.array(place), turn), colour)
-        for solid, place, colour in pieces
+        Shape(solid, Pose(X_MT.position + rotation @ np.array(place), turn), colour, material=material)
+        for solid, place, colour, material in pieces
     )

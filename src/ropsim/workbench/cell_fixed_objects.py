@@ -39,4 +39,4 @@ def _object(table: TomlTable, around: Surroundings) -> FixedObject:
 def _block(table: TomlTable, around: Surroundings, look: Look) -> tuple[Shape, ...]:
     """Return the box of the key `size`, below its position as parts are."""
     x, y, z = table.numbers("size", 3, around.units.extent, (_SMALL_EDGE,) * 3)
-    return (Shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0])), look.colour, look.opacity),)
+    return (look.shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0]))),)

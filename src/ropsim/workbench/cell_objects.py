@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from ropsim.core import Span
-from ropsim.model import PART_COLOUR, Part, Sink
+from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_poses import ORIGIN, Surroundings, read_pose
-from ropsim.workbench.cell_shapes import read_colour
+from ropsim.workbench.cell_shapes import read_colour, read_material
 from ropsim.workbench.quantity import MASS, Units
 from ropsim.workbench.toml_checks import Findings, TomlTable
 
@@ -48,25 +48,30 @@ def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
     table.require("name", "size", "mass", "position")
     name = table.text("name", "")
     size, mass = _body(table, around.units)
-    colour = read_colour(table, PART_COLOUR)
+    colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_WO = read_pose(table, around.units)
     shifts = _grid(table.table("grid"), around.units) if "grid" in table else None
     table.finish()
     if shifts is None:
-        return [Part(name, size, mass, around.in_base(X_WO), colour=colour)]
+        return [Part(name, size, mass, around.in_base(X_WO), colour=colour, material=material)]
     poses = (around.in_base(Pose(X_WO.position + shift, X_WO.orientation)) for shift in shifts)
-    return [Part(f"{name}_{k}", size, mass, pose, colour=colour) for k, pose in enumerate(poses, start=1)]
+    return [
+        Part(f"{name}_{k}", size, mass, pose, colour=colour, material=material)
+        for k, pose in enumerate(poses, start=1)
+    ]
 
 
 def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
     table.require("name", "size", "mass", "position", "count")
     name = table.text("name", "")
     size, mass = _body(table, around.units)
-    colour = read_colour(table, PART_COLOUR)
+    colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_BO = around.in_base(read_pose(table, around.units))
     count = table.integer("count", 1, _MOST_PARTS, 1)
     table.finish()
-    return [Part(f"{name}_{turn + 1}", size, mass, X_BO, name, turn, colour) for turn in range(count)]
+    return [
+        Part(f"{name}_{turn + 1}", size, mass, X_BO, name, turn, colour, material) for turn in range(count)
+    ]
 
 
 def _body(table: TomlTable, units: Units) -> tuple[Array, float]:

@@ -1,4 +1,4 @@
-"""Shapes in a cell file: one graphic element with its place, colour and opacity."""
+"""Shapes in a cell file: one graphic element with its place, colour, opacity and material."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -10,6 +10,7 @@ from ropsim.model import (
     LIGHT_GREY,
     Box,
     Cylinder,
+    Material,
     Mesh,
     Polyline,
     Prism,
@@ -21,6 +22,7 @@ from ropsim.model import (
     circle,
     polygon,
 )
+from ropsim.spatial import Pose
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_outlines import read_outline, read_points, read_profile
 from ropsim.workbench.cell_poses import read_pose
@@ -38,15 +40,23 @@ _EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """Colour and opacity that hold where a shape says nothing."""
+    """Colour, opacity and material that hold where a shape says nothing."""
 
     colour: str = LIGHT_GREY
     opacity: float = 1.0
+    material: Material = Material.PAINT
+
+    def shape(self, solid: Solid, pose: Pose) -> Shape:
+        """Return a graphic element that looks like this, in its place."""
+        return Shape(solid, pose, self.colour, self.opacity, self.material)
 
 
 def read_look(table: TomlTable, default: Look) -> Look:
-    """Return what the keys `colour` and `opacity` say."""
-    return Look(read_colour(table, default.colour), table.number("opacity", _OPACITY, default.opacity))
+    """Return what the keys `colour`, `opacity` and `material` say."""
+    colour = read_colour(table, default.colour)
+    return Look(
+        colour, table.number("opacity", _OPACITY, default.opacity), read_material(table, default.material)
+    )
 
 
 def read_colour(table: TomlTable, default: str) -> str:
@@ -58,6 +68,11 @@ def read_colour(table: TomlTable, default: str) -> str:
         table.findings.add(UNFIT_COLOUR, table.value_span("colour"), message, hint)
         return default
     return colour.lower()
+
+
+def read_material(table: TomlTable, default: Material) -> Material:
+    """Return the key `material`, checked."""
+    return Material(table.choice("material", [known.value for known in Material], default.value))
 
 
 def read_shapes(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:
@@ -81,7 +96,7 @@ def _shape(table: TomlTable, units: Units, default: Look) -> Shape | None:
         hint = f"give one of {', '.join(f'`{element}`' for element in _ELEMENTS)}"
         table.findings.add(UNFIT_SHAPE, table.value_span(), "the shape is of no sort", hint)
     table.finish()
-    return None if solid is None else Shape(solid, pose, look.colour, look.opacity)
+    return None if solid is None else look.shape(solid, pose)
 
 
 def _box(table: TomlTable, units: Units) -> Solid:

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import Box, Cell, Cylinder, Mesh, Polyline, Prism, Revolve, Shape, Sphere
+from ropsim.model import Box, Cell, Cylinder, Material, Mesh, Polyline, Prism, Revolve, Shape, Sphere
 from ropsim.workbench import read_cell
+from ropsim.workbench.cell_diagnostics import UNKNOWN_CHOICE
 
 ROBOT = '[robot]\nmodel = "puma560"\n'
 OBJECT = ROBOT + '[[objects]]\nname = "o"\nposition = [100, 200, 300]\n'
@@ -96,6 +97,21 @@ def test_the_look_of_an_object_holds_for_shapes_without_one() -> None:
     shapes = "shapes = [{ box = [1, 1, 1] }, { sphere = { radius = 1 }, opacity = 1 }]"
     (thing,) = cell_of(OBJECT + 'colour = "#010203"\nopacity = 0.25\n' + shapes).objects
     assert [(shape.colour, shape.opacity) for shape in thing.shapes] == [("#010203", 0.25), ("#010203", 1.0)]
+
+
+def test_a_material_holds_for_an_object_or_for_one_shape() -> None:
+    shapes = 'shapes = [{ box = [1, 1, 1] }, { sphere = { radius = 1 }, material = "rubber" }]'
+    (thing,) = cell_of(OBJECT + 'material = "wood"\n' + shapes).objects
+    assert [shape.material for shape in thing.shapes] == [Material.WOOD, Material.RUBBER]
+    (part,) = cell_of(ROBOT + PARTS + 'material = "cardboard"\n').parts
+    assert part.material is Material.CARDBOARD
+
+
+def test_an_unknown_material_is_answered_with_the_known_ones() -> None:
+    found = one(OBJECT + 'shapes = [{ box = [1, 1, 1], material = "gold" }]\n')
+    assert found.code == UNKNOWN_CHOICE.code
+    for material in Material:
+        assert f"`{material.value}`" in found.message
 
 
 def test_the_short_form_is_a_box_below_its_position() -> None:
