@@ -143,11 +143,11 @@ def test_passes_of_a_loop_are_shown_one_by_one(fresh: StudioPage) -> None:
     fresh.write(TWICE)
     fresh.rerun(shown)
     fresh.line(4).click()
-    passes = fresh.page.locator(".pass-bar")
-    passes.get_by_text("Line 4, pass 1 of 2").wait_for()
+    passes = fresh.page.get_by_role("group", name="Ghost of a line")
+    passes.get_by_text("line 4, pass 1 of 2").wait_for()
     first = fresh.state()["ghost"]["time"]
     passes.get_by_role("button", name="Next pass").click()
-    passes.get_by_text("Line 4, pass 2 of 2").wait_for()
+    passes.get_by_text("line 4, pass 2 of 2").wait_for()
     assert fresh.state()["ghost"]["time"] > first + 0.5
 
 

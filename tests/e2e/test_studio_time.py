@@ -130,7 +130,7 @@ def test_a_line_shows_the_arm_where_its_move_ends(
     distance, turn = worst_apart(tab.poses("ghost"), expected)
     assert distance < UNSEEN
     assert turn < UNSEEN
-    tab.page.locator(".pass-bar").get_by_role("button", name="Go there").click()
+    tab.page.get_by_role("button", name="Go there").click()
     assert tab.time() == pytest.approx(end)
     tab.page.wait_for_function("() => JSON.stringify(__ropsim.poses()) === JSON.stringify(__ropsim.ghost())")
 
@@ -140,7 +140,7 @@ def test_the_keyboard_moves_the_ghost_from_line_to_line(tab: StudioPage) -> None
     tab.ghost_of(6)
     tab.page.keyboard.press("ArrowDown")
     tab.ghost_of(7)
-    tab.page.locator(".pass-bar").get_by_role("button", name="Hide the ghost").click()
+    tab.page.get_by_role("button", name="Hide the ghost").click()
     tab.page.wait_for_function("() => __ropsim.ghost() === null")
 
 

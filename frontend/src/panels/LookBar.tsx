@@ -5,6 +5,8 @@ import {
   LAYOUTS,
   type Layout,
   type Lights,
+  PATHS,
+  type PathShown,
   SHADINGS,
   type Shading,
 } from '../scene/settings'
@@ -50,13 +52,6 @@ export function LookBar() {
       <button type="button" onClick={() => studio.picture.stage?.fit()}>
         {views.fit}
       </button>
-      <button
-        type="button"
-        aria-pressed={look.trails}
-        onClick={() => studio.setLook({ trails: !look.trails }, views.trails)}
-      >
-        {views.trails}
-      </button>
       <details className="drop">
         <summary>{views.frames}</summary>
         <div className="drop-body">
@@ -89,6 +84,7 @@ function LookMenu() {
   const studio = useStudio()
   const lights = useStudioState(state => state.look.lights) ?? DAYLIGHT
   const arm = useStudioState(state => state.look.arm)
+  const path = useStudioState(state => state.look.path)
   const shadows = useStudioState(state => state.look.shadows)
   const { views } = words
   const slider = (key: keyof Lights, label: string, min: number, max: number) => (
@@ -108,6 +104,19 @@ function LookMenu() {
     <details className="drop">
       <summary>{views.lights}</summary>
       <div className="drop-body">
+        <label>
+          {views.path}
+          <select
+            value={path}
+            onChange={event => studio.setLook({ path: event.target.value as PathShown }, views.path)}
+          >
+            {PATHS.map(one => (
+              <option key={one} value={one}>
+                {views.paths[one]}
+              </option>
+            ))}
+          </select>
+        </label>
         <label>
           <input
             type="checkbox"

@@ -1,4 +1,4 @@
-/** The texts of the project: tabs, editor, what stands between a text and its file, passes of the line. */
+/** The texts of the project: tabs, editor, what stands between a text and its file. */
 import { type ReactNode, useEffect, useRef, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import type { StudioDocument } from '../studio/documents'
@@ -25,7 +25,6 @@ export function ProgramPanel() {
         </p>
       )}
       <div ref={host} className="program-text" id="program-text" />
-      <PassBar />
     </div>
   )
 }
@@ -76,37 +75,6 @@ function Choice({ text, act, isOff }: { text: string; act: () => void; isOff: bo
     <button type="button" onClick={act} disabled={isOff}>
       {text}
     </button>
-  )
-}
-
-/** Which pass of the clicked line the ghost shows; the buttons lead through them. */
-function PassBar() {
-  const studio = useStudio()
-  const ghost = useStudioState(state => state.ghost)
-  if (!ghost) return null
-  const { document, line, pass, passes, time } = ghost
-  const go = (to: number) => studio.showLine(document, line, to)
-  return (
-    <div className="pass-bar">
-      <output>{words.pass(line, pass, passes)}</output>
-      <button type="button" aria-label={words.previousPass} disabled={pass <= 1} onClick={() => go(pass - 1)}>
-        ‹
-      </button>
-      <button
-        type="button"
-        aria-label={words.nextPass}
-        disabled={pass >= passes}
-        onClick={() => go(pass + 1)}
-      >
-        ›
-      </button>
-      <button type="button" onClick={() => studio.transport.go(time)}>
-        {words.seek}
-      </button>
-      <button type="button" onClick={() => studio.clearGhost()}>
-        {words.clear}
-      </button>
-    </div>
   )
 }
 

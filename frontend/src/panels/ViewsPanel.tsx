@@ -5,6 +5,7 @@ import { Stage } from '../scene/stage'
 import { useStudio, useStudioState } from '../studio/context'
 import { isDark, onScheme } from '../style/scheme'
 import { words } from '../text/messages'
+import { GhostBar } from './GhostBar'
 import { LookBar } from './LookBar'
 
 export function ViewsPanel() {
@@ -65,32 +66,15 @@ export function ViewsPanel() {
   )
 }
 
-/** Over the picture: that it is old, that it shows a ghost. */
+/** Over the picture: that it is old, what its ghost shows. */
 function StageBadges() {
-  const studio = useStudio()
   const stale = useStudioState(state => state.stale)
   const broken = useStudioState(state => state.scene !== null && state.cellBroken)
-  const ghost = useStudioState(state => state.ghost)
   return (
     <div className="stage-badges">
       {stale ? <span className="badge warning">{words.run.stale}</span> : null}
       {broken ? <span className="badge error">{words.views.oldCell}</span> : null}
-      {ghost ? (
-        <span className="badge ghost">
-          {words.views.ghost(ghost.line, ghost.pass, ghost.passes)}
-          <button type="button" onClick={() => studio.transport.go(ghost.time)}>
-            {words.views.goThere}
-          </button>
-          <button
-            type="button"
-            aria-label={words.views.hide}
-            title={words.views.hide}
-            onClick={() => studio.clearGhost()}
-          >
-            ×
-          </button>
-        </span>
-      ) : null}
+      <GhostBar />
     </div>
   )
 }

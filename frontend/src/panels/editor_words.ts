@@ -19,12 +19,6 @@ export const words = {
   readOnly: 'Read only: another tab edits this project.',
   stale: 'The text has changed; marks and ghost belong to the last good run.',
   staleShort: 'marks of the last good run',
-  pass: (line: number, pass: number, passes: number) =>
-    passes > 1 ? `Line ${line}, pass ${pass} of ${passes}` : `Line ${line}`,
-  previousPass: 'Previous pass',
-  nextPass: 'Next pass',
-  seek: 'Go there',
-  clear: 'Hide the ghost',
   problems: (count: number, all: number) =>
     count === all ? `${count} ${count === 1 ? 'problem' : 'problems'}` : `${count} of ${all} problems`,
   title: (count: number) => (count === 0 ? 'Problems' : `Problems (${count})`),

@@ -1,9 +1,10 @@
 /** The 3-D views of a replay with their few switches. */
 import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
-import type { FrameKind } from '../scene/settings'
+import { type Move, movesAmong, pathWindow } from '../scene/path_window'
+import { type FrameKind, PATHS, type PathShown, type Theme } from '../scene/settings'
 import { type MeshSource, Stage } from '../scene/stage'
-import { element, toggle } from './elements'
+import { choice, element, toggle } from './elements'
 import { words } from './words'
 
 const FRAMES: ReadonlySet<FrameKind> = new Set<FrameKind>(['world', 'base', 'frame', 'tcp'])
@@ -15,9 +16,13 @@ export class Picture {
   readonly #poses: Float32Array
   readonly #visible: Uint8Array
   readonly #run: Run
+  readonly #moves: readonly Move[]
+  #path: PathShown = 'recent'
+  #time = 0
 
   constructor(run: Run, scene: SceneDescription, meshes: MeshSource) {
     this.#run = run
+    this.#moves = movesAmong(run.events)
     this.#poses = new Float32Array(7 * scene.bodies.length)
     this.#visible = new Uint8Array(scene.bodies.length)
     const host = element('div', { class: 'replay-stage', role: 'group', 'aria-label': words.views })
@@ -30,18 +35,26 @@ export class Picture {
     if (!Stage.supported()) this.element.classList.add('replay-plain')
     this.stage = new Stage(host, { reducedMotion, theme: theme() })
     dark.addEventListener('change', () => this.stage.setTheme(theme()))
+    // Paper is white; the picture has to be drawn before it is printed, not in the next frame.
+    const repaint = (now: Theme) => {
+      this.stage.setTheme(now)
+      this.stage.drawAll()
+    }
+    addEventListener('beforeprint', () => repaint('print'))
+    addEventListener('afterprint', () => repaint(theme()))
     this.stage.layout(host.clientWidth > 700 ? '4' : '1')
     this.stage.load(scene, meshes)
     this.stage.frames(NO_FRAMES)
     this.stage.shadows(true)
-    this.#trails(true)
+    this.#trails('recent')
     this.element.prepend(this.#switches(host.clientWidth > 700))
   }
 
   show(time: number): void {
     this.#run.bodies(time, this.#poses, this.#visible)
     this.stage.show(this.#poses, this.#visible)
-    this.stage.trailUntil(time)
+    this.#time = time
+    this.stage.trailWindow(pathWindow(this.#path, time, this.#moves))
   }
 
   /** A transparent arm as it stands at this time; null for none. */
@@ -64,8 +77,10 @@ export class Picture {
     return this.#visible[body] === 1
   }
 
-  #trails(on: boolean): void {
-    this.stage.trails(on ? this.#run.trail('attained') : null, null)
+  #trails(shown: PathShown): void {
+    this.#path = shown
+    this.stage.trails(shown === 'none' ? null : this.#run.trail('attained'), null)
+    this.show(this.#time)
   }
 
   #switches(four: boolean): HTMLElement {
@@ -75,7 +90,11 @@ export class Picture {
       'div',
       { class: 'replay-switches' },
       toggle(words.four, four, on => this.stage.layout(on ? '4' : '1')),
-      toggle(words.paths, true, on => this.#trails(on)),
+      choice(
+        words.paths,
+        PATHS.map(one => [one, words.pathsShown[one]]),
+        shown => this.#trails(shown),
+      ),
       toggle(words.frames, false, on => this.stage.frames(on ? FRAMES : NO_FRAMES)),
       fit,
     )

@@ -4,6 +4,7 @@ export const words = {
   four: 'Four views',
   fitAll: 'Show all',
   paths: 'Path of the tool',
+  pathsShown: { recent: 'recent and next', all: 'all', none: 'none' },
   frames: 'Frames',
   reading: 'The replay is being prepared …',
   failed: (reason: string) => `The replay cannot be shown: ${reason} The report below is complete.`,

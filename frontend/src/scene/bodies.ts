@@ -167,14 +167,20 @@ export class Bodies {
     return look && matrix ? cornersOf(look.box).map(corner => corner.applyMatrix4(matrix)) : []
   }
 
-  /** Those of all bodies that are in the picture: nearer to what is seen than one box about everything. */
-  corners(): Vector3[] {
-    return this.#bodies.flatMap((_, i) => (this.shown(i) ? this.cornersOf(i) : []))
+  /** Points in W that reach as far as a body does. */
+  outlineOf(body: number): Vector3[] {
+    const [look, matrix] = [this.#looks[body], this.#matrices[body]]
+    return look && matrix ? look.outline.map(point => point.clone().applyMatrix4(matrix)) : []
+  }
+
+  /** Those of all bodies that are in the picture. */
+  outline(): Vector3[] {
+    return this.#bodies.flatMap((_, i) => (this.shown(i) ? this.outlineOf(i) : []))
   }
 
   /** Box about all that is in the picture, in W. */
   box(): Box3 {
-    return new Box3().setFromPoints(this.corners())
+    return this.#bodies.reduce((box, _, i) => (this.shown(i) ? box.union(this.boxOf(i)) : box), new Box3())
   }
 
   dispose(): void {

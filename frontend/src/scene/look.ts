@@ -4,6 +4,7 @@ import type { LineShape, Pose, Shape } from './description'
 import { LineParts, SurfaceParts } from './geometry_parts'
 import type { Role } from './materials'
 import type { MeshData } from './mesh_data'
+import { outlineOf } from './outline'
 import { box } from './prism'
 import { solidOf } from './solids'
 
@@ -27,6 +28,8 @@ export class Look {
   readonly pieces: readonly Piece[]
   /** Box about everything, in the frame of the body. */
   readonly box: Box3
+  /** Points of its form that reach farthest, in the frame of the body. */
+  readonly outline: readonly Vector3[]
 
   /** `meshes` has those that are there; the others get a hatched box when they are `missing`, or come later. */
   constructor(shapes: readonly Shape[], meshes: ReadonlyMap<string, MeshData>, missing: ReadonlySet<string>) {
@@ -77,6 +80,7 @@ export class Look {
     this.pieces = pieces
     this.box = new Box3()
     for (const { geometry } of pieces) this.box.union(geometry.boundingBox ?? new Box3())
+    this.outline = outlineOf(pieces.map(({ geometry }) => geometry))
   }
 
   /** Surfaces that a line of sight can hit. */

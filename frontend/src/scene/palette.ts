@@ -21,11 +21,11 @@ export interface Palette {
 
 type Colours = Record<Exclude<keyof Palette, 'inkStrength' | 'shade'>, string>
 
-const SHADE: Record<Theme, number> = { light: 0.3, dark: 0.5 }
+const SHADE: Record<Theme, number> = { light: 0.3, dark: 0.5, print: 0.28 }
 
-const INK_STRENGTH: Record<Theme, number> = { light: 0.45, dark: 0.55 }
+const INK_STRENGTH: Record<Theme, number> = { light: 0.45, dark: 0.55, print: 0.6 }
 
-const DEFAULTS: Record<Theme, Colours> = {
+const DEFAULTS: Record<Exclude<Theme, 'print'>, Colours> = {
   light: {
     top: '#dfe6ee',
     bottom: '#f7f9fb',
@@ -50,6 +50,8 @@ const DEFAULTS: Record<Theme, Colours> = {
   },
 }
 
+const PAPER: Colours = { ...DEFAULTS.light, top: '#ffffff', bottom: '#ffffff', grid: '#8796a6' }
+
 /** Names of the custom properties that override the defaults. */
 const PROPERTIES: Partial<Colours> = {
   top: '--scene-top',
@@ -62,9 +64,10 @@ const PROPERTIES: Partial<Colours> = {
 export function paletteOf(theme: Theme, host: HTMLElement): Palette {
   const probe = document.createElement('span')
   host.append(probe)
-  const defaults = DEFAULTS[theme]
+  const defaults = theme === 'print' ? PAPER : DEFAULTS[theme]
   const colour = (name: keyof Colours) => {
-    const property = PROPERTIES[name]
+    // Paper is white whatever the page is.
+    const property = theme === 'print' ? undefined : PROPERTIES[name]
     return property ? asShown(probe, property, defaults[name]) : new Color(defaults[name])
   }
   const palette = {

@@ -13,7 +13,7 @@ import { Looks, type MeshSource } from './looks'
 import { Materials } from './materials'
 import type { Palette } from './palette'
 import { SelectionMark } from './selection_mark'
-import type { Lights, Shading, StageProblem } from './settings'
+import type { FrameKind, Lights, Shading, StageProblem } from './settings'
 import { Shadow } from './shadow'
 import { Tint, TintedArm } from './tinted_arm'
 import { TrailLine } from './trail_line'
@@ -21,6 +21,9 @@ import type { Words } from './words'
 
 /** Share of the arm's reach beyond what is there that the first picture leaves room for. */
 const REACH_SHOWN = 0.04
+
+/** Which names of frames stay where they would overlap. */
+const FRAME_RANKS: Record<FrameKind, number> = { tcp: 2, base: 3, world: 4, frame: 5, location: 6 }
 
 export class Scenery {
   readonly scene = new Scene()
@@ -158,16 +161,25 @@ export class Scenery {
     const problems = this.problems.map(({ body, file }) => ({
       text: this.words.missingMesh(file.slice(file.lastIndexOf('/') + 1)),
       kind: 'problem' as const,
+      rank: 0,
       point: this.#point(`body ${this.bodies.list.findIndex(({ name }) => name === body)}`),
     }))
     const selected = this.#mark.body === null ? undefined : this.bodies.list[this.#mark.body]
     const selection = selected
-      ? [{ text: selected.name, kind: 'selection' as const, point: this.#point(`body ${this.#mark.body}`) }]
+      ? [
+          {
+            text: selected.name,
+            kind: 'selection' as const,
+            rank: 1,
+            point: this.#point(`body ${this.#mark.body}`),
+          },
+        ]
       : []
     const frames = this.#named
       ? this.crosses.shown.map(({ mark }, k) => ({
           text: mark.name,
           kind: 'frame' as const,
+          rank: FRAME_RANKS[mark.kind],
           point: this.#point(`frame ${k}`),
         }))
       : []
@@ -182,13 +194,13 @@ export class Scenery {
     const room = box.clone()
     room.min.min(box.min.clone().lerp(this.#extent.min, REACH_SHOWN))
     room.max.max(box.max.clone().lerp(this.#extent.max, REACH_SHOWN))
-    return [...this.bodies.corners(), ...facesOf(room)]
+    return [...this.bodies.outline(), ...facesOf(room)]
   }
 
-  /** Corners about a body, or about all that is in the picture. */
+  /** Points that reach as far as a body, or all that is in the picture. */
   points(body: number | null): Vector3[] {
-    const own = body === null ? [] : this.bodies.cornersOf(body)
-    return own.length > 0 ? own : this.bodies.corners()
+    const own = body === null ? [] : this.bodies.outlineOf(body)
+    return own.length > 0 ? own : this.bodies.outline()
   }
 
   get selected(): number | null {

@@ -123,6 +123,13 @@ export class Screen {
     if (gliding || this.#waiting().length > 0) this.request()
   }
 
+  /** Draw all views now. */
+  drawAll(): void {
+    this.#callOff?.()
+    this.#callOff = null
+    if (this.#painter && !this.#painter.lost) this.#paint(this.#painter, this.shown, performance.now())
+  }
+
   stats(): StageStats {
     return {
       frames: this.#times.count,

@@ -16,7 +16,8 @@ export const SHADINGS = ['wireframe', 'hidden', 'flat', 'gouraud', 'standard'] a
 /** How surfaces are drawn; `hidden` is a line drawing with hidden lines removed. */
 export type Shading = (typeof SHADINGS)[number]
 
-export type Theme = 'light' | 'dark'
+/** `print`: on white paper. */
+export type Theme = 'light' | 'dark' | 'print'
 export type FrameKind = FrameMark['kind']
 
 /** Ambient and key light 0 … 2 (1 as designed); the key light's direction in W [rad]. */
@@ -34,6 +35,17 @@ export const DAYLIGHT: Lights = { ambient: 1, key: 1, azimuth: -1.75, elevation:
 export interface Trail {
   readonly times: Float64Array
   readonly points: Float32Array
+}
+
+export const PATHS = ['recent', 'all', 'none'] as const
+/** How much of the tool's path is drawn: the last seconds and what comes next, all, or nothing. */
+export type PathShown = (typeof PATHS)[number]
+
+/** The path is drawn from a time to a time, bright up to `until` [s]. */
+export interface PathWindow {
+  readonly from: number
+  readonly until: number
+  readonly to: number
 }
 
 /** Where a camera stands: it looks at `target` [m, W] from `azimuth` and `elevation` [rad], `distance` [m] away. */

@@ -11,6 +11,7 @@ import type {
   FrameKind,
   Layout,
   Lights,
+  PathWindow,
   PickListener,
   Point,
   Shading,
@@ -96,10 +97,10 @@ export class Stage {
     this.#screen.redraw()
   }
 
-  /** Paths are bright until this time [s], faint after it. */
-  trailUntil(time: number): void {
+  /** How much of the paths is drawn. */
+  trailWindow(window: PathWindow): void {
     const { attained, command } = this.#scenery
-    const changed = [attained.setUntil(time), command.setUntil(time)]
+    const changed = [attained.setWindow(window), command.setWindow(window)]
     if (changed.includes(true)) this.#screen.redraw()
   }
 
@@ -206,6 +207,11 @@ export class Stage {
   /** Draw what has changed now; for callers that are inside an animation frame already. */
   draw(): void {
     this.#screen.draw()
+  }
+
+  /** Draw every view now, however long it takes. */
+  drawAll(): void {
+    this.#screen.drawAll()
   }
 
   stats(): StageStats {

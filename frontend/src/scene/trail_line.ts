@@ -1,13 +1,23 @@
-/** A path of the tool: bright up to a time and fading before it, faint after it. Grows without being made anew. */
+/** A path of the tool: bright up to a time and fading before it, faint after it, or a window of it. Grows in place. */
 import { BufferAttribute, BufferGeometry, type Color, Line, LineBasicMaterial, type Object3D } from 'three'
-import type { Trail } from './settings'
+import type { PathWindow, Trail } from './settings'
 import { essentialPoints } from './thin_path'
-import { comingOpacity, TrailMaterial } from './trail_material'
+import { oldOpacity, TrailMaterial } from './trail_material'
 
 const ROOM = 1024
 
 /** [s] */
 const FADING_STEP = 0.1
+
+/** Opacity of what comes: as share of that of old parts, and of the next move where no more is drawn. */
+const COMING = 0.6
+const NEXT = 0.6
+
+const WHOLE: PathWindow = {
+  from: Number.NEGATIVE_INFINITY,
+  until: Number.POSITIVE_INFINITY,
+  to: Number.POSITIVE_INFINITY,
+}
 
 const NOWHERE: Trail = { times: new Float64Array(0), points: new Float32Array(0) }
 
@@ -22,7 +32,9 @@ export class TrailLine {
   /** All points, and the times of those that are drawn. */
   #trail = NOWHERE
   #times: Float64Array = new Float64Array(0)
-  #until = Number.POSITIVE_INFINITY
+  #window: PathWindow = WHOLE
+  /** [s] */
+  #length = 0
   /** The time of the last picture that was different. */
   #drawn = Number.NEGATIVE_INFINITY
 
@@ -71,20 +83,23 @@ export class TrailLine {
     positions.needsUpdate = true
     stamps.needsUpdate = true
     const length = (times[count - 1] ?? 0) - (times[0] ?? 0)
-    this.#past.length = length
-    this.#future.opacity = comingOpacity(length) * this.#strength
+    this.#length = length
+    this.#fade()
     this.#split()
   }
 
-  /** Set the time [s] up to which the path is bright; whether the picture is different then. */
-  setUntil(time: number): boolean {
-    if (time === this.#until) return false
-    this.#until = time
-    this.#past.until = time
+  /** Set how much of the path is drawn; whether the picture is different then. */
+  setWindow(window: PathWindow): boolean {
+    const before = this.#window
+    if (window.until === before.until && window.from === before.from && window.to === before.to) return false
+    this.#window = window
+    this.#past.until = window.until
+    const isOther = Number.isFinite(window.from) !== Number.isFinite(before.from)
+    if (isOther) this.#fade()
     // Where the tool stands still only the fading goes on: now and then is enough for that.
-    const fading = this.#lines[0].visible && Math.abs(time - this.#drawn) > FADING_STEP
-    if (!this.#split() && !fading) return false
-    this.#drawn = time
+    const fading = this.#lines[0].visible && Math.abs(window.until - this.#drawn) > FADING_STEP
+    if (!this.#split() && !fading && !isOther) return false
+    this.#drawn = window.until
     return true
   }
 
@@ -113,23 +128,38 @@ export class TrailLine {
     }
   }
 
-  /** Whether the bright part ends elsewhere than before. */
+  /** Many cycles over each other are drawn faint; a window of one needs not be. */
+  #fade(): void {
+    const { from, until } = this.#window
+    const isWhole = !Number.isFinite(from)
+    if (isWhole) this.#past.fadeOut(oldOpacity(this.#length))
+    else this.#past.fadeAway(until - from)
+    this.#future.opacity = (isWhole ? COMING * oldOpacity(this.#length) : NEXT) * this.#strength
+  }
+
+  /** Whether another stretch is drawn than before, or the bright part ends elsewhere. */
   #split(): boolean {
     const [past, future] = this.#lines
     const count = this.#times.length
-    const passed = countUntil(this.#times, this.#until)
+    const { from: first, until, to } = this.#window
+    const passed = countUntil(this.#times, until)
+    const start = Math.max(0, Math.min(countUntil(this.#times, first), passed) - 1)
+    // The first point after the end belongs to it: the stretch up to there began before.
+    const end = Math.min(count, countUntil(this.#times, to) + (to > until ? 1 : 0))
     const from = Math.max(0, passed - 1)
     const corner = this.#positions.array.subarray(3 * from, 3 * from + 3)
-    const end = passed > 0 ? placeAt(this.#trail, this.#until) : corner
+    const place = passed > 0 ? placeAt(this.#trail, until) : corner
     const head = this.#head.array
-    const before = past.geometry.drawRange.count
-    const changed = passed !== before || head[3] !== end[0] || head[4] !== end[1] || head[5] !== end[2]
-    past.geometry.setDrawRange(0, passed)
-    future.geometry.setDrawRange(from, count - from)
+    const before = [past, future].flatMap(({ geometry: { drawRange } }) => [drawRange.start, drawRange.count])
+    past.geometry.setDrawRange(start, passed - start)
+    future.geometry.setDrawRange(from, Math.max(0, end - from))
+    const after = [past, future].flatMap(({ geometry: { drawRange } }) => [drawRange.start, drawRange.count])
+    const isMoved = head[3] !== place[0] || head[4] !== place[1] || head[5] !== place[2]
+    const changed = isMoved || after.some((one, k) => one !== before[k])
     head.set(corner)
-    head.set(end, 3)
+    head.set(place, 3)
     this.#head.needsUpdate = true
-    this.#headTimes.array.set([this.#times[from] ?? 0, Math.min(this.#until, this.#times[count - 1] ?? 0)])
+    this.#headTimes.array.set([this.#times[from] ?? 0, Math.min(until, this.#times[count - 1] ?? 0)])
     this.#headTimes.needsUpdate = true
     return changed
   }

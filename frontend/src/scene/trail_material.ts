@@ -1,16 +1,16 @@
 /** How a path of the tool is drawn: what is just past bright, older parts dim, what comes fainter still. */
-import { type Color, ShaderMaterial } from 'three'
+import { type Color, ShaderMaterial, Vector2 } from 'three'
 
-/** So long a part stays fully bright, and so long it then takes to fade [s]. */
+/** So old a part is still fully bright, and so old it has faded [s]. */
 const FRESH = 2
-const FADING = 3
+const FADED = 5
+
+/** Where parts fade away altogether: the share of that time in which they are fully bright. */
+const BRIGHT = 0.35
 
 /** Opacity of old parts of a short path, and the length up to which a path is short [s]. */
 const OLD = 0.5
 const SHORT = 15
-
-/** Opacity of what comes, as share of that of old parts. */
-const COMING = 0.6
 
 const VERTEX = /* glsl */ `
 attribute float time;
@@ -25,9 +25,10 @@ const FRAGMENT = /* glsl */ `
 uniform vec3 colour;
 uniform float strength;
 uniform float old;
+uniform vec2 ages;
 varying float age;
 void main() {
-  float fresh = 1.0 - smoothstep(${FRESH.toFixed(1)}, ${(FRESH + FADING).toFixed(1)}, age);
+  float fresh = 1.0 - smoothstep(ages.x, ages.y, age);
   gl_FragColor = vec4(colour, strength * mix(old, 1.0, fresh));
   #include <colorspace_fragment>
 }`
@@ -35,10 +36,6 @@ void main() {
 /** Opacity of old parts of a path of this length [s]: many cycles over each other must not hide the work. */
 export function oldOpacity(length: number): number {
   return OLD * Math.sqrt(SHORT / Math.max(length, SHORT))
-}
-
-export function comingOpacity(length: number): number {
-  return COMING * oldOpacity(length)
 }
 
 export class TrailMaterial extends ShaderMaterial {
@@ -50,6 +47,7 @@ export class TrailMaterial extends ShaderMaterial {
         colour: { value: null },
         strength: { value: strength },
         old: { value: OLD },
+        ages: { value: new Vector2(FRESH, FADED) },
         until: { value: 0 },
       },
       transparent: true,
@@ -66,9 +64,16 @@ export class TrailMaterial extends ShaderMaterial {
     this.#set('until', Math.min(time, Number.MAX_SAFE_INTEGER))
   }
 
-  /** The length of the path [s]. */
-  set length(length: number) {
-    this.#set('old', oldOpacity(length))
+  /** Older parts stay, with this opacity. */
+  fadeOut(opacity: number): void {
+    this.#set('old', opacity)
+    this.#set('ages', new Vector2(FRESH, FADED))
+  }
+
+  /** Older parts are gone after a time [s]. */
+  fadeAway(after: number): void {
+    this.#set('old', 0)
+    this.#set('ages', new Vector2(BRIGHT * after, after))
   }
 
   #set(name: string, value: unknown): void {

@@ -114,9 +114,15 @@ function addView(studio: Studio, group: Grouped): void {
     })
   }
   const picture = group('View', 'picture')
-  picture('view.trails', titles.trails, [], () => studio.setLook({ trails: !look().trails }, titles.trails), {
-    checked: () => look().trails,
-  })
+  picture(
+    'view.trails',
+    titles.trails,
+    [],
+    () => studio.setLook({ path: look().path === 'none' ? 'recent' : 'none' }, titles.trails),
+    {
+      checked: () => look().path !== 'none',
+    },
+  )
   picture('view.fit', titles.fit, [], () => stage()?.fit())
   picture('view.home', titles.home, [], () => stage()?.home())
   picture('view.ghost', words.views.hide, [], () => studio.clearGhost(), {

@@ -13,6 +13,7 @@ test('a kept look comes back, with what it does not say as usual', () => {
 test.each([
   { layout: '9' },
   { shading: 'cartoon' },
+  { path: 'longest' },
   { frames: 'world' },
   { hidden: null },
   { arm: '1' },

@@ -1,7 +1,16 @@
 /** How the cell is looked at: layout, shading, frames, lights, what is hidden. Kept with the project. */
 
 import type { SceneDescription } from '../scene/description'
-import { type FrameKind, LAYOUTS, type Layout, type Lights, SHADINGS, type Shading } from '../scene/settings'
+import {
+  type FrameKind,
+  LAYOUTS,
+  type Layout,
+  type Lights,
+  PATHS,
+  type PathShown,
+  SHADINGS,
+  type Shading,
+} from '../scene/settings'
 import type { Stage } from '../scene/stage'
 
 export interface Look {
@@ -9,7 +18,8 @@ export interface Look {
   readonly shading: Shading
   readonly frames: readonly FrameKind[]
   readonly names: boolean
-  readonly trails: boolean
+  /** How much of the tool's path is drawn. */
+  readonly path: PathShown
   /** Opacity of base, links and tools, 0.1 … 1. */
   readonly arm: number
   /** Null: as designed. */
@@ -26,7 +36,7 @@ export const DEFAULT_LOOK: Look = {
   shading: 'standard',
   frames: ['world', 'tcp'],
   names: false,
-  trails: true,
+  path: 'recent',
   arm: 1,
   lights: null,
   shadows: true,
@@ -40,6 +50,7 @@ export function lookFrom(kept: unknown): Look {
   const sound =
     LAYOUTS.includes(look.layout) &&
     SHADINGS.includes(look.shading) &&
+    PATHS.includes(look.path) &&
     Array.isArray(look.frames) &&
     Array.isArray(look.hidden) &&
     typeof look.arm === 'number' &&

@@ -2,6 +2,7 @@
 import type { Cursor } from '../run/cursor'
 import type { Run } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
+import { type Move, movesAmong, pathWindow } from '../scene/path_window'
 import type { Stage } from '../scene/stage'
 import { compose } from '../units/pose'
 import type { Jogged } from '../wire/messages'
@@ -12,6 +13,8 @@ export class Picture {
   #stage: Stage | null = null
   #scene: SceneDescription | null = null
   #run: Run | null = null
+  /** What the robot is yet to do; a live run does not know. */
+  #moves: readonly Move[] = []
   #ghostTime: number | null = null
   #jogged: Jogged | null = null
   #look: Look = DEFAULT_LOOK
@@ -76,6 +79,7 @@ export class Picture {
 
   setRun(run: Run): void {
     this.#run = run
+    this.#moves = run.live ? [] : movesAmong(run.events)
     this.refresh()
   }
 
@@ -98,11 +102,12 @@ export class Picture {
     this.#look = look
     if (this.#stage) applyLook(this.#stage, look, this.#scene)
     this.grown()
+    this.update()
   }
 
   /** The live run has more samples. */
   grown(): void {
-    const run = this.#look.trails ? this.#run : null
+    const run = this.#look.path === 'none' ? null : this.#run
     this.#stage?.trails(run?.trail('attained') ?? null, run?.trail('command') ?? null)
   }
 
@@ -120,7 +125,7 @@ export class Picture {
     const time = this.#cursor.time
     this.#run?.bodies(time, this.#poses, this.#visible)
     this.#stage?.show(this.#poses, this.#visible)
-    this.#stage?.trailUntil(time)
+    this.#stage?.trailWindow(pathWindow(this.#look.path, time, this.#moves))
   }
 
   draw(): void {
