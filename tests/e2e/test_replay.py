@@ -13,6 +13,7 @@ from ropsim.flow import Recording
 from ropsim.workbench import Project, open_project
 from ropsim.workbench.viewer import built_viewer
 from support.browser import Pages, axe
+from support.png import read_png
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -24,6 +25,10 @@ PAGE, MINUTE = 1.7e6, 0.5e6
 SHOWN = 1e-6
 #: A box set down by a servo with a millimetre's path error stands this near to its slot [m].
 PLACING = 1e-3
+#: Two pictures in which a pixel differs by this much are not the same.
+SEEN = 15.0
+#: Of a picture on paper this share at least is white.
+WHITE, PAPER = 255.0, 0.2
 #: Drops the box on the way and grips where none is, with a comment that a careless page would run.
 TROUBLE = "  # </script><script>alert(1)</script>\n  open\n  mov b above 60 mm\n  close"
 
@@ -195,6 +200,22 @@ def test_the_keyboard_moves_through_the_program(open_page: Pages, first: Made) -
     assert re.match(r"0\.0 of 5\.\d seconds", slider.get_attribute("aria-valuetext") or "")
     page.keyboard.press(" ")
     page.wait_for_function("() => __ropsim.time() > 0.1")
+
+
+def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages, first: Made) -> None:
+    page = opened(open_page, first, color_scheme="dark")
+    seek(page, 0.7 * first.recording.duration)
+    stage, shown = page.locator(".replay-stage"), {}
+    for path in ("none", "recent", "all"):
+        page.get_by_label("Path of the tool").select_option(path)
+        page.wait_for_function("() => __ropsim.stats().pending === 0")
+        shown[path] = read_png(stage.screenshot())
+    seen = {path: np.sum(np.abs(shown[path] - shown["none"]).max(axis=2) > SEEN) for path in shown}
+    assert 0 < seen["recent"] < seen["all"]
+    page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
+    assert np.mean(read_png(stage.screenshot()).min(axis=2) == WHITE) > PAPER
+    page.evaluate("() => dispatchEvent(new Event('afterprint'))")
+    assert np.array_equal(read_png(stage.screenshot()), shown["all"])
 
 
 def test_findings_lead_to_their_time_and_texts_stay_texts(open_page: Pages, troubled: Made) -> None:
