@@ -56,7 +56,8 @@ radius = 50
 name = "table"
 position = [500, 0, 0]
 colour = "#8b959f"
-shapes = [{ box = [100, 100, 10], opacity = 0.5, material = "wood" }, { arc = { radius = 3, from = 0, to = 90 } }]
+material = "wood"
+shapes = [{ box = [100, 100, 10], opacity = 0.5 }, { arc = { radius = 3, from = 0, to = 90 } }]
 [[objects]]
 name = "stand"
 position = [500, 0, 0]
