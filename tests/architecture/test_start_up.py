@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-SERVING = ("msgspec", "starlette", "uvicorn", "websockets", "trimesh")
+SERVING = ("msgspec", "starlette", "uvicorn", "websockets")
 HEAVY = ("numpy", "numba", "scipy", "pandas", *SERVING)
 
 

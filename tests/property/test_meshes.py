@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from ropsim.model import Mesh
 from ropsim.workbench.glb import glb_bytes
-from ropsim.workbench.mesh_reading import MESH_ENDINGS, MeshFileError, read_mesh
+from ropsim.workbench.mesh_formats import MeshFileError
+from ropsim.workbench.mesh_reading import MESH_ENDINGS, read_mesh
 from ropsim.workbench.triangles import shaded
 from support.meshes import cube_soup, obj, ply, stl, stl_text
 

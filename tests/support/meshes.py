@@ -1,5 +1,6 @@
 """Mesh files for tests, written by hand so that they do not depend on the reader under test."""
 
+import json
 import struct
 
 import numpy as np
@@ -62,3 +63,25 @@ def drum(sections: int = 32) -> Array:
         a, b, c, d = low[k], low[(k + 1) % sections], high[(k + 1) % sections], high[k]
         faces += [[a, b, c], [a, c, d], [[0.0, 0.0, 0.0], b, a], [[0.0, 0.0, 1.0], d, c]]
     return np.array(faces)
+
+
+def ply_binary(soup: Array, order: str) -> bytes:
+    """Return a binary PLY file of triangles without shared points; `order` is `<` or `>`."""
+    name = "little" if order == "<" else "big"
+    head = [
+        *("ply", f"format binary_{name}_endian 1.0", f"element vertex {3 * len(soup)}"),
+        *(f"property float {axis}" for axis in "xyz"),
+        *(f"element face {len(soup)}", "property list uchar int vertex_indices", "end_header", ""),
+    ]
+    points = [struct.pack(f"{order}3f", *point) for point in soup.reshape(-1, 3).tolist()]
+    faces = [struct.pack(f"{order}B3i", 3, 3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(soup))]
+    return "\n".join(head).encode() + b"".join(points + faces)
+
+
+def glb_container(document: object, body: bytes) -> bytes:
+    """Return a GLB file of a JSON part and a binary part."""
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    size = 12 + 8 + len(text) + 8 + len(body)
+    parts = [struct.pack("<4sII", b"glTF", 2, size), struct.pack("<I4s", len(text), b"JSON"), text]
+    return b"".join([*parts, struct.pack("<I4s", len(body), b"BIN\0"), body])

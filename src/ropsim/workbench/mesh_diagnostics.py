@@ -27,9 +27,11 @@ MESH_DAMAGED = define(
     Severity.WARNING,
     "a mesh file cannot be read as triangles",
     """
-The file is there, but its content is not what its ending says: it is cut short, holds no triangles, or holds
-coordinates that are no numbers. Export it again from the program that made it. STL (text or binary), OBJ, PLY
-and GLB are read; points, curves and textures in them are not.
+The file is there, but its content is not what its ending says: it is cut short, holds no triangles, holds
+coordinates that are no numbers, or has faces at points that it does not hold. Half of a damaged part is not
+drawn, since nobody would see that it is half. Export it again from the program that made it. STL (text or
+binary), OBJ, PLY and GLB (without compression of meshes) are read; points, curves and textures in them are
+not.
 """,
 )
 
@@ -42,6 +44,9 @@ MESH_OUTSIDE = define(
 A project is complete in its folder, and a project from somebody else must not look around on your disk. So a
 path may neither begin with `/` or a drive, nor contain `..`, nor be a link that leads out of the folder. Copy
 the file into the project, best into `geometry/`.
+
+For the same reason what a mesh file itself refers to, such as a file of materials, a picture or an address, is
+never opened; a GLB file that keeps its triangles elsewhere is not drawn.
 """,
 )
 
@@ -51,7 +56,7 @@ MESH_TOO_LARGE = define(
     Severity.WARNING,
     "a mesh file is too large to be drawn",
     """
-Files of more than 50 MB or two million triangles are not read: a browser would hardly turn them. CAD programs
+Files of more than 50 MB or 500,000 triangles are not read: a browser would hardly turn them. CAD programs
 export with a tolerance; 0.5 mm is enough to look at, and makes files a hundred times smaller than 0.01 mm.
 """,
 )

@@ -12,7 +12,8 @@ from ropsim.core import Diagnostic, SourceText, Span, did_you_mean
 from ropsim.model import Cell, Mesh
 from ropsim.workbench.glb import glb_bytes
 from ropsim.workbench.mesh_diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_OUTSIDE, MESH_TOO_LARGE
-from ropsim.workbench.mesh_reading import MeshFileError, read_mesh
+from ropsim.workbench.mesh_formats import MeshFileError
+from ropsim.workbench.mesh_reading import read_mesh
 from ropsim.workbench.toml_positions import positions
 
 if TYPE_CHECKING:

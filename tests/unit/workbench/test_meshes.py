@@ -115,7 +115,7 @@ FINDINGS = [
     ("gone.stl", "X880", "is not in the project folder"),
     ("folder", "X880", "is no ordinary file"),
     ("bad\0name.stl", "X880", "cannot be opened"),
-    ("cut.stl", "X881", "cannot be read as STL"),
+    ("cut.stl", "X881", "promises 12 triangles and holds 10"),
     ("empty.stl", "X881", ""),
     ("empty.obj", "X881", ""),
     ("points.ply", "X881", "holds no triangles"),
