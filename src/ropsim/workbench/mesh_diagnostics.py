@@ -45,8 +45,8 @@ A project is complete in its folder, and a project from somebody else must not l
 path may neither begin with `/` or a drive, nor contain `..`, nor be a link that leads out of the folder. Copy
 the file into the project, best into `geometry/`.
 
-For the same reason what a mesh file itself refers to, such as a file of materials, a picture or an address, is
-never opened; a GLB file that keeps its triangles elsewhere is not drawn.
+For the same reason what a mesh file itself refers to, such as a file of materials, a picture or an address,
+is never opened; a GLB file that keeps its triangles elsewhere is not drawn.
 """,
 )
 
