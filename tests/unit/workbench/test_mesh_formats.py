@@ -21,15 +21,19 @@ READERS = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "glb": read_glb}
 SINGLE = 1e-6  # of single precision, at sizes of about 1
 
 
+TURNED = np.array([[0.0, -1.0, 0.0, 0.5], [0.0, 0.0, -1.0, 0.2], [1.0, 0.0, 0.0, 0.1], [0.0, 0.0, 0.0, 1.0]])
+
+
 def scene_glb() -> bytes:
     """Two placed instances of a body, one of them turned, the other mirrored and stretched."""
     body = trimesh.Trimesh(*_indexed(drum(12)), process=False)
     scene = trimesh.Scene()
-    scene.add_geometry(body, "body", "one", transform=trimesh.transformations.rotation_matrix(0.7, [1, 2, 3]))
+    scene.add_geometry(body, "body", "one", transform=TURNED)
     mirrored = np.diag([-1.0, 1.0, 2.0, 1.0])
     mirrored[:3, 3] = [1.0, 2.0, 3.0]
     scene.add_geometry(body, "body again", "two", transform=mirrored)
-    return bytes(scene.export(file_type="glb"))
+    export: Any = scene.export
+    return bytes(export(file_type="glb"))
 
 
 def _indexed(soup: Array) -> tuple[Array, Any]:
