@@ -44,6 +44,8 @@ def read_mesh(content: bytes, mesh: Mesh) -> Triangles:
     with np.errstate(all="ignore"):  # wild numbers in the file are found below
         soup = _soup(content, ending)
         points = soup.corners.reshape(-1, 3) * mesh.scale
+    if not len(soup.corners):
+        raise MeshFileError(MESH_DAMAGED, NO_TRIANGLES)
     if not np.isfinite(soup.corners).all():
         raise MeshFileError(MESH_DAMAGED, "holds coordinates that are no numbers")
     with np.errstate(all="ignore"):

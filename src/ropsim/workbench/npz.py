@@ -4,11 +4,13 @@ The archives are those of `numpy.savez_compressed`, so `numpy.load` reads them. 
 with every size checked before memory is taken, because a file may come from anywhere.
 """
 
+import ast
 import io
 import struct
 import zipfile
 import zlib
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -105,14 +107,32 @@ def _array(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> AnyArray:
         raise DamagedFileError(f"entry `{entry.filename}` is packed in an unknown way")
     with archive.open(entry) as packed:
         content = packed.read(entry.file_size + 1)
-    stream = io.BytesIO(content)
-    if np.lib.format.read_magic(stream) != (1, 0):
-        raise DamagedFileError(f"entry `{entry.filename}` is no array of format 1.0")
-    shape, fortran, dtype = np.lib.format.read_array_header_1_0(stream)
-    body = content[stream.tell() :]
+    shape, fortran, dtype, body = _parts(content, entry.filename)
     size = dtype.itemsize
     for length in shape:
         size *= length
     if dtype not in _DTYPES or (fortran and len(shape) > 1) or min(shape, default=0) < 0 or size != len(body):
         raise DamagedFileError(f"entry `{entry.filename}` is no array of numbers of its size")
     return np.frombuffer(body, dtype).reshape(shape)
+
+
+def _parts(content: bytes, name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any], bytes]:
+    """Return shape, order, type and numbers of an entry of format 1.0.
+
+    Numpy's own reader of the header mends what is damaged with a second parser, which warns and raises in
+    ways of its own.
+    """
+    magic = np.lib.format.magic(1, 0)
+    if not content.startswith(magic) or len(content) < len(magic) + 2:
+        raise DamagedFileError(f"entry `{name}` is no array of format 1.0")
+    start = len(magic) + 2
+    end = start + int.from_bytes(content[len(magic) : start], "little")
+    try:
+        header = ast.literal_eval(content[start:end].decode("latin-1").strip())
+        shape, fortran, descr = header["shape"], header["fortran_order"], header["descr"]
+        whole = all(isinstance(length, int) for length in shape) and isinstance(descr, str)
+        if whole and isinstance(shape, tuple):
+            return shape, bool(fortran), np.dtype(descr), content[end:]
+    except (ValueError, TypeError, SyntaxError, LookupError, MemoryError, RecursionError) as error:
+        raise DamagedFileError(f"entry `{name}` has a damaged header") from error
+    raise DamagedFileError(f"entry `{name}` has a damaged header")

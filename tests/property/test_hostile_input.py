@@ -1,0 +1,41 @@
+"""Hostile input to every reader: answered, quickly, with little memory and with nothing else opened.
+
+`python -m tools.fuzz` reads a hundred thousand of each; docs/explanation/robustness.md tells what that found.
+"""
+
+import sys
+
+import pytest
+
+from support.fuzzing.guard import fuzz
+from support.fuzzing.targets import TARGETS
+
+CASES = 150
+SEED = 7
+WORDS = {
+    1: "KeyError",
+    2: "memory",
+    3: "open '/etc/hostname'",
+    4: "socket",
+    6: "hang",
+    8: "died with -11",
+}
+"""What is said of the faulty cases, at its beginning."""
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the guard needs limits of POSIX")
+
+
+@pytest.mark.parametrize("name", list(TARGETS))
+def test_hostile_input_is_answered(name: str) -> None:
+    result = fuzz(name, SEED, range(CASES))
+    assert result.faults == {}
+    assert result.cases == CASES
+    assert result.answers["read"] > 0  # some of it is still right
+    assert len(result.answers) > 1  # and some is not
+
+
+def test_the_guard_sees_what_it_is_for() -> None:
+    """Six faulty cases among right ones; a case that ends its process costs no other case."""
+    found = fuzz("fault", SEED, range(10), hang=0.5)
+    assert found.cases == 10
+    assert {number: fault[: len(WORDS[number])] for number, fault in found.faults.items()} == WORDS

@@ -1,0 +1,10 @@
+"""All targets by name."""
+
+from collections.abc import Mapping
+
+from support.fuzzing import meshes, recordings, server, texts
+from support.fuzzing.target import Target
+
+TARGETS: Mapping[str, Target] = {
+    one.name: one for one in (*meshes.TARGETS, *texts.TARGETS, *recordings.TARGETS, *server.TARGETS)
+}

@@ -1,0 +1,95 @@
+"""Texts of a project: `cell.toml`, task programs and ICR programs."""
+
+import json
+from pathlib import Path
+from random import Random
+
+from ropsim import icr, language
+from ropsim.core import Diagnostic, SourceText
+from ropsim.views import Style, diagnostics_text, scene
+from ropsim.workbench import read_cell
+from ropsim.workbench.environment import environment_of
+from ropsim.workbench.plain_values import numeric
+from support.fuzzing.cells import RIGHT
+from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word
+from support.fuzzing.target import Target
+
+_ROOT = Path(__file__).parents[3]
+_CELLS = (RIGHT.encode(), (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes())
+_ICRS = tuple(
+    path.read_bytes() for path in sorted(_ROOT.glob("tests/golden/icr/*.icr")) if path.stat().st_size < 2_000
+)
+_TASKS = tuple(path.read_bytes() for path in sorted(_ROOT.glob("examples/*/programs/*.task")))
+_VALUES = (
+    *(b"nan", b"-inf", b"1e308", b"0xffffffffffffffffff", b'"text"', b"[]", b"{}", b"true", b"[[1]]"),
+    *(b"1979-05-27", b"-1", b"0", b"[1, 2]", b"[1, 2, 3]", b"[nan, 0, 1e308]", b'""', b"{ a = 1 }"),
+)
+_BUDGET = 1_000  # instructions
+_SHOWN = 5  # findings that are written out
+
+
+def _check(findings: tuple[Diagnostic, ...], source: SourceText) -> str:
+    """Show findings as the terminal does; each must stand inside of its text."""
+    assert isinstance(diagnostics_text(findings[:_SHOWN], {source.name: source}, Style.PLAIN), str)
+    for found in findings:
+        if found.span is not None:
+            assert 1 <= found.span.line <= len(source.lines)
+            assert 1 <= found.span.column <= len(source.line(found.span.line)) + 1
+    wrong = [found.code for found in findings if found.is_error]
+    return wrong[0] if wrong else "read"
+
+
+def _cell(content: bytes) -> str:
+    source = SourceText("cell.toml", content.decode("utf-8", errors="replace"))
+    cell, findings = read_cell(source, "folder")
+    answer = _check(findings, source)
+    assert (cell is None) == (answer != "read")
+    if cell is not None:
+        environment_of(cell)
+        json.dumps(numeric(scene(cell)), allow_nan=False)
+    return answer
+
+
+def _icr(content: bytes) -> str:
+    source = SourceText("a.icr", content.decode("utf-8", errors="replace"))
+    code, findings = icr.read_text(source.text, source.name)
+    if code is None:
+        return _check(findings, source)
+    findings = (*findings, *icr.verify(code))
+    answer = _check(findings, source)
+    if answer == "read":
+        icr.run(code, budget=_BUDGET)
+        assert icr.read_text(icr.disassemble(code))[0] == code
+    return answer
+
+
+def _task(content: bytes) -> str:
+    source = SourceText("main.task", content.decode("utf-8", errors="replace"))
+    return _check(language.compile(source.text, name=source.name).diagnostics, source)
+
+
+def _made_cell(random: Random) -> bytes:
+    """Return a cell file with damaged text, or one with other values behind its keys."""
+    if random.random() < 0.4:
+        return _made(_CELLS, random)
+    lines = random.choice(_CELLS).split(b"\n")
+    places = [k for k, line in enumerate(lines) if b" = " in line]
+    for place in random.sample(places, random.choice((1, 1, 2, 3))):
+        key, _, value = lines[place].partition(b" = ")
+        other = lines[random.choice(places)].partition(b" = ")[2]
+        changed = random.choice(
+            (other, random.choice(_VALUES), mutated(random, value, (numeral, word, nest)))
+        )
+        lines[place] = key + b" = " + changed
+    return b"\n".join(lines)
+
+
+def _made(seeds: tuple[bytes, ...], random: Random) -> bytes:
+    return mutated(random, random.choice(seeds), TEXT)
+
+
+TARGETS = (
+    Target("cell", _made_cell, _cell),
+    Target("icr", lambda random: _made(_ICRS, random), _icr),
+    Target("task", lambda random: _made(_TASKS, random), _task),
+)
