@@ -26,7 +26,9 @@ def run(options: argparse.Namespace, output: Output) -> int:
         return output.findings(before, sources)
     recording = _simulate(project, compiled, options)
     report = project.report(recording, before)
-    findings, told = (*before, *recording.findings), messages(recording)
+    if options.report:
+        report = report.drawn()
+    findings, told = (*report.before, *recording.findings), messages(recording)
     code = output.findings(findings, sources)
     if told:
         output.text(f"{messages_text(told)}\n")

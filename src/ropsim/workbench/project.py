@@ -129,5 +129,5 @@ class Project:
         """
         from ropsim.workbench.report import Report, Setting
 
-        setting = Setting(self.cell, self.folder) if self.cell else None
+        setting = Setting(self.cell, self.folder, self.cell_text) if self.cell else None
         return Report.of(recording, self.texts, setting, before)

@@ -3,7 +3,7 @@
 import base64
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, replace_file
@@ -19,7 +19,7 @@ from ropsim.views import (
     summarize,
     terminal_report,
 )
-from ropsim.workbench.meshes import load_meshes
+from ropsim.workbench.meshes import MeshLibrary, load_meshes
 from ropsim.workbench.pack_file import pack_bytes
 from ropsim.workbench.plain_values import numeric
 from ropsim.workbench.viewer import built_viewer
@@ -35,10 +35,14 @@ class Setting:
     Attributes:
         cell: that was simulated.
         folder: of the project, in which the meshes of the cell are.
+        text: `cell.toml`, for the places of findings.
+        meshes: as they were read; None before that.
     """
 
     cell: Cell
     folder: Path
+    text: SourceText | None = None
+    meshes: MeshLibrary | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +54,7 @@ class Report:
         summary: its key figures.
         sources: program texts for quoting, by the names that spans use.
         setting: where the run took place, for the replay; None where that is not known.
-        before: findings of reading and compiling.
+        before: findings of reading and compiling, and of what cannot be drawn.
     """
 
     recording: Recording
@@ -75,9 +79,18 @@ class Report:
         """Return the report for a terminal."""
         return terminal_report(self.summary, style)
 
+    def drawn(self) -> "Report":
+        """Return the report with the meshes of its cell read: what cannot be drawn is among its findings."""
+        if self.setting is None or self.setting.meshes is not None:
+            return self
+        meshes = load_meshes(self.setting.folder, self.setting.cell, self.setting.text)
+        setting, before = replace(self.setting, meshes=meshes), (*self.before, *meshes.diagnostics)
+        return Report.of(self.recording, self.sources, setting, before)
+
     def html(self) -> str:
         """Return the self-contained HTML page, with the 3-D replay where the cell is known."""
-        return html_report(self.recording, self.summary, self.sources, self._replay())
+        drawn = self.drawn()
+        return html_report(drawn.recording, drawn.summary, drawn.sources, drawn._replay())
 
     def save(self, path: str | Path) -> None:
         """Write the HTML page; an older file is replaced in one step.
@@ -88,15 +101,14 @@ class Report:
         replace_file(Path(path), self.html().encode())
 
     def _replay(self) -> Replay | NoReplay | None:
-        if self.setting is None:
+        if self.setting is None or self.setting.meshes is None:
             return None
-        cell, q = self.setting.cell, self.recording.channels.get("q")
+        cell, meshes, q = self.setting.cell, self.setting.meshes, self.recording.channels.get("q")
         if q is None or q.values.shape[1:] != (cell.robot.n,):
             return NoReplay(OTHER_ARM)
         viewer = built_viewer()
         if viewer is None:
             return NoReplay(NOT_BUILT)
-        meshes = load_meshes(self.setting.folder, cell)
         return Replay(
             viewer.script,
             viewer.style,
