@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import ropsim
@@ -29,6 +30,7 @@ BANDS = {
 }
 
 
+@cache
 def defined_codes() -> dict[str, str]:
     """Return the package of every code that some source file defines."""
     codes: dict[str, str] = {}

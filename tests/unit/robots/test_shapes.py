@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from ropsim import robots
 from ropsim.kinematics import joint_frames
@@ -24,7 +25,7 @@ def gap(a: Array, b: Array) -> float:
     low = np.maximum(a.min(axis=0), b.min(axis=0)) - STEP
     high = np.minimum(a.max(axis=0), b.max(axis=0)) + STEP
     a, b = (cloud[((cloud > low) & (cloud < high)).all(axis=1)] for cloud in (a, b))
-    return min((float(np.linalg.norm(b - point, axis=1).min()) for point in a[::5] if len(b)), default=np.inf)
+    return float(cKDTree(b).query(a)[0].min()) if len(a) and len(b) else np.inf
 
 
 @pytest.mark.parametrize("name", robots.names())

@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from ropsim import robots
 from ropsim.model import Cell, Gripper, Part, Sink, Tool
@@ -72,3 +73,10 @@ def test_a_part_released_at_a_sink_leaves() -> None:
     state = release(close_on(initial_parts(scene), scene, JAWS, at(0.5)), scene, at(0.9))
     assert state.left == ("a",)
     assert not state.resting
+
+
+@pytest.mark.parametrize(("beside", "left"), [(0.019, ("a",)), (0.021, ())])
+def test_a_sink_takes_what_is_released_within_its_radius(beside: float, left: tuple[str, ...]) -> None:
+    scene = cell(part("a", 0.5))
+    state = release(close_on(initial_parts(scene), scene, JAWS, at(0.5)), scene, at(0.9 + beside))
+    assert state.left == left

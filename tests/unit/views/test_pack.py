@@ -3,6 +3,7 @@
 import importlib
 import json
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +40,9 @@ class Shown:
     pack: ReadPack
 
 
-def show(name: str, monkeypatch: pytest.MonkeyPatch) -> Shown:
+@cache
+def show(name: str) -> Shown:
+    """Run an example, once for all tests."""
     module = importlib.import_module("ropsim.simulation.run")
     ends: list[CellRun] = []
     original = module.recording_of
@@ -49,17 +52,17 @@ def show(name: str, monkeypatch: pytest.MonkeyPatch) -> Shown:
         recording: Recording = original(state, *rest)
         return recording
 
-    monkeypatch.setattr(module, "recording_of", remember)
     project = open_project(EXAMPLES / name)
-    recording = project.simulate()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "recording_of", remember)
+        recording = project.simulate()
     assert project.cell is not None
     return Shown(project, project.cell, recording, ends[0], read_pack(pack_of(project, recording)))
 
 
 @pytest.fixture(scope="module", params=["first_cell", "fig5", "palletizing"])
 def shown(request: pytest.FixtureRequest) -> Shown:
-    with pytest.MonkeyPatch.context() as patch:
-        return show(request.param, patch)
+    return show(request.param)
 
 
 def test_every_recorded_channel_is_there_and_true(shown: Shown) -> None:
@@ -135,8 +138,8 @@ def test_bodies_are_those_of_the_scene(shown: Shown) -> None:
     assert len(names) == SceneIndex.of(shown.cell).count
 
 
-def test_the_36_boxes_end_on_the_pallet(monkeypatch: pytest.MonkeyPatch) -> None:
-    shown = show("palletizing", monkeypatch)
+def test_the_36_boxes_end_on_the_pallet() -> None:
+    shown = show("palletizing")
     pallet, end = shown.cell.frames["pallet"], shown.recording.duration
     boxes = np.array([shown.pack.pose(f"box_{k}", end).position for k in range(1, 37)])
     local = (boxes - (shown.cell.X_WB @ pallet).position) @ (shown.cell.X_WB @ pallet).rotation()
@@ -151,10 +154,9 @@ def test_the_same_run_gives_the_same_bytes(shown: Shown) -> None:
 
 
 def test_a_minute_takes_little_room() -> None:
-    project = open_project(EXAMPLES / "palletizing")
-    recording = project.simulate()
-    size = len(pack_of(project, recording))
-    assert size * 60.0 / recording.duration < 0.37e6
+    shown = show("palletizing")
+    size = len(pack_of(shown.project, shown.recording))
+    assert size * 60.0 / shown.recording.duration < 0.37e6
 
 
 def test_a_part_that_leaves_by_a_sink_is_seen_no_more() -> None:

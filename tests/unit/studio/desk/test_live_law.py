@@ -60,7 +60,7 @@ ORDERS: st.SearchStrategy[Order] = st.one_of(
 )
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(
     plan=st.lists(st.tuples(st.floats(0.0, 8.0), ORDERS), max_size=12),
     speed=st.floats(0.1, 8.0),
