@@ -72,6 +72,86 @@ def test_an_edit_changes_the_run(fresh: StudioPage, first_run: Recording) -> Non
     assert fresh.state()["duration"] > first_run.duration + 1.0
 
 
+def test_another_length_of_the_run_keeps_the_time_line_of_plots_right(fresh: StudioPage) -> None:
+    fresh.seek(2.0)
+    shown = fresh.state()["shown"]
+    fresh.write(fresh.text().replace("150 mm/s", "50 mm/s"))
+    fresh.rerun(shown)
+    fresh.page.wait_for_function(
+        "() => __ropsim.plots().every(one => one && Math.abs(one.drawn - one.scale) <= 1)"
+    )
+    assert fresh.time() == 2.0
+
+
+def running(fresh: StudioPage, text: str) -> None:
+    """Wait until the line that runs is marked, and no other one is."""
+    fresh.page.wait_for_function(
+        "text => [...document.querySelectorAll('.cm-running')].map(one => one.textContent).join() === text",
+        arg=text,
+    )
+
+
+def test_a_comment_or_a_blank_line_simulates_nothing_and_lines_stay_right(fresh: StudioPage) -> None:
+    fresh.seek(2.0)
+    line = fresh.page.locator(".cm-running").text_content() or ""
+    before = fresh.state()
+    fresh.page.keyboard.press("Control+Home")
+    fresh.editor().focus()
+    fresh.page.keyboard.press("Control+Home")
+    fresh.page.keyboard.type("# of two kinds\n\n")
+    running(fresh, line)
+    fresh.rerun(before["shown"])
+    after = fresh.state()
+    assert after["simulated"] == before["simulated"]
+    assert after["run"] > before["run"]
+    running(fresh, line)
+    number = next(k for k in range(1, 30) if fresh.line(k).text_content() == line)
+    fresh.line(number).click()
+    fresh.ghost_of(number)
+    fresh.page.keyboard.press("Home")
+    fresh.page.keyboard.type("  ")
+    fresh.rerun(after["shown"])
+    assert fresh.state()["simulated"] == before["simulated"]
+
+
+def test_a_move_out_of_reach_is_marked_in_its_line_before_the_drives_are_simulated(
+    fresh: StudioPage,
+) -> None:
+    fresh.append(17, "\nmov (5000, 0, 0; down)")
+    mark = squiggle(fresh, "mov (5000, 0, 0; down)")
+    mark.wait_for()
+    mark.hover()
+    tooltip(fresh).get_by_text("reach").first.wait_for()
+    fresh.page.locator(".cm-lint-marker-error").first.wait_for()
+    fresh.write(fresh.text().replace("mov (5000, 0, 0; down)", ""))
+    fresh.page.locator(".cm-content:not(:has(.cm-lintRange-error))").wait_for()
+
+
+def test_equal_findings_of_a_line_are_one_row_with_a_count(fresh: StudioPage) -> None:
+    shown = fresh.state()["shown"]
+    fresh.append(17, "\nrepeat 3\n  mov (5000, 0, 0; down)\n  wait 0.5\nendr")
+    fresh.rerun(shown)
+    row = fresh.show("Problems").locator(".problem").filter(has_text="× 3")
+    row.wait_for()
+    assert row.count() == 1
+
+
+def test_the_cell_file_is_coloured_and_named_where_it_is_wrong(fresh: StudioPage) -> None:
+    fresh.document("cell.toml")
+    heading = fresh.line(1).locator("span").first
+    colours = {
+        fresh.page.locator(".cm-line span").nth(k).evaluate("one => getComputedStyle(one).color")
+        for k in range(6)
+    }
+    heading.wait_for()
+    assert len(colours) > 1
+    fresh.page.keyboard.press("Control+Home")
+    fresh.editor().focus()
+    fresh.page.keyboard.press("Control+Home")
+    fresh.page.keyboard.insert_text("[[[\n")
+    fresh.pill().get_by_text("cell.toml has errors").wait_for()
+
+
 def test_a_squiggle_says_what_is_wrong_and_mends_it(fresh: StudioPage) -> None:
     shown = fresh.state()["shown"]
     fresh.write(fresh.text().replace("Carry pick_up", "Cary pick_up"))

@@ -205,3 +205,42 @@ def test_dragging_zooms_a_plot_and_a_double_click_shows_all_again(
     over.dblclick(position={"x": 0.25 * width, "y": box["height"] / 2})
     over.click(position={"x": 0.25 * width, "y": box["height"] / 2})
     assert tab.time() == pytest.approx(0.25 * first_run.duration, abs=0.02 * first_run.duration)
+
+
+#: The time line of a plot is drawn on whole pixels: it may stand this far from its place [px].
+PIXEL = 1.0
+LINES_RIGHT = (
+    "([pixel, time]) => { const lines = __ropsim.plots();"
+    " return __ropsim.time() === time && lines.length > 0"
+    " && lines.every(one => one && one.inside && Math.abs(one.drawn - one.scale) <= pixel) }"
+)
+
+
+def plot_line_is_right(tab: StudioPage) -> None:
+    """Wait until the time line of each plot stands where the scale of the plot has the time."""
+    tab.page.wait_for_function(LINES_RIGHT, arg=[PIXEL, tab.time()])
+
+
+def test_the_time_line_of_a_plot_is_right_after_zooms_and_other_colours(
+    tab: StudioPage, first_run: Recording
+) -> None:
+    tab.seek(0.6 * first_run.duration)
+    over = tab.panel("Plot").locator(".u-over")
+    box = over.bounding_box()
+    assert box is not None
+    x, y, width = box["x"], box["y"] + box["height"] / 2, box["width"]
+    plot_line_is_right(tab)
+    before = tab.page.evaluate("() => __ropsim.plots()[0].drawn")
+    tab.page.mouse.move(x + 0.5 * width, y)
+    tab.page.mouse.down()
+    tab.page.mouse.move(x + 0.75 * width, y, steps=4)
+    tab.page.mouse.up()
+    plot_line_is_right(tab)
+    zoomed = tab.page.evaluate("() => __ropsim.plots()[0].drawn")
+    assert abs(zoomed - before) > 0.1 * width
+    for scheme in ("dark", "light"):
+        tab.page.emulate_media(color_scheme=scheme)
+        plot_line_is_right(tab)
+    tab.panel("Plot").get_by_role("button", name="Whole time").click()
+    plot_line_is_right(tab)
+    assert tab.page.evaluate("() => __ropsim.plots()[0].drawn") == pytest.approx(before, abs=PIXEL)

@@ -22,6 +22,7 @@ class FakeLine:
     work: float = 0.0
     wall: float = 0.0
     given: int = 0
+    number: int = 1
     reports: list[Report] = field(default_factory=list)
 
     def report(self, content: Report) -> None:

@@ -19,7 +19,14 @@ def main(connection: Connection) -> None:
         match request.content:
             case jobs.Stop():
                 return
-            case jobs.OpenScene() | jobs.Simulate() | jobs.LiveStart() | jobs.JogJoints() | jobs.JogTcp():
+            case (
+                jobs.OpenScene()
+                | jobs.Simulate()
+                | jobs.LiveStart()
+                | jobs.SaveRun()
+                | jobs.JogJoints()
+                | jobs.JogTcp()
+            ):
                 connection.send(jobs.Answer(request.number, _reply(connection, request)))
 
 
@@ -31,6 +38,8 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return _simulate(connection, request.number, job)
         case jobs.LiveStart() as job:
             return _live(connection, request.number, job)
+        case jobs.SaveRun(kept):
+            return jobs.SavedRun(f"recording {kept}".encode(), b"[]")
         case jobs.JogJoints(q, _):
             return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
         case _:
@@ -46,7 +55,7 @@ def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.R
         case "deaf":
             time.sleep(3600)
         case "endless":
-            while not isinstance(connection.recv().content, jobs.Cancel):
+            while not isinstance(connection.recv().content, jobs.Cancel | jobs.Renew):
                 pass
             return jobs.RunReply("cancelled", job.program)
     if "wrong" in text:

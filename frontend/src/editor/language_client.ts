@@ -10,6 +10,7 @@ import {
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
 import type { Problem } from '../studio/problems'
 import { marksOf, type Published, problemsOf } from './findings'
+import { foundMarks } from './found_marks'
 import { sanitizeHTML } from './sanitize'
 import { LanguageLink } from './transport'
 import { type OpenedDocument, ProjectWorkspace } from './workspace'
@@ -44,6 +45,7 @@ export class LanguageClient {
   readonly #onProblems: (problems: readonly Problem[]) => void
   readonly #published = new Map<string, Published>()
   #names: ReadonlyMap<string, string> = new Map()
+  #found: readonly Problem[] = []
 
   /**
    * @param address of the language server's socket
@@ -107,8 +109,13 @@ export class LanguageClient {
   showKnown(view: EditorView): void {
     const plugin = LSPPlugin.get(view)
     const known = plugin && this.#published.get(plugin.uri)
-    if (known)
-      view.dispatch(setDiagnostics(view.state, [...marksOf(known.diagnostics, view.state.doc, at => at)]))
+    const marks = known ? marksOf(known.diagnostics, view.state.doc, at => at) : []
+    view.dispatch(setDiagnostics(view.state, [...marks, ...foundMarks(this.#found, view.state.doc)]))
+  }
+
+  /** What runs have found in the document that is shown, for the marks that follow. */
+  setFound(problems: readonly Problem[]): void {
+    this.#found = problems
   }
 
   destroy(): void {
@@ -127,7 +134,8 @@ export class LanguageClient {
     const plugin = view && LSPPlugin.get(view)
     if (view && plugin) {
       const map = (at: number) => plugin.unsyncedChanges.mapPos(at)
-      view.dispatch(setDiagnostics(view.state, [...marksOf(published.diagnostics, plugin.syncedDoc, map)]))
+      const marks = marksOf(published.diagnostics, plugin.syncedDoc, map)
+      view.dispatch(setDiagnostics(view.state, [...marks, ...foundMarks(this.#found, view.state.doc)]))
     }
     this.#tell()
   }

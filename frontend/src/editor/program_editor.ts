@@ -16,6 +16,7 @@ import {
   type ViewUpdate,
 } from '@codemirror/view'
 import type { Problem } from '../studio/problems'
+import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
@@ -119,6 +120,12 @@ export class ProgramEditor {
   /** Mark the line whose pose is shown as a ghost. */
   markGhost(line: number | null): void {
     this.#mark({ ...this.#marks, ghost: line })
+  }
+
+  /** Mark what runs have found in the document that is shown. */
+  markFound(problems: readonly Problem[]): void {
+    this.#language.setFound(problems)
+    if (this.#name) showFound(this.#view, problems)
   }
 
   /** Show the running line in grey while the run belongs to an older text. */

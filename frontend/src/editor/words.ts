@@ -3,6 +3,7 @@ export const words = {
   label: (document: string) => `Text of ${document}. Escape, then Tab leaves the editor.`,
   running: 'runs at the cursor',
   ghost: 'shown as a ghost',
+  times: (count: number) => `${count} times on this line`,
   phrases: {
     'Control character': 'control character',
     'Go to line': 'Go to line',

@@ -2,8 +2,8 @@
 import type { IDockviewPanelProps } from 'dockview-react'
 import { useEffect, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
+import { grouped, nextOf, type ProblemGroup } from '../studio/problem_groups'
 import { severityIcons, words } from './editor_words'
-import { grouped, nextOf, type ProblemGroup } from './problem_groups'
 import { matching } from './problem_order'
 import './editor.css'
 

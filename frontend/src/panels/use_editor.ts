@@ -82,6 +82,8 @@ function useMarks(editor: ProgramEditor | null): void {
   const stale = useStudioState(state => state.stale)
   const ghost = useStudioState(state => state.ghost)
   const name = useStudioState(state => state.document)
+  const found = useStudioState(state => state.found)
+  useEffect(() => editor?.markFound(found.filter(one => one.document === name)), [editor, found, name])
   useEffect(() => editor?.markStale(stale ? 'stale' : 'current'), [editor, stale])
   useEffect(() => editor?.markGhost(ghost?.document === name ? ghost.line : null), [editor, ghost, name])
   useEffect(() => {

@@ -1,7 +1,7 @@
 /** A run while it is simulated: a window of the newest frames, asked by time like a finished run. */
 import type { Pose, SceneDescription } from '../scene/description'
 import type { StateFrame } from '../wire/frame'
-import type { LiveLayout, Placed, SignalStamped } from '../wire/messages'
+import type { LiveLayout, Placed, Printed, SignalStamped } from '../wire/messages'
 import { FrameStore } from './frame_store'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
@@ -84,6 +84,12 @@ export class LiveRun implements Run {
   stamp({ name, value, time }: SignalStamped): void {
     const data = { channel: name, value }
     this.events.push({ time, duration: 0, kind: 'input', text: `${name} = ${value}`, span: null, data })
+  }
+
+  /** Take a message of the program as an event. */
+  print({ time, text, source, line }: Printed): void {
+    const span = line > 0 ? { source, line, column: 1, end_line: line, end_column: 1 } : null
+    this.events.push({ time, duration: 0, kind: 'message', text, span, data: {} })
   }
 
   value(channel: string, column: number, time: number): number {

@@ -1,6 +1,7 @@
 /** The texts of the project in this page: what was typed, what the server has, what must still be sent. */
 import type { Edit } from '../wire/commands'
 import type { DocumentState, Documents as DocumentsMessage } from '../wire/messages'
+import { TextHistory } from './text_history'
 
 /** A document as the page shows it. For the newest text ask `Documents.text`. */
 export interface StudioDocument extends Omit<DocumentState, 'text' | 'version'> {
@@ -22,6 +23,8 @@ interface Entry {
 }
 
 export class Documents {
+  /** Texts as the server has, or had them. */
+  readonly history = new TextHistory()
   readonly #entries = new Map<string, Entry>()
   #shown: readonly StudioDocument[] = []
 
@@ -96,7 +99,9 @@ export class Documents {
 
   sent(name: string, version: number): void {
     const entry = this.#entries.get(name)
-    if (entry) entry.sentVersion = version
+    if (!entry) return
+    entry.sentVersion = version
+    this.history.remember(name, version, entry.text)
   }
 
   /** Edits that the server has not confirmed: the newest text of each document. */
@@ -109,6 +114,7 @@ export class Documents {
   #adopt(state: Omit<DocumentState, 'text'>, text: string): void {
     const entry = this.#entries.get(state.name)
     const replaced = entry !== undefined && entry.text !== text
+    this.history.remember(state.name, state.version, text)
     this.#entries.set(state.name, {
       shown: stateOf(state, (entry?.shown.revision ?? 0) + (replaced ? 1 : 0)),
       text,

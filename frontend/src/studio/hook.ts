@@ -53,6 +53,7 @@ export function installHook(studio: Studio): void {
         run: status?.id ?? 0,
         runState: status?.state ?? 'none',
         shown,
+        simulated: status?.simulated ?? 0,
         stale,
         connection,
         editing,

@@ -2,12 +2,14 @@
 import type { Run } from '../run/run'
 import { nearestPass, type Pass, passesOf } from './passes'
 import type { Picture } from './picture'
+import type { RunLines } from './run_lines'
 import type { GhostLine, StudioStore } from './state'
 
 export interface LineWires {
   readonly run: () => Run | null
   readonly time: () => number
   readonly documentOf: (source: string) => string
+  readonly lines: RunLines
   readonly mark: () => void
 }
 
@@ -15,6 +17,8 @@ export class LineGhost {
   readonly #store: StudioStore
   readonly #picture: Picture
   readonly #wires: LineWires
+  /** Line of the ghost as the run counts it. */
+  #line = 0
 
   constructor(store: StudioStore, picture: Picture, wires: LineWires) {
     this.#store = store
@@ -24,7 +28,9 @@ export class LineGhost {
 
   passes(document: string, line: number): readonly Pass[] {
     const run = this.#wires.run()
-    return run ? passesOf(run, source => this.#wires.documentOf(source) === document, line) : []
+    const there = this.#wires.lines.toRun(document, line)
+    if (!run || there === null) return []
+    return passesOf(run, source => this.#wires.documentOf(source) === document, there)
   }
 
   /** Draw the robot where a line had done its work; pass from 1, else the one nearest to the cursor. */
@@ -32,6 +38,7 @@ export class LineGhost {
     const passes = this.passes(document, line)
     const index = pass === undefined ? nearestPass(passes, this.#wires.time()) : pass - 1
     const chosen = passes[index]
+    this.#line = this.#wires.lines.toRun(document, line) ?? 0
     this.#set(chosen ? { document, line, pass: index + 1, passes: passes.length, time: chosen.to } : null)
   }
 
@@ -45,11 +52,23 @@ export class LineGhost {
     if (ghost) this.show(ghost.document, ghost.line, ghost.pass)
   }
 
+  /** The text was edited: the ghost stays with its line. */
+  moved(): void {
+    const { ghost } = this.#store.getState()
+    if (!ghost) return
+    const line = this.#wires.lines.toText(ghost.document, this.#line)
+    if (line === null) this.clear()
+    else if (line !== ghost.line) this.#store.setState({ ghost: { ...ghost, line } })
+  }
+
   /** The line that runs at the cursor, null where none does. */
   running(): { readonly document: string; readonly line: number } | null {
     const run = this.#wires.run()
-    const line = run ? Math.round(run.value('line', 0, this.#wires.time())) : 0
-    return run && line > 0 ? { document: this.#wires.documentOf(run.source), line } : null
+    const there = run ? Math.round(run.value('line', 0, this.#wires.time())) : 0
+    if (!run || there <= 0) return null
+    const document = this.#wires.documentOf(run.source)
+    const line = this.#wires.lines.toText(document, there)
+    return line === null ? null : { document, line }
   }
 
   #set(ghost: GhostLine | null): void {

@@ -106,12 +106,44 @@ describe('a run', () => {
     message: 'out of memory',
     findings: [],
     inputs: 0,
+    planned: false,
+    simulated: 0,
+    versions: {},
   }
 
   it('that failed says why', () => {
     receiver.receive(status)
     expect(state().notices).toHaveLength(1)
     expect(state().notices[0]?.text).toContain('out of memory')
+  })
+
+  it('that is under way lists what planning has found, on the lines of the text as it is now', () => {
+    const typed = 'program p\nmov a'
+    const span = { source: 'programs/place.task', line: 2, column: 1, end_line: 2, end_column: 1 }
+    const finding = { code: 'M1', severity: 'error', message: 'too far', hint: '', span, time: null } as const
+    receiver.receive({
+      ...WELCOME,
+      documents: WELCOME.documents.map(one => ({ ...one, text: typed, version: 4 })),
+    })
+    studio.edit('programs/place.task', `# new\n${typed}`)
+    const versions = { 'programs/place.task': 4 }
+    receiver.receive({ ...status, state: 'running', findings: [finding], planned: true, versions })
+    expect(state().found.map(one => [one.code, one.line])).toEqual([['M1', 3]])
+    studio.edit('programs/place.task', typed)
+    expect(state().found.map(one => one.line)).toEqual([2])
+    studio.edit('programs/place.task', 'program p')
+    expect(state().found).toEqual([])
+  })
+
+  it('that only goes on keeps what was found before', () => {
+    const span = { source: 'place', line: 3, column: 1, end_line: 3, end_column: 4 }
+    const finding = { code: 'T1', severity: 'error', message: 'no', hint: '', span, time: 2 } as const
+    receiver.receive(WELCOME)
+    studio.setFindings('run', [finding])
+    receiver.receive({ ...status, state: 'running' })
+    expect(state().problems).toHaveLength(1)
+    receiver.receive({ ...status, state: 'running', planned: true })
+    expect(state().problems).toEqual([])
   })
 
   it('that was refused lists its errors', () => {

@@ -31,6 +31,7 @@ export class Receiver {
       documents: ({ documents }) => {
         studio.desk.documents.update(documents)
         studio.desk.sync()
+        studio.textsMoved()
       },
       editing: ({ editing }) => {
         studio.store.setState({ editing })
@@ -45,6 +46,10 @@ export class Receiver {
       stamped: message => {
         studio.runs.stamp(message)
         studio.store.setState({ presses: [...studio.store.getState().presses.slice(-499), message] })
+      },
+      printed: message => {
+        studio.runs.print(message)
+        studio.loop.mark()
       },
       jogged: message => studio.jog.receive(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
@@ -94,8 +99,11 @@ export class Receiver {
   #run(status: RunStatus): void {
     const studio = this.#studio
     studio.store.setState({ status, program: status.program || studio.store.getState().program })
-    studio.setFindings('compile', status.findings)
-    if (status.state === 'done') void studio.runs.take(status.id)
+    const texts = studio.desk.documents.history.texts(status.versions)
+    // Findings of the run before stay until the new ones are there; those of a finished run come with it.
+    if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
+    if (status.planned || status.state === 'refused') studio.setFindings('run', [])
+    if (status.state === 'done') void studio.runs.take(status.id, texts)
     const { run } = studio
     if (run && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
     if (status.state === 'failed') studio.notify('error', words.run.failed(status.message))
@@ -115,7 +123,7 @@ export class Receiver {
     const program = studio.store.getState().live?.program ?? ''
     studio.cursor.pause()
     studio.cursor.setLoop(null)
-    studio.runs.startLive(program, studio.documentOf(program), message)
+    studio.runs.startLive(program, studio.documentOf(program), message, studio.desk.now())
   }
 }
 

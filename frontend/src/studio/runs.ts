@@ -5,14 +5,22 @@ import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
 import { decodeFrame } from '../wire/frame'
-import type { LiveLayout, Placed, SignalStamped } from '../wire/messages'
+import type { LiveLayout, Placed, Printed, SignalStamped } from '../wire/messages'
+import { NOW, type Texts } from './run_lines'
 
 export interface RunWires {
   /** Another run is shown from now on. */
-  readonly onRun: (run: Run) => void
+  readonly onRun: (run: Run, of: RunTexts) => void
   /** The live run has grown. */
   readonly onGrown: (run: Run) => void
   readonly onTrouble: (text: string) => void
+}
+
+/** Which run it is, and of which texts. */
+export interface RunTexts {
+  /** Number under which the server has it; 0 for a live run. */
+  readonly id: number
+  readonly texts: Texts
 }
 
 export class Runs {
@@ -24,6 +32,9 @@ export class Runs {
   /** A pack that came before the scene. */
   #early: ArrayBuffer | null = null
   #newest = 0
+  /** The run that is on its way, and the one that is shown. */
+  #wanted: RunTexts = { id: 0, texts: NOW }
+  #shown = this.#wanted
   #frames = 0
   #latency = Number.NaN
 
@@ -33,6 +44,11 @@ export class Runs {
 
   get run(): Run | null {
     return this.#run
+  }
+
+  /** Number under which the server has the shown run; 0 for none and for a live one. */
+  get id(): number {
+    return this.#shown.id
   }
 
   /** Frames of the live run that came, and how old the last one was when it came [ms]. */
@@ -55,7 +71,8 @@ export class Runs {
   }
 
   /** A run is done: fetch it and show it, unless a newer one is done before it is here. */
-  async take(id: number): Promise<void> {
+  async take(id: number, texts: Texts = NOW): Promise<void> {
+    this.#wanted = { id, texts }
     await this.#take(++this.#newest, () => fetchPack(id))
   }
 
@@ -69,12 +86,12 @@ export class Runs {
     }
   }
 
-  startLive(program: string, source: string, layout: LiveLayout): void {
+  startLive(program: string, source: string, layout: LiveLayout, texts: Texts = NOW): void {
     if (!this.#scene) return
     this.#newest += 1
     this.#live = new LiveRun(program, source, this.#scene, layout)
     this.#frames = 0
-    this.#show(this.#live)
+    this.#show(this.#live, { id: 0, texts })
   }
 
   place(placed: Placed): void {
@@ -83,6 +100,10 @@ export class Runs {
 
   stamp(stamped: SignalStamped): void {
     this.#live?.stamp(stamped)
+  }
+
+  print(printed: Printed): void {
+    this.#live?.print(printed)
   }
 
   frame(bytes: ArrayBuffer): void {
@@ -106,12 +127,13 @@ export class Runs {
     if (this.#scene && this.#scene !== scene) run.showIn(this.#scene)
     this.#recorded = run
     this.#live = null
-    this.#show(run)
+    this.#show(run, this.#wanted)
   }
 
-  #show(run: Run): void {
+  #show(run: Run, shown: RunTexts): void {
     this.#run = run
-    this.#wires.onRun(run)
+    this.#shown = shown
+    this.#wires.onRun(run, shown)
   }
 }
 

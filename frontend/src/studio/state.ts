@@ -34,6 +34,8 @@ export interface StudioState {
   readonly editing: boolean
   readonly trust: TrustState
   readonly problems: readonly Problem[]
+  /** Those that the language server does not know. */
+  readonly found: readonly Problem[]
   /** How the newest run stands; null before the first. */
   readonly status: RunStatus | null
   /** Counts the runs shown; 0 before the first. */
@@ -67,6 +69,7 @@ export const START: StudioState = {
   editing: false,
   trust: { trusted: false, code: [] },
   problems: [],
+  found: [],
   status: null,
   shown: 0,
   stale: false,

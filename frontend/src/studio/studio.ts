@@ -20,10 +20,11 @@ import { Loop } from './loop'
 import { Noticeboard } from './noticeboard'
 import type { Pass } from './passes'
 import { Picture } from './picture'
-import { type Problem, problemOf } from './problems'
+import type { Problem } from './problems'
 import { Receiver } from './receiver'
+import { NOW, RunLines, type Texts } from './run_lines'
 import { RunView } from './run_view'
-import { Runs } from './runs'
+import { Runs, type RunTexts } from './runs'
 import { SignalBoard } from './signal_board'
 import { createStudioStore, type StudioStore } from './state'
 import { ProjectStorage, tabName } from './storage'
@@ -51,6 +52,10 @@ export class Studio {
   readonly jog: Jog
   readonly signals: SignalBoard
   readonly connection: Connection
+  readonly lines = new RunLines({
+    text: name => this.text(name),
+    documentOf: source => this.documentOf(source),
+  })
   /** The plots that stand in panels. */
   readonly plots = new Set<ShownPlot>()
   storage = new ProjectStorage('')
@@ -60,6 +65,7 @@ export class Studio {
   timeline: Timeline | null = null
   readonly #board = new Noticeboard(this.store)
   readonly #lines: LineGhost
+  readonly #found = new Map<string, { findings: readonly Finding[]; texts: Texts }>()
 
   constructor(address: string) {
     const { cursor, picture, store } = this
@@ -82,10 +88,11 @@ export class Studio {
       run: () => this.run,
       time: () => cursor.time,
       documentOf: source => this.documentOf(source),
+      lines: this.lines,
       mark,
     })
     this.runs = new Runs({
-      onRun: run => this.#showRun(run),
+      onRun: (run, of) => this.#showRun(run, of),
       onGrown: run => this.view.grown(run),
       onTrouble: text => this.notify('error', words.run.unreadable(text)),
     })
@@ -127,6 +134,17 @@ export class Studio {
   /** New text from the keyboard; it reaches the server within a moment, or after the connection is back. */
   edit(document: string, text: string): void {
     this.desk.edit(document, text)
+    this.textsMoved()
+  }
+
+  /** Texts have changed: what stands on their lines moves along. */
+  textsMoved(): void {
+    for (const [source, { findings, texts }] of this.#found) {
+      if (findings.length > 0 && texts.size > 0)
+        this.setProblems(source, this.lines.problems(findings, texts))
+    }
+    this.#lines.moved()
+    this.loop.mark()
   }
 
   save(document: string, disk: 'keep' | 'overwrite' = 'keep'): void {
@@ -187,11 +205,10 @@ export class Studio {
     this.#board.setProblems(source, problems)
   }
 
-  setFindings(source: string, findings: readonly Finding[]): void {
-    this.setProblems(
-      source,
-      findings.map(one => problemOf(one, name => this.documentOf(name))),
-    )
+  /** Findings of one source, which belong to texts of a moment. */
+  setFindings(source: string, findings: readonly Finding[], texts: Texts = NOW): void {
+    this.#found.set(source, { findings, texts })
+    this.setProblems(source, this.lines.problems(findings, texts))
   }
 
   notify(level: 'error' | 'warning' | 'info', text: string, hint = '', code = ''): void {
@@ -254,9 +271,11 @@ export class Studio {
     this.loop.mark()
   }
 
-  #showRun(run: Run): void {
+  #showRun(run: Run, { texts }: RunTexts): void {
+    this.lines.showRun(texts)
     this.view.show(run)
-    this.setFindings('run', run.findings)
+    this.setFindings('compile', [])
+    this.setFindings('run', run.findings, texts)
     this.#lines.renew()
   }
 }

@@ -33,6 +33,11 @@ export class TextDesk {
     return this.documents.pending().length === 0
   }
 
+  /** All texts as they are now. */
+  now(): ReadonlyMap<string, string> {
+    return new Map(this.documents.shown.map(({ name }) => [name, this.documents.text(name)]))
+  }
+
   edit(document: string, text: string): void {
     this.documents.edit(document, text)
     this.sync()

@@ -75,10 +75,15 @@ export interface RunStatus {
   readonly state: 'waiting' | 'running' | 'done' | 'refused' | 'cancelled' | 'failed'
   readonly program: string
   readonly message: string
-  /** Errors of compiling, for `refused`. */
+  /** Of compiling, and of planning too where `planned`; those of a finished run are in its pack. */
   readonly findings: readonly Finding[]
+  readonly planned: boolean
   /** Key presses that the run took as inputs. */
   readonly inputs: number
+  /** The run that was carried out: an earlier one where the texts still say the same; 0 while not known. */
+  readonly simulated: number
+  /** Versions of the documents to which lines in findings and run refer. */
+  readonly versions: Readonly<Record<string, number>>
 }
 
 export interface LiveStatus {
@@ -120,6 +125,16 @@ export interface SignalStamped {
   readonly time: number
 }
 
+/** A message of the program in a live run. */
+export interface Printed {
+  readonly type: 'printed'
+  readonly time: number
+  readonly text: string
+  readonly source: string
+  /** 0 where it has none. */
+  readonly line: number
+}
+
 /** Answer to a jog. */
 export interface Jogged {
   readonly type: 'jogged'
@@ -155,5 +170,6 @@ export type Message =
   | LiveLayout
   | Placed
   | SignalStamped
+  | Printed
   | Jogged
   | Notice

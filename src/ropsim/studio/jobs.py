@@ -59,6 +59,13 @@ class LiveStart:
 
 
 @dataclass(frozen=True, slots=True)
+class SaveRun:
+    """Return the finished run of the job of this number as files (`SavedRun`); the newest one is kept."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
 class JogJoints:
     """Put the jogged arm of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
 
@@ -81,6 +88,17 @@ class JogTcp:
 @dataclass(frozen=True, slots=True)
 class Cancel:
     """Give up the job of this number; its reply says `cancelled`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Renew:
+    """The texts have changed: go on if they still say the same (`Renewed`), else give the job up.
+
+    `run` is the number under which the run goes on.
+    """
+
+    run: int
+    job: Simulate
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,8 +128,8 @@ class Stop:
     """End the worker process (number 0); a running job is given up."""
 
 
-Job: TypeAlias = OpenScene | Simulate | LiveStart | JogJoints | JogTcp
-Order: TypeAlias = Cancel | LiveControl | LiveSpeed | SetSignal | Stop
+Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp
+Order: TypeAlias = Cancel | Renew | LiveControl | LiveSpeed | SetSignal | Stop
 
 
 # ---- answers ---------------------------------------------------------------------------------------------
@@ -125,8 +143,22 @@ class Progress:
 
 
 @dataclass(frozen=True, slots=True)
+class Planned:
+    """What compiling and planning have found, while the drives are still being simulated."""
+
+    findings: tuple[Mapping[str, object], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Renewed:
+    """The run goes on for newer texts of the same content, under another number."""
+
+    run: int
+
+
+@dataclass(frozen=True, slots=True)
 class LiveMessage:
-    """A message of a live run, as the page gets it: `live`, `layout`, `placed` or `stamped`."""
+    """A message of a live run, as the page gets it: `live`, `layout`, `placed`, `stamped` or `printed`."""
 
     payload: Mapping[str, object]
 
@@ -153,7 +185,7 @@ class RunReply:
 
     `done`: `pack` is the finished run for the page. `refused`: the program has errors, they are in
     `findings`. `failed`: `message` says in words why there is no run. `inputs` are those that a live run
-    was given and has used.
+    was given and has used. `made`: whether it was simulated, or is the run before on other lines.
     """
 
     state: Literal["done", "refused", "cancelled", "failed"]
@@ -162,6 +194,15 @@ class RunReply:
     pack: bytes | None = None
     findings: tuple[Mapping[str, object], ...] = ()
     inputs: tuple[InputChange, ...] = ()
+    made: Literal["simulated", "kept"] = "simulated"
+
+
+@dataclass(frozen=True, slots=True)
+class SavedRun:
+    """A finished run as files: its recording (`.npz`), and its inputs as `ropsim run --inputs` takes them."""
+
+    recording: bytes
+    inputs: bytes
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,8 +227,8 @@ class Failed:
     message: str
 
 
-Reply: TypeAlias = SceneReply | RunReply | JogReply | Failed
-Report: TypeAlias = Progress | LiveMessage | LiveFrame
+Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | Failed
+Report: TypeAlias = Progress | Planned | Renewed | LiveMessage | LiveFrame
 
 
 # ---- envelopes: what goes through the pipe ---------------------------------------------------------------

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from ropsim.studio.messages import LiveStatus, Message
 
 MOST_PRESSES = 1000
-"""Key presses that a late tab still hears of, newest."""
+"""Key presses that a late tab still hears of, newest; as many messages of the program, too."""
 
 
 class LiveLog:
@@ -20,13 +20,13 @@ class LiveLog:
         self._status: Message | None = None
         self._program = ""
         self._speed = 1.0
-        self._presses = 0
+        self._counts = {"stamped": 0, "printed": 0}
         self._layout: tuple[Message, ...] = ()
         self._others: dict[object, Message] = {}
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """Return how the run stands, its layout, and in order where parts are and which keys were pressed."""
+        """Return how the run stands, its layout, and in order parts, key presses and printed messages."""
         return () if self._status is None else (self._status, *self._layout, *self._others.values())
 
     def start(self, program: str, speed: float) -> None:
@@ -46,10 +46,10 @@ class LiveLog:
             case {"type": "placed", "body": body}:
                 self._others.pop(("placed", body), None)  # only where it is now, in order of time
                 self._others["placed", body] = message
-            case {"type": "stamped"}:
-                self._presses += 1
-                self._others["stamped", self._presses] = message
-                self._others.pop(("stamped", self._presses - MOST_PRESSES), None)
+            case {"type": "stamped" | "printed" as kind}:
+                self._counts[kind] += 1
+                self._others[kind, self._counts[kind]] = message
+                self._others.pop((kind, self._counts[kind] - MOST_PRESSES), None)
             case _:  # notices are for who is there
                 pass
         self._tell(message)
@@ -61,6 +61,6 @@ class LiveLog:
         self._forget()
 
     def _forget(self) -> None:
-        self._presses = 0
+        self._counts = dict.fromkeys(self._counts, 0)
         self._layout = ()
         self._others.clear()

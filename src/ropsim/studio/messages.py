@@ -73,7 +73,12 @@ class EditingRight(Struct, frozen=True, tag_field="type", tag="editing"):
 
 
 class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
-    """How a run stands; a `done` one has its pack at `/run/<id>.pack`."""
+    """How a run stands; a `done` one has its pack at `/run/<id>.pack`.
+
+    `findings` are those of compiling, and of planning too where `planned` says so; a finished run has its own.
+    `simulated` is the run that was carried out: an earlier one where the texts still say the same, 0 before
+    that is known. `versions` are those of the texts, to which lines in findings and run refer.
+    """
 
     id: int
     state: Literal["waiting", "running", "done", "refused", "cancelled", "failed"]
@@ -81,6 +86,9 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
     message: str = ""
     findings: tuple[Finding, ...] = ()
     inputs: int = 0
+    planned: bool = False
+    simulated: int = 0
+    versions: Mapping[str, int] = {}
 
 
 class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):

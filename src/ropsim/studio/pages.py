@@ -1,7 +1,8 @@
 """The built pages, finished runs and meshes, over HTTP."""
 
 import secrets
-from pathlib import Path
+from pathlib import Path, PurePath
+from urllib.parse import quote
 
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, PlainTextResponse, Response
@@ -10,6 +11,7 @@ from starlette.staticfiles import StaticFiles
 
 import ropsim
 from ropsim.studio.diagnostics import NO_PAGES, StudioError
+from ropsim.studio.jobs import SavedRun
 from ropsim.studio.security import content_policy
 from ropsim.studio.session import Session
 
@@ -34,7 +36,10 @@ def pages_folder() -> Path:
 
 
 def routes(folder: Path, session: Session) -> list[BaseRoute]:
-    """Return what is served: `/`, `/assets/…`, `/run/<id>.pack`, `/mesh/<address>.glb`."""
+    """Return what is served: `/`, `/assets/…`, `/mesh/<address>.glb`, and runs.
+
+    `/run/<id>.pack` is what the page draws, `/run/<id>.npz` the recording, `/run/<id>.inputs.json` inputs.
+    """
 
     def index(request: Request) -> Response:
         del request
@@ -48,6 +53,18 @@ def routes(folder: Path, session: Session) -> list[BaseRoute]:
         content = session.runs.pack(int(number)) if len(number) < 19 and number.isdecimal() else None
         return _bytes(content, "application/octet-stream", {})
 
+    async def recording(request: Request) -> Response:
+        saved = await _saved(session, request)
+        if saved is None:
+            return _bytes(None, "", {})
+        return _bytes(saved.recording, "application/octet-stream", _to_keep(session, "npz"))
+
+    async def inputs(request: Request) -> Response:
+        saved = await _saved(session, request)
+        if saved is None:
+            return _bytes(None, "", {})
+        return _bytes(saved.inputs, "application/json", _to_keep(session, "inputs.json"))
+
     async def mesh(request: Request) -> Response:
         content = session.scenes.mesh(request.path_params["address"])
         return _bytes(content, "model/gltf-binary", FOR_EVER)
@@ -55,9 +72,22 @@ def routes(folder: Path, session: Session) -> list[BaseRoute]:
     return [
         Route("/", index),
         Route("/run/{run}.pack", pack),
+        Route("/run/{run}.npz", recording),
+        Route("/run/{run}.inputs.json", inputs),
         Route("/mesh/{address}.glb", mesh),
         Mount("/assets", _Assets(directory=folder / "assets")),
     ]
+
+
+async def _saved(session: Session, request: Request) -> SavedRun | None:
+    number = request.path_params["run"]
+    return await session.runs.files(int(number)) if len(number) < 19 and number.isdecimal() else None
+
+
+def _to_keep(session: Session, ending: str) -> dict[str, str]:
+    """Return headers by which a browser saves a response under the name of the program."""
+    name = quote(PurePath(session.runs.newest_program).stem, safe="")
+    return {"content-disposition": f"attachment; filename*=UTF-8''{name}.{ending}"}
 
 
 class _Assets(StaticFiles):

@@ -2,7 +2,8 @@
 
 import asyncio
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 from itertools import count
 from pathlib import Path
 
@@ -21,6 +22,13 @@ PACKS_KEPT = 3
 """Finished runs that a page can still fetch."""
 
 
+class Cause(Enum):
+    """Why a run is wanted."""
+
+    ASKED = "asked"
+    TEXT = "text"
+
+
 @dataclass(frozen=True, slots=True)
 class Wish:
     """A run that is wanted; live where it has a speed."""
@@ -28,6 +36,7 @@ class Wish:
     program: str
     fidelity: jobs.Fidelity
     speed: float | None = None
+    cause: Cause = Cause.ASKED
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +55,7 @@ class Runs:
         folder: of the project.
         simulator: the worker.
         texts: returns the unsaved texts.
+        versions: returns the version of every text.
         tell: sends a message to every tab.
         show: sends a state frame to every tab.
     """
@@ -55,12 +65,15 @@ class Runs:
         folder: Path,
         simulator: WorkerLink,
         texts: Callable[[], Mapping[str, str]],
+        versions: Callable[[], Mapping[str, int]],
         tell: Callable[[Message], None],
         show: Callable[[bytes], None],
     ) -> None:
         self._folder = str(folder)
         self._simulator = simulator
         self._texts = texts
+        self._versions = versions
+        self._asked: dict[int, Mapping[str, int]] = {}
         self._tell = tell
         self._show = show
         self._ids = count(1)
@@ -69,6 +82,9 @@ class Runs:
         self._current: Current | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._packs: dict[int, bytes] = {}
+        self._kept: tuple[int, int] | None = None
+        self._simulated = 0
+        self._planned: tuple[Mapping[str, object], ...] | None = None
         self._done: RunStatus | None = None
         self._status: RunStatus | None = None
         self._live = LiveLog(tell)
@@ -84,11 +100,23 @@ class Runs:
         """Return a finished run for the page."""
         return self._packs.get(run)
 
+    @property
+    def newest_program(self) -> str:
+        """Return the name of the program that has run last; empty before the first run."""
+        return self._done.program if self._done is not None else ""
+
+    async def files(self, run: int) -> jobs.SavedRun | None:
+        """Return a finished run as files; None where the simulator does not have it any more."""
+        if self._kept is None or self._kept[0] != run:
+            return None
+        reply = await self._simulator.submit(jobs.SaveRun(self._kept[1])).reply
+        return reply if isinstance(reply, jobs.SavedRun) else None
+
     def text_changed(self) -> None:
         """Simulate the last program again as soon as the text rests; a live run is not disturbed."""
         if self._timer is not None:
             self._timer.cancel()
-        wish = Wish(self._last_wish.program, self._last_wish.fidelity)
+        wish = Wish(self._last_wish.program, self._last_wish.fidelity, cause=Cause.TEXT)
         self._timer = asyncio.get_running_loop().call_later(QUIET, self._want, wish)
 
     def run(self, program: str, fidelity: jobs.Fidelity) -> None:
@@ -128,51 +156,108 @@ class Runs:
         if self._current is None:
             self._start_next()
             return
-        self._say(RunStatus(self._next[0], "waiting", wish.program))
-        if self._current.wish.speed is None:
-            self._give_up(self._current)
+        current = self._current
+        if current.wish.speed is not None:
+            self._say(RunStatus(self._next[0], "waiting", wish.program))
+        elif wish == replace(current.wish, cause=wish.cause):
+            if wish.cause is Cause.ASKED:
+                self._say(RunStatus(self._next[0], "waiting", wish.program))
+            # it may still be the same run: the simulator finds out
+            self._end(current, jobs.Renew(self._next[0], self._job(self._next[0], wish)))
+        else:
+            self._say(RunStatus(self._next[0], "waiting", wish.program))
+            self._give_up(current)
+
+    def _job(self, run: int, wish: Wish) -> jobs.Simulate:
+        self._asked[run] = self._versions()
+        return jobs.Simulate(self._folder, dict(self._texts()), wish.program, wish.fidelity, self._inputs)
 
     def _start_next(self) -> None:
         if self._next is None:
             return
         (run, wish), self._next = self._next, None
-        texts = dict(self._texts())
+        self._planned = None
         if wish.speed is None:
-            job: jobs.Job = jobs.Simulate(self._folder, texts, wish.program, wish.fidelity, self._inputs)
-            self._say(RunStatus(run, "running", wish.program, inputs=len(self._inputs)))
+            job: jobs.Job = self._job(run, wish)
+            if wish.cause is Cause.ASKED:  # after a change of the text there may be nothing to do
+                self._say_running(run, wish)
         else:
-            job = jobs.LiveStart(self._folder, texts, wish.program, wish.speed)
+            self._asked[run] = self._versions()
+            job = jobs.LiveStart(self._folder, dict(self._texts()), wish.program, wish.speed)
             self._live.start(wish.program, wish.speed)
-        task = self._simulator.submit(job, lambda report: self._heard(run, wish, report))
+        task = self._simulator.submit(job, self._heard)
         self._current = Current(run, wish, task)
-        task.reply.add_done_callback(lambda reply: self._over(run, wish, reply))
+        task.reply.add_done_callback(self._over)
 
-    def _heard(self, run: int, wish: Wish, report: jobs.Report) -> None:
+    def _heard(self, report: jobs.Report) -> None:
+        if self._current is None:
+            return
+        run, wish = self._current.id, self._current.wish
         match report:
             case jobs.Progress(text) if self._next is None:  # else the one that replaces it has spoken
-                self._say(RunStatus(run, "running", wish.program, text, inputs=len(self._inputs)))
+                self._say_running(run, wish, text)
+            case jobs.Planned(findings):
+                self._planned = findings
+                if self._next is None:
+                    self._say_running(run, wish)
+            case jobs.Renewed(renewed):
+                self._current = replace(self._current, id=renewed)
+                if self._next is not None and self._next[0] == renewed:
+                    self._next = None
+                    self._say_running(renewed, wish)
             case jobs.LiveMessage(payload):
                 self._live.add(payload)
             case jobs.LiveFrame(frame):
                 self._show(frame)
 
-    def _over(self, run: int, wish: Wish, done: "asyncio.Future[jobs.Reply]") -> None:
+    def _say_running(self, run: int, wish: Wish, text: str = "") -> None:
+        self._say(
+            RunStatus(
+                run,
+                "running",
+                wish.program,
+                text,
+                self._planned or (),
+                len(self._inputs),
+                self._planned is not None,
+                versions=self._asked.get(run, {}),
+            )
+        )
+
+    def _over(self, done: "asyncio.Future[jobs.Reply]") -> None:
+        if self._current is None:
+            return
+        run, wish, task = self._current.id, self._current.wish, self._current.task
         self._current = None
         if not done.cancelled() and isinstance(reply := done.result(), jobs.RunReply):
-            self._conclude(run, wish, reply)
+            self._conclude(run, wish, task, reply)
         self._start_next()
 
-    def _conclude(self, run: int, wish: Wish, reply: jobs.RunReply) -> None:
+    def _conclude(self, run: int, wish: Wish, task: Task, reply: jobs.RunReply) -> None:
         if wish.speed is not None:
             self._live.end()
             self._inputs = reply.inputs if reply.state == "done" else self._inputs
         program = reply.program or wish.program
-        status = RunStatus(run, reply.state, program, reply.message, reply.findings, len(self._inputs))
+        if reply.state == "done" and reply.made == "simulated":
+            self._simulated = run
+        simulated = self._simulated if reply.state == "done" else 0
+        status = RunStatus(
+            run,
+            reply.state,
+            program,
+            reply.message,
+            reply.findings,
+            len(self._inputs),
+            simulated=simulated,
+            versions=self._asked.get(run, {}),
+        )
+        self._asked = {known: versions for known, versions in self._asked.items() if known > run}
         if reply.state == "done" and reply.pack is not None:
             self._packs[run] = reply.pack
             for old in sorted(self._packs)[:-PACKS_KEPT]:
                 del self._packs[old]
             self._done = status
+            self._kept = (run, task.number)
         if reply.state != "cancelled" or self._next is None:
             self._say(status)
 
@@ -192,7 +277,7 @@ class Runs:
         asyncio.get_running_loop().call_later(PATIENCE, self._end_deaf, current)
 
     def _end_deaf(self, current: Current) -> None:
-        """End a simulator that has not given up its job."""
+        """End a simulator that has not given up its job, nor has gone on under another number."""
         if self._current is current:
             self._simulator.kill()
 

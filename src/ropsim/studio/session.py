@@ -39,7 +39,9 @@ class Session:
         self._desk = WorkerLink("drawing desk", str(neutral), self._desk_lost, worker)
         self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
         self.scenes = Scenes(folder, self._desk, self._texts, self._tabs.tell)
-        self.runs = Runs(folder, self._simulator, self._texts, self._tabs.tell, self._tabs.show)
+        self.runs = Runs(
+            folder, self._simulator, self._texts, self._versions, self._tabs.tell, self._tabs.show
+        )
         self._scene_timer: asyncio.TimerHandle | None = None
         self._background: set[asyncio.Task[None]] = set()
         self._code: tuple[str, ...] = ()
@@ -159,6 +161,9 @@ class Session:
 
     def _texts(self) -> dict[str, str]:
         return dict(self.editing.documents.unsaved_texts)
+
+    def _versions(self) -> dict[str, int]:
+        return {one.name: one.version for one in self.editing.documents.all}
 
     def _trust_state(self) -> TrustState:
         return TrustState(trust_in(self._folder) is Trust.GIVEN, self._code)

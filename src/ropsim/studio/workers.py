@@ -16,6 +16,7 @@ from ropsim.studio.jobs import (
     Report,
     Request,
     RunReply,
+    SavedRun,
     SceneReply,
     Simulate,
 )
@@ -116,7 +117,7 @@ class WorkerLink:
         task = self._tasks.get(answer.number)
         if task is None:
             return
-        if isinstance(answer.content, SceneReply | RunReply | JogReply | Failed):
+        if isinstance(answer.content, SceneReply | RunReply | SavedRun | JogReply | Failed):
             del self._tasks[answer.number]
             if not task.reply.done():
                 task.reply.set_result(answer.content)

@@ -12,7 +12,7 @@ from ropsim.studio.runs import Runs
 from ropsim.studio.workers import WorkerLink
 from support.patience import PATIENCE
 
-"""Longer than any answer takes, so that a broken test ends [s]."""
+VERSIONS = {"programs/main.task": 3}
 
 
 @dataclass(slots=True)
@@ -60,7 +60,9 @@ def on_stage(folder: Path, play: Callable[[Stage], Awaitable[None]]) -> None:
             told.append(message)
             stage.changed.set()
 
-        stage = Stage(Runs(folder, link, lambda: texts, tell, frames.append), texts, told, frames)
+        stage = Stage(
+            Runs(folder, link, lambda: texts, lambda: VERSIONS, tell, frames.append), texts, told, frames
+        )
         try:
             await asyncio.wait_for(play(stage), PATIENCE)
         finally:
@@ -77,7 +79,7 @@ def test_a_finished_run_has_its_pack_and_a_tab_that_comes_later_hears_of_it(tmp_
         assert stage.states() == [(1, "running"), (1, "done")]
         assert stage.runs.pack(1) == b"x|0"
         assert stage.runs.pack(2) is None
-        assert stage.runs.news == (RunStatus(1, "done", "main"),)
+        assert stage.runs.news == (RunStatus(1, "done", "main", simulated=1, versions=VERSIONS),)
 
     on_stage(tmp_path, play)
 

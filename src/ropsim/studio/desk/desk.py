@@ -1,15 +1,27 @@
 """What the worker knows between two jobs, and who does which job."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.jog import JoggedArm
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
-from ropsim.studio.jobs import Failed, Job, JogJoints, JogTcp, LiveStart, OpenScene, Reply, Simulate
+from ropsim.studio.jobs import (
+    Failed,
+    Job,
+    JogJoints,
+    JogTcp,
+    LiveStart,
+    OpenScene,
+    Reply,
+    SaveRun,
+    Simulate,
+)
 from ropsim.workbench import MeshLibrary
 
+NOT_KEPT = "this run is not kept any more: simulate it again"
 NOTHING_OPEN = "no cell is open: the cell file has errors, they are in the list of problems"
 
 
@@ -20,11 +32,13 @@ class Desk:
     Attributes:
         arm: the arm of the newest scene, None without one.
         meshes: those of the newest scene, so that files which stay are not converted again.
+        shelf: the newest finished run.
         is_cold: whether `warm` has something to do.
     """
 
     arm: JoggedArm | None = None
     meshes: MeshLibrary | None = None
+    shelf: Shelf = field(default_factory=Shelf)
     is_cold: bool = False
 
     def do(self, job: Job, line: Line) -> Reply:
@@ -42,9 +56,12 @@ class Desk:
                 self.is_cold = self.arm is not None
                 return opened.reply
             case Simulate():
-                return simulate(job, line)
+                return simulate(job, line, self.shelf)
             case LiveStart():
-                return run_live(job, line)
+                return run_live(job, line, shelf=self.shelf)
+            case SaveRun(number):
+                kept = self.shelf.run
+                return kept.files() if kept is not None and kept.number == number else Failed(NOT_KEPT)
             case JogJoints():
                 return self.arm.to_joints(job) if self.arm else Failed(NOTHING_OPEN)
             case JogTcp():

@@ -13,6 +13,11 @@ class Cancelled(Exception):  # noqa: N818 - it is no error
 class Line(Protocol):
     """The way between a job and who asked for it."""
 
+    @property
+    def number(self) -> int:
+        """Return the number of the job."""
+        ...
+
     def report(self, content: Report) -> None:
         """Tell how the job goes."""
         ...

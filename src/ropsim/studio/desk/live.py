@@ -4,10 +4,10 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ropsim.flow import Recording
 from ropsim.simulation import RunOptions
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.desk.finished import FinishedRun, Shelf
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live_watch import LivePace
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
@@ -33,7 +33,7 @@ class Clocks:
 REAL = Clocks()
 
 
-def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL) -> RunReply:
+def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | None = None) -> RunReply:
     """Return the reply to a live run, with the inputs that it was given.
 
     The program looks at its inputs at its own times. Each look is held until the clock that is shown has come
@@ -44,15 +44,19 @@ def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL) -> RunReply:
         job: folder, texts, program and speed.
         line: orders in; layout, frames and messages out.
         clocks: the time of the wall.
+        shelf: keeps the run.
 
     Raises:
         Cancelled: it was given up.
     """
 
-    def run(ready: Runnable) -> Recording:
+    def run(ready: Runnable) -> RunReply:
         clock = PacedClock(clocks.wall, job.speed)
         pace = LivePace(ready.name, clock, line, clocks.wall, clocks.day)
         options = RunOptions(longest=LONGEST, longest_wait=LONGEST, most_rows=MOST_ROWS, watch=pace)
-        return run_program(ready.cell, ready.code, options)
+        recording = run_program(ready.cell, ready.code, options)
+        if shelf is not None:
+            shelf.run = FinishedRun(line.number, "", ready, recording)
+        return ready.finished(recording)
 
     return run_job(job, run)

@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from ropsim.flow import Event
 from ropsim.simulation import PartsState, RunView
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Line
@@ -35,7 +36,8 @@ class LivePace:
         frames: made when the run starts.
         keys: stamps key presses.
         parts: as they were told last.
-        news: messages on parts whose time has not come yet.
+        news: messages on parts and of the program whose time has not come yet.
+        heard: how many events have been looked at for messages of the program.
         shown: when the last frame was due [s of the wall clock].
         over: whether the run has been ended by hand.
     """
@@ -49,6 +51,7 @@ class LivePace:
     keys: Keys | None = None
     parts: PartsState | None = None
     news: deque[tuple[float, LiveMessage]] = field(default_factory=deque)
+    heard: int = 0
     shown: float = float("-inf")
     over: bool = False
 
@@ -62,6 +65,8 @@ class LivePace:
         if self.parts is not None and run.parts is not self.parts:
             self.news += [(run.time, one) for one in placed(run.cell, self.parts, run.parts, run.time)]
             self.parts = run.parts
+        self.news += [(one.time, printed(one)) for one in run.events[self.heard :] if one.kind == "message"]
+        self.heard = len(run.events)
         self.clock.extend(run.time)
         self._show_until(run, run.time - LEAD * self.clock.speed)
 
@@ -161,3 +166,17 @@ class LivePace:
         state = "paused" if self.clock.paused else "running"
         news = {"type": "live", "state": state, "speed": self.clock.speed, "program": self.program}
         self.line.report(LiveMessage(news))
+
+
+def printed(message: Event) -> LiveMessage:
+    """Return what the page is told of a message of the program."""
+    span = message.span
+    return LiveMessage(
+        {
+            "type": "printed",
+            "time": message.time,
+            "text": message.text,
+            "source": span.source if span is not None else "",
+            "line": span.line if span is not None else 0,
+        }
+    )

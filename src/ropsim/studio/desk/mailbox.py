@@ -19,10 +19,12 @@ from ropsim.studio.jobs import (
     LiveStart,
     OpenScene,
     Order,
+    Renew,
     Reply,
     Report,
     Request,
     RunReply,
+    SaveRun,
     SetSignal,
     Simulate,
     Stop,
@@ -78,7 +80,7 @@ class Mailbox:
             match request.content:
                 case Cancel() if request.number == number:
                     raise Cancelled
-                case LiveControl() | LiveSpeed() | SetSignal() as order if request.number == number:
+                case LiveControl() | LiveSpeed() | SetSignal() | Renew() as order if request.number == number:
                     orders.append(order)
                 case _:
                     self._sort_in(request)
@@ -106,9 +108,9 @@ class Mailbox:
         match request.content:
             case Stop():
                 raise StopAsked
-            case Cancel():
+            case Cancel() | Renew():  # what has not begun is asked for anew
                 self._drop(request.number)
-            case Simulate() | LiveStart() | OpenScene() | JogJoints() | JogTcp() as job:
+            case Simulate() | LiveStart() | SaveRun() | OpenScene() | JogJoints() | JogTcp() as job:
                 self._jobs.append((request.number, job))
             case _:  # an order for a live run that has just ended
                 pass

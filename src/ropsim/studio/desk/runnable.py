@@ -43,25 +43,33 @@ class Runnable:
         return RunReply("done", self.name, pack=pack, inputs=inputs)
 
 
-def run_job(job: Simulate | LiveStart, run: Callable[[Runnable], Recording]) -> RunReply:
+def run_job(job: Simulate | LiveStart, run: Callable[[Runnable], RunReply]) -> RunReply:
     """Return the reply to a run; a program with errors is refused, and so is one that its arm cannot run.
 
     Args:
         job: folder, texts and program.
-        run: makes the recording.
+        run: carries the program out.
     """
-    name = job.program
     try:
-        project = open_overlaid(Path(job.folder), job.texts)
-        if project.is_broken:
-            return RunReply("refused", name, findings=plain_findings(project.diagnostics))
-        compiled = project.program(name or None)
-        name = next(key for key, text in project.sources.items() if text is compiled.source)
-        findings = (*project.diagnostics, *compiled.diagnostics)
-        if any(one.is_error for one in findings):
-            return RunReply("refused", name, findings=plain_findings(findings))
-        cell, code = project.runnable(compiled)
-        ready = Runnable(project, name, cell, code, findings)
-        return ready.finished(run(ready))
+        ready = made_ready(job)
+        return ready if isinstance(ready, RunReply) else run(ready)
     except RopsimError as error:
-        return RunReply("refused", name, findings=plain_findings([error.diagnostic]))
+        return RunReply("refused", job.program, findings=plain_findings([error.diagnostic]))
+
+
+def made_ready(job: Simulate | LiveStart) -> Runnable | RunReply:
+    """Return the program of a job, opened and compiled, or why it is refused.
+
+    Raises:
+        RopsimError: there is no such project or program.
+    """
+    project = open_overlaid(Path(job.folder), job.texts)
+    if project.is_broken:
+        return RunReply("refused", job.program, findings=plain_findings(project.diagnostics))
+    compiled = project.program(job.program or None)
+    name = next(key for key, text in project.sources.items() if text is compiled.source)
+    findings = (*project.diagnostics, *compiled.diagnostics)
+    if any(one.is_error for one in findings):
+        return RunReply("refused", name, findings=plain_findings(findings))
+    cell, code = project.runnable(compiled)
+    return Runnable(project, name, cell, code, findings)

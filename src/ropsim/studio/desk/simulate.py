@@ -1,14 +1,19 @@
-"""Finished runs: simulate as fast as it goes, tell how far it is, listen for being given up."""
+"""Finished runs: plan first, then simulate as fast as it goes; tell how far it is, listen for newer texts."""
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 
+from ropsim.core import RopsimError
 from ropsim.flow import Recording
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView
 from ropsim.simulation import run as run_program
-from ropsim.studio.desk.line import Line
-from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
-from ropsim.studio.jobs import Progress, RunReply, Simulate
+from ropsim.studio.desk.content import content_of
+from ropsim.studio.desk.findings import plain_findings
+from ropsim.studio.desk.finished import FinishedRun, Shelf
+from ropsim.studio.desk.line import Cancelled, Line
+from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
+from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
 from ropsim.workbench.inputs import with_inputs
 
 LISTEN = 0.05
@@ -17,21 +22,55 @@ LISTEN = 0.05
 TELL = 0.5
 """How often a run tells how far it is [s]."""
 
+PLANNING_ROWS = 50
+"""Recorded rows per second of the run that only plans: enough to see a joint leave its range."""
 
-def simulate(job: Simulate, line: Line) -> RunReply:
-    """Return the reply to a run.
+
+def simulate(job: Simulate, line: Line, shelf: Shelf) -> RunReply:
+    """Return the reply to a run. One of the same content is not made again, but shown on the new lines.
+
+    Args:
+        job: what to run.
+        line: to who asked for the run.
+        shelf: keeps the newest run.
 
     Raises:
         Cancelled: it was given up.
     """
 
-    def run(ready: Runnable) -> Recording:
+    def run(ready: Runnable) -> RunReply:
+        content = content_of(ready.cell, ready.code, job)
+        kept = shelf.run
+        if kept is not None and kept.content == content:
+            shelf.run = kept.shown_on(line.number, ready)
+            return replace(ready.finished(shelf.run.recording), made="kept")
         line.report(Progress("preparing the arm"))
-        inputs = tuple(InputChange(one.time, one.signal, one.value) for one in job.inputs)
-        options = RunOptions(Fidelity(job.fidelity), most_rows=MOST_ROWS, watch=Listener(line))
-        return run_program(ready.cell, ready.code, with_inputs(options, inputs))
+        listener = Listener(line, content, ready)
+        if job.fidelity == Fidelity.DYNAMIC.value:
+            planned = _carried_out(job, ready, listener, Purpose.PLANNING)
+            line.report(Planned(plain_findings((*listener.ready.findings, *planned.findings))))
+        recording = _carried_out(job, ready, listener, Purpose.RUN)
+        made = FinishedRun(line.number, content, ready, recording)
+        shelf.run = made.shown_on(line.number, listener.ready)
+        return listener.ready.finished(shelf.run.recording)
 
     return run_job(job, run)
+
+
+class Purpose(Enum):
+    """What a program is carried out for."""
+
+    PLANNING = "planning"
+    RUN = "run"
+
+
+def _carried_out(job: Simulate, ready: Runnable, listener: "Listener", purpose: Purpose) -> Recording:
+    inputs = tuple(InputChange(one.time, one.signal, one.value) for one in job.inputs)
+    if purpose is Purpose.PLANNING:
+        options = RunOptions(Fidelity.KINEMATIC, record_hz=PLANNING_ROWS, most_rows=MOST_ROWS, watch=listener)
+    else:
+        options = RunOptions(Fidelity(job.fidelity), most_rows=MOST_ROWS, watch=listener)
+    return run_program(ready.cell, ready.code, with_inputs(options, inputs))
 
 
 @dataclass(slots=True)
@@ -40,11 +79,15 @@ class Listener:
 
     Attributes:
         line: to who asked for the run.
+        content: of which it is a run.
+        ready: the newest text of this content.
         listened: when it listened last [s of the wall clock].
         told: when it told last.
     """
 
     line: Line
+    content: str
+    ready: Runnable
     listened: float = 0.0
     told: float = 0.0
 
@@ -56,7 +99,9 @@ class Listener:
         """
         now = time.monotonic()
         if now - self.listened >= LISTEN:
-            self.line.orders(0.0)
+            for order in self.line.orders(0.0):
+                if isinstance(order, Renew):
+                    self._renew(order)
             self.listened = now
         if now - self.told >= TELL:
             self.line.report(Progress(f"{run.time:.0f} s simulated"))
@@ -67,3 +112,18 @@ class Listener:
 
     def ended(self, run: RunView) -> None:
         """Let the recording be made."""
+
+    def _renew(self, order: Renew) -> None:
+        """Go on for newer texts of the same content.
+
+        Raises:
+            Cancelled: they say something else.
+        """
+        try:
+            ready = made_ready(order.job)
+        except RopsimError as error:
+            raise Cancelled from error
+        if isinstance(ready, RunReply) or content_of(ready.cell, ready.code, order.job) != self.content:
+            raise Cancelled
+        self.ready = ready
+        self.line.report(Renewed(order.run))

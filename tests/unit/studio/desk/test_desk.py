@@ -1,11 +1,15 @@
 """The worker: scenes, runs and jogs through its real pipe."""
 
+import gzip
+import json
+import struct
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -24,17 +28,23 @@ from ropsim.studio.jobs import (
     LiveStart,
     OpenScene,
     Order,
+    Planned,
     Progress,
+    Renew,
+    Renewed,
     Reply,
     Report,
     Request,
     RunReply,
+    SavedRun,
+    SaveRun,
     SceneReply,
     SetSignal,
     Simulate,
     Stop,
 )
-from support.live import KEYS, project
+from ropsim.workbench.inputs import read_inputs
+from support.live import CELL, KEYS, project
 from support.patience import PATIENCE
 
 BAD = "program p\nmoov home\n"
@@ -62,7 +72,7 @@ class Worker:
     def hear(self) -> Answer:
         assert self.connection.poll(PATIENCE)
         answer: Answer = self.connection.recv()
-        if isinstance(answer.content, Progress | LiveMessage | LiveFrame):
+        if isinstance(answer.content, Progress | Planned | Renewed | LiveMessage | LiveFrame):
             self.reports.append(answer.content)
         else:
             self.replies[answer.number] = answer.content
@@ -158,6 +168,112 @@ def test_a_run_ends_with_a_pack(worker: Worker, folder: Path) -> None:
     assert (reply.state, reply.program) == ("done", "main")
     assert reply.pack is not None
     assert reply.pack[:2] == b"\x1f\x8b"
+
+
+OUT_OF_REACH = "program p\nunits mm, deg\nmov joints (0, 60, -150, 0, -60, 0)\nmov (5000, 0, 0; down)\nprint 1\nmov home\n"
+
+
+def test_planning_findings_come_before_the_drives_are_simulated(worker: Worker, folder: Path) -> None:
+    texts = {"programs/main.task": OUT_OF_REACH}
+    reply = worker.run(Simulate(str(folder), texts, "", "dynamic"))
+    assert reply.state == "done"
+    (planned,) = (one for one in worker.reports if isinstance(one, Planned))
+    (finding,) = (one for one in planned.findings if one["severity"] == "error")
+    span = finding["span"]
+    assert isinstance(span, dict)
+    assert (span["source"], span["line"]) == ("programs/main.task", 4)
+
+
+def test_a_comment_or_a_blank_line_simulates_nothing(worker: Worker, folder: Path) -> None:
+    first = worker.run(simulate(folder, OUT_OF_REACH))
+    said = len(worker.reports)
+    moved = worker.run(simulate(folder, "# new\n" + OUT_OF_REACH.replace("print", "\n# here\nprint")))
+    assert (first.made, moved.made) == ("simulated", "kept")
+    assert worker.reports[said:] == []
+    assert moved.pack is not None
+    assert first.pack is not None
+    before, after = header_of(first.pack), header_of(moved.pack)
+    assert [one["span"]["line"] for one in before["findings"]] == [4]
+    assert [one["span"]["line"] for one in after["findings"]] == [5]
+    lines = {one["text"]: one["span"]["line"] for one in after["events"] if one["kind"] == "message"}
+    assert lines == {"1": 8}
+    there = {3: 4, 4: 5, 5: 8, 6: 9}
+    assert {3, 6} <= set(values_of(before, "line"))
+    assert values_of(after, "line") == [there[line] for line in values_of(before, "line")]
+
+
+def test_the_text_of_before_comes_back_to_its_lines(worker: Worker, folder: Path) -> None:
+    first = worker.run(simulate(folder, OUT_OF_REACH))
+    worker.run(simulate(folder, "\n\n" + OUT_OF_REACH))
+    assert worker.run(simulate(folder, OUT_OF_REACH)).pack == first.pack
+
+
+@pytest.mark.parametrize(
+    "texts",
+    [
+        {"programs/main.task": OUT_OF_REACH.replace("print 1", "print 2")},
+        {"programs/main.task": OUT_OF_REACH, "cell.toml": CELL.replace("mass = 0.5", "mass = 0.6")},
+    ],
+    ids=["program", "cell"],
+)
+def test_another_content_is_simulated(worker: Worker, folder: Path, texts: dict[str, str]) -> None:
+    worker.run(simulate(folder, OUT_OF_REACH))
+    assert worker.run(Simulate(str(folder), texts, "", "kinematic")).made == "simulated"
+
+
+def test_a_comment_in_the_cell_file_simulates_nothing(worker: Worker, folder: Path) -> None:
+    worker.run(simulate(folder, OUT_OF_REACH))
+    texts = {"programs/main.task": OUT_OF_REACH, "cell.toml": "# a cell\n\n" + CELL}
+    assert worker.run(Simulate(str(folder), texts, "", "kinematic")).made == "kept"
+
+
+LONG = "program p\nunits mm, deg, s\nrepeat 3000\n  mov joints (0, 60, -150, 0, -60, 0)\n  mov home\nendr\n"
+
+
+def test_a_run_goes_on_for_newer_texts_of_the_same_content(worker: Worker, folder: Path) -> None:
+    number = worker.send(simulate(folder, LONG))
+    while not worker.reports:
+        worker.hear()
+    worker.order(number, Renew(7, simulate(folder, "# long\n" + LONG)))
+    while Renewed(7) not in worker.reports:
+        worker.hear()
+    worker.order(number, Renew(8, simulate(folder, LONG.replace("3000", "1"))))
+    reply = worker.reply(number)
+    assert isinstance(reply, RunReply)
+    assert reply.state == "cancelled"
+    assert Renewed(8) not in worker.reports
+
+
+def test_the_newest_run_can_be_kept_as_files(worker: Worker, folder: Path, tmp_path: Path) -> None:
+    texts = {"programs/main.task": ASKING}
+    number = worker.send(LiveStart(str(folder), texts, "", 8.0))
+    while not any(isinstance(one, LiveFrame) for one in worker.reports):
+        worker.hear()
+    worker.order(number, SetSignal("start", 1.0))
+    live = worker.reply(number)
+    assert isinstance(live, RunReply)
+    saved = worker.ask(SaveRun(number))
+    assert isinstance(saved, SavedRun)
+    for name, content in (("run.npz", saved.recording), ("run.json", saved.inputs)):
+        place = tmp_path / name
+        place.write_bytes(content)
+        assert [(one.signal, one.time, one.value) for one in read_inputs(place)] == [
+            (one.signal, one.time, one.value) for one in live.inputs
+        ]
+    assert isinstance(worker.ask(SaveRun(number + 5)), Failed)
+
+
+def header_of(pack: bytes) -> dict[str, Any]:
+    content = gzip.decompress(pack)
+    (length,) = struct.unpack_from("<I", content, 4)
+    header: dict[str, Any] = json.loads(content[8 : 8 + length])
+    return header
+
+
+def values_of(header: dict[str, Any], channel: str) -> list[int]:
+    (found,) = (one for one in header["channels"] if one["name"] == channel)
+    code = found["columns"][0]["code"]
+    return [round(value) for value in code["values"] if value]
 
 
 def test_a_long_wait_can_be_given_up_and_the_worker_goes_on(worker: Worker, folder: Path) -> None:

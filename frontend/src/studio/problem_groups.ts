@@ -1,5 +1,5 @@
 /** Problems that are one for the reader: the same finding on the same line, once for every pass of it. */
-import type { Problem } from '../studio/problems'
+import type { Problem } from './problems'
 
 export interface ProblemGroup {
   /** What the row says: the one that came first. */

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
-import type { Problem } from '../studio/problems'
 import { grouped, nextOf } from './problem_groups'
+import type { Problem } from './problems'
 
 const PROBLEM: Problem = {
   document: 'programs/main.task',

@@ -1,0 +1,68 @@
+/** Lines of runs and findings in the texts as they are now: both belong to texts of a moment ago. */
+import type { Finding } from '../run/run'
+import { type LineMap, lineMap, SAME_LINES } from './line_map'
+import { type Problem, problemOf } from './problems'
+
+/** Texts of a moment by document; a document that is not there is as it is now. */
+export type Texts = ReadonlyMap<string, string>
+
+export const NOW: Texts = new Map()
+
+export interface TextSource {
+  /** The newest text of a document. */
+  readonly text: (document: string) => string
+  readonly documentOf: (source: string) => string
+}
+
+export class RunLines {
+  readonly #source: TextSource
+  readonly #maps = new Map<string, { older: string; newer: string; map: LineMap }>()
+  /** Texts of the run that is shown. */
+  #run: Texts = NOW
+
+  constructor(source: TextSource) {
+    this.#source = source
+  }
+
+  /** The run that is shown is one of these texts. */
+  showRun(texts: Texts): void {
+    this.#run = texts
+  }
+
+  /** Line of the run in the text of now; null where it is gone. */
+  toText(document: string, line: number): number | null {
+    return this.#map(document, this.#run).toNew(line)
+  }
+
+  /** Line of the text of now in the run; null where it is new. */
+  toRun(document: string, line: number): number | null {
+    return this.#map(document, this.#run).toOld(line)
+  }
+
+  /** Findings as problems of the texts of now; those of lines that are gone are gone with them. */
+  problems(findings: readonly Finding[], texts: Texts): readonly Problem[] {
+    const problems: Problem[] = []
+    for (const finding of findings) {
+      const problem = problemOf(finding, source => this.#source.documentOf(source))
+      const { document, line, endLine } = problem
+      if (!document || line === 0) {
+        problems.push(problem)
+        continue
+      }
+      const there = this.#map(document, texts).toNew(line)
+      if (there !== null) problems.push({ ...problem, line: there, endLine: endLine + there - line })
+    }
+    return problems
+  }
+
+  #map(document: string, texts: Texts): LineMap {
+    const older = texts.get(document)
+    if (older === undefined) return SAME_LINES
+    const newer = this.#source.text(document)
+    const known = this.#maps.get(document)
+    if (known && known.older === older && known.newer === newer) return known.map
+    const map = lineMap(older, newer)
+    this.#maps.set(document, { older, newer, map })
+    return map
+  }
+}

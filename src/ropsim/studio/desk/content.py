@@ -1,0 +1,87 @@
+"""What a run is a run of: its content decides, not the lines that the text has it on."""
+
+import hashlib
+import pickle
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import zip_longest
+
+import numpy as np
+
+from ropsim.core import Diagnostic, Span
+from ropsim.flow import Channel, Event, Recording
+from ropsim.icr import Program, program_id
+from ropsim.model import Cell
+from ropsim.studio.jobs import Simulate
+
+
+def content_of(cell: Cell, code: Program, job: Simulate) -> str:
+    """Return what makes two runs the same: cell, program without its source lines, fidelity and inputs.
+
+    Comments, blank lines and names of the text have no part in it.
+
+    Args:
+        cell: where the program runs.
+        code: compiled.
+        job: how it is run.
+    """
+    # the records of a cell are made in the order of its file, so equal cells have equal bytes
+    plain = pickle.dumps((cell, job.fidelity, job.inputs), protocol=5)
+    return f"{program_id(code)} {hashlib.sha256(plain).hexdigest()}"
+
+
+def moved_lines(before: Program, after: Program) -> Mapping[int, int]:
+    """Return where the lines of a program stand in another text of the same program; unmoved ones left out.
+
+    Args:
+        before: compiled from the older text.
+        after: the same code, compiled from the newer one.
+    """
+    moved: dict[int, int] = {}
+    for old, new in zip_longest(before.procedures, after.procedures):
+        if old is not None and new is not None:
+            for line, there in zip(old.lines, new.lines, strict=False):
+                moved.setdefault(line, there)
+            for place, there_too in zip(old.places, new.places, strict=False):
+                moved.setdefault(place.line, there_too.line)
+    return {line: there for line, there in moved.items() if line > 0 and there > 0 and line != there}
+
+
+def on_lines(recording: Recording, source: str, lines: Mapping[int, int]) -> Recording:
+    """Return a recording with the lines of one text renumbered: events, findings and the channel `line`.
+
+    Args:
+        recording: of a run.
+        source: name of the text.
+        lines: new number of each line that has moved.
+    """
+    if not lines:
+        return recording
+
+    def there(span: Span | None) -> Span | None:
+        if span is None or span.source != source or span.line not in lines:
+            return span
+        by = lines[span.line] - span.line
+        return replace(span, line=span.line + by, end_line=span.end_line + by)
+
+    def event(one: Event) -> Event:
+        return replace(one, span=there(one.span))
+
+    def finding(one: Diagnostic) -> Diagnostic:
+        return replace(one, span=there(one.span))
+
+    channels = dict(recording.channels)
+    if "line" in channels:
+        channels["line"] = _renumbered(channels["line"], lines)
+    return replace(
+        recording,
+        channels=channels,
+        events=tuple(map(event, recording.events)),
+        findings=tuple(map(finding, recording.findings)),
+    )
+
+
+def _renumbered(channel: Channel, lines: Mapping[int, int]) -> Channel:
+    known, places = np.unique(channel.values, return_inverse=True)
+    new = np.array([lines.get(int(value), value) for value in known], dtype=channel.values.dtype)
+    return replace(channel, values=new[places])

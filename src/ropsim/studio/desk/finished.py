@@ -1,0 +1,63 @@
+"""The run that the worker has made last: to be shown on other lines, or to be kept as files."""
+
+import json
+from dataclasses import dataclass
+
+from ropsim.flow import Recording
+from ropsim.simulation import InputChange as Change
+from ropsim.studio.desk.content import moved_lines, on_lines
+from ropsim.studio.desk.runnable import Runnable
+from ropsim.studio.jobs import SavedRun
+from ropsim.workbench import recording_file
+from ropsim.workbench.inputs import inputs_of
+
+
+@dataclass(frozen=True, slots=True)
+class FinishedRun:
+    """A run with its recording.
+
+    Attributes:
+        number: of the job that made it, or has shown it on other lines since.
+        content: what it is a run of; empty where no other run is the same.
+        ready: the program, as it was compiled.
+        recording: what it has left.
+    """
+
+    number: int
+    content: str
+    ready: Runnable
+    recording: Recording
+
+    def shown_on(self, number: int, ready: Runnable) -> "FinishedRun":
+        """Return the same run for another text of the same content.
+
+        Args:
+            number: of the job that asks for it.
+            ready: compiled from that text.
+        """
+        lines = moved_lines(self.ready.code, ready.code)
+        recording = on_lines(self.recording, self.ready.code.source, lines)
+        return FinishedRun(number, self.content, ready, recording)
+
+    def files(self) -> SavedRun:
+        """Return the run as files: the recording, and the inputs that it was given."""
+        return SavedRun(
+            recording_file.recording_bytes(self.recording), inputs_text(inputs_of(self.recording))
+        )
+
+
+@dataclass(slots=True)
+class Shelf:
+    """Where the newest finished run is kept; None before the first."""
+
+    run: FinishedRun | None = None
+
+
+def inputs_text(inputs: tuple[Change, ...]) -> bytes:
+    """Return inputs as `ropsim run --inputs` takes them: a JSON list, one change a line."""
+    entries = [
+        json.dumps({"signal": one.signal, "time": one.time, "value": one.value}, ensure_ascii=False)
+        for one in inputs
+    ]
+    inside = ",\n".join(f"  {entry}" for entry in entries)
+    return f"[\n{inside}\n]\n".encode() if entries else b"[]\n"
