@@ -75,7 +75,7 @@ class EditingRight(Struct, frozen=True, tag_field="type", tag="editing"):
 class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
     """How a run stands; a `done` one has its pack at `/run/<id>.pack`.
 
-    `findings` are those of compiling, and of planning too where `planned` says so; a finished run has its own.
+    `findings` are those of compiling, and of planning where `planned` says so; a finished run has its own.
     `simulated` is the run that was carried out: an earlier one where the texts still say the same, 0 before
     that is known. `versions` are those of the texts, to which lines in findings and run refer.
     """

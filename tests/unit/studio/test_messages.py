@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from ropsim.studio import commands, messages
 
 PAGE_SIDE = Path(__file__).parents[3] / "frontend" / "src" / "wire"
-BY_THE_WORKER = {"layout", "placed", "stamped"}
+BY_THE_WORKER = {"layout", "placed", "printed", "stamped"}
 """Messages of a live run that are put together in the worker."""
 
 INTERFACE = re.compile(r"^export interface (\w+)(?: extends (\w+))? \{\n(.*?)^\}", re.MULTILINE | re.DOTALL)
