@@ -170,7 +170,10 @@ def test_a_run_ends_with_a_pack(worker: Worker, folder: Path) -> None:
     assert reply.pack[:2] == b"\x1f\x8b"
 
 
-OUT_OF_REACH = "program p\nunits mm, deg\nmov joints (0, 60, -150, 0, -60, 0)\nmov (5000, 0, 0; down)\nprint 1\nmov home\n"
+OUT_OF_REACH = (
+    "program p\nunits mm, deg\nmov joints (0, 60, -150, 0, -60, 0)\n"
+    "mov (5000, 0, 0; down)\nprint 1\nmov home\n"
+)
 
 
 def test_planning_findings_come_before_the_drives_are_simulated(worker: Worker, folder: Path) -> None:
