@@ -152,8 +152,8 @@ def changed_value(random: Random, value: object) -> object:
         del holder[key]
     elif choice < 0.95 and isinstance(holder[key], list):
         holder[key] = holder[key] * random.choice((0, 2, 3, 40))
-    elif isinstance(holder[key], (int, float)) and not isinstance(holder[key], bool):
-        holder[key] += random.choice((-1, 1, 0.5, 2**16))
+    elif isinstance(holder[key], int) and not isinstance(holder[key], bool):
+        holder[key] += random.choice((-1, 1, 2**16))
     else:
         holder[key] = {random.choice(TEXTS): holder[key]}
     return whole[0]

@@ -1,0 +1,25 @@
+"""Whatever is written is killed in the midst: nothing is lost or half-written, and the next start works.
+
+`python -m tools.kills` does it more often; docs/explanation/robustness.md tells what that found.
+"""
+
+import sys
+
+import pytest
+
+from support.kills.family import killed_job
+
+KILLS = {"save": 5, "journal": 4, "report": 3, "recording": 3, "cache": 2, "trust": 3}
+SEED = 3
+
+pytestmark = pytest.mark.skipif(
+    sys.platform == "win32", reason="processes are forked and killed as POSIX does"
+)
+
+
+@pytest.mark.parametrize("job", list(KILLS))
+def test_a_kill_loses_nothing_and_the_next_start_works(job: str) -> None:
+    found = killed_job(job, KILLS[job], SEED)
+    assert found.faults == []
+    assert found.killed == KILLS[job]  # each at a moment within the job
+    assert found.moments >= 4
