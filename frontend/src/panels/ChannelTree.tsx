@@ -3,6 +3,7 @@ import { useState } from 'react'
 import type { PlotColumn } from '../plot/plot'
 import type { ChannelInfo } from '../run/run'
 import { words } from '../text/messages'
+import { channelName, columnLabel, columnName } from '../units/names'
 import { shownUnit } from '../units/quantity'
 import { groupName } from './StatesPanel'
 
@@ -16,7 +17,9 @@ export function ChannelTree({ channels, chosen, onChoose }: ChannelTreeProps) {
   const [query, setQuery] = useState('')
   const parts = query.toLowerCase().split(/\s+/).filter(Boolean)
   const found = channels.filter(one =>
-    parts.every(part => `${one.name} ${one.description}`.toLowerCase().includes(part)),
+    parts.every(part =>
+      `${channelName(one.name)} ${one.name} ${one.description}`.toLowerCase().includes(part),
+    ),
   )
   const groups = [...new Set(found.map(one => one.group))]
   const isChosen = (channel: string, column: number) =>
@@ -46,14 +49,18 @@ export function ChannelTree({ channels, chosen, onChoose }: ChannelTreeProps) {
               const all = channel.columns.map((_, column) => column)
               const unit = shownUnit(channel.unit).unit
               return (
-                <div key={channel.name} className="channel" title={channel.description}>
+                <div
+                  key={channel.name}
+                  className="channel"
+                  title={`${channel.name} · ${channel.description}`}
+                >
                   <label>
                     <input
                       type="checkbox"
                       checked={all.every(column => isChosen(channel.name, column))}
                       onChange={event => set(channel.name, all, event.target.checked)}
                     />
-                    {channel.name} {unit ? <span className="quiet">[{unit}]</span> : null}
+                    {channelName(channel.name)} {unit ? <span className="quiet">[{unit}]</span> : null}
                   </label>
                   {all.length > 1 ? (
                     <div className="columns">
@@ -61,11 +68,11 @@ export function ChannelTree({ channels, chosen, onChoose }: ChannelTreeProps) {
                         <label key={name}>
                           <input
                             type="checkbox"
-                            aria-label={`${channel.name} ${name}`}
+                            aria-label={columnName(channel.name, name)}
                             checked={isChosen(channel.name, column)}
                             onChange={event => set(channel.name, [column], event.target.checked)}
                           />
-                          {name}
+                          {columnLabel(channel.name, name)}
                         </label>
                       ))}
                     </div>

@@ -2,6 +2,7 @@
 import type { IDockviewPanelProps } from 'dockview-react'
 import { useEffect, useRef, useState } from 'react'
 import { Plot, type PlotColumn } from '../plot/plot'
+import type { Run } from '../run/run'
 import { useStudio, useStudioState } from '../studio/context'
 import { useEvery } from '../studio/hooks'
 import { words } from '../text/messages'
@@ -63,10 +64,11 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
   )
 }
 
-/** What a new plot shows: the joint angles. */
-function firstColumns(
-  run: { readonly channels: readonly { name: string; columns: readonly string[] }[] } | null,
-) {
+/** What a new plot shows: how fast the tool moves and how far it is off its path. */
+function firstColumns(run: Run | null): readonly PlotColumn[] {
+  const known = (channel: string) => run?.channels.some(one => one.name === channel)
+  const first = ['tcp_speed', 'path_error'].filter(known)
+  if (first.length) return first.map(channel => ({ channel, column: 0 }))
   const q = run?.channels.find(one => one.name === 'q')
   return q ? q.columns.map((_, column) => ({ channel: 'q', column })) : []
 }

@@ -103,7 +103,7 @@ function Row({ row, value, keep }: RowProps) {
         keep(line ? { value: line.querySelector('.number'), bar: line.querySelector('.bar i, input') } : null)
       }}
     >
-      <th scope="row" title={row.description}>
+      <th scope="row" title={`${row.symbol} · ${row.description}`}>
         {row.name}
       </th>
       <td className="number">{format(row, value)}</td>
@@ -111,14 +111,14 @@ function Row({ row, value, keep }: RowProps) {
         {row.joint >= 0 && Number.isFinite(row.min) ? (
           <input
             type="range"
-            aria-label={words.states.jog(row.name)}
+            aria-label={words.states.jog(row.jointName)}
             min={row.min}
             max={row.max}
             step="any"
             defaultValue={value}
             onInput={event => jog(event.currentTarget)}
-            onPointerUp={() => studio.jog.commit(words.jog.moveJoint(row.name))}
-            onKeyUp={() => studio.jog.commit(words.jog.moveJoint(row.name))}
+            onPointerUp={() => studio.jog.commit(words.jog.moveJoint(row.jointName))}
+            onKeyUp={() => studio.jog.commit(words.jog.moveJoint(row.jointName))}
           />
         ) : (
           <div className="bar" aria-hidden="true">

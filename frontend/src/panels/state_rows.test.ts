@@ -32,11 +32,11 @@ const ROWS = stateRows(
 
 test('joint coordinates range between their limits, speeds up to the greatest, others as recorded', () => {
   expect(ROWS.map(row => [row.name, row.min, row.max])).toEqual([
-    ['q 1', -1, 2],
-    ['q 2', 0, 0.5],
-    ['qd 1', -3, 3],
-    ['qd 2', -0.2, 0.2],
-    ['payload', 0, 7],
+    ['Joint 1 position', -1, 2],
+    ['Joint 2 position', 0, 0.5],
+    ['Joint 1 speed', -3, 3],
+    ['Joint 2 speed', -0.2, 0.2],
+    ['Payload', 0, 7],
   ])
 })
 
@@ -48,9 +48,12 @@ test('a prismatic joint is measured in metres', () => {
   expect(ROWS.map(row => row.unit)).toEqual(['rad', 'm', 'rad/s', 'm/s', 'kg'])
 })
 
-test('rows are found by group and by words of name and description', () => {
-  expect(filterRows(ROWS, 'program', '').map(row => row.name)).toEqual(['payload'])
-  expect(filterRows(ROWS, '', 'about Q 2').map(row => row.name)).toEqual(['q 2', 'qd 2'])
+test('rows are found by group and by words of name, symbol and description', () => {
+  expect(filterRows(ROWS, 'program', '').map(row => row.name)).toEqual(['Payload'])
+  expect(filterRows(ROWS, '', 'about Q 2').map(row => row.name)).toEqual([
+    'Joint 2 position',
+    'Joint 2 speed',
+  ])
   expect(filterRows(ROWS, 'joints', 'payload')).toEqual([])
 })
 

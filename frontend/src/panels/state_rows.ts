@@ -1,17 +1,21 @@
 /** Rows of the table of states: every column of every channel, with the range its bar stands for. */
 import type { ChannelInfo } from '../run/run'
 import type { JointDescription } from '../scene/description'
+import { columnName, jointName, symbolOf } from '../units/names'
 
 export interface StateRow {
   readonly key: string
   readonly channel: string
   readonly column: number
   readonly name: string
+  /** As models and recordings call it. */
+  readonly symbol: string
   readonly description: string
   readonly unit: string
   readonly group: string
   readonly min: number
   readonly max: number
+  readonly jointName: string
   /** Index of the joint whose coordinate it is, -1 for none. */
   readonly joint: number
 }
@@ -29,7 +33,9 @@ export function stateRows(
         key: `${channel.name}/${column}`,
         channel: channel.name,
         column,
-        name: name ? `${channel.name} ${name}` : channel.name,
+        name: columnName(channel.name, name),
+        symbol: symbolOf(channel.name, name),
+        jointName: joint ? jointName(joint.name) : '',
         description: channel.description,
         unit: joint?.type === 'prismatic' ? linear(channel.unit) : channel.unit,
         group: channel.group,
@@ -57,13 +63,13 @@ function linear(unit: string): string {
   return units[unit] ?? unit
 }
 
-/** Rows of a group whose name or description holds all words. */
+/** Rows of a group whose name, symbol or description holds all words. */
 export function filterRows(rows: readonly StateRow[], group: string, query: string): readonly StateRow[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     row =>
       (group === '' || row.group === group) &&
-      words.every(word => `${row.name} ${row.description}`.toLowerCase().includes(word)),
+      words.every(word => `${row.name} ${row.symbol} ${row.description}`.toLowerCase().includes(word)),
   )
 }
 

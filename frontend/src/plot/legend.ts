@@ -8,11 +8,14 @@ export class Legend {
     this.element.className = 'plot-legend'
   }
 
-  show(entries: readonly { readonly name: string; readonly colour: string }[]): void {
+  show(
+    entries: readonly { readonly name: string; readonly symbol: string; readonly colour: string }[],
+  ): void {
     this.#values = entries.map(() => document.createElement('output'))
     this.element.replaceChildren(
-      ...entries.map(({ name, colour }, at) => {
+      ...entries.map(({ name, symbol, colour }, at) => {
         const entry = document.createElement('span')
+        entry.title = symbol
         const key = document.createElement('i')
         key.style.background = colour
         entry.append(key, `${name} `, this.#values[at] ?? '')

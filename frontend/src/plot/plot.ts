@@ -3,6 +3,7 @@ import uPlot from 'uplot'
 import type { Cursor } from '../run/cursor'
 import type { Run } from '../run/run'
 import { onScheme } from '../style/scheme'
+import { onUnits } from '../units/choice'
 import { formatQuantity, shownUnit } from '../units/quantity'
 import { letGrasp } from './grasp'
 import { Legend } from './legend'
@@ -47,6 +48,7 @@ export class Plot {
       cursor.onTime(() => this.#follow()),
       () => sizes.disconnect(),
       onScheme(() => this.#rebuild()),
+      onUnits(() => this.#rebuild()),
     )
     this.#rebuild()
   }
@@ -102,7 +104,7 @@ export class Plot {
     const names = this.#traces.map(one => one.name).join(', ')
     this.#area.setAttribute('aria-label', words.name(names))
     const colours = traceColours(this.#host, this.#traces.length)
-    this.#legend.show(this.#traces.map((one, at) => ({ name: one.name, colour: colours[at] ?? '' })))
+    this.#legend.show(this.#traces.map((one, at) => ({ ...one, colour: colours[at] ?? '' })))
     this.#area.dataset.empty = this.#traces.length ? '' : words.none
     const run = this.#run
     if (!run || this.#traces.length === 0) return

@@ -22,7 +22,11 @@ const columns = [
 
 test('traces are named after channel and column, without columns that the run lacks', () => {
   const all = [...columns, { channel: 'q', column: 5 }, { channel: 'tau', column: 0 }]
-  expect(tracesOf(run, all).map(one => one.name)).toEqual(['q 2', 'q_ref 1', 'signal.ready'])
+  expect(tracesOf(run, all).map(one => one.name)).toEqual([
+    'Joint 2 position',
+    'Joint 1 commanded position',
+    'ready',
+  ])
 })
 
 test('traces of one unit share a scale', () => {

@@ -1,5 +1,6 @@
 /** What is plotted: columns of a run with their names, units and points. */
 import type { Run } from '../run/run'
+import { columnName, symbolOf } from '../units/names'
 import { shownUnit } from '../units/quantity'
 import { decimate, type Points } from './decimate'
 
@@ -10,6 +11,8 @@ export interface PlotColumn {
 
 export interface Trace {
   readonly name: string
+  /** As models and recordings call it. */
+  readonly symbol: string
   readonly unit: string
   readonly column: PlotColumn
   /** The values hold between changes: drawn as steps. */
@@ -26,7 +29,8 @@ export function tracesOf(run: Run, columns: readonly PlotColumn[]): readonly Tra
     if (!channel || name === undefined) return []
     return [
       {
-        name: name ? `${channel.name} ${name}` : channel.name,
+        name: columnName(channel.name, name),
+        symbol: symbolOf(channel.name, name),
         unit: channel.unit,
         column,
         held: run.series(column.channel, column.column)?.held ?? false,

@@ -2,6 +2,7 @@
 import { Plot } from '../plot/plot'
 import type { Cursor } from '../run/cursor'
 import type { ChannelInfo, Run } from '../run/run'
+import { channelName } from '../units/names'
 import { element } from './elements'
 import { words } from './words'
 
@@ -38,5 +39,5 @@ export class PlotChoice {
 }
 
 function option({ name, description }: ChannelInfo): HTMLOptionElement {
-  return element('option', { value: name }, description ? `${description} (${name})` : name)
+  return element('option', { value: name, title: description }, channelName(name))
 }

@@ -2,6 +2,7 @@
 import { POSE, put, ride } from '../run/pose'
 import type { Run } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
+import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
 import { element } from './elements'
 import { words } from './words'
@@ -29,7 +30,7 @@ export class Readout {
     }
     for (const [k, joint] of scene.robot.joints.entries()) {
       const unit = joint.type === 'revolute' ? 'rad' : 'm'
-      this.#row(words.joint(joint.name), time => formatQuantity(run.value('q', k, time), unit))
+      this.#row(jointName(joint.name), time => formatQuantity(run.value('q', k, time), unit))
     }
   }
 

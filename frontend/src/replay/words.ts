@@ -12,7 +12,6 @@ export const words = {
   values: 'State',
   time: 'time',
   tcp: 'TCP',
-  joint: (name: string) => `joint ${name}`,
   spoken: (x: string, y: string, z: string) => `TCP ${x}, ${y}, ${z}`,
   program: 'Program',
   programHint: 'Choose a line to go to it; the transparent arm stands where its move ends.',

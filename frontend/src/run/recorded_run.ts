@@ -5,6 +5,7 @@ import { openPack, type PackHeader, type ResultFigures } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
 import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import { speedChannel, speedOf, TCP_SPEED, valueIn } from './tcp_speed'
 import { type Trail, trailOf } from './trail'
 
 export class RecordedRun implements Run {
@@ -26,6 +27,7 @@ export class RecordedRun implements Run {
   readonly #clock: Clock
   readonly #columns = new Map<string, readonly Column[]>()
   readonly #trails = new Map<string, Trail>()
+  readonly #speed: Series | undefined
   #placements: Placements
   /** Seven values a sample for each body with poses, by place in the scene. */
   #poses: ReadonlyMap<number, Float64Array> = new Map()
@@ -48,7 +50,7 @@ export class RecordedRun implements Run {
       const columns = channel.columns.map(column => new Column(column.code, body, this.#clock))
       this.#columns.set(channel.name, columns)
     }
-    this.channels = header.channels.map(({ name, unit, description, group, columns }) => ({
+    const recorded = header.channels.map(({ name, unit, description, group, columns }) => ({
       name,
       unit,
       description,
@@ -57,6 +59,8 @@ export class RecordedRun implements Run {
       min: columns.map(column => column.min ?? Number.NaN),
       max: columns.map(column => column.max ?? Number.NaN),
     }))
+    this.#speed = speedOf([0, 1, 2].map(column => this.#recorded('attained_position', column)))
+    this.channels = this.#speed ? [...recorded, speedChannel(this.#speed)] : recorded
     this.#placements = placementsIn(scene, header)
     this.showIn(scene)
   }
@@ -86,10 +90,18 @@ export class RecordedRun implements Run {
   }
 
   value(channel: string, column: number, time: number): number {
+    if (channel === TCP_SPEED && this.#speed) {
+      const { index, share } = this.#clock.locate(time)
+      return valueIn(this.#speed, index, share)
+    }
     return this.#columns.get(channel)?.[column]?.value(time) ?? Number.NaN
   }
 
   series(channel: string, column: number): Series | undefined {
+    return channel === TCP_SPEED ? this.#speed : this.#recorded(channel, column)
+  }
+
+  #recorded(channel: string, column: number): Series | undefined {
     return this.#columns.get(channel)?.[column]?.series
   }
 

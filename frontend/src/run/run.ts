@@ -1,4 +1,5 @@
 /** A run as views, plots and tables see it: one recording, asked by time. Live and finished runs look alike. */
+import type { ResultFigures } from './pack_file'
 
 export interface Span {
   readonly source: string
@@ -58,6 +59,8 @@ export interface Run {
   readonly channels: readonly ChannelInfo[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
+  /** What is to be known of the run at once; undefined while it is live. */
+  readonly result?: ResultFigures | undefined
   /** Value of a column at a time; NaN where there is none. Times outside are clamped. */
   value(channel: string, column: number, time: number): number
   /** A column as samples; the same object until the run grows. Undefined for unknown channels. */

@@ -18,7 +18,9 @@ test('it names the TCP in millimetres and the joint nearest to its limit', () =>
   const run = { value: (_: string, joint: number) => [1, 0.97][joint] } as unknown as Run
   // Turned by 90° about z: what the tool has along x points along y.
   const poses = Float32Array.of(0.3, 0.12, 0.6, Math.SQRT1_2, 0, 0, Math.SQRT1_2)
-  expect(textTwin(SCENE, poses, run, 0)).toBe('TCP 300.0, 220.0, 600.0 mm; J2 94 % of the way to its limit')
+  expect(textTwin(SCENE, poses, run, 0)).toBe(
+    'TCP 300.0, 220.0, 600.0 mm; Joint 2 94 % of the way to its limit',
+  )
 })
 
 test('without a run it says where the TCP is', () => {

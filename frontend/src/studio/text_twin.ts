@@ -2,8 +2,9 @@
 import type { Run } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
+import { jointName } from '../units/names'
 import { compose } from '../units/pose'
-import { formatNumber } from '../units/quantity'
+import { formatNumber, shownUnit } from '../units/quantity'
 
 /** Pose of the TCP in W at the shown poses; null where the cell marks none. */
 export function tcpOf(scene: SceneDescription, poses: Float32Array): Pose | null {
@@ -20,7 +21,7 @@ export function limitShare(value: number, lower: number, upper: number): number 
   return half > 0 && Number.isFinite(half) ? Math.abs(value - (upper + lower) / 2) / half : 0
 }
 
-/** "TCP 435.1, 120.0, 612.4 mm; J3 97 % of the way to its limit" */
+/** "TCP 435.1, 120.0, 612.4 mm; Joint 3 97 % of the way to its limit" */
 export function textTwin(
   scene: SceneDescription,
   poses: Float32Array,
@@ -31,13 +32,15 @@ export function textTwin(
   const tcp = tcpOf(scene, poses)
   if (tcp)
     parts.push(
-      words.twin.tcp(formatNumber(tcp[0], 'm'), formatNumber(tcp[1], 'm'), formatNumber(tcp[2], 'm')),
+      words.twin.tcp(
+        [0, 1, 2].map(k => formatNumber(tcp[k] ?? Number.NaN, 'm')),
+        shownUnit('m').unit,
+      ),
     )
   let worst = { name: '', share: 0 }
   scene.robot.joints.forEach((joint, at) => {
     const share = limitShare(run?.value('q', at, time) ?? Number.NaN, joint.lower, joint.upper)
-    const name = /^\d+$/.test(joint.name) ? `J${joint.name}` : joint.name
-    if (share > worst.share) worst = { name, share }
+    if (share > worst.share) worst = { name: jointName(joint.name), share }
   })
   if (worst.name) parts.push(words.twin.joint(worst.name, Math.round(100 * worst.share)))
   return parts.join('; ')

@@ -159,7 +159,7 @@ export const words = {
     minus: (axis: string) => `${axis} minus`,
     ok: 'All well: within the limits, far from singular.',
     lost: 'Jogging needs the server; the connection is lost.',
-    moveJoint: (name: string) => `Jog joint ${name}`,
+    moveJoint: (name: string) => `Jog ${name}`,
     moveTcp: (axis: string) => `Jog TCP ${axis}`,
     typed: 'Jog TCP to typed pose',
     waiting: 'Waiting for the cell …',
@@ -222,7 +222,7 @@ export const words = {
     none: 'No cell yet.',
   },
   twin: {
-    tcp: (x: string, y: string, z: string) => `TCP ${x}, ${y}, ${z} mm`,
+    tcp: (position: readonly string[], unit: string) => `TCP ${position.join(', ')} ${unit}`,
     joint: (name: string, percent: number) => `${name} ${percent} % of the way to its limit`,
   },
   panel: {

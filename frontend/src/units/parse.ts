@@ -12,7 +12,7 @@ const UNITS: Readonly<Record<Dimension, Readonly<Record<string, number>>>> = {
 
 const SI: Readonly<Record<Dimension, string>> = { length: 'm', angle: 'rad' }
 
-/** Read what was typed as metres or radians; a number without unit is in mm or degrees. */
+/** Read what was typed as metres or radians; a number without unit is in the units that are shown. */
 export function parseQuantity(text: string, dimension: Dimension): Parsed {
   const match = /^(.*?)\s*([a-zA-Z°"]*)\s*$/.exec(text.trim())
   const sum = match?.[1]?.trim() ?? ''

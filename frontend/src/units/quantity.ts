@@ -1,4 +1,5 @@
-/** Numbers as people read them: SI inside; millimetres, degrees and seconds on the page. */
+/** Numbers as people read them: SI inside; millimetres and degrees on the page, or what else is chosen. */
+import { type UnitChoice, units } from './choice'
 
 /** How a stored unit is shown: `shown = stored × factor`. */
 export interface ShownUnit {
@@ -8,13 +9,20 @@ export interface ShownUnit {
 }
 
 const DEGREES = 180 / Math.PI
+const INCH = 0.0254
+
+const LENGTHS: Readonly<Record<UnitChoice['length'], ShownUnit>> = {
+  mm: { unit: 'mm', factor: 1000, digits: 1 },
+  m: { unit: 'm', factor: 1, digits: 4 },
+  in: { unit: 'in', factor: 1 / INCH, digits: 3 },
+}
+
+const ANGLES: Readonly<Record<UnitChoice['angle'], ShownUnit>> = {
+  deg: { unit: '°', factor: DEGREES, digits: 2 },
+  rad: { unit: 'rad', factor: 1, digits: 4 },
+}
 
 const SHOWN: Readonly<Record<string, ShownUnit>> = {
-  rad: { unit: '°', factor: DEGREES, digits: 2 },
-  'rad/s': { unit: '°/s', factor: DEGREES, digits: 1 },
-  'rad/s²': { unit: '°/s²', factor: DEGREES, digits: 0 },
-  m: { unit: 'mm', factor: 1000, digits: 1 },
-  'm/s': { unit: 'mm/s', factor: 1000, digits: 1 },
   N·m: { unit: 'N·m', factor: 1, digits: 2 },
   N: { unit: 'N', factor: 1, digits: 1 },
   A: { unit: 'A', factor: 1, digits: 2 },
@@ -24,7 +32,14 @@ const SHOWN: Readonly<Record<string, ShownUnit>> = {
 }
 
 export function shownUnit(unit: string): ShownUnit {
-  return SHOWN[unit] ?? { unit, factor: 1, digits: 3 }
+  const [, base = '', per = ''] = /^(rad|m)(\/s²?)?$/.exec(unit) ?? []
+  if (!base) return SHOWN[unit] ?? { unit, factor: 1, digits: 3 }
+  const { length, angle } = units()
+  const shown = base === 'm' ? LENGTHS[length] : ANGLES[angle]
+  if (!per) return shown
+  // Speeds need no more than a tenth of a millimetre, accelerations less.
+  const fewer = base === 'm' && per === '/s' ? 0 : per === '/s' ? 1 : 2
+  return { ...shown, unit: shown.unit + per, digits: Math.max(0, shown.digits - fewer) }
 }
 
 /** A stored number without its unit; a dash where there is none. */

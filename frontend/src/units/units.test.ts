@@ -1,4 +1,5 @@
-import { expect, test } from 'vitest'
+import { afterEach, expect, test } from 'vitest'
+import { METRIC, setUnits } from './choice'
 import { calculate, parseQuantity } from './parse'
 import { compose, poseOf, rollPitchYaw, stepInWorld } from './pose'
 import { formatPlain, formatQuantity } from './quantity'
@@ -8,6 +9,24 @@ test('angles are shown in degrees, lengths in millimetres, with their unit', () 
   expect(formatQuantity(0.0125, 'm')).toBe('12.5 mm')
   expect(formatQuantity(3, 'N·m')).toBe('3.00 N·m')
   expect(formatQuantity(Number.NaN, 'm')).toBe('– mm')
+})
+
+afterEach(() => setUnits(METRIC))
+
+test('speeds and accelerations follow their lengths and angles', () => {
+  expect(formatQuantity(1, 'rad/s')).toBe('57.3°/s')
+  expect(formatQuantity(1, 'rad/s²')).toBe('57°/s²')
+  expect(formatQuantity(0.25, 'm/s')).toBe('250.0 mm/s')
+})
+
+test('inches, metres and radians are shown and read where they are chosen', () => {
+  setUnits({ length: 'in', angle: 'rad' })
+  expect(formatQuantity(0.0254, 'm')).toBe('1.000 in')
+  expect(formatQuantity(1.5, 'rad')).toBe('1.5000 rad')
+  expect(parseQuantity('2', 'length')).toEqual({ value: 0.0508 })
+  expect(parseQuantity('2', 'angle')).toEqual({ value: 2 })
+  setUnits({ length: 'm', angle: 'deg' })
+  expect(formatQuantity(0.25, 'm/s')).toBe('0.2500 m/s')
 })
 
 test('nothing is shown as minus zero', () => {

@@ -1,0 +1,54 @@
+/** What recorded numbers are called: in tables, plots, lists, tooltips and CSV files alike. */
+
+const JOINT_QUANTITIES: Readonly<Record<string, string>> = {
+  q: 'position',
+  qd: 'speed',
+  tau: 'torque',
+  current: 'motor current',
+  voltage: 'motor voltage',
+  q_ref: 'commanded position',
+  qd_ref: 'commanded speed',
+  q_error: 'position error',
+}
+
+const OTHERS: Readonly<Record<string, string>> = {
+  attained_position: 'TCP position',
+  attained_orientation: 'TCP orientation',
+  command_position: 'Commanded TCP position',
+  command_orientation: 'Commanded TCP orientation',
+  tcp_speed: 'TCP speed',
+  path_error: 'Path error',
+  gripper: 'Gripper',
+  line: 'Program line',
+  move: 'Move',
+  payload: 'Payload',
+}
+
+/** A joint by its name in the model: numbers become `Joint 1`. */
+export function jointName(name: string): string {
+  return /^\d+$/.test(name) ? `Joint ${name}` : name
+}
+
+/** A channel as a whole: `Speed`, `TCP position`; one that nobody has named keeps its own name. */
+export function channelName(channel: string): string {
+  const quantity = JOINT_QUANTITIES[channel]
+  if (quantity) return quantity.charAt(0).toUpperCase() + quantity.slice(1)
+  return OTHERS[channel] ?? channel.replace(/^signal\./, '')
+}
+
+/** A column where its channel is told already: `Joint 3`, `x`. */
+export function columnLabel(channel: string, column: string): string {
+  return channel in JOINT_QUANTITIES ? jointName(column) : column
+}
+
+/** A column on its own: `Joint 3 speed`, `TCP position x`. */
+export function columnName(channel: string, column: string): string {
+  const quantity = JOINT_QUANTITIES[channel]
+  if (quantity && column) return `${jointName(column)} ${quantity}`
+  return [channelName(channel), column].filter(Boolean).join(' ')
+}
+
+/** The short name that models and recordings use: `qd 3`. It stands in tooltips. */
+export function symbolOf(channel: string, column: string): string {
+  return [channel, column].filter(Boolean).join(' ')
+}
