@@ -182,7 +182,7 @@ def test_the_table_of_states_jogs_from_the_shown_time(
 ) -> None:
     time = 0.3 * first_run.duration
     tab.seek(time)
-    slider = tab.panel("States").get_by_role("slider", name="Jog q 1 from here")
+    slider = tab.panel("States").get_by_role("slider", name="Jog Joint 1 from here")
     slider.focus()
     slider.press("Home")
     assert first_project.cell is not None

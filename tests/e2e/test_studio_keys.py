@@ -66,7 +66,7 @@ def signals(keys: StudioPage) -> "Locator":
 
 def live(keys: StudioPage, signals: "Locator") -> None:
     """Start a live run and wait until its program waits for the input."""
-    signals.get_by_role("button", name="Start a live run").click()
+    signals.get_by_role("button", name="Start live run").click()
     keys.page.wait_for_function(ON)
     keys.page.wait_for_function(
         "() => document.querySelector('.cm-running')?.textContent.startsWith('wait until')"
@@ -123,7 +123,7 @@ def test_forgotten_presses_take_no_more_part(keys: StudioPage, signals: "Locator
     over(keys)
     shown = keys.state()["shown"]
     assert keys.state()["duration"] < 60.0
-    signals.get_by_role("button", name="Forget presses").click()
+    signals.get_by_role("button", name="Clear recorded inputs").click()
     keys.rerun(shown)
     assert keys.state()["duration"] > 60.0
     signals.locator(".presses").wait_for(state="detached")
@@ -191,7 +191,7 @@ def test_a_paused_live_run_stands_still_and_goes_on(keys: StudioPage, signals: "
     signals.get_by_role("button", name="Pause").click()
     keys.pill().get_by_text("Live, paused").wait_for()
     paused = keys.state()["duration"]
-    signals.get_by_role("button", name="Go on").click()
+    signals.get_by_role("button", name="Resume").click()
     keys.page.wait_for_function("paused => __ropsim.state().duration > paused + 0.1", arg=paused)
 
 

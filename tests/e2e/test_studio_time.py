@@ -18,6 +18,8 @@ HELD = 1e-4
 PLACING = 1e-3
 #: The samples of the pack are this near to each other [s]: half the way is the error of a time found by eye.
 SAMPLE = 1 / 60
+#: A key or button of the timeline shows so many times less of the run.
+ZOOM = 1.6
 
 
 def event_of(run: Recording, kind: str) -> Event:
@@ -106,6 +108,70 @@ def test_the_timeline_is_scrubbed_with_the_mouse(tab: StudioPage, first_run: Rec
     assert f"of {first_run.duration:.1f} seconds" in (tab.slider().get_attribute("aria-valuetext") or "")
 
 
+def test_the_timeline_zooms_around_the_cursor_and_shows_the_whole_run_again(
+    tab: StudioPage, first_run: Recording
+) -> None:
+    tab.seek(0.5 * first_run.duration)
+    tab.slider().press("+")
+    tab.page.get_by_role("button", name="Zoom in").click()
+    box = tab.slider().bounding_box()
+    assert box is not None
+    tab.slider().click(position={"x": 1, "y": 4})
+    shown = 2 * (0.5 * first_run.duration - tab.time())
+    assert shown == pytest.approx(first_run.duration / ZOOM**2, rel=0.02)
+    tab.page.get_by_role("button", name="Whole run", exact=True).first.click()
+    tab.slider().click(position={"x": 0.25 * box["width"], "y": 4})
+    assert tab.time() == pytest.approx(0.25 * first_run.duration, abs=SAMPLE)
+
+
+def test_brackets_choose_the_repeated_stretch_wherever_the_keyboard_is(
+    tab: StudioPage, first_run: Recording
+) -> None:
+    tab.page.get_by_role("button", name="Next step of the program").focus()
+    tab.seek(0.25 * first_run.duration)
+    tab.page.keyboard.press("[")
+    tab.seek(0.75 * first_run.duration)
+    tab.page.keyboard.press("]")
+    repeat = tab.page.get_by_role("button", name="Repeat", exact=True)
+    assert repeat.get_attribute("aria-pressed") == "true"
+    repeat.click()
+    assert repeat.get_attribute("aria-pressed") == "false"
+
+
+def test_a_result_leads_to_the_moment_and_line_where_it_arises(tab: StudioPage, first_run: Recording) -> None:
+    strip = tab.page.get_by_role("region", name="Result of the run")
+    strip.get_by_text(f"{first_run.duration:.2f} s").wait_for()
+    strip.get_by_text("not checked: collisions").wait_for()
+    tab.seek(0.0)
+    strip.get_by_role("button", name="Peak torque").click()
+    assert tab.time() > 0.0
+    tau = first_run.channels["tau"].values
+    robot = first_run.header["robot"]
+    assert isinstance(robot, dict)
+    peak = np.unravel_index(np.argmax(np.abs(tau) / np.array(robot["max_effort"])), tau.shape)[0]
+    assert tab.time() == pytest.approx(float(first_run.time[peak]), abs=SAMPLE)
+
+
+def test_a_closed_panel_comes_back_with_undo(tab: StudioPage) -> None:
+    plot = tab.page.get_by_role("tab", name="Plot")
+    tab.page.get_by_role("button", name="Close panel: Plot").click()
+    plot.wait_for(state="detached")
+    tab.page.keyboard.press("Control+z")
+    plot.wait_for()
+
+
+def test_settings_that_hang_over_the_views_close_with_escape_and_a_click_beside(tab: StudioPage) -> None:
+    sheet = tab.page.get_by_label("Locations")
+    tab.page.locator("summary", has_text="Frames").click()
+    sheet.wait_for()
+    tab.page.keyboard.press("Escape")
+    sheet.wait_for(state="hidden")
+    tab.page.locator("summary", has_text="Frames").click()
+    sheet.wait_for()
+    tab.page.locator(".project").click()
+    sheet.wait_for(state="hidden")
+
+
 def test_the_line_that_runs_is_marked(tab: StudioPage, first_run: Recording) -> None:
     for event in (event for event in first_run.events if event.kind == "move"):
         assert event.span is not None
@@ -149,7 +215,7 @@ def test_the_table_shows_the_joints_in_degrees(tab: StudioPage, first_run: Recor
     panel = tab.panel("States")
     tab.seek(time)
     for number, angle in enumerate(joints_at(first_run, time), start=1):
-        row = panel.get_by_role("row", name=f"q {number} ", exact=False).first
+        row = panel.get_by_role("row", name=f"Joint {number} position", exact=False).first
         row.get_by_role("cell", name=f"{degrees(angle):.2f}°").first.wait_for()
 
 
@@ -158,9 +224,9 @@ def test_the_table_is_searched_by_name_and_group(tab: StudioPage) -> None:
     panel.get_by_label("Filter states").fill("tau")
     names = panel.get_by_role("rowheader")
     names.first.wait_for()
-    assert {name.split()[0] for name in names.all_text_contents()} <= {"tau", "tau_ref", "tau_motor"}
+    assert names.all_text_contents() == [f"Joint {number} torque" for number in range(1, 7)]
     panel.get_by_label("Filter states").fill("no such state")
-    panel.get_by_text("No state has this name.").wait_for()
+    panel.get_by_text("No matching state.").wait_for()
     panel.get_by_label("Filter states").fill("")
 
 
@@ -173,8 +239,8 @@ def test_a_plot_shows_the_channel_that_was_chosen_at_the_cursor(
     plot.get_by_role("button", name="Clear").click()
     plot.get_by_role("button", name="Channels").click()
     plot.get_by_label("Search for channels").fill("qd")
-    plot.get_by_role("checkbox", name="qd 3", exact=True).check()
-    drawing = plot.get_by_role("img", name="Plot over time of qd 3")
+    plot.get_by_role("checkbox", name="Joint 3 speed", exact=True).check()
+    drawing = plot.get_by_role("img", name="Plot over time of Joint 3 speed")
     drawing.wait_for()
     speed = np.interp(time, first_run.time, first_run.channels["qd"].values[:, 2])
     value = plot.locator(".plot-legend output").text_content() or ""

@@ -209,7 +209,7 @@ def test_files_with_code_are_listed_until_the_folder_is_trusted(
     banner = page.page.locator(".banner.warning", has_text="until you trust this folder")
     banner.get_by_text("Files with code").click()
     banner.get_by_text("controllers/mine.py").wait_for()
-    banner.get_by_role("button", name="Leave inert").click()
+    banner.get_by_role("button", name="Keep it inert").click()
     banner.wait_for(state="detached")
     page.page.reload()
     page.ready()

@@ -160,7 +160,7 @@ def test_cameras_and_panels_are_as_they_were_after_loading_the_page_again(tab: S
     view.focus()
     for key in ("ArrowLeft", "ArrowLeft", "+"):
         tab.page.keyboard.press(key)
-    tab.command("Panels to write programs")
+    tab.command("Layout: Program")
     tab.page.get_by_role("tab", name="Plot").wait_for(state="detached")
     tab.drawn()
     before = tab.camera("perspective")

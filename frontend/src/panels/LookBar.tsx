@@ -12,6 +12,7 @@ import {
 } from '../scene/settings'
 import { useStudio, useStudioState } from '../studio/context'
 import { words } from '../text/messages'
+import { Drop } from './Drop'
 
 const FRAMES: readonly FrameKind[] = ['world', 'base', 'frame', 'location', 'tcp']
 
@@ -52,29 +53,26 @@ export function LookBar() {
       <button type="button" onClick={() => studio.picture.stage?.fit()}>
         {views.fit}
       </button>
-      <details className="drop">
-        <summary>{views.frames}</summary>
-        <div className="drop-body">
-          {FRAMES.map(kind => (
-            <label key={kind}>
-              <input
-                type="checkbox"
-                checked={look.frames.includes(kind)}
-                onChange={event => frame(kind, event.target.checked)}
-              />
-              {views.frameNames[kind]}
-            </label>
-          ))}
-          <label>
+      <Drop title={views.frames}>
+        {FRAMES.map(kind => (
+          <label key={kind}>
             <input
               type="checkbox"
-              checked={look.names}
-              onChange={event => studio.setLook({ names: event.target.checked }, views.names)}
+              checked={look.frames.includes(kind)}
+              onChange={event => frame(kind, event.target.checked)}
             />
-            {views.names}
+            {views.frameNames[kind]}
           </label>
-        </div>
-      </details>
+        ))}
+        <label>
+          <input
+            type="checkbox"
+            checked={look.names}
+            onChange={event => studio.setLook({ names: event.target.checked }, views.names)}
+          />
+          {views.names}
+        </label>
+      </Drop>
       <LookMenu />
     </div>
   )
@@ -101,46 +99,43 @@ function LookMenu() {
     </label>
   )
   return (
-    <details className="drop">
-      <summary>{views.lights}</summary>
-      <div className="drop-body">
-        <label>
-          {views.path}
-          <select
-            value={path}
-            onChange={event => studio.setLook({ path: event.target.value as PathShown }, views.path)}
-          >
-            {PATHS.map(one => (
-              <option key={one} value={one}>
-                {views.paths[one]}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label>
-          <input
-            type="checkbox"
-            checked={shadows}
-            onChange={event => studio.setLook({ shadows: event.target.checked }, views.shadows)}
-          />
-          {views.shadows}
-        </label>
-        {slider('ambient', views.ambient, 0, 2)}
-        {slider('key', views.key, 0, 2)}
-        {slider('azimuth', views.azimuth, -Math.PI, Math.PI)}
-        {slider('elevation', views.elevation, 0, Math.PI / 2)}
-        <label>
-          {views.arm}
-          <input
-            type="range"
-            min={0.1}
-            max={1}
-            step={0.05}
-            value={arm}
-            onChange={event => studio.setLook({ arm: Number(event.target.value) })}
-          />
-        </label>
-      </div>
-    </details>
+    <Drop title={views.lights}>
+      <label>
+        {views.path}
+        <select
+          value={path}
+          onChange={event => studio.setLook({ path: event.target.value as PathShown }, views.path)}
+        >
+          {PATHS.map(one => (
+            <option key={one} value={one}>
+              {views.paths[one]}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label>
+        <input
+          type="checkbox"
+          checked={shadows}
+          onChange={event => studio.setLook({ shadows: event.target.checked }, views.shadows)}
+        />
+        {views.shadows}
+      </label>
+      {slider('ambient', views.ambient, 0, 2)}
+      {slider('key', views.key, 0, 2)}
+      {slider('azimuth', views.azimuth, -Math.PI, Math.PI)}
+      {slider('elevation', views.elevation, 0, Math.PI / 2)}
+      <label>
+        {views.arm}
+        <input
+          type="range"
+          min={0.1}
+          max={1}
+          step={0.05}
+          value={arm}
+          onChange={event => studio.setLook({ arm: Number(event.target.value) })}
+        />
+      </label>
+    </Drop>
   )
 }

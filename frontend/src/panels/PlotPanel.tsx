@@ -5,6 +5,7 @@ import { Plot, type PlotColumn } from '../plot/plot'
 import type { Run } from '../run/run'
 import { useStudio, useStudioState } from '../studio/context'
 import { useEvery } from '../studio/hooks'
+import { usePopover } from '../studio/use_popover'
 import { words } from '../text/messages'
 import { ChannelTree } from './ChannelTree'
 
@@ -15,6 +16,8 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
   const plot = useRef<Plot | null>(null)
   const [columns, setColumns] = useState<readonly PlotColumn[] | null>(() => readColumns(params?.columns))
   const [choosing, setChoosing] = useState(false)
+  const place = useRef<HTMLDivElement>(null)
+  usePopover(place, choosing, () => setChoosing(false))
   const run = shown > 0 ? studio.run : null
   const chosen = columns ?? firstColumns(run)
   useEffect(() => {
@@ -40,7 +43,7 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
     api.updateParameters({ columns: next })
   }
   return (
-    <>
+    <div className="plot-panel" ref={place}>
       <div className="toolbar">
         <button type="button" aria-expanded={choosing} onClick={() => setChoosing(!choosing)}>
           {words.plots.choose}
@@ -60,7 +63,7 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
         {choosing && run ? <ChannelTree channels={run.channels} chosen={chosen} onChoose={choose} /> : null}
         <div className="plot-host" ref={host} />
       </div>
-    </>
+    </div>
   )
 }
 

@@ -2,9 +2,11 @@
 import type { IDockviewHeaderActionsProps } from 'dockview-react'
 import { useMemo } from 'react'
 import { words } from '../text/messages'
+import { useStudio } from './context'
 import { useChanges } from './hooks'
 
 export function GroupActions({ containerApi, activePanel }: IDockviewHeaderActionsProps) {
+  const studio = useStudio()
   const source = useMemo(
     () => ({
       onChange: (listener: () => void) => {
@@ -29,7 +31,7 @@ export function GroupActions({ containerApi, activePanel }: IDockviewHeaderActio
       >
         {large ? '❐' : '□'}
       </button>
-      <button type="button" aria-label={close} title={close} onClick={() => activePanel.api.close()}>
+      <button type="button" aria-label={close} title={close} onClick={() => studio.dock?.close(activePanel)}>
         ×
       </button>
     </div>

@@ -5,20 +5,14 @@ import { MENUS, type Menu, type StudioCommand } from './commands'
 import { useStudio } from './context'
 import { useChanges } from './hooks'
 import { shownKey } from './keys'
+import { usePopover } from './use_popover'
 
 export function MenuBar() {
   const studio = useStudio()
   const [open, setOpen] = useState<Menu | null>(null)
   const bar = useRef<HTMLDivElement>(null)
   useChanges(studio.undo)
-  useEffect(() => {
-    if (!open) return
-    const outside = (event: PointerEvent) => {
-      if (event.target instanceof Node && !bar.current?.contains(event.target)) setOpen(null)
-    }
-    addEventListener('pointerdown', outside)
-    return () => removeEventListener('pointerdown', outside)
-  }, [open])
+  usePopover(bar, open !== null, () => setOpen(null))
   useEffect(() => {
     if (open) bar.current?.querySelector<HTMLElement>('.menu [role^=menuitem]')?.focus()
   }, [open])
@@ -35,7 +29,6 @@ export function MenuBar() {
   const keys = (event: KeyboardEvent, menu: Menu) => {
     if (event.key === 'ArrowRight') move(menu, 1)
     else if (event.key === 'ArrowLeft') move(menu, -1)
-    else if (event.key === 'Escape' && open) close(menu)
     else if (event.key === 'Tab') {
       setOpen(null)
       return

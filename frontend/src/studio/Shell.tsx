@@ -12,6 +12,7 @@ import { Notices } from './Notices'
 import { Palette } from './Palette'
 import { PanelTab } from './PanelTab'
 import { panels } from './panels'
+import { ResultStrip } from './ResultStrip'
 import { RunPill } from './RunPill'
 import { StatusBar } from './StatusBar'
 import { TimelineBar } from './TimelineBar'
@@ -41,7 +42,7 @@ export function Shell() {
   }, [project, unsaved])
   const ready = useCallback(
     (event: { api: DockviewApi }) => {
-      studio.dock = new Dock(event.api, studio.storage)
+      studio.dock = new Dock(event.api, studio.storage, studio.undo)
     },
     [studio],
   )
@@ -61,6 +62,7 @@ export function Shell() {
         <RunPill />
       </header>
       <Banners />
+      <ResultStrip />
       <main className="dock" aria-label={words.product}>
         {folder ? (
           <DockviewReact

@@ -2,6 +2,7 @@
 import type { DockviewApi, IDockviewPanel } from 'dockview-react'
 import { words } from '../text/messages'
 import type { ProjectStorage } from './storage'
+import type { UndoStack } from './undo'
 
 export const PANELS = ['views', 'program', 'problems', 'states', 'plot', 'jog', 'signals', 'cell'] as const
 export type PanelKind = (typeof PANELS)[number]
@@ -14,11 +15,13 @@ const KEPT = 'panels 1'
 export class Dock {
   readonly #api: DockviewApi
   readonly #storage: ProjectStorage
+  readonly #undo: UndoStack
   #closed: (() => void)[] = []
 
-  constructor(api: DockviewApi, storage: ProjectStorage) {
+  constructor(api: DockviewApi, storage: ProjectStorage, undo: UndoStack) {
     this.#api = api
     this.#storage = storage
+    this.#undo = undo
     if (!this.#restore()) this.preset('simulate')
     const keep = api.onDidLayoutChange(() => storage.write(KEPT, api.toJSON()))
     this.#closed.push(() => keep.dispose())
@@ -45,7 +48,7 @@ export class Dock {
 
   toggle(kind: PanelKind): void {
     const panel = this.#api.getPanel(kind)
-    if (panel?.api.isVisible) panel.api.close()
+    if (panel?.api.isVisible) this.close(panel)
     else this.show(kind)
   }
 
@@ -56,7 +59,24 @@ export class Dock {
   }
 
   closeActive(): void {
-    this.#api.activePanel?.api.close()
+    if (this.#api.activePanel) this.close(this.#api.activePanel)
+  }
+
+  /** Close a panel; what it showed and where it stood comes back with undo. */
+  close(panel: IDockviewPanel): void {
+    this.change(words.panel.closed(panel.title ?? ''), () => panel.api.close())
+  }
+
+  /** Move the panels in one step that can be undone. */
+  change(name: string, act: () => void): void {
+    const before = this.snapshot()
+    act()
+    const after = this.snapshot()
+    this.#undo.did({
+      name,
+      undo: () => this.restoreFrom(before),
+      redo: () => this.restoreFrom(after),
+    })
   }
 
   /** One panel over the whole page, or back. */
@@ -109,8 +129,8 @@ export class Dock {
     const wide = this.#api.width
     const tall = this.#api.height
     if (preset === 'simulate') {
-      const program = right('program', Math.max(260, Math.min(440, wide * 0.34)))
-      const states = below('states', program, tall * 0.44)
+      const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
+      const states = below('states', program, tall * 0.46)
       for (const kind of ['problems', 'jog', 'signals', 'cell'] as const) within(kind, states)
       below('plot', views, Math.max(190, tall * 0.32))
     } else if (preset === 'write') {

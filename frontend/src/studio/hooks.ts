@@ -1,5 +1,6 @@
 /** Small bridges from the framework-free engines to components. */
 import { useEffect, useReducer, useRef } from 'react'
+import { onUnits } from '../units/choice'
 import { useStudio } from './context'
 
 /** Call `act` after changes of cursor, run or picture, at most `rate` times a second. */
@@ -21,3 +22,10 @@ export function useTicks(rate: number): void {
   const [, again] = useReducer((count: number) => count + 1, 0)
   useEvery(rate, again)
 }
+
+/** Draw the component again when other units are chosen. */
+export function useUnits(): void {
+  useChanges(UNITS)
+}
+
+const UNITS = { onChange: onUnits }

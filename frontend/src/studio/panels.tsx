@@ -10,6 +10,7 @@ import { StatesPanel } from '../panels/StatesPanel'
 import { ViewsPanel } from '../panels/ViewsPanel'
 import { words } from '../text/messages'
 import type { PanelKind } from './dock'
+import { useUnits } from './hooks'
 import { PanelGuard } from './PanelGuard'
 
 // Plots and their library are a chunk of their own: the 3-D picture stands before it is here.
@@ -17,6 +18,7 @@ const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPane
 
 function guarded(kind: PanelKind, Panel: ComponentType<IDockviewPanelProps>) {
   return function Guarded(props: IDockviewPanelProps) {
+    useUnits()
     return (
       <PanelGuard name={words.panels[kind]}>
         <div className={`panel panel-${kind}`}>

@@ -1,0 +1,65 @@
+/** What a run came to, seen at once: verdict, what it left open, and the worst figure of each kind. */
+import { resultWords as words } from '../text/result'
+import { useStudio, useStudioState } from './context'
+import { useUnits } from './hooks'
+import { type Tile, tilesOf } from './result_tiles'
+
+export function ResultStrip() {
+  const studio = useStudio()
+  const shown = useStudioState(state => state.shown)
+  const stale = useStudioState(state => state.stale)
+  const live = useStudioState(state => state.live !== null && state.live.state !== 'over')
+  useUnits()
+  const run = shown > 0 ? studio.run : null
+  const result = run?.result
+  return (
+    <section className={stale ? 'result stale' : 'result'} aria-label={words.strip}>
+      {run && result ? (
+        <>
+          <div className={`verdict ${result.verdict.kind}`} title={result.unchecked}>
+            <strong>
+              <span role="img" aria-label={words.spoken[result.verdict.kind]}>
+                {words.signs[result.verdict.kind]}
+              </span>{' '}
+              {result.verdict.text}
+              {stale ? <em> – {words.stale}</em> : null}
+            </strong>
+            <span className="unchecked">{result.unchecked}</span>
+          </div>
+          {tilesOf(run, result).map(tile => (
+            <TileButton key={tile.id} tile={tile} source={run.source} />
+          ))}
+        </>
+      ) : (
+        <div className="verdict">
+          <strong>{live || run?.live ? words.live : words.none}</strong>
+          <span className="unchecked">{live || run?.live ? words.liveLong : ''}</span>
+        </div>
+      )}
+    </section>
+  )
+}
+
+function TileButton({ tile, source }: { tile: Tile; source: string }) {
+  const studio = useStudio()
+  const { id, label, value, detail, tone, time, line } = tile
+  const act = () => {
+    if (id === 'findings') studio.dock?.show('problems')
+    if (line > 0) studio.goTo(studio.documentOf(source), line)
+    if (time !== null) studio.transport.go(time)
+  }
+  return (
+    <button
+      type="button"
+      className={`tile ${tone}`}
+      aria-label={words.go(label, value, detail)}
+      title={words.goTitle}
+      disabled={time === null && line === 0 && id !== 'findings'}
+      onClick={act}
+    >
+      <span className="label">{label}</span>
+      <span className="value">{value}</span>
+      <span className="detail">{detail}</span>
+    </button>
+  )
+}

@@ -1,0 +1,81 @@
+import { afterEach, expect, test } from 'vitest'
+import type { ResultFigures } from '../run/pack_file'
+import type { Run } from '../run/run'
+import { METRIC, setUnits } from '../units/choice'
+import { tilesOf } from './result_tiles'
+
+const RESULT: ResultFigures = {
+  verdict: { kind: 'good', text: 'everything as planned' },
+  unchecked: 'not checked: collisions',
+  cycle_time: 186.8,
+  cycle_time_valid: true,
+  settling: 18.68,
+  peak_torque: { share: 0.742, joint: '2', line: 9, time: 3.5 },
+  peak_speed: null,
+  closest_limit: { margin: 0.0733, unit: 'rad', joint: '5', side: 'upper', line: 18, time: 40 },
+  path_error: { max: 0.00031, line: 10, time: 1.2 },
+  errors: 0,
+  warnings: 0,
+  moves: 217,
+}
+const move = (time: number, line: number, settle: number) => ({
+  time,
+  duration: 1,
+  kind: 'move',
+  text: '',
+  span: { source: 'main.task', line, column: 1, end_line: line, end_column: 1 },
+  data: { settle },
+})
+const RUN = {
+  duration: 186.8,
+  events: [move(0, 9, 0.1), move(5, 10, 0.3), move(9, 11, 0.2)],
+  findings: [],
+} as unknown as Run
+
+function tile(id: string, change: Partial<ResultFigures> = {}, run: Run = RUN) {
+  const found = tilesOf(run, { ...RESULT, ...change }).find(one => one.id === id)
+  if (!found) throw new Error(`there is a tile ${id}`)
+  return found
+}
+
+afterEach(() => setUnits(METRIC))
+
+test('a figure names its joint and leads to its moment and line', () => {
+  expect(tile('torque')).toMatchObject({ value: '74 %', detail: 'Joint 2', time: 3.5, line: 9 })
+  expect(tile('limit')).toMatchObject({ value: '4.20°', detail: 'Joint 5, upper limit', time: 40, line: 18 })
+  expect(tile('path')).toMatchObject({ value: '0.31 mm', detail: 'line 10', time: 1.2 })
+})
+
+test('figures are in the units of the user', () => {
+  setUnits({ length: 'in', angle: 'rad' })
+  expect(tile('limit').value).toBe('0.0733 rad')
+  expect(tile('path').value).toBe('0.012 in')
+})
+
+test('settling is told with its share and leads to the longest wait', () => {
+  expect(tile('settling')).toMatchObject({ value: '18.68 s', detail: '10 % of the cycle', line: 10 })
+  expect(tile('settling').time).toBeCloseTo(5.7)
+})
+
+test('a cycle time without skipped moves only is a plain one', () => {
+  expect(tile('cycle').tone).toBe('plain')
+  expect(tile('cycle', { cycle_time_valid: false })).toMatchObject({ tone: 'error' })
+})
+
+test('what a run does not know is said, and leads nowhere', () => {
+  expect(tile('torque', { peak_torque: null })).toMatchObject({ value: '–', time: null, line: 0 })
+  expect(tile('path', { path_error: null })).toMatchObject({ value: '–', time: null })
+})
+
+test('findings count and lead to the worst one', () => {
+  const finding = (severity: string, time: number) => ({ severity, time, span: null })
+  const run = { ...RUN, findings: [finding('warning', 1), finding('error', 7)] } as unknown as Run
+  const found = tile('findings', { errors: 1, warnings: 1 }, run)
+  expect(found).toMatchObject({ value: '2', detail: '1 error, 1 warning', tone: 'error', time: 7 })
+  expect(tile('findings').detail).toBe('no problems found')
+})
+
+test('a torque beyond its limit is an error, one near it a warning', () => {
+  const at = (share: number) => tile('torque', { peak_torque: { share, joint: '1', line: 1, time: 1 } }).tone
+  expect([0.9, 0.96, 1.2].map(at)).toEqual(['plain', 'warning', 'error'])
+})

@@ -1,0 +1,139 @@
+/** The result of a run as tiles: each a figure, in words, with the moment and the line where it arises. */
+import type { ResultFigures } from '../run/pack_file'
+import type { Run } from '../run/run'
+import { resultWords as words } from '../text/result'
+import { jointName } from '../units/names'
+import { formatQuantity } from '../units/quantity'
+
+export interface Tile {
+  readonly id: 'cycle' | 'settling' | 'torque' | 'limit' | 'path' | 'findings'
+  readonly label: string
+  readonly value: string
+  /** A few words below the value, such as which joint it is. */
+  readonly detail: string
+  readonly tone: 'plain' | 'warning' | 'error'
+  /** Where a click leads [s]; null for nowhere. */
+  readonly time: number | null
+  /** From 1; 0 for none. */
+  readonly line: number
+}
+
+/** A share of a limit from which on it is worth a look. */
+const NEAR = 0.95
+
+export function tilesOf(run: Run, result: ResultFigures): readonly Tile[] {
+  return [
+    cycle(run, result),
+    settling(run, result),
+    torque(result),
+    limit(result),
+    path(result),
+    findings(run, result),
+  ]
+}
+
+function cycle(run: Run, { cycle_time, cycle_time_valid }: ResultFigures): Tile {
+  return {
+    ...NOWHERE,
+    id: 'cycle',
+    label: words.cycle,
+    value: formatQuantity(cycle_time, 's'),
+    detail: cycle_time_valid ? '' : words.notValid,
+    tone: cycle_time_valid ? 'plain' : 'error',
+    time: run.duration,
+  }
+}
+
+/** The click leads to the longest wait of all. */
+function settling(run: Run, { settling, cycle_time }: ResultFigures): Tile {
+  let longest = 0
+  let place: Pick<Tile, 'time' | 'line'> = NOWHERE
+  for (const event of run.events) {
+    const settle = event.kind === 'move' ? Number(event.data.settle) : 0
+    if (!(settle > longest)) continue
+    longest = settle
+    place = { time: event.time + event.duration - settle, line: event.span?.line ?? 0 }
+  }
+  const share = cycle_time > 0 ? settling / cycle_time : 0
+  return {
+    id: 'settling',
+    label: words.settling,
+    value: formatQuantity(settling, 's'),
+    detail: words.ofCycle(percent(share)),
+    tone: 'plain',
+    ...place,
+  }
+}
+
+function torque({ peak_torque }: ResultFigures): Tile {
+  if (!peak_torque)
+    return { ...NOWHERE, id: 'torque', label: words.torque, value: '–', detail: words.notSimulated }
+  const { share, joint, line, time } = peak_torque
+  const tone = share >= 1 ? 'error' : share >= NEAR ? 'warning' : 'plain'
+  return {
+    id: 'torque',
+    label: words.torque,
+    value: percent(share),
+    detail: jointName(joint),
+    tone,
+    line,
+    time,
+  }
+}
+
+function limit({ closest_limit }: ResultFigures): Tile {
+  if (!closest_limit) return { ...NOWHERE, id: 'limit', label: words.limit, value: '–', detail: '' }
+  const { margin, unit, joint, side, line, time } = closest_limit
+  return {
+    id: 'limit',
+    label: words.limit,
+    value: formatQuantity(margin, unit),
+    detail: words.side(jointName(joint), side),
+    tone: margin < 0 ? 'error' : 'plain',
+    line,
+    time,
+  }
+}
+
+function path({ path_error }: ResultFigures): Tile {
+  if (!path_error) return { ...NOWHERE, id: 'path', label: words.path, value: '–', detail: words.noPath }
+  const { max, line, time } = path_error
+  return {
+    id: 'path',
+    label: words.path,
+    value: formatSmall(max),
+    detail: words.line(line),
+    tone: 'plain',
+    line,
+    time,
+  }
+}
+
+function findings(run: Run, { errors, warnings }: ResultFigures): Tile {
+  const rank = { error: 0, warning: 1, info: 2, hint: 3 } as const
+  const [first] = [...run.findings].sort(
+    (a, b) => rank[a.severity] - rank[b.severity] || (a.time ?? Infinity) - (b.time ?? Infinity),
+  )
+  return {
+    id: 'findings',
+    label: words.findings,
+    value: String(errors + warnings),
+    detail: words.counts(errors, warnings),
+    tone: errors ? 'error' : warnings ? 'warning' : 'plain',
+    time: first?.time ?? null,
+    line: first?.span?.line ?? 0,
+  }
+}
+
+const NOWHERE = { tone: 'plain', time: null, line: 0 } as const
+
+function percent(share: number): string {
+  const number = 100 * share
+  return `${number < 10 && number > 0 ? number.toFixed(1) : number.toFixed(0)} %`
+}
+
+/** Path errors are far below the tenth of a millimetre in which lengths are told. */
+function formatSmall(value: number): string {
+  const rough = formatQuantity(value, 'm')
+  return rough.endsWith(' mm') ? `${(1000 * value).toPrecision(2)} mm` : rough
+}

@@ -1,0 +1,34 @@
+/** Texts of the strip that tells the result of a run. */
+export const resultWords = {
+  strip: 'Result of the run',
+  live: 'live',
+  liveLong: 'A live run is under way: its result is told when it has ended.',
+  none: 'No result yet.',
+  stale: 'last good run',
+  signs: { good: '✔', doubtful: '▲', failed: '✖' },
+  spoken: { good: 'Good', doubtful: 'Doubtful', failed: 'Failed' },
+  cycle: 'Cycle time',
+  notValid: 'not valid: moves were skipped',
+  settling: 'Settling',
+  ofCycle: (share: string) => `${share} of the cycle`,
+  torque: 'Peak torque',
+  notSimulated: 'not simulated',
+  limit: 'Smallest joint margin',
+  side: (joint: string, side: 'lower' | 'upper') => `${joint}, ${side} limit`,
+  path: 'Largest path error',
+  noPath: 'no straight moves',
+  line: (line: number) => (line > 0 ? `line ${line}` : ''),
+  findings: 'Findings',
+  counts: (errors: number, warnings: number) =>
+    errors + warnings === 0
+      ? 'no problems found'
+      : [
+          errors ? `${errors} ${errors === 1 ? 'error' : 'errors'}` : '',
+          warnings ? `${warnings} ${warnings === 1 ? 'warning' : 'warnings'}` : '',
+        ]
+          .filter(Boolean)
+          .join(', '),
+  go: (label: string, value: string, detail: string) =>
+    `${label}: ${value}${detail ? `, ${detail}` : ''}. Go to where it arises`,
+  goTitle: 'Go to where it arises',
+} as const
