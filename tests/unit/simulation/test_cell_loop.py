@@ -21,6 +21,8 @@ PLACE = (0.45, -0.15, 0.1)
 DOWN = np.array([0.0, 1.0, 0.0, 0.0])
 WIDE = 0.06
 """Edge of the part [m]; its mass is 0.5 kg."""
+STRAIGHT = 1e-5
+"""An ideal arm leaves the line by what joint splines between two interpolation ticks do [m]."""
 FREE = 6.0
 """Ends of all joint ranges, out of the way [rad]."""
 NEAR = 1e-9
@@ -88,6 +90,13 @@ def test_each_tool_brings_its_own_tip_to_the_place(cell: Cell) -> None:
         np.testing.assert_allclose(at(recording, "command_position", end), [0.45, -0.15, 0.3], atol=NEAR)
         flange = forward(cell.robot, at(recording, "q_ref", end))
         np.testing.assert_allclose((flange @ tool.X_MT).position, [0.45, -0.15, 0.3], atol=NEAR)
+
+
+def test_the_path_error_is_that_of_the_tip_of_the_tool_in_force(cell: Cell) -> None:
+    recording = ran(cell, "set tool cup", "mov (450, -150, 300)", "lin (450, 50, 300)")
+    error = recording.channels["path_error"].values
+    assert np.isfinite(error).any()
+    assert np.nanmax(error) < STRAIGHT
 
 
 def test_a_tool_that_is_not_the_first_grips_at_its_own_tip_in_its_own_time(cell: Cell) -> None:
