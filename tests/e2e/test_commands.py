@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.cli.parser import build_parser
+from ropsim.workbench import new_project
 from support.patience import PATIENCE
 
 ROOT = Path(__file__).parents[2]
@@ -261,9 +262,35 @@ def test_robots_speak_degrees_and_millimetres() -> None:
     listed = json.loads(
         ropsim("robot", "ik", "puma560", "596.303", "-150.05", "657.476", "0", "90", "0", "--json").stdout
     )
-    assert len(listed["solutions"]) == 3
+    assert len(listed["solutions"]) == len(listed["postures"]) == 3
     assert ropsim("robot", "show", "puma650").returncode in (1, 2)
     assert "estimated" in ropsim("robot", "show", "puma560").stdout
+
+
+def test_ik_shows_the_postures_beyond_the_limits_and_what_they_exceed() -> None:
+    pose = ("540", "-55", "955", "170", "10", "-170")
+    found = ropsim("robot", "ik", "puma560", *pose)
+    assert found.returncode == 0
+    rows = found.stdout.splitlines()
+    assert rows[0].split() == [
+        *(word for k in range(1, 7) for word in (str(k), "[°]")),
+        "posture",
+        *["beyond", "its", "limits"],
+    ]
+    assert len(rows) == 1 + 8  # all branches of an arm with a spherical wrist
+    document = json.loads(ropsim("robot", "ik", "puma560", *pose, "--json").stdout)
+    assert len(document["solutions"]) + len(document["beyond_limits"]) == 8
+    for branch, row in zip(document["beyond_limits"], rows[1 + len(document["solutions"]) :], strict=True):
+        worst = branch["exceeds"][0]
+        assert f"joint {worst['joint']} by {57.29577951308232 * worst['excess']:.1f}°" in row
+        assert branch["posture"] in row
+
+
+def test_ik_says_how_far_a_pose_is_out_of_reach() -> None:
+    found = ropsim("robot", "ik", "puma560", "2000", "0", "0", "0", "0", "0")
+    assert found.returncode == 1
+    assert "no solution: out of reach; the wrist centre would be" in found.stdout
+    assert "864.1 mm" in found.stdout
 
 
 def test_a_new_project_runs_at_once(tmp_path: Path) -> None:
@@ -287,7 +314,24 @@ def test_every_example_can_be_copied(tmp_path: Path) -> None:
     assert not (tmp_path / "x").exists()
 
 
-def test_the_tutorial_shows_the_starter_as_it_is() -> None:
+def test_the_tutorial_shows_the_starter_as_it_is(tmp_path: Path) -> None:
     tutorial = (ROOT / "docs" / "tutorials" / "first-cell.md").read_text()
+    made = new_project(tmp_path / "my_cell")
     for file in ("cell.toml", "programs/main.task"):
-        assert (EXAMPLES / "first_cell" / file).read_text().rstrip() in tutorial
+        assert (made / file).read_text().rstrip() in tutorial
+
+
+def test_the_tutorial_leaves_a_program_that_runs(tmp_path: Path) -> None:
+    """What section 4 breaks: a wrong word, mended again, and a point out of reach, taken out again."""
+    made = new_project(tmp_path / "my_cell") / "programs" / "main.task"
+    good = made.read_text()
+    made.write_text(good.replace("  open\n", "  opne\n", 1))
+    found = ropsim("check", "my_cell", cwd=tmp_path)
+    assert (found.returncode, found.stderr.count("error[")) == (1, 1)
+    assert "did you mean `open`?" in found.stderr
+    made.write_text(good + "mov (2000, 0, 300)\n")
+    found = ropsim("run", "my_cell", cwd=tmp_path)
+    assert found.returncode == 1
+    assert "M501" in found.stderr
+    made.write_text(good)
+    assert ropsim("run", "my_cell", cwd=tmp_path).returncode == 0

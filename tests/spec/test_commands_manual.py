@@ -82,7 +82,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "robot show puma560": {"name", "title", "joints", "origins"},
         "robot audit puma560": {"ok"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
-        "robot ik puma560 500 100 400 180 0 30": {"status", "solutions"},
+        "robot ik puma560 500 100 400 180 0 30": {"status", "solutions", "postures", "beyond_limits"},
         "explain": {"codes"},
         "explain M502": {"code", "slug", "severity", "summary", "explanation"},
         "run nowhere": {"ok"} | found,

@@ -1,6 +1,7 @@
 """`ropsim new` and `ropsim examples`: start from something that runs."""
 
 import argparse
+import shlex
 
 from ropsim.cli.output import Output
 from ropsim.workbench import STARTER, example_names, example_summary, new_project
@@ -9,7 +10,7 @@ from ropsim.workbench import STARTER, example_names, example_summary, new_projec
 def new(options: argparse.Namespace, output: Output) -> int:
     """Make a project folder from an example."""
     place = new_project(options.path, options.example or STARTER)
-    output.text(f"made {place}; next: ropsim run {place}")
+    output.text(f"made {place}; next: ropsim run {shlex.quote(str(place))}")
     output.document({"ok": True, "path": str(place)})
     return 0
 

@@ -130,7 +130,7 @@ def _robot(commands: Commands) -> None:
     forward.add_argument(
         "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
     )
-    inverse = _command(actions, "ik", "robot:ik", "print all joint coordinates that reach a pose")
+    inverse = _command(actions, "ik", "ik:ik", "print all joint coordinates that reach a pose")
     inverse.add_argument("name", metavar="NAME")
     inverse.add_argument(
         "pose", metavar="X", nargs=6, type=float, help="x y z in mm, roll pitch yaw in degrees (fixed XYZ)"

@@ -6,12 +6,12 @@ import math
 import numpy as np
 
 from ropsim import kinematics, robots
+from ropsim.cli.numbers import shown
 from ropsim.cli.output import Output
 from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.model import audit as audit_model
-from ropsim.spatial import Pose
-from ropsim.spatial.quaternion import from_zyx, to_zyx
+from ropsim.spatial.quaternion import to_zyx
 from ropsim.workbench.diagnostic_json import diagnostic_document
 
 WRONG_COUNT = define(
@@ -84,27 +84,12 @@ def fk(options: argparse.Namespace, output: Output) -> int:
         message = f"`{robot.name}` has {robot.n} joints, {len(options.q)} coordinates were given"
         raise JointCountError(WRONG_COUNT.at(None, message))
     pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
-    x, y, z = (_shown(1e3 * float(c), 3) for c in pose.position)
+    x, y, z = (shown(1e3 * float(c), 3) for c in pose.position)
     w, i, j, k = (float(c) for c in pose.orientation)
-    yaw, pitch, roll = (_shown(math.degrees(angle), 4) for angle in to_zyx((w, i, j, k)))
+    yaw, pitch, roll = (shown(math.degrees(angle), 4) for angle in to_zyx((w, i, j, k)))
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0
-
-
-def ik(options: argparse.Namespace, output: Output) -> int:
-    """Print every joint vector that reaches a pose, inside the limits."""
-    robot = robots.load(options.name)
-    x, y, z, roll, pitch, yaw = options.pose
-    turn = from_zyx(math.radians(yaw), math.radians(pitch), math.radians(roll))
-    result = kinematics.inverse(robot, Pose(np.array([x, y, z]) / 1e3, np.array(turn)))
-    scales = _scales(robot)
-    for q, posture in zip(result.solutions, result.postures, strict=True):
-        output.text("  ".join(f"{_shown(c, 3):9.3f}" for c in q * scales) + f"   {posture}")
-    if not len(result.solutions):
-        output.text(f"no solution: {result.status.value}")
-    output.document({"status": result.status.value, "solutions": result.solutions.tolist()})
-    return 0 if len(result.solutions) else 1
 
 
 def _effort(joint: Joint) -> str:
@@ -119,8 +104,3 @@ def _display(kind: JointType) -> tuple[float, str]:
 
 def _scales(robot: RobotModel) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     return np.array([_display(joint.type)[0] for joint in robot.joints])
-
-
-def _shown(value: float, decimals: int) -> float:
-    """Return a number rounded for printing, without a negative zero."""
-    return round(float(value), decimals) + 0.0

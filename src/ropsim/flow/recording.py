@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Severity, Span
 from ropsim.spatial import Array
 
 if TYPE_CHECKING:
@@ -49,9 +49,11 @@ class Event:
     data: Mapping[str, object] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Recording:
     """What a run leaves behind.
+
+    Look at `ok` first: a move that could not be made was skipped, and the run went on.
 
     Attributes:
         time: [s], shape (n,), equally spaced.
@@ -69,6 +71,35 @@ class Recording:
     duration: float
     header: Mapping[str, object] = field(default_factory=dict)
 
+    @property
+    def ok(self) -> bool:
+        """Return whether no finding is an error and no move was skipped."""
+        return self.first_error is None and not self._skipped
+
+    @property
+    def first_error(self) -> Diagnostic | None:
+        """Return the first finding that is an error, None where there is none."""
+        return next((finding for finding in self.findings if finding.is_error), None)
+
+    @property
+    def _skipped(self) -> int:
+        return sum(event.kind == "skip" for event in self.events)
+
+    def __repr__(self) -> str:
+        """Return one line: whether the run failed and why, its moves and length; no arrays."""
+        moves = sum(event.kind == "move" for event in self.events)
+        state = "ok" if self.ok else "FAILED"
+        skipped = f", {self._skipped} SKIPPED" if self._skipped else ""
+        text = f"<Recording {state}: {moves} moves{skipped}, {self.duration:.2f} s, {self._counts()}"
+        error = self.first_error
+        return f"{text}; first error: {_one_line(str(error))}>" if error else f"{text}>"
+
+    def _counts(self) -> str:
+        severities = [finding.severity for finding in self.findings]
+        counts = [(severities.count(one), one.value) for one in Severity]
+        found = [f"{count} {name}{'s' * (count > 1)}" for count, name in counts if count]
+        return ", ".join(found) or "no findings"
+
     def to_pandas(self) -> "pd.DataFrame":
         """Return all channels as one table indexed by time [s]; columns are `q[0]`, `tau[2]` and so on.
 
@@ -85,3 +116,7 @@ class Recording:
                 labels = channel.columns or tuple(str(k) for k in range(channel.values.shape[1]))
                 columns.update({f"{name}[{label}]": channel.values[:, k] for k, label in enumerate(labels)})
         return pd.DataFrame(columns, index=pd.Index(self.time, name="time"))
+
+
+def _one_line(text: str) -> str:
+    return "".join(character if character.isprintable() else " " for character in text)

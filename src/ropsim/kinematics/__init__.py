@@ -10,6 +10,8 @@ from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
+from ropsim.kinematics.inverse import limit_violations as limit_violations
+from ropsim.kinematics.inverse import turned_to_limits as turned_to_limits
 from ropsim.kinematics.jacobian import jacobian as jacobian
 from ropsim.kinematics.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.posture import POSTURES as POSTURES

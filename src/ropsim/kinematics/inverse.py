@@ -71,7 +71,7 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     kept = [(row, found[0], found[1:]) for row, found in variants if len(found)]
     if kept:
         return _answer(IkStatus.FOUND, branches, kept)
-    outside = [_violations(robot, branches[row]) for row in rows]
+    outside = [limit_violations(robot, branches[row]) for row in rows]
     nearest = min(outside, key=lambda violations: violations[0].excess)
     return _answer(IkStatus.OUT_OF_LIMITS, branches, violations=nearest)
 
@@ -80,6 +80,35 @@ def branch(result: IkResult, posture: Posture) -> Array | None:
     """Return the joint coordinates [rad] of one posture, limits ignored, shape (n,); None where absent."""
     row = result.branches[posture.index]
     return None if np.isnan(row).any() else row
+
+
+def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
+    """Return joint coordinates with each joint in the turn that is nearest to the middle of its range.
+
+    Args:
+        robot: arm of turning joints.
+        q: joint coordinates [rad], shape (n,).
+    """
+    centres = (robot.lower_limits + robot.upper_limits) / 2.0
+    angles = joint_vector(robot, q)
+    return np.asarray(angles + TURN * np.round((centres - angles) / TURN))
+
+
+def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
+    """Return the joints that are outside their limits in every turn, worst first.
+
+    Args:
+        robot: arm of turning joints.
+        q: joint coordinates [rad], shape (n,), such as a row of `IkResult.branches`.
+    """
+    found = []
+    for index, (joint, angle) in enumerate(
+        zip(robot.joints, turned_to_limits(robot, q).tolist(), strict=True)
+    ):
+        limit = min(max(angle, joint.lower), joint.upper)
+        if abs(angle - limit) > LIMIT_SLACK:
+            found.append(LimitViolation(index, joint.name, angle, limit))
+    return tuple(sorted(found, key=lambda violation: -violation.excess))
 
 
 def _solve(arm: WristArm, T: Array, free: Array) -> Array:
@@ -113,17 +142,6 @@ def _within(robot: RobotModel, q: Array) -> Array:
         turns = sorted(range(fewest, most + 1), key=abs)
         columns.append([min(max(angle + turn * TURN, joint.lower), joint.upper) for turn in turns])
     return np.array(list(product(*columns)), dtype=np.float64).reshape(-1, robot.n)
-
-
-def _violations(robot: RobotModel, q: Array) -> tuple[LimitViolation, ...]:
-    found = []
-    for index, (joint, angle) in enumerate(zip(robot.joints, q.tolist(), strict=True)):
-        centre = (joint.lower + joint.upper) / 2.0
-        nearest = angle + TURN * round((centre - angle) / TURN)
-        limit = min(max(nearest, joint.lower), joint.upper)
-        if abs(nearest - limit) > LIMIT_SLACK:
-            found.append(LimitViolation(index, joint.name, nearest, limit))
-    return tuple(sorted(found, key=lambda violation: -violation.excess))
 
 
 def _reach(arm: WristArm, pose: Pose) -> Reach:

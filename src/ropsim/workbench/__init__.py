@@ -19,6 +19,7 @@ from ropsim.workbench.meshes import MeshLibrary as MeshLibrary
 from ropsim.workbench.meshes import load_meshes as load_meshes
 from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.overlay import open_overlaid as open_overlaid
+from ropsim.workbench.project import FailedRunError as FailedRunError
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE

@@ -8,6 +8,7 @@ import ropsim
 from ropsim.core import did_you_mean
 from ropsim.workbench.project import ProjectError
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
+from ropsim.workbench.project_name import name_from_folder, name_project
 
 #: What `ropsim new` copies when no example is named.
 STARTER = "first_cell"
@@ -28,6 +29,8 @@ def example_summary(name: str) -> str:
 def new_project(place: str | Path, example: str = STARTER) -> Path:
     """Make a project folder from an example and return it; all files appear at once or none does.
 
+    The project has the name of its folder.
+
     Raises:
         ProjectError: no such example, or the place is taken or cannot be written.
     """
@@ -43,6 +46,7 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
         with tempfile.TemporaryDirectory(dir=target.parent, prefix=".ropsim-") as work:
             made = Path(work) / "project"
             shutil.copytree(_folder() / example, made, ignore=_LEFT_OUT)
+            name_project(made, name_from_folder(target.resolve().name))
             _move(made, target)
     except OSError as error:
         message = f"`{place}` cannot be made: {error.strerror or error}"

@@ -10,7 +10,7 @@ from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
 from ropsim.model import Cell
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program
 from ropsim.workbench.environment import environment_of
-from ropsim.workbench.project_diagnostics import NO_CELL, NO_PROGRAM
+from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 
 if TYPE_CHECKING:
     from ropsim.flow import Recording
@@ -24,6 +24,19 @@ DEFAULT_PROGRAM = "main"
 
 class ProjectError(RopsimError):
     """A project that cannot be opened, or a program that cannot be run; carries the finding."""
+
+
+class FailedRunError(RopsimError):
+    """A run with errors or skipped moves.
+
+    Attributes:
+        diagnostic: the first error of the run.
+        recording: of the whole run, with all findings.
+    """
+
+    def __init__(self, recording: "Recording") -> None:
+        super().__init__(recording.first_error or MOVES_SKIPPED.at(None, f"{recording!r}"))
+        self.recording = recording
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,20 +105,29 @@ class Project:
             raise ProjectError(NO_PROGRAM.at(None, message, hint=did_you_mean(wanted, self.sources)))
         return compile_program(text, environment_of(self.cell), self.cell)
 
-    def simulate(self, program: str | None = None, options: "RunOptions | None" = None) -> "Recording":
+    def simulate(
+        self, program: str | None = None, options: "RunOptions | None" = None, *, strict: bool = False
+    ) -> "Recording":
         """Compile and run a program in the cell.
+
+        A move that cannot be made is skipped and becomes a finding: look at `ok` of the recording.
 
         Args:
             program: name; None for the default program.
             options: fidelity and recording.
+            strict: raise where the recording is not ok, after the whole run.
 
         Raises:
             ProjectError: no such program, no cell, or an error in one of them.
+            FailedRunError: with `strict`, the run has errors or skipped moves; it carries the recording.
         """
         from ropsim.simulation import RunOptions, run
 
         cell, code = self.runnable(self.program(program))
-        return run(cell, code, options or RunOptions())
+        recording = run(cell, code, options or RunOptions())
+        if strict and not recording.ok:
+            raise FailedRunError(recording)
+        return recording
 
     def runnable(self, compiled: CompiledProgram) -> tuple[Cell, icr.Program]:
         """Return the cell and the verified code of a compiled program.

@@ -111,3 +111,15 @@ PLACE_TAKEN = define(
 choose another name, or remove the folder yourself.
 """,
 )
+
+MOVES_SKIPPED = define(
+    "X895",
+    "moves-skipped",
+    Severity.ERROR,
+    "a run left out moves",
+    """
+`project.simulate(strict=True)` raises where the recording is not `ok`, with the first error of the run. This
+code stands for a run that has no error and skipped moves all the same, as with a path planner of your own
+that refuses a move with warnings only.
+""",
+)

@@ -1,6 +1,9 @@
+from dataclasses import replace
+
 import numpy as np
 
-from ropsim.flow import Channel, Recording
+from ropsim.core import Diagnostic, Severity, Span
+from ropsim.flow import Channel, Event, Recording
 
 
 def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
@@ -14,3 +17,50 @@ def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
     assert table.index.name == "time"
     assert table["q[2]"].tolist() == [2.0, 4.0]
     assert table.index.tolist() == [0.0, 0.004]
+
+
+def run_of(*findings: Diagnostic, skips: int = 0) -> Recording:
+    """Return a run of two moves, with findings and skipped moves."""
+    events = [
+        Event(0.0, "move", "PTP"),
+        Event(1.0, "move", "LIN"),
+        *[Event(1.5, "skip", "LIN not possible")] * skips,
+    ]
+    q = Channel(np.zeros((1000, 6)), "rad")
+    return Recording(np.linspace(0.0, 2.0, 1000), {"q": q}, tuple(events), findings, 2.0)
+
+
+ERROR = Diagnostic("M501", "out-of-reach", Severity.ERROR, "2.104 m away", Span("main.task", 4, 1, 4, 9))
+WARNING = Diagnostic("S731", "current-exceeded", Severity.WARNING, "5 A of 4 A")
+
+
+def test_a_run_is_ok_without_errors_whatever_it_warns_of() -> None:
+    assert run_of().ok
+    assert run_of(WARNING).ok
+    assert not run_of(WARNING, ERROR).ok
+
+
+def test_a_run_with_a_skipped_move_is_not_ok() -> None:
+    assert not run_of(skips=1).ok
+
+
+def test_a_good_run_is_one_quiet_line() -> None:
+    assert repr(run_of()) == "<Recording ok: 2 moves, 2.00 s, no findings>"
+    assert repr(run_of(WARNING)) == "<Recording ok: 2 moves, 2.00 s, 1 warning>"
+
+
+def test_a_printed_run_that_failed_shouts_and_names_its_first_error() -> None:
+    text = str(run_of(WARNING, ERROR, replace(ERROR, code="M502"), skips=2))
+    assert text.startswith(
+        "<Recording FAILED: 2 moves, 2 SKIPPED, 2.00 s, 2 errors, 1 warning; first error: "
+    )
+    assert "main.task:4:1" in text
+    assert "M501" in text
+    assert "2.104 m away" in text
+
+
+def test_a_printed_run_is_one_line_without_arrays_and_control_characters() -> None:
+    text = repr(run_of(replace(ERROR, message="a\nb\x1b[2J")))
+    assert text.isprintable()
+    assert "array" not in text
+    assert len(text) < 300

@@ -1,0 +1,97 @@
+"""`ropsim robot ik`: every posture that reaches a pose, and what the ones beyond the limits exceed."""
+
+import argparse
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim import kinematics, robots
+from ropsim.cli.numbers import shown
+from ropsim.cli.output import Output
+from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
+from ropsim.model import RobotModel
+from ropsim.spatial import Array, Pose
+from ropsim.spatial.quaternion import from_zyx
+
+_WIDTH = 9
+_ALL = IkOptions(limits=Limits.IGNORE)
+
+
+@dataclass(frozen=True, slots=True)
+class _Branch:
+    """One joint solution; joint coordinates `q` [rad], shape (n,)."""
+
+    q: Array
+    posture: Posture
+    beyond: tuple[LimitViolation, ...] = ()
+
+
+def ik(options: argparse.Namespace, output: Output) -> int:
+    """Print every joint vector that reaches a pose: first those inside the limits, then those beyond."""
+    robot = robots.load(options.name)
+    x, y, z, roll, pitch, yaw = options.pose
+    turn = from_zyx(math.radians(yaw), math.radians(pitch), math.radians(roll))
+    pose = Pose(np.array([x, y, z]) / 1e3, np.array(turn))
+    result = kinematics.inverse(robot, pose)
+    beyond = list(_beyond(robot, kinematics.inverse(robot, pose, _ALL)))
+    inside = [_Branch(q, one) for q, one in zip(result.solutions, result.postures, strict=True)]
+    if inside or beyond:
+        output.text("\n".join(_table(robot, [*inside, *beyond])))
+    if not inside:
+        output.text(_why_none(result))
+    output.document(
+        {
+            "status": result.status.value,
+            "solutions": result.solutions.tolist(),
+            "postures": [str(one) for one in result.postures],
+            "beyond_limits": [_entry(one) for one in beyond],
+        }
+    )
+    return 0 if inside else 1
+
+
+def _beyond(robot: RobotModel, result: IkResult) -> Iterator[_Branch]:
+    for q, posture in zip(result.solutions, result.postures, strict=True):
+        violations = kinematics.limit_violations(robot, q)
+        if violations:
+            yield _Branch(kinematics.turned_to_limits(robot, q), posture, violations)
+
+
+def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
+    names = [f"{joint.name} [°]" for joint in robot.joints]
+    rows = [(*names, "posture", "beyond its limits" if any(one.beyond for one in branches) else "")]
+    for one in branches:
+        angles = [f"{shown(math.degrees(angle), 3):.3f}" for angle in one.q]
+        rows.append((*angles, str(one.posture), ", ".join(_excess(joint) for joint in one.beyond)))
+    longest = max(len(row[-2]) for row in rows)
+    return [
+        "  ".join(f"{cell:>{_WIDTH}}" for cell in row[:-2]) + f"   {row[-2]:{longest}}  {row[-1]}".rstrip()
+        for row in rows
+    ]
+
+
+def _excess(joint: LimitViolation) -> str:
+    return f"joint {joint.name} by {math.degrees(joint.excess):.1f}°"
+
+
+def _why_none(result: IkResult) -> str:
+    reach = result.reach
+    if reach is None:
+        return "no solution inside the limits"
+    least, most = f"{reach.shortest * 1e3:.1f} mm", f"{reach.longest * 1e3:.1f} mm"
+    allowed = f"at least {least}" if math.isinf(reach.longest) else f"{least} to {most}"
+    distance = f"{reach.distance * 1e3:.1f} mm from axis {reach.axis}"
+    return f"no solution: out of reach; the wrist centre would be {distance}, possible is {allowed}"
+
+
+def _entry(branch: _Branch) -> dict[str, object]:
+    return {
+        "q": branch.q.tolist(),
+        "posture": str(branch.posture),
+        "exceeds": [
+            {"joint": one.name, "angle": one.angle, "limit": one.limit, "excess": one.excess}
+            for one in branch.beyond
+        ],
+    }
