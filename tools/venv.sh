@@ -63,7 +63,10 @@ pages=src/ropsim/static/.build
 pages_current() {
     if [ "${ROPSIM_SKIP_FRONTEND:-}" = 1 ] || [ ! -d frontend ]; then return 0; fi
     [ -f $pages ] || return 1
-    newer=$(find frontend \( -name node_modules -o -name dist -o -name generated \) -prune -o -newer $pages -print)
+    shown=docs/reference # the studio shows some of these pages
+    [ -d $shown ] || shown=''
+    # shellcheck disable=SC2086 # nothing where the folder is absent
+    newer=$(find frontend $shown \( -name node_modules -o -name dist -o -name generated \) -prune -o -newer $pages -print)
     [ -z "$newer" ]
 }
 

@@ -33,7 +33,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
         page.write_text(name)
     (root / "frontend" / "src").mkdir(parents=True)
     (root / "frontend" / "src" / "main.ts").write_text("1")
-    hatch_build.stamp_of(root).write_text(hatch_build.digest(root / "frontend"))
+    hatch_build.stamp_of(root).write_text(hatch_build.digest(root))
     return root
 
 

@@ -1,4 +1,5 @@
 /** The commands of the shell. Panels add their own where they need to. */
+import { TOPICS } from '../help/topics'
 import { LAYOUTS, SHADINGS } from '../scene/settings'
 import { commandWords as titles } from '../text/commands'
 import { words } from '../text/messages'
@@ -24,6 +25,12 @@ export function addCommands(studio: Studio, openPalette: () => void): () => void
   addSimulate(studio, group)
   const help = group('Help', 'help')
   help('help.palette', titles.palette, ['Ctrl+K', 'F1'], openPalette)
+  for (const topic of TOPICS) {
+    help(`help.${topic}`, titles.help[topic], topic === 'keys' ? ['Shift+F1'] : [], () => {
+      studio.store.setState({ help: topic })
+      studio.dock?.show('help')
+    })
+  }
   return () => {
     for (const remove of removals) remove()
   }

@@ -4,7 +4,17 @@ import { words } from '../text/messages'
 import type { ProjectStorage } from './storage'
 import type { UndoStack } from './undo'
 
-export const PANELS = ['views', 'program', 'problems', 'states', 'plot', 'jog', 'signals', 'cell'] as const
+export const PANELS = [
+  'views',
+  'program',
+  'problems',
+  'states',
+  'plot',
+  'jog',
+  'signals',
+  'cell',
+  'help',
+] as const
 export type PanelKind = (typeof PANELS)[number]
 
 export const PRESETS = ['simulate', 'write', 'look', 'analyse', 'operate'] as const

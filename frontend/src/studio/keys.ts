@@ -20,7 +20,11 @@ export function keyName(event: KeyboardEvent): string {
 
 /** A key as menus show it. */
 export function shownKey(name: string): string {
-  return name.replace('ArrowLeft', '←').replace('ArrowRight', '→')
+  return name
+    .replace('ArrowLeft', '←')
+    .replace('ArrowRight', '→')
+    .replace('ArrowUp', '↑')
+    .replace('ArrowDown', '↓')
 }
 
 /** Keys that the browser keeps for itself; no command may have them. */

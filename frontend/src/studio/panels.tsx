@@ -16,6 +16,9 @@ import { PanelGuard } from './PanelGuard'
 // Plots and their library are a chunk of their own: the 3-D picture stands before it is here.
 const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPanel')).PlotPanel }))
 
+// So are the pages of the help.
+const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPanel')).HelpPanel }))
+
 function guarded(kind: PanelKind, Panel: ComponentType<IDockviewPanelProps>) {
   return function Guarded(props: IDockviewPanelProps) {
     useUnits()
@@ -40,4 +43,5 @@ export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> =
   jog: guarded('jog', JogPanel),
   signals: guarded('signals', SignalsPanel),
   cell: guarded('cell', CellPanel),
+  help: guarded('help', HelpPanel),
 }

@@ -1,5 +1,6 @@
 /** What the panels show of the studio and what changes rarely; numbers at 60 Hz never come here. */
 import { createStore, type StoreApi } from 'zustand/vanilla'
+import type { HelpTopic } from '../help/topics'
 import type { SceneDescription } from '../scene/description'
 import type { ConnectionState } from '../wire/connection'
 import type { LiveStatus, Notice, RunStatus, SignalStamped, TrustState } from '../wire/messages'
@@ -55,6 +56,8 @@ export interface StudioState {
   readonly selected: number | null
   readonly look: Look
   readonly notices: readonly ShownNotice[]
+  /** What the help panel shows. */
+  readonly help: HelpTopic
 }
 
 export const START: StudioState = {
@@ -83,6 +86,7 @@ export const START: StudioState = {
   selected: null,
   look: DEFAULT_LOOK,
   notices: [],
+  help: 'keys',
 }
 
 export type StudioStore = StoreApi<StudioState>

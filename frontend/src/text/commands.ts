@@ -6,6 +6,12 @@ export const commandWords = {
   undo: 'Undo',
   redo: 'Redo',
   palette: 'All commands and keys …',
+  help: {
+    keys: 'Help: keys',
+    language: 'Help: language',
+    cell: 'Help: cell file',
+    commands: 'Help: command line',
+  },
   panel: (name: string) => `Panel: ${name}`,
   maximise: 'Maximise or restore panel',
   nextPanel: 'Next panel',

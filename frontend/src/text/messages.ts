@@ -12,6 +12,7 @@ export const words = {
     jog: 'Jog',
     signals: 'Signals',
     cell: 'Cell',
+    help: 'Help',
   },
   connection: {
     connecting: 'Connecting …',
