@@ -71,12 +71,14 @@ def test_an_angle_is_turned_where_only_another_turn_is_within_the_limits() -> No
     assert all(reaches(q, REACHED) for q in result.solutions)
 
 
-def test_a_coordinate_on_its_limit_is_a_solution_exactly_on_it() -> None:
-    q = np.array([radians(160.0), 1.0, -2.8, 0.2, -0.8, 0.1])
+@pytest.mark.parametrize("rounding", [-1e-10, 1e-10])
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_coordinate_on_its_limit_is_a_solution_whatever_its_rounding(side: float, rounding: float) -> None:
+    q = np.array([side * radians(160.0) + rounding, 1.0, -2.8, 0.2, -0.8, 0.1])
     result = inverse(PUMA, kinematics.forward(PUMA, q))
     nearest = result.solutions[np.abs(result.solutions - q).max(axis=1).argmin()]
     np.testing.assert_allclose(nearest, q, atol=1e-9)
-    assert nearest[0] <= PUMA.upper_limits[0]
+    assert PUMA.lower_limits[0] <= nearest[0] <= PUMA.upper_limits[0]
 
 
 def test_ignored_limits_give_all_branches_and_no_turns() -> None:

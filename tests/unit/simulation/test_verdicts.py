@@ -31,6 +31,7 @@ def test_an_arm_at_rest_breaks_no_limit() -> None:
         ("current", 41, 2, 9.5, "S731"),
         ("qd", 42, 0, 2.0, "S732"),
         ("q", 43, 5, 5.0, "S733"),
+        ("q", 43, 5, -5.0, "S733"),
         ("q_error", 44, 3, -0.11, "S735"),
     ],
 )
@@ -50,6 +51,8 @@ def test_a_servo_may_overshoot_the_speed_limit_by_two_per_cent() -> None:
     channels = quiet()
     channels["qd"].values[10, 0] = 1.019 * ROBOT.max_speeds[0]
     assert verdicts(CELL, TIME, channels, "a.task") == ()
+    channels["qd"].values[10, 0] = 1.021 * ROBOT.max_speeds[0]
+    assert [found.code for found in verdicts(CELL, TIME, channels, "a.task")] == ["S732"]
 
 
 def test_full_voltage_counts_only_when_it_lasts() -> None:

@@ -14,8 +14,6 @@ from ropsim.studio.session import Session
 from ropsim.studio.tab import Tab
 from support.patience import PATIENCE
 
-"""Longer than any answer takes, so that a broken test ends [s]."""
-
 
 class Page:
     """A tab whose messages are read as they are sent."""
@@ -116,6 +114,35 @@ def test_an_edit_is_known_to_all_and_simulated(folder: Path) -> None:
         done = await first.hear("run", state="done", id=2)
         assert first.session.runs.pack(done["id"]) == b"new\n|0"
         assert (folder / "programs" / "main.task").read_text("utf-8") == "x\n"  # nothing was saved
+
+    in_session(folder, play)
+
+
+def test_a_tab_that_comes_later_hears_of_scene_and_run(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.hear("run", state="done", id=1)
+        second = await page("b")
+        await second.hear("scene")
+        await second.hear("run", state="done", id=1)
+
+    in_session(folder, play)
+
+
+def test_a_request_that_fails_is_told_and_the_next_one_is_answered(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_: object) -> None:
+        raise ZeroDivisionError("made up")
+
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        with monkeypatch.context() as patch:
+            patch.setattr("ropsim.studio.runs.Runs.cancel", fail)
+            await first.say(type="cancel")
+        assert "ZeroDivisionError: made up" in (await first.hear("notice"))["text"]
+        await first.say(type="run", program="main", fidelity="kinematic")
+        await first.hear("run", state="done", id=2)
 
     in_session(folder, play)
 

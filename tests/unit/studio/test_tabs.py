@@ -6,8 +6,6 @@ from ropsim.studio.tab import MOST_WAITING, Tab
 from ropsim.studio.tabs import GRACE, Tabs
 from support.patience import PATIENCE
 
-"""So that a broken test ends [s]."""
-
 
 class Clock:
     """A clock that is put forward by hand."""

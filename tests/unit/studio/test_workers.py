@@ -14,7 +14,6 @@ from ropsim.studio.workers import WorkerLink
 from support.patience import PATIENCE
 
 TOY = "support.toy_worker:main"
-"""Longer than any answer takes, so that a broken test ends [s]."""
 
 
 def with_link(folder: Path, use: Callable[[WorkerLink], Awaitable[None]]) -> list[str]:
