@@ -88,7 +88,7 @@ def test_icr_can_be_compiled_verified_and_run(tmp_path: Path) -> None:
     assert ropsim("icr", "verify", str(code)).returncode == 0
     found = ropsim("icr", "run", str(code))
     assert found.returncode == 0
-    assert "72 moves, 72 grips" in found.stdout
+    assert "72 moves, 72 gripper actions" in found.stdout
 
 
 def test_a_wrong_task_name_is_answered_in_the_words_of_the_paper(project: Path) -> None:

@@ -46,6 +46,14 @@ def test_a_section_names_every_option_of_its_command(name: str) -> None:
     assert [option for option in sorted(options - general) if f"{option}" not in sections()[name]] == []
 
 
+@pytest.mark.parametrize("name", sorted(sections()))
+def test_the_help_of_a_command_explains_each_of_its_arguments(name: str) -> None:
+    parser = dict(commands(build_parser()))[name]
+    assert parser.format_help().startswith(f"usage: {name} ")
+    told = [action for action in parser._actions if not isinstance(action, argparse._SubParsersAction)]
+    assert [action.dest for action in told if not action.help] == []
+
+
 def test_the_examples_print_what_the_manual_shows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -3,6 +3,7 @@
 import argparse
 
 from ropsim.cli.output import Output
+from ropsim.views import count_text
 from ropsim.workbench import open_project
 from ropsim.workbench.diagnostic_json import diagnostic_document
 
@@ -14,7 +15,8 @@ def check(options: argparse.Namespace, output: Output) -> int:
     code = output.findings(compiled.diagnostics, project.texts)
     if code == 0:
         names = ", ".join(sorted(compiled.programs)) or "no program"
-        output.text(f"checked {names}: no errors")
+        others = f", {count_text(compiled.diagnostics)}" if compiled.diagnostics else ""
+        output.text(f"checked {names}: no errors{others}")
     output.document(
         {"ok": code == 0, "programs": sorted(compiled.programs), **diagnostic_document(compiled.diagnostics)}
     )

@@ -57,8 +57,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         return 1
     trace = icr.run(compiled.icr)
     lines = [instruction_text(one) for one in trace.instructions]
-    output.text("\n".join(lines))
-    output.text(f"{len(trace.moves)} moves, {len(trace.grips)} grips, {trace.steps} instructions executed")
+    output.text("\n".join([" line pass  instruction", *lines]))
+    output.text(f"{len(trace.moves)} moves, {len(trace.grips)} gripper actions; {trace.steps} machine steps")
     traps: tuple[Diagnostic, ...] = (trace.trap,) if trace.trap else ()
     code = _report(project, traps, output)
     output.document(

@@ -31,9 +31,8 @@ class _Branch:
 def ik(options: argparse.Namespace, output: Output) -> int:
     """Print every joint vector that reaches a pose: first those inside the limits, then those beyond."""
     robot = robots.load(options.name)
-    x, y, z, roll, pitch, yaw = options.pose
-    turn = from_zyx(math.radians(yaw), math.radians(pitch), math.radians(roll))
-    pose = Pose(np.array([x, y, z]) / 1e3, np.array(turn))
+    turn = from_zyx(*(math.radians(angle) for angle in (options.yaw, options.pitch, options.roll)))
+    pose = Pose(np.array([options.x, options.y, options.z]) / 1e3, np.array(turn))
     result = kinematics.inverse(robot, pose)
     beyond = list(_beyond(robot, kinematics.inverse(robot, pose, _ALL)))
     inside = [_Branch(q, one) for q, one in zip(result.solutions, result.postures, strict=True)]

@@ -18,6 +18,10 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 """
 
 
+_PROGRAM = "a .task or .icr file, or a project: its program"
+_ROBOT = "name of a robot, see `ropsim robot list`"
+
+
 def build_parser() -> argparse.ArgumentParser:
     """Return the parser; each command's module is imported only when it runs."""
     parser = argparse.ArgumentParser(
@@ -105,36 +109,41 @@ def _icr(commands: Commands) -> None:
     )
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
     compile_ = _command(actions, "compile", "icr:compile_", "print the ICR of a task program")
-    compile_.add_argument("path", metavar="FILE.task")
+    compile_.add_argument("path", metavar="FILE.task", help=_PROGRAM)
     compile_.add_argument("-o", "--output", metavar="FILE.icr", help="write to a file instead")
     verify = _command(actions, "verify", "icr:verify", "check an ICR program against rules V1 to V9")
-    verify.add_argument("path", metavar="FILE")
+    verify.add_argument("path", metavar="FILE", help=_PROGRAM)
     run = _command(
         actions, "run", "icr:run", "execute an ICR program without a robot and print its instructions"
     )
-    run.add_argument("path", metavar="FILE")
+    run.add_argument("path", metavar="FILE", help=_PROGRAM)
 
 
 def _robot(commands: Commands) -> None:
-    group = commands.add_parser("robot", help="list, show and move robot models", description="Robot models.")
+    group = commands.add_parser(
+        "robot",
+        help="show and check robot models, forward and inverse kinematics",
+        description="Robot models: what they are made of, and their kinematics.",
+    )
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
     _command(actions, "list", "robot:list_", "list the built-in robots")
-    show = _command(
-        actions, "show", "robot:show", "print joints, limits, drives and where the numbers come from"
-    )
-    show.add_argument("name", metavar="NAME")
+    show = _command(actions, "show", "robot:show", "print joints, limits and where the numbers come from")
+    show.add_argument("name", metavar="NAME", help=_ROBOT)
     audit = _command(actions, "audit", "robot:audit", "say what is doubtful in a model")
-    audit.add_argument("name", metavar="NAME")
-    forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface")
-    forward.add_argument("name", metavar="NAME")
+    audit.add_argument("name", metavar="NAME", help=_ROBOT)
+    forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
+    forward.add_argument("name", metavar="NAME", help=_ROBOT)
     forward.add_argument(
         "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
     )
-    inverse = _command(actions, "ik", "ik:ik", "print all joint coordinates that reach a pose")
-    inverse.add_argument("name", metavar="NAME")
-    inverse.add_argument(
-        "pose", metavar="X", nargs=6, type=float, help="x y z in mm, roll pitch yaw in degrees (fixed XYZ)"
-    )
+    inverse = _command(actions, "ik", "ik:ik", "print every posture that reaches a pose of the flange")
+    inverse.add_argument("name", metavar="NAME", help=_ROBOT)
+    for name in ("x", "y", "z"):
+        inverse.add_argument(name, metavar=name.upper(), type=float, help="position in the base frame [mm]")
+    for name, axis in (("roll", "x"), ("pitch", "y"), ("yaw", "z")):
+        inverse.add_argument(
+            name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
+        )
 
 
 def _explain(commands: Commands) -> None:
@@ -165,7 +174,7 @@ def _trust(commands: Commands) -> None:
         "Controllers in Python, FMUs and the like stay inert until their project is trusted.",
     )
     parser.add_argument("path", metavar="PATH", help="project folder")
-    parser.add_argument("--revoke", action="store_true", help="trust it no more")
+    parser.add_argument("--revoke", action="store_true", help="trust it no longer")
 
 
 def _lsp(commands: Commands) -> None:

@@ -2,6 +2,7 @@
 
 import argparse
 import math
+import textwrap
 
 import numpy as np
 
@@ -22,6 +23,9 @@ WRONG_COUNT = define(
     "Give one number per joint: degrees for turning joints, millimetres for sliding ones.",
 )
 
+COLUMNS = 80
+"""Width to which sources are wrapped."""
+
 
 class JointCountError(RopsimError):
     """The command line gives too many or too few joint coordinates."""
@@ -39,21 +43,11 @@ def list_(options: argparse.Namespace, output: Output) -> int:
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a model."""
     robot = robots.load(options.name)
-    lines = [
-        f"{robot.name}: {robot.title}, {robot.n} axes",
-        "",
-        "joint  type       range                speed      acceleration  torque",
-    ]
-    for joint in robot.joints:
-        scale, unit = _display(joint.type)
-        lines.append(
-            f"{joint.name:6} {joint.type.value:10}"
-            f" {joint.lower * scale:7.1f} .. {joint.upper * scale:6.1f} {unit:4}"
-            f" {joint.max_speed * scale:7.1f} {unit}/s {joint.max_acceleration * scale:7.0f} {unit}/s²"
-            f" {_effort(joint)}"
-        )
+    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot)]
     lines += ["", "where the numbers come from"]
-    lines += [f"  {one.kind:10} {one.parameters}: {one.source}" for one in robot.origins]
+    for one in robot.origins:
+        text = f"  {one.kind:10} {one.parameters}: {one.source}"
+        lines += textwrap.wrap(text, COLUMNS, subsequent_indent=" " * 13, break_on_hyphens=False)
     output.text("\n".join(lines))
     output.document(
         {
@@ -81,7 +75,7 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     """Print the pose of the mechanical interface."""
     robot = robots.load(options.name)
     if len(options.q) != robot.n:
-        message = f"`{robot.name}` has {robot.n} joints, {len(options.q)} coordinates were given"
+        message = f"`{robot.name}` has {robot.n} joints, given: {len(options.q)}"
         raise JointCountError(WRONG_COUNT.at(None, message))
     pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
     x, y, z = (shown(1e3 * float(c), 3) for c in pose.position)
@@ -92,10 +86,34 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     return 0
 
 
+def _joint_rows(robot: RobotModel) -> list[str]:
+    """Return a table of the joints with its header: numbers aligned right below their titles."""
+    rows = [("joint", "type", "lower", "upper", "speed", "acceleration", "torque or force")]
+    for joint in robot.joints:
+        scale, unit = _display(joint.type)
+        rows.append(
+            (
+                joint.name,
+                joint.type.value,
+                f"{joint.lower * scale:.1f} {unit}",
+                f"{joint.upper * scale:.1f} {unit}",
+                f"{joint.max_speed * scale:.1f} {unit}/s",
+                f"{joint.max_acceleration * scale:.0f} {unit}/s²",
+                _effort(joint),
+            )
+        )
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return ["  ".join(map(_cell, row, widths, "<<>>>>>")) for row in rows]
+
+
+def _cell(text: str, width: int, side: str) -> str:
+    return f"{text:{side}{width}}"
+
+
 def _effort(joint: Joint) -> str:
     if not math.isfinite(joint.max_effort):
-        return "  unknown"
-    return f"{joint.max_effort:9.1f} {'N·m' if joint.type is JointType.REVOLUTE else 'N'}"
+        return "unknown"
+    return f"{joint.max_effort:.1f} {'N·m' if joint.type is JointType.REVOLUTE else 'N'}"
 
 
 def _display(kind: JointType) -> tuple[float, str]:

@@ -13,10 +13,8 @@ def trust(options: argparse.Namespace, output: Output) -> int:
     given = Trust.WITHHELD if options.revoke else Trust.GIVEN
     set_trust(folder, given)
     code = code_in(folder)
-    words = "no more trusted" if options.revoke else "trusted"
-    listed = "".join(f"\n  {name}" for name in code)
-    output.text(
-        f"{folder} is {words}; {len(code)} file{'s' * (len(code) != 1)} of code{':' * bool(code)}{listed}"
-    )
+    words = "no longer trusted" if options.revoke else "trusted"
+    listed = "its code:\n  " + "\n  ".join(code) if code else "there is no code in it"
+    output.text(f"{folder} is {words}; {listed}")
     output.document({"ok": True, "trusted": given is Trust.GIVEN, "code": list(code)})
     return 0

@@ -31,8 +31,9 @@ from ropsim.views.verdict import Verdict, verdict
 
 COLUMNS = 80
 _LEGEND = (
-    "  largest torque and speed and their share of the limit: ! from 90 %, !! beyond",
-    "  (speeds by more than 2 %); lag: largest reference minus attained coordinate",
+    "  largest torque and speed, their share of the limit: ! from 90 %, !! beyond it",
+    "  (speeds by more than 2 %); range left: least distance to the end of a joint's",
+    "  range, and the line; lag: largest reference minus attained coordinate",
 )
 
 NAMES = 24
@@ -79,7 +80,7 @@ def _time(summary: Summary, style: Style) -> list[str]:
     invalid = "" if summary.cycle_time_valid else "  " + paint("! not valid, see above", Tone.ERROR, style)
     return [
         f"cycle time   {seconds(summary.cycle_time)} s{invalid}",
-        f"in motion    {percent(summary.share_in_motion)} of it (a joint reference speed above 1e-6 rad/s)",
+        f"in motion    {percent(summary.share_in_motion)} of the cycle time",
         *_settling(summary),
         f"moves        {moves}; {plural(summary.grips, 'grip')}, {plural(summary.releases, 'release')}",
     ]
@@ -123,10 +124,10 @@ def _joints(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
     title = (
         "joint",
         f"torque {joined_units(map(effort_scale, types))}",
-        "limit",
+        "share",
         f"speed {joined_units(map(speed_scale, types))}",
-        "limit",
-        f"nearest limit {joined_units(map(coordinate_scale, types))}",
+        "share",
+        f"range left {joined_units(map(coordinate_scale, types))}",
         "line",
         f"lag {joined_units(map(coordinate_scale, types))}",
     )
