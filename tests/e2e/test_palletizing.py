@@ -36,7 +36,7 @@ def test_boxes_are_set_down_on_the_6_by_6_pattern(recording: Recording) -> None:
     pallet = cell.frames["pallet"]
     times = [event.time for event in recording.events if event.kind == "release"]
     tcp = recording.channels["attained_position"].values[np.searchsorted(recording.time, times)]
-    slots = [[0.07 * i, 0.07 * j, 0.04] for i in range(6) for j in range(6)]
+    slots = [[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)]
     expected = np.array([pallet.position + pallet.rotation() @ np.array(slot) for slot in slots])
     order = [int(np.argmin(np.linalg.norm(expected - point, axis=1))) for point in tcp]
     assert sorted(order) == list(range(36))
@@ -47,7 +47,7 @@ def test_infeed_and_pallet_centre_are_half_a_metre_apart() -> None:
     cell = ropsim.open(CELL).cell
     assert cell is not None
     centre = cell.frames["pallet"].position + cell.frames["pallet"].rotation() @ np.array(
-        [0.175, 0.175, 0.04]
+        [0.1875, 0.1875, 0.04]
     )
     assert float(np.linalg.norm(cell.locations["infeed"].position - centre)) >= 0.5
 

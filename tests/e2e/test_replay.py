@@ -135,7 +135,7 @@ def test_all_boxes_stand_on_the_pallet_at_the_end(open_page: Pages, palletizing:
     shown = poses(page)
     boxes = np.array([shown[f"box_{k}"][:3] for k in range(1, 37)])
     local = (boxes - X_WP.position) @ X_WP.rotation()
-    slots = np.array([[0.07 * i, 0.07 * j, 0.04] for i in range(6) for j in range(6)])
+    slots = np.array([[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)])
     distances = np.linalg.norm(local[:, None] - slots[None], axis=2)
     assert np.max(np.min(distances, axis=1)) < PLACING
     assert sorted(np.argmin(distances, axis=1)) == list(range(36))

@@ -235,10 +235,10 @@ def test_an_edit_of_the_cell_moves_its_things(fresh: StudioPage, first_cell: Pat
     shown = fresh.state()["shown"]
     fresh.document("cell.toml")
     cell = (first_cell / "cell.toml").read_text("utf-8")
-    fresh.write(cell.replace("position = [600, -250, 420]", "position = [600, -150, 420]"))
+    fresh.write(cell.replace("position = [500, -300, 560]", "position = [500, -200, 560]"))
     fresh.rerun(shown)
     fresh.seek(fresh.state()["duration"])
-    assert fresh.poses()["box"][:3] == pytest.approx([0.6, -0.15, 0.42], abs=PLACING)
+    assert fresh.poses()["box"][:3] == pytest.approx([0.5, -0.2, 0.56], abs=PLACING)
 
 
 def test_only_saving_writes_the_file(fresh: StudioPage, first_cell: Path) -> None:

@@ -147,7 +147,7 @@ def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
     page.page.keyboard.type('"')
     page.rerun(0)
     page.page.locator(".stage-words").wait_for(state="detached")
-    assert page.poses()["box"][:3] == pytest.approx([0.6, 0.25, 0.42], abs=UNSEEN)
+    assert page.poses()["box"][:3] == pytest.approx([0.5, 0.3, 0.56], abs=UNSEEN)
 
 
 def test_a_cell_that_breaks_keeps_its_last_good_picture(

@@ -10,6 +10,7 @@ from ropsim import robots
 from ropsim.kinematics import joint_frames
 from ropsim.model import Shape
 from ropsim.spatial import Array
+from support.arm_capsules import PUMA_CAPSULES, Capsule
 from support.solids import STEP, surface_points
 
 POSTURES = 4
@@ -78,3 +79,19 @@ def test_shapes_are_opaque_and_of_written_colours(name: str) -> None:
 def test_the_geometry_is_said_to_be_estimated() -> None:
     (origin,) = [origin for origin in robots.load("puma560").origins if origin.parameters == "geometry"]
     assert origin.kind == "estimated"
+
+
+def test_all_that_is_drawn_of_the_links_of_the_puma_lies_in_its_capsules() -> None:
+    for number, (link, capsules) in enumerate(
+        zip(robots.load("puma560").links, PUMA_CAPSULES, strict=True), start=1
+    ):
+        cloud = points_of(link.shapes)
+        outside = np.min([from_capsule(cloud, one) for one in capsules], axis=0)
+        assert outside.max() < 1e-9, f"link {number}"
+
+
+def from_capsule(points: Array, capsule: Capsule) -> Array:
+    start, end = np.array(capsule.start), np.array(capsule.end)
+    share = np.clip((points - start) @ (end - start) / ((end - start) @ (end - start)), 0.0, 1.0)
+    apart: Array = np.linalg.norm(points - start - share[:, np.newaxis] * (end - start), axis=1)
+    return apart - capsule.radius
