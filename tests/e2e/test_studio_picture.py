@@ -82,7 +82,7 @@ def test_smooth_shading_is_seen_to_differ_from_flat(tab: StudioPage) -> None:
 
 def test_bodies_throw_shadows_unless_these_are_switched_off(tab: StudioPage) -> None:
     with_shadows = picture(tab.view("Perspective"))
-    look = tab.page.locator("details.drop", has_text="Key light")
+    look = tab.page.locator("details.drop", has_text="Ambient light")
     look.locator("summary").click()
     look.get_by_role("checkbox", name="Shadows").uncheck()
     look.locator("summary").click()
@@ -97,7 +97,7 @@ def test_bodies_throw_shadows_unless_these_are_switched_off(tab: StudioPage) -> 
 
 def test_the_path_is_drawn_on_demand_as_last_seconds_or_whole(tab: StudioPage, first_run: Recording) -> None:
     tab.seek(0.7 * first_run.duration)
-    look = tab.page.locator("details.drop", has_text="Key light")
+    look = tab.page.locator("details.drop", has_text="Ambient light")
     drawn = {}
     for path in ("none", "recent", "all"):
         look.locator("summary").click()
@@ -113,18 +113,18 @@ def test_the_path_is_drawn_on_demand_as_last_seconds_or_whole(tab: StudioPage, f
 
 
 def test_a_ghost_never_covers_the_arm(tab: StudioPage) -> None:
-    alone = picture(tab.view("Front"))
+    alone = picture(tab.view("Top"))
     tab.line(6).click()
     tab.ghost_of(6)
     tab.drawn()
-    assert np.abs(picture(tab.view("Front")) - alone).max() > SEEN
+    assert np.abs(picture(tab.view("Top")) - alone).max() > SEEN
     # Where arm and ghost stand in the same place there is nothing of the ghost to be seen.
     tab.page.get_by_role("button", name="Go there").click()
     tab.drawn()
-    both = picture(tab.view("Front"))
+    both = picture(tab.view("Top"))
     tab.page.get_by_role("button", name="Hide the ghost").click()
     tab.drawn()
-    assert np.mean(np.abs(both - picture(tab.view("Front"))).max(axis=2) > UNSEEN) < 0.001
+    assert np.mean(np.abs(both - picture(tab.view("Top"))).max(axis=2) > UNSEEN) < 0.001
 
 
 def test_there_is_one_bar_of_the_ghost(tab: StudioPage) -> None:

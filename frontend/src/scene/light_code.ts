@@ -34,7 +34,7 @@ vec3 room(vec3 r, float gloss) {
   float soft = 0.5 * (1.0 - gloss);
   float wall = smoothstep(-0.15 - soft, 0.15 + soft, r.z);
   float band = smoothstep(0.1 - soft, 0.5, r.z) * (1.0 - smoothstep(0.72, 0.95 + soft, r.z));
-  return vec3(mix(0.10, 0.34, wall) + 0.85 * band * (0.72 + 0.28 * r.x));
+  return vec3(mix(0.10, 0.36, wall) + 1.1 * band * (0.72 + 0.28 * r.x));
 }
 void lightOn(vec3 colour, vec3 n, vec3 v, float gloss, float metal, out vec3 still, out vec3 sun) {
   float facing = max(dot(n, v), 0.0);
@@ -46,10 +46,11 @@ void lightOn(vec3 colour, vec3 n, vec3 v, float gloss, float metal, out vec3 sti
   if (gloss <= 0.0) return;
   vec3 mirror = mix(vec3(0.04), colour, metal);
   mirror += (1.0 - mirror) * gloss * pow(1.0 - facing, 5.0);
-  still += ambient * mirror * room(reflect(-v, n), gloss) * mix(gloss, 1.0, metal);
+  still += ambient * mirror * room(reflect(-v, n), gloss);
   float sharp = exp2(2.0 + 7.0 * gloss);
   float shine = pow(max(dot(n, normalize(direction + v)), 0.0), sharp) * (sharp + 8.0) * 0.04;
-  sun += mix(vec3(0.04), colour, metal) * (key * 0.55 * gloss * lit * shine);
+  // The key light falls upon a surface with pi times what it is seen with after Lambert.
+  sun += mix(vec3(0.04), colour, metal) * (key * 1.7 * lit * shine);
 }`
 
 /** Towards the eye from a place of W. */

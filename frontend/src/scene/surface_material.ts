@@ -1,4 +1,4 @@
-/** How surfaces are painted: one light for each face (flat), at corners (Gouraud), or at each pixel (smooth). */
+/** How surfaces are painted: one tone for each face (flat), light at corners (Gouraud), or at each pixel (smooth). */
 import { ShaderMaterial } from 'three'
 import { LIGHT, SHADOW, TO_EYE } from './light_code'
 import type { LightRig } from './light_rig'
@@ -12,9 +12,7 @@ const VERTEX = /* glsl */ `
 attribute vec4 finish;
 varying vec3 place;
 #ifdef AT_CORNERS
-  varying vec3 still;
-  varying vec3 sun;
-  varying vec3 lifted;
+  varying vec3 shown;
   ${LIGHT}
   ${TO_EYE}
 #else
@@ -33,8 +31,9 @@ void main() {
   vec3 n = normalize(mat3(body) * normal);
   place = world.xyz;
   #ifdef AT_CORNERS
+    vec3 still, sun;
     lightOn(color.rgb, n, toEye(place), finish.x, finish.y, still, sun);
-    lifted = place + ${LIFT} * n;
+    shown = still + sun;
   #else
     tone = color.rgb;
     normalAt = n;
@@ -49,11 +48,8 @@ void main() {
 const FRAGMENT = /* glsl */ `
 uniform float opacity;
 varying vec3 place;
-${SHADOW}
 #ifdef AT_CORNERS
-  varying vec3 still;
-  varying vec3 sun;
-  varying vec3 lifted;
+  varying vec3 shown;
 #else
   varying vec3 tone;
   varying vec3 normalAt;
@@ -61,6 +57,7 @@ ${SHADOW}
   varying vec4 fibre;
   ${LIGHT}
   ${TO_EYE}
+  ${SHADOW}
   // Fibres and rings, fading where they would be finer than pixels.
   float grain(vec3 p) {
     float turn = sin(9.0 * p.x + 5.0 * p.z) + 0.6 * sin(23.0 * p.x + 40.0 * p.y);
@@ -71,20 +68,19 @@ ${SHADOW}
   }
 #endif
 void main() {
-  #ifdef AT_CORNERS
-    vec3 shown = still + sun * shadowAt(lifted);
-  #else
+  #ifndef AT_CORNERS
     vec3 still, sun;
     #ifdef BY_FACES
       vec3 n = normalize(cross(dFdx(place), dFdy(place)));
       lightOn(tone, n, eyeAxis(), 0.0, 0.0, still, sun);
+      vec3 shown = still + sun;
     #else
       vec3 n = normalize(gl_FrontFacing ? normalAt : -normalAt);
       vec3 colour = tone;
       if (fibre.w > 0.5) colour *= 1.0 + grain(fibre.xyz);
       lightOn(colour, n, toEye(place), gloss.x, gloss.y, still, sun);
+      vec3 shown = still + sun * shadowAt(place + ${LIFT} * n);
     #endif
-    vec3 shown = still + sun * shadowAt(place + ${LIFT} * n);
   #endif
   gl_FragColor = vec4(shown, opacity);
   #include <colorspace_fragment>
