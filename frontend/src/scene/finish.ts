@@ -15,7 +15,7 @@ export const FINISHES: Record<Material, Finish> = {
   steel: { gloss: 0.62, metal: 0.85, grain: false },
   wood: { gloss: 0.18, metal: 0, grain: true },
   cardboard: { gloss: 0.05, metal: 0, grain: false },
-  rubber: { gloss: 0.2, metal: 0, grain: false },
+  rubber: { gloss: 0.1, metal: 0, grain: false },
   glass: { gloss: 0.95, metal: 0, grain: false },
 }
 

@@ -22,7 +22,7 @@ import { tier } from './tier'
 export const CASTERS = 1
 
 /** Samples along each edge of the map. */
-const SIZE = { none: 1, soft: 1024, full: 2048 } as const
+const SIZE = { none: 1, soft: 768, full: 2048 } as const
 
 /** Room about the box that throws shadows [m]. */
 const MARGIN = 0.05
