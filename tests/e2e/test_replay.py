@@ -207,7 +207,7 @@ def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages
     seek(page, 0.7 * first.recording.duration)
     stage, shown = page.locator(".replay-stage"), {}
     for path in ("none", "recent", "all"):
-        page.get_by_label("Path of the tool").select_option(path)
+        page.locator(".replay-switches select").select_option(path)
         page.wait_for_function("() => __ropsim.stats().pending === 0")
         shown[path] = read_png(stage.screenshot())
     seen = {path: np.sum(np.abs(shown[path] - shown["none"]).max(axis=2) > SEEN) for path in shown}

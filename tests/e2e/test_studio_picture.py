@@ -167,6 +167,18 @@ def test_nothing_of_hidden_views_is_seen(tab: StudioPage) -> None:
     tab.page.get_by_role("button", name="Restore size: Program").click()
 
 
+def test_the_picture_comes_back_after_the_graphics_were_lost(tab: StudioPage) -> None:
+    before = picture(tab.view("Perspective"))
+    message = tab.page.get_by_text("The graphics driver has stopped")
+    lose = "() => { window.lost = document.querySelector('.stage-canvas').getContext('webgl2')"
+    tab.page.evaluate(lose + ".getExtension('WEBGL_lose_context'); lost.loseContext() }")
+    message.wait_for()
+    tab.page.evaluate("() => lost.restoreContext()")
+    message.wait_for(state="hidden")
+    tab.drawn()
+    assert np.array_equal(picture(tab.view("Perspective")), before)
+
+
 def test_a_body_is_hidden_and_comes_back_with_undo(tab: StudioPage) -> None:
     assert redness(tab) > ORANGE
     tab.panel("Cell").get_by_role("checkbox", name="Show box").uncheck()
