@@ -128,8 +128,8 @@ def test_a_ghost_never_covers_the_arm(tab: StudioPage) -> None:
 
 
 def test_there_is_one_bar_of_the_ghost(tab: StudioPage) -> None:
-    tab.line(6).click()
-    tab.ghost_of(6)
+    tab.line(7).click()
+    tab.ghost_of(7)
     assert tab.page.get_by_role("button", name="Hide the ghost").count() == 1
     assert tab.page.get_by_role("button", name="Go there").count() == 1
 
