@@ -38,8 +38,8 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return _simulate(connection, request.number, job)
         case jobs.LiveStart() as job:
             return _live(connection, request.number, job)
-        case jobs.SaveRun(kept):
-            return jobs.SavedRun(f"recording {kept}".encode(), b"[]")
+        case jobs.SaveRun(kept, form):
+            return jobs.SavedRun(f"{form} {kept}".encode())
         case jobs.JogJoints(q, _):
             return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
         case _:

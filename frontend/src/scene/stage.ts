@@ -14,6 +14,7 @@ import type {
   PathWindow,
   PickListener,
   Point,
+  Preset,
   Shading,
   StageOptions,
   StageProblem,
@@ -188,6 +189,20 @@ export class Stage {
   /** Every viewport back to its own direction of view, all in sight. */
   home(): void {
     for (const view of this.#screen.views) view.pilot.home(this.#scenery.homePoints())
+  }
+
+  /** Turn the view that has the keyboard, or the first one, to a direction. */
+  look(preset: Exclude<Preset, 'custom'>): void {
+    const { shown } = this.#screen
+    const view = shown.find(one => one.element.contains(document.activeElement)) ?? shown[0]
+    view?.pilot.look(preset)
+  }
+
+  /** What is drawn, as a PNG image; null where nothing can be drawn. */
+  async image(): Promise<Blob | null> {
+    this.#screen.drawAll()
+    const canvas = this.host.querySelector('canvas')
+    return canvas ? new Promise(resolve => canvas.toBlob(resolve, 'image/png')) : null
   }
 
   /** Text twin of the picture for people who do not see it; at most once a second. */

@@ -6,6 +6,7 @@ import { Banners } from './Banners'
 import { addCommands } from './builtin_commands'
 import { useStudio, useStudioState } from './context'
 import { Dock } from './dock'
+import { FileDialog } from './FileDialog'
 import { GroupActions } from './GroupActions'
 import { MenuBar } from './MenuBar'
 import { Notices } from './Notices'
@@ -84,6 +85,7 @@ export function Shell() {
         <StatusBar />
       </footer>
       <Notices />
+      <FileDialog />
       {palette ? <Palette onClose={closePalette} /> : null}
     </div>
   )

@@ -1,5 +1,6 @@
 /** What the user has chosen for every project on this machine: light or dark, units. */
 import { setTheme, THEMES, type Theme } from '../style/scheme'
+import { ANGLES, LENGTHS, METRIC, setUnits, type UnitChoice } from '../units/choice'
 import { ProjectStorage } from './storage'
 
 const storage = new ProjectStorage('*')
@@ -8,9 +9,19 @@ const storage = new ProjectStorage('*')
 export function restoreSettings(): void {
   const theme = storage.read('theme')
   setTheme(THEMES.find(one => one === theme) ?? 'system')
+  const kept = storage.read('units') as Partial<UnitChoice> | null
+  setUnits({
+    length: LENGTHS.find(one => one === kept?.length) ?? METRIC.length,
+    angle: ANGLES.find(one => one === kept?.angle) ?? METRIC.angle,
+  })
 }
 
-export function chooseTheme(theme: Theme): void {
+export function keepTheme(theme: Theme): void {
   setTheme(theme)
   storage.write('theme', theme)
+}
+
+export function keepUnits(units: UnitChoice): void {
+  setUnits(units)
+  storage.write('units', units)
 }

@@ -26,6 +26,8 @@ const WELCOME: Welcome = {
   documents: [document('cell.toml'), document('programs/pick.task'), document('programs/place.task')],
   editing: true,
   trust: { trusted: false, code: [] },
+  recent: [],
+  examples: [],
 }
 const sceneMessage = (shown: SceneDescription | null): Message => ({
   type: 'scene',

@@ -58,19 +58,36 @@ export class Receiver {
 
   #welcome(message: Welcome): void {
     const studio = this.#studio
+    if (this.#folder !== null && this.#folder !== message.folder) {
+      // Another project has taken the place of this one: nothing of the page belongs to it.
+      location.reload()
+      return
+    }
     if (this.#folder !== message.folder) {
       studio.storage = new ProjectStorage(message.folder)
       studio.setLook(lookFrom(studio.storage.read('look')))
     }
     this.#folder = message.folder
-    const { ropsim, project, folder, programs, program, editing, trust } = message
+    const { ropsim, project, folder, programs, program, editing, trust, recent, examples } = message
     studio.desk.documents.welcome(message.documents)
     // What there is of a live run is told anew after this.
     const over = { live: null, following: false }
-    studio.store.setState({ ropsim, project, folder, programs, program, editing, trust, ...over })
+    studio.store.setState({
+      ropsim,
+      project,
+      folder,
+      programs,
+      program,
+      editing,
+      trust,
+      recent,
+      examples,
+      ...over,
+    })
     const first = message.documents.find(one => one.name.includes(`/${program}.`)) ?? message.documents[0]
     if (!studio.store.getState().document) studio.store.setState({ document: first?.name ?? '' })
     studio.desk.sync()
+    studio.desk.showWanted()
     studio.desk.flush()
     studio.jog.reconnected()
     const recovered = message.documents.filter(one => one.recovered).map(one => one.name)
@@ -103,6 +120,7 @@ export class Receiver {
     // Findings of the run before stay until the new ones are there; those of a finished run come with it.
     if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
     if (status.planned || status.state === 'refused') studio.setFindings('run', [])
+    if (status.state === 'done') studio.store.setState({ finished: status.id })
     if (status.state === 'done') void studio.runs.take(status.id, texts)
     const { run } = studio
     if (run && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')

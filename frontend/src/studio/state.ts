@@ -3,7 +3,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla'
 import type { HelpTopic } from '../help/topics'
 import type { SceneDescription } from '../scene/description'
 import type { ConnectionState } from '../wire/connection'
-import type { LiveStatus, Notice, RunStatus, SignalStamped, TrustState } from '../wire/messages'
+import type { LiveStatus, Notice, RunStatus, SignalStamped, TrustState, Welcome } from '../wire/messages'
 import type { StudioDocument } from './documents'
 import { DEFAULT_LOOK, type Look } from './look'
 import type { Problem } from './problems'
@@ -21,6 +21,9 @@ export interface GhostLine {
 export interface ShownNotice extends Notice {
   readonly id: number
 }
+
+/** What the File menu asks for. */
+export type DialogKind = 'newProject' | 'openProject' | 'recent' | 'newProgram' | 'saveAs'
 
 export interface StudioState {
   readonly connection: ConnectionState
@@ -58,6 +61,12 @@ export interface StudioState {
   readonly notices: readonly ShownNotice[]
   /** What the help panel shows. */
   readonly help: HelpTopic
+  /** The newest run that the server has as files; 0 for none. */
+  readonly finished: number
+  readonly dialog: DialogKind | null
+  /** Folders of the projects that were open last. */
+  readonly recent: readonly string[]
+  readonly examples: Welcome['examples']
 }
 
 export const START: StudioState = {
@@ -87,6 +96,10 @@ export const START: StudioState = {
   look: DEFAULT_LOOK,
   notices: [],
   help: 'keys',
+  finished: 0,
+  dialog: null,
+  recent: [],
+  examples: [],
 }
 
 export type StudioStore = StoreApi<StudioState>

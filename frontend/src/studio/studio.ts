@@ -6,7 +6,10 @@ import { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
 import type { Timeline } from '../run/timeline'
 import { Transport } from '../run/transport'
+import { type Theme, theme } from '../style/scheme'
+import { newProgramText } from '../text/files'
 import { words } from '../text/messages'
+import { type UnitChoice, units } from '../units/choice'
 import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
 import { Commands } from './commands'
@@ -18,6 +21,7 @@ import { driveLiveRuns } from './live_player'
 import type { Look } from './look'
 import { Loop } from './loop'
 import { Noticeboard } from './noticeboard'
+import { keepTheme, keepUnits } from './page_settings'
 import type { Pass } from './passes'
 import { Picture } from './picture'
 import type { Problem } from './problems'
@@ -156,6 +160,28 @@ export class Studio {
     this.send({ type: 'revert', document })
   }
 
+  /** Make a program with the usual head; its name is that of the file. */
+  newProgram(name: string): void {
+    this.desk.create(`programs/${name}.task`, newProgramText(name))
+  }
+
+  /** Keep the text of the shown program under a new name as well; the new one is shown from then on. */
+  saveAs(name: string): void {
+    const { document } = this.store.getState()
+    const ending = /\.[^.]*$/.exec(document)?.[0] ?? '.task'
+    this.desk.create(`programs/${name}${ending}`, this.text(document))
+  }
+
+  openProject(path: string): void {
+    this.desk.flush() // what was typed last belongs into the journal of this project
+    this.send({ type: 'open_project', path })
+  }
+
+  newProject(path: string, example: string): void {
+    this.desk.flush()
+    this.send({ type: 'new_project', path, example })
+  }
+
   takeOver(): void {
     this.send({ type: 'take_over' })
   }
@@ -262,6 +288,22 @@ export class Studio {
     const after = { ...before, ...change }
     if (name) this.undo.do({ name, undo: () => this.#apply(before), redo: () => this.#apply(after) })
     else this.#apply(after)
+  }
+
+  /** Show the page light or dark; with a way back. */
+  chooseTheme(next: Theme, name: string): void {
+    const before = theme()
+    this.undo.do({ name, undo: () => keepTheme(before), redo: () => keepTheme(next) })
+  }
+
+  /** Show numbers in other units; with a way back. */
+  chooseUnits(next: UnitChoice, name: string): void {
+    const before = units()
+    const apply = (choice: UnitChoice) => {
+      keepUnits(choice)
+      this.loop.mark()
+    }
+    this.undo.do({ name, undo: () => apply(before), redo: () => apply(next) })
   }
 
   #apply(look: Look): void {

@@ -19,6 +19,7 @@ export class TextDesk {
   readonly #send: (command: Command) => boolean
   readonly #warn: (text: string) => void
   readonly #outbox: Outbox
+  #wanted = ''
   readonly #places = new Set<(place: Place) => void>()
 
   constructor(store: StudioStore, send: (command: Command) => boolean, warn: (text: string) => void) {
@@ -53,6 +54,20 @@ export class TextDesk {
     this.flush()
     const sent = this.#send({ type: 'save', document, overwrite: disk === 'overwrite' })
     if (!sent) this.#warn(words.documents.notSaved)
+  }
+
+  /** Make a new program and show it as soon as it is there. */
+  create(document: string, text: string): void {
+    this.flush()
+    this.#wanted = this.#send({ type: 'create', document, text }) ? document : ''
+    if (!this.#wanted) this.#warn(words.documents.notSaved)
+  }
+
+  /** Show the program that was made, if it is there by now. */
+  showWanted(): void {
+    if (!this.documents.has(this.#wanted)) return
+    this.#store.setState({ document: this.#wanted })
+    this.#wanted = ''
   }
 
   /** Let the panels know of new names and marks. */

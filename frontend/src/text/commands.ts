@@ -1,8 +1,5 @@
 /** Titles of commands. */
 export const commandWords = {
-  save: 'Save',
-  saveAll: 'Save all',
-  revert: 'Revert to file',
   undo: 'Undo',
   redo: 'Redo',
   palette: 'All commands and keys …',
@@ -25,6 +22,10 @@ export const commandWords = {
   },
   reset: 'Reset the layout',
   shading: (name: string) => `Shading: ${name}`,
+  direction: (name: string) => `Look from: ${name}`,
+  themes: { system: 'Theme: as the system', light: 'Theme: light', dark: 'Theme: dark' },
+  lengths: { mm: 'Lengths in millimetres', m: 'Lengths in metres', in: 'Lengths in inches' },
+  angles: { deg: 'Angles in degrees', rad: 'Angles in radians' },
   trails: 'Show the TCP path',
   fit: 'Fit selection, or all',
   home: 'Reset the views',

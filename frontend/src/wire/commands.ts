@@ -32,6 +32,26 @@ export interface Revert {
   readonly document: string
 }
 
+/** Make a new program `programs/NAME.task` with a text; never over one that is there. */
+export interface Create {
+  readonly type: 'create'
+  readonly document: string
+  readonly text: string
+}
+
+/** Let another project take the place of this one; relative paths begin beside this project. */
+export interface OpenProject {
+  readonly type: 'open_project'
+  readonly path: string
+}
+
+/** Make a project from an example in a new folder and open it. */
+export interface NewProject {
+  readonly type: 'new_project'
+  readonly path: string
+  readonly example: string
+}
+
 /** Take the right to edit from another tab. */
 export interface TakeOver {
   readonly type: 'take_over'
@@ -107,6 +127,9 @@ export type Command =
   | Edit
   | Save
   | Revert
+  | Create
+  | OpenProject
+  | NewProject
   | TakeOver
   | RunNow
   | CancelRun

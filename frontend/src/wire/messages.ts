@@ -34,6 +34,10 @@ export interface Welcome {
   /** Whether this tab may edit; one tab at a time does. */
   readonly editing: boolean
   readonly trust: TrustState
+  /** Folders of other projects that were open last, newest first. */
+  readonly recent: readonly string[]
+  /** From which a project can be made. */
+  readonly examples: readonly { readonly name: string; readonly summary: string }[]
 }
 
 export interface TrustState {

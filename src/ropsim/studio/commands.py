@@ -6,6 +6,8 @@ import msgspec
 from msgspec import Meta, Struct
 
 Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
+Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
+"""A path that the user has typed."""
 Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
 """Whole numbers of a page; larger ones are not exact there."""
 Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
@@ -36,6 +38,26 @@ class Revert(Struct, frozen=True, tag_field="type", tag="revert"):
     """Give up unsaved text and read the file again."""
 
     document: Name
+
+
+class Create(Struct, frozen=True, tag_field="type", tag="create"):
+    """Make a new program `programs/NAME.task`, or `.icr`, with a text; never over one that is there."""
+
+    document: Name
+    text: str
+
+
+class OpenProject(Struct, frozen=True, tag_field="type", tag="open_project"):
+    """Let another project take the place of this one; relative paths begin beside this project."""
+
+    path: Place
+
+
+class NewProject(Struct, frozen=True, tag_field="type", tag="new_project"):
+    """Make a project from an example in a new folder and open it."""
+
+    path: Place
+    example: Name
 
 
 class TakeOver(Struct, frozen=True, tag_field="type", tag="take_over"):
@@ -111,6 +133,9 @@ Command: TypeAlias = (
     | Edit
     | Save
     | Revert
+    | Create
+    | OpenProject
+    | NewProject
     | TakeOver
     | RunNow
     | CancelRun

@@ -1,6 +1,8 @@
 """The texts of a project: edited in the page, saved when asked to, watched on the disk."""
 
 import asyncio
+import os
+import re
 import tomllib
 from collections.abc import Mapping
 from enum import Enum
@@ -9,6 +11,7 @@ from pathlib import Path, PurePosixPath
 from ropsim.core import Diagnostic, did_you_mean, replace_file
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
 from ropsim.studio.document import LARGEST, Document
+from ropsim.studio.line_ends import plain_lines
 from ropsim.studio.project_files import (
     CELL,
     PROGRAM_ENDINGS,
@@ -147,6 +150,31 @@ class Documents:
         document.saved(new)
         return None
 
+    async def create(self, name: str, text: str) -> tuple[Document | None, Diagnostic | None]:
+        """Make a new program in a file of its own; return why that was not possible instead."""
+        path = self._folder / name
+        if not _is_new_name(name):
+            hint = "names of programs have letters, digits, `_`, `-` and blanks"
+            return None, NOT_SAVED.at(None, f"`{name[:200]}` cannot be the name of a program", hint=hint)
+        if leaves_project(self._folder, path):
+            message = f"`{name}` would be outside of the project folder; it is not written"
+            return None, NOT_SAVED.at(None, message, hint="`programs` must be a folder of the project")
+        content = plain_lines(text).encode("utf-8", "replace")
+        if len(content) > LARGEST:
+            message = f"`{name}` would have more than {LARGEST / 1e6:.0f} MB"
+            return None, NOT_SAVED.at(None, message, hint="is this a program?")
+        async with self._disk:
+            if name in self._all or os.path.lexists(path):
+                message = f"there is a program `{name}` already; it is not written over"
+                return None, NOT_SAVED.at(None, message, hint="choose another name")
+            try:
+                await asyncio.to_thread(replace_file, path, content)
+            except OSError as error:
+                message = f"`{name}` cannot be written: {error.strerror or error}"
+                return None, NOT_SAVED.at(None, message, hint="nothing was made")
+            await self._look()
+        return self._all.get(name), None
+
     async def look(self) -> tuple[tuple[Document, ...], ListChange]:
         """Meet what other programs have done to the files.
 
@@ -198,6 +226,11 @@ def _is_name(name: str) -> bool:
     """Return whether a journal may name a document so: it never leads out of the project."""
     path = PurePosixPath(name)
     return name == CELL or (path.parts[:-1] == ("programs",) and path.suffix in PROGRAM_ENDINGS)
+
+
+def _is_new_name(name: str) -> bool:
+    """Return whether a new program may have a name; it never leads out of `programs`, on any system."""
+    return re.fullmatch(r"programs/\w[\w \-]{0,100}\.(task|icr)", name) is not None
 
 
 def _named_program(cell: str) -> str:

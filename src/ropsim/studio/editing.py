@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import TypeAlias
 
 from ropsim.core import Diagnostic
 from ropsim.studio import commands
@@ -15,6 +16,7 @@ from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.workbench import Journal
 
+TextCommand: TypeAlias = commands.Edit | commands.Save | commands.Revert | commands.Create
 LOOK = 1.0
 """Time between two looks at the files on the disk [s]."""
 
@@ -73,7 +75,7 @@ class Editing:
         """Keep what is unsaved, now."""
         await self._keeper.now()
 
-    async def handle(self, tab: Tab, command: commands.Edit | commands.Save | commands.Revert) -> None:
+    async def handle(self, tab: Tab, command: TextCommand) -> None:
         """Do what a tab wants done to a text, if it may."""
         if not self._tabs.may_edit(tab):
             message = "another tab edits this project; nothing was changed"
@@ -86,6 +88,8 @@ class Editing:
                 await self._save(tab, name, Overwriting.WANTED if overwrite else Overwriting.REFUSED)
             case commands.Revert(name):
                 await self._revert(tab, name)
+            case commands.Create(name, text):
+                await self._create(tab, name, text)
 
     def _edit(self, tab: Tab, name: str, text: str, version: int) -> None:
         document, finding = self.documents.edit(name, text, version)
@@ -118,6 +122,14 @@ class Editing:
         self._tell([document])
         self._text_changed(document)
         await self._keeper.now()
+
+    async def _create(self, tab: Tab, name: str, text: str) -> None:
+        document, finding = await self.documents.create(name, text)
+        if document is None:
+            _refuse(tab, finding)
+            return
+        self._list_changed()
+        self._tell([document])
 
     async def _watch(self) -> None:
         while True:

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 Fidelity: TypeAlias = Literal["dynamic", "kinematic"]
+RunForm: TypeAlias = Literal["recording", "inputs", "report", "code"]
+"""A run as a file: NPZ, inputs as `ropsim run --inputs` takes them, HTML, text of the neutral code."""
+
 PoseNumbers: TypeAlias = tuple[float, float, float, float, float, float, float]
 """Position x, y, z [m] and unit quaternion w, x, y, z; in W unless told otherwise."""
 
@@ -60,9 +63,10 @@ class LiveStart:
 
 @dataclass(frozen=True, slots=True)
 class SaveRun:
-    """Return the finished run of the job of this number as files (`SavedRun`); the newest one is kept."""
+    """Return the finished run of the job of this number as a file (`SavedRun`); the newest one is kept."""
 
     number: int
+    form: RunForm
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,10 +203,9 @@ class RunReply:
 
 @dataclass(frozen=True, slots=True)
 class SavedRun:
-    """A finished run as files: its recording (`.npz`), and its inputs as `ropsim run --inputs` takes them."""
+    """A finished run as a file."""
 
-    recording: bytes
-    inputs: bytes
+    content: bytes
 
 
 @dataclass(frozen=True, slots=True)

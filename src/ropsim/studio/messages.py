@@ -33,6 +33,13 @@ class TrustState(Struct, frozen=True):
     code: tuple[str, ...]
 
 
+class ExampleState(Struct, frozen=True):
+    """An example from which a project can be made."""
+
+    name: str
+    summary: str
+
+
 class Welcome(Struct, frozen=True, tag_field="type", tag="welcome"):
     """The project; sent on connection and when documents have come or gone."""
 
@@ -44,6 +51,8 @@ class Welcome(Struct, frozen=True, tag_field="type", tag="welcome"):
     documents: tuple[DocumentState, ...]
     editing: bool
     trust: TrustState
+    recent: tuple[str, ...] = ()
+    examples: tuple[ExampleState, ...] = ()
 
 
 class TrustChanged(Struct, frozen=True, tag_field="type", tag="trust"):

@@ -1,6 +1,7 @@
 """The built pages, finished runs and meshes, over HTTP."""
 
 import secrets
+from collections.abc import Awaitable, Callable, Mapping
 from pathlib import Path, PurePath
 from urllib.parse import quote
 
@@ -11,11 +12,20 @@ from starlette.staticfiles import StaticFiles
 
 import ropsim
 from ropsim.studio.diagnostics import NO_PAGES, StudioError
-from ropsim.studio.jobs import SavedRun
+from ropsim.studio.jobs import RunForm
 from ropsim.studio.security import content_policy
 from ropsim.studio.session import Session
+from ropsim.studio.workplace import Workplace
 
 NONCE_MARK = "__CSP_NONCE__"
+FILES: Mapping[str, tuple[RunForm, str]] = {
+    "npz": ("recording", "application/octet-stream"),
+    "inputs.json": ("inputs", "application/json"),
+    "html": ("report", "text/html; charset=utf-8"),
+    "icr": ("code", "text/plain; charset=utf-8"),
+}
+"""Forms and media types of a finished run by the ending of the file."""
+
 FOR_EVER = {"cache-control": "private, max-age=31536000, immutable"}
 
 
@@ -35,10 +45,11 @@ def pages_folder() -> Path:
     return folder
 
 
-def routes(folder: Path, session: Session) -> list[BaseRoute]:
+def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
     """Return what is served: `/`, `/assets/…`, `/mesh/<address>.glb`, and runs.
 
-    `/run/<id>.pack` is what the page draws, `/run/<id>.npz` the recording, `/run/<id>.inputs.json` inputs.
+    `/run/<id>.pack` is what the page draws; the other endings are files to keep: recording, inputs as
+    `ropsim run --inputs` takes them, report, neutral code.
     """
 
     def index(request: Request) -> Response:
@@ -50,38 +61,35 @@ def routes(folder: Path, session: Session) -> list[BaseRoute]:
 
     async def pack(request: Request) -> Response:
         number = request.path_params["run"]
-        content = session.runs.pack(int(number)) if len(number) < 19 and number.isdecimal() else None
+        content = (
+            workplace.session.runs.pack(int(number)) if len(number) < 19 and number.isdecimal() else None
+        )
         return _bytes(content, "application/octet-stream", {})
 
-    async def recording(request: Request) -> Response:
-        saved = await _saved(session, request)
-        if saved is None:
-            return _bytes(None, "", {})
-        return _bytes(saved.recording, "application/octet-stream", _to_keep(session, "npz"))
-
-    async def inputs(request: Request) -> Response:
-        saved = await _saved(session, request)
-        if saved is None:
-            return _bytes(None, "", {})
-        return _bytes(saved.inputs, "application/json", _to_keep(session, "inputs.json"))
-
     async def mesh(request: Request) -> Response:
-        content = session.scenes.mesh(request.path_params["address"])
+        content = workplace.session.scenes.mesh(request.path_params["address"])
         return _bytes(content, "model/gltf-binary", FOR_EVER)
 
     return [
         Route("/", index),
         Route("/run/{run}.pack", pack),
-        Route("/run/{run}.npz", recording),
-        Route("/run/{run}.inputs.json", inputs),
+        *(Route(f"/run/{{run}}.{ending}", _saved(workplace, ending)) for ending in FILES),
         Route("/mesh/{address}.glb", mesh),
         Mount("/assets", _Assets(directory=folder / "assets")),
     ]
 
 
-async def _saved(session: Session, request: Request) -> SavedRun | None:
-    number = request.path_params["run"]
-    return await session.runs.files(int(number)) if len(number) < 19 and number.isdecimal() else None
+def _saved(workplace: Workplace, ending: str) -> Callable[[Request], Awaitable[Response]]:
+    """Return what answers with a finished run in one of its forms."""
+    form, media_type = FILES[ending]
+
+    async def saved(request: Request) -> Response:
+        number, session = request.path_params["run"], workplace.session
+        known = len(number) < 19 and number.isdecimal()
+        content = await session.runs.file(int(number), form) if known else None
+        return _bytes(content, media_type, _to_keep(session, ending) if content is not None else {})
+
+    return saved
 
 
 def _to_keep(session: Session, ending: str) -> dict[str, str]:

@@ -105,12 +105,12 @@ class Runs:
         """Return the name of the program that has run last; empty before the first run."""
         return self._done.program if self._done is not None else ""
 
-    async def files(self, run: int) -> jobs.SavedRun | None:
-        """Return a finished run as files; None where the simulator does not have it any more."""
+    async def file(self, run: int, form: jobs.RunForm) -> bytes | None:
+        """Return a finished run as a file; None where the simulator does not have it any more."""
         if self._kept is None or self._kept[0] != run:
             return None
-        reply = await self._simulator.submit(jobs.SaveRun(self._kept[1])).reply
-        return reply if isinstance(reply, jobs.SavedRun) else None
+        reply = await self._simulator.submit(jobs.SaveRun(self._kept[1], form)).reply
+        return reply.content if isinstance(reply, jobs.SavedRun) else None
 
     def text_changed(self) -> None:
         """Simulate the last program again as soon as the text rests; a live run is not disturbed."""

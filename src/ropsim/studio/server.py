@@ -21,10 +21,10 @@ from starlette.types import ASGIApp
 
 from ropsim.studio import pages, sockets
 from ropsim.studio.diagnostics import PORT_TAKEN, StudioError
+from ropsim.studio.isolation import leave_project
 from ropsim.studio.project_files import project_folder
 from ropsim.studio.security import Gate
-from ropsim.studio.session import Session
-from ropsim.workbench import CONFIGURATION_OVERRIDE, STATE_OVERRIDE
+from ropsim.studio.workplace import Workplace
 
 ADDRESS = "127.0.0.1"
 LONGEST_MESSAGE = 16_000_000
@@ -76,15 +76,15 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
             threading.Thread(target=webbrowser.open, args=(_address(port, once),), daemon=True).start()
 
     with tempfile.TemporaryDirectory(prefix="ropsim-", ignore_cleanup_errors=True) as neutral:
-        _leave_project(Path(neutral), folder)
-        session = Session(folder, Path(neutral))
+        leave_project(Path(neutral), folder)
+        workplace = Workplace(folder, Path(neutral))
         behind = Starlette(
-            routes=[*pages.routes(page_folder, session), *sockets.routes(session, Path(neutral))]
+            routes=[*pages.routes(page_folder, workplace), *sockets.routes(workplace, Path(neutral))]
         )
         try:
-            _Server(_configuration(Gate(behind, port, token, once)), session, ready).run(sockets=[listener])
+            _Server(_configuration(Gate(behind, port, token, once)), workplace, ready).run(sockets=[listener])
         finally:
-            session.kill()
+            workplace.kill()
             os.chdir(Path(neutral).anchor)
 
 
@@ -93,25 +93,25 @@ def _address(port: int, token: str) -> str:
 
 
 class _Server(uvicorn.Server):
-    """A server with its session. It tells when it listens, and ends without an error when it is asked to.
+    """A server with its workplace. It tells when it listens, and ends without an error when it is asked to.
 
     Asked again it goes on ending: it takes a few seconds at most, and unsaved text is kept meanwhile.
     """
 
-    def __init__(self, config: uvicorn.Config, session: Session, ready: Callable[[], None]) -> None:
+    def __init__(self, config: uvicorn.Config, workplace: Workplace, ready: Callable[[], None]) -> None:
         super().__init__(config)
-        self._session = session
+        self._workplace = workplace
         self._ready = ready
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await self._session.open()
+        await self._workplace.open()
         await super().startup(sockets)
         if not self.should_exit:
             self._ready()
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         await super().shutdown(sockets)
-        await self._session.close()
+        await self._workplace.close()
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
@@ -161,23 +161,3 @@ def _listen(port: int) -> socket.socket:
         hint = "leave `--port` out, or give 0, for a free one"
         raise StudioError(PORT_TAKEN.at(None, message, hint=hint)) from error
     return listener
-
-
-def _leave_project(neutral: Path, folder: Path) -> None:
-    """Make sure that neither this process nor its children find modules in the project folder.
-
-    Relative places in the environment are those of the folder that is left, so they are made absolute.
-    """
-    for name in (CONFIGURATION_OVERRIDE, STATE_OVERRIDE, "ROPSIM_CACHE_DIR"):
-        if os.environ.get(name):
-            os.environ[name] = str(Path(os.environ[name]).absolute())
-    modules = os.environ.get("PYTHONPATH", "").split(os.pathsep)
-    os.environ["PYTHONPATH"] = os.pathsep.join(_without(modules, folder))
-    os.environ["PYTHONSAFEPATH"] = "1"
-    sys.path[:] = _without(sys.path, folder)
-    os.chdir(neutral)
-
-
-def _without(places: list[str], folder: Path) -> list[str]:
-    """Return module folders as absolute paths, without the one that is named."""
-    return [str(Path(place).absolute()) for place in places if place and Path(place).resolve() != folder]

@@ -2,22 +2,41 @@
 
 import asyncio
 import time
+from collections.abc import Callable
 from pathlib import Path
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, RopsimError
 from ropsim.studio import commands, jobs
-from ropsim.studio.diagnostics import INTERNAL, NOT_UNDERSTOOD, TRUST_NOT_KEPT, WORKER_LOST
+from ropsim.studio.diagnostics import (
+    INTERNAL,
+    NO_PROJECT,
+    NOT_UNDERSTOOD,
+    READ_ONLY,
+    TRUST_NOT_KEPT,
+    WORKER_LOST,
+)
 from ropsim.studio.document import Document
 from ropsim.studio.editing import Editing
-from ropsim.studio.messages import TrustChanged, TrustState, Welcome, notice
-from ropsim.studio.project_files import CELL
+from ropsim.studio.messages import ExampleState, TrustChanged, TrustState, Welcome, notice
+from ropsim.studio.project_files import CELL, project_folder
 from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.studio.workers import DESK, WorkerLink
 from ropsim.version import __version__
-from ropsim.workbench import Trust, TrustError, code_in, set_trust, trust_in
+from ropsim.workbench import (
+    STARTER,
+    Trust,
+    TrustError,
+    code_in,
+    example_names,
+    example_summary,
+    new_project,
+    recent_projects,
+    set_trust,
+    trust_in,
+)
 
 REST = 0.25
 """How long the cell file must rest before the scene is made anew [s]."""
@@ -30,9 +49,16 @@ class Session:
         folder: of the project.
         neutral: working folder of the workers, where no project lies.
         worker: `module:function` that runs in both worker processes.
+        switch: opens another project instead.
     """
 
-    def __init__(self, folder: Path, neutral: Path, worker: str = DESK) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        neutral: Path,
+        worker: str = DESK,
+        switch: Callable[[Path], None] = lambda _: None,
+    ) -> None:
         self._folder = folder
         self._tabs = Tabs(time.monotonic)
         self.editing = Editing(folder, self._tabs, self._welcome_all, self._text_changed)
@@ -45,6 +71,9 @@ class Session:
         self._scene_timer: asyncio.TimerHandle | None = None
         self._background: set[asyncio.Task[None]] = set()
         self._code: tuple[str, ...] = ()
+        self._switch = switch
+        self._recent: tuple[Path, ...] = ()
+        self._examples: tuple[ExampleState, ...] = ()
 
     async def open(self) -> None:
         """Read the project, draw it, and simulate its program."""
@@ -52,6 +81,8 @@ class Session:
         self._simulator.start()
         await self.editing.open()
         self._code = await asyncio.to_thread(code_in, self._folder)
+        self._recent = await asyncio.to_thread(recent_projects)
+        self._examples = tuple(ExampleState(name, example_summary(name)) for name in example_names())
         self.scenes.refresh()
         self.runs.run("", "dynamic")
 
@@ -94,8 +125,10 @@ class Session:
         match command:
             case commands.Hello(name):
                 self._join(tab, name)
-            case commands.Edit() | commands.Save() | commands.Revert():
+            case commands.Edit() | commands.Save() | commands.Revert() | commands.Create():
                 await self.editing.handle(tab, command)
+            case commands.OpenProject() | commands.NewProject():
+                await self._leave_for(tab, command)
             case commands.TakeOver():
                 self._tabs.take_over(tab)
             case commands.Trust(trusted):
@@ -104,6 +137,23 @@ class Session:
                 self._in_background(tab, command)
             case _:
                 self._run(command)
+
+    async def _leave_for(self, tab: Tab, command: commands.OpenProject | commands.NewProject) -> None:
+        """Let another project take the place of this one, if the tab may and there is one."""
+        if not self._tabs.may_edit(tab):
+            message = "another tab edits this project; it was not left"
+            tab.send(notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")))
+            return
+        try:
+            place = self._folder.parent / Path(command.path).expanduser()
+            if isinstance(command, commands.NewProject):
+                place = await asyncio.to_thread(new_project, place, command.example or STARTER)
+            folder = await asyncio.to_thread(project_folder, place)
+        except (RopsimError, RuntimeError, ValueError) as error:
+            finding = error.diagnostic if isinstance(error, RopsimError) else _no_place(command.path)
+            tab.send(notice(finding))
+            return
+        self._switch(folder)
 
     def _run(self, command: commands.Command) -> None:
         match command:
@@ -146,6 +196,8 @@ class Session:
             tuple(one.state(one.text) for one in documents.all),
             self._tabs.may_edit(tab),
             self._trust_state(),
+            tuple(str(one) for one in self._recent if one != self._folder),
+            self._examples,
         )
 
     def _welcome_all(self) -> None:
@@ -197,3 +249,9 @@ class Session:
     def _tell_lost(self, words: str) -> None:
         finding: Diagnostic = WORKER_LOST.at(None, words, hint="it is started again; texts are not touched")
         self._tabs.tell(notice(finding))
+
+
+def _no_place(path: str) -> Diagnostic:
+    return NO_PROJECT.at(
+        None, f"`{path[:200]}` is no path of this machine", hint="give the folder of a project"
+    )

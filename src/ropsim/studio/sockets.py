@@ -9,8 +9,8 @@ from starlette.types import Message
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ropsim.studio.language_bridge import LanguageBridge
-from ropsim.studio.session import Session
 from ropsim.studio.tab import Tab
+from ropsim.studio.workplace import Workplace
 
 PARTING = 1.0
 """How long a page may take to hear that its socket is closed [s]."""
@@ -19,12 +19,12 @@ MOST_LANGUAGE_SERVERS = 12
 """Editors that are served at the same time; each has a process of its own."""
 
 
-def routes(session: Session, neutral: Path) -> list[WebSocketRoute]:
+def routes(workplace: Workplace, neutral: Path) -> list[WebSocketRoute]:
     """Return both sockets; language servers work in the `neutral` folder."""
 
     async def studio(socket: WebSocket) -> None:
         await socket.accept()
-        tab = Tab()
+        tab, session = Tab(), workplace.session
         pumping = asyncio.create_task(_pump(tab, socket))
         try:
             while (message := await _received(tab, socket)) is not None:

@@ -23,6 +23,8 @@ from ropsim.workbench.project import FailedRunError as FailedRunError
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
+from ropsim.workbench.recent_projects import recent_projects as recent_projects
+from ropsim.workbench.recent_projects import remember_project as remember_project
 from ropsim.workbench.text_file import read_text_file as read_text_file
 from ropsim.workbench.trust import Trust as Trust
 from ropsim.workbench.trust import set_trust as set_trust

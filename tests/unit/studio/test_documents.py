@@ -223,3 +223,62 @@ def test_a_file_that_its_line_ends_would_make_too_long_is_not_written(
     documents.edit("programs/main.task", "one\n1\n2\n3\n4\n", 1)
     assert save(documents, "programs/main.task") == "U957"
     assert (folder / "programs" / "main.task").read_bytes() == b"one\r\ntwo\r\n"
+
+
+def create(documents: Documents, name: str, text: str = "program new\n") -> str:
+    """Make a program and return the code of what stood in the way."""
+    document, finding = asyncio.run(documents.create(name, text))
+    assert (document is None) == (finding is not None)
+    return finding.code if finding else ""
+
+
+def test_a_new_program_is_a_file_and_a_document(folder: Path) -> None:
+    documents = opened(folder)
+    assert create(documents, "programs/place boxes.task") == ""
+    assert (folder / "programs" / "place boxes.task").read_bytes() == b"program new\n"
+    assert "place boxes" in documents.programs
+    assert documents.unsaved_texts == {}
+
+
+def test_a_new_program_is_never_written_over_a_file(folder: Path) -> None:
+    documents = opened(folder)
+    (folder / "programs" / "late.task").write_bytes(b"from elsewhere\n")
+    for name in ("programs/main.task", "programs/late.task"):
+        before = (folder / name).read_bytes()
+        assert create(documents, name) == "U957"
+        assert (folder / name).read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "programs/../evil.task",
+        "programs/a/b.task",
+        "../evil.task",
+        "/tmp/evil.task",
+        "cell.toml",
+        "programs/evil.py",
+        "programs/.task",
+        "programs/a\\b.task",
+        "programs/c:evil.task",
+        "programs/new\nline.task",
+        "",
+    ],
+)
+def test_a_new_program_stays_in_its_folder(folder: Path, name: str) -> None:
+    before = sorted(folder.rglob("*"))
+    assert create(opened(folder), name) == "U957"
+    assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_a_new_program_follows_no_link_out_of_the_project(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    elsewhere = tmp_path_factory.mktemp("elsewhere")
+    for path in (folder / "programs").iterdir():
+        path.unlink()
+    (folder / "programs").rmdir()
+    (folder / "programs").symlink_to(elsewhere)
+    assert create(opened(folder), "programs/new.task") == "U957"
+    assert list(elsewhere.iterdir()) == []

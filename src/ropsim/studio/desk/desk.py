@@ -59,9 +59,9 @@ class Desk:
                 return simulate(job, line, self.shelf)
             case LiveStart():
                 return run_live(job, line, shelf=self.shelf)
-            case SaveRun(number):
+            case SaveRun(number, form):
                 kept = self.shelf.run
-                return kept.files() if kept is not None and kept.number == number else Failed(NOT_KEPT)
+                return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)
             case JogJoints():
                 return self.arm.to_joints(job) if self.arm else Failed(NOTHING_OPEN)
             case JogTcp():

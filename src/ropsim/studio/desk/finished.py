@@ -3,11 +3,12 @@
 import json
 from dataclasses import dataclass
 
+from ropsim import icr
 from ropsim.flow import Recording
 from ropsim.simulation import InputChange as Change
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
-from ropsim.studio.jobs import SavedRun
+from ropsim.studio.jobs import RunForm, SavedRun
 from ropsim.workbench import recording_file
 from ropsim.workbench.inputs import inputs_of
 
@@ -39,11 +40,17 @@ class FinishedRun:
         recording = on_lines(self.recording, self.ready.code.source, lines)
         return FinishedRun(number, self.content, ready, recording)
 
-    def files(self) -> SavedRun:
-        """Return the run as files: the recording, and the inputs that it was given."""
-        return SavedRun(
-            recording_file.recording_bytes(self.recording), inputs_text(inputs_of(self.recording))
-        )
+    def file(self, form: RunForm) -> SavedRun:
+        """Return the run as a file."""
+        match form:
+            case "recording":
+                return SavedRun(recording_file.recording_bytes(self.recording))
+            case "inputs":
+                return SavedRun(inputs_text(inputs_of(self.recording)))
+            case "report":
+                return SavedRun(self.ready.project.report(self.recording).html().encode("utf-8", "replace"))
+            case "code":
+                return SavedRun(icr.disassemble(self.ready.code).encode("utf-8", "replace"))
 
 
 @dataclass(slots=True)

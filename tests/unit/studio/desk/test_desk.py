@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from ropsim.icr import read_text
 from ropsim.studio.desk import main
 from ropsim.studio.jobs import (
     Answer,
@@ -35,6 +36,7 @@ from ropsim.studio.jobs import (
     Reply,
     Report,
     Request,
+    RunForm,
     RunReply,
     SavedRun,
     SaveRun,
@@ -255,15 +257,21 @@ def test_the_newest_run_can_be_kept_as_files(worker: Worker, folder: Path, tmp_p
     worker.order(number, SetSignal("start", 1.0))
     live = worker.reply(number)
     assert isinstance(live, RunReply)
-    saved = worker.ask(SaveRun(number))
-    assert isinstance(saved, SavedRun)
-    for name, content in (("run.npz", saved.recording), ("run.json", saved.inputs)):
+    forms: tuple[tuple[str, RunForm], ...] = (("run.npz", "recording"), ("run.json", "inputs"))
+    for name, form in forms:
+        saved = worker.ask(SaveRun(number, form))
+        assert isinstance(saved, SavedRun)
         place = tmp_path / name
-        place.write_bytes(content)
+        place.write_bytes(saved.content)
         assert [(one.signal, one.time, one.value) for one in read_inputs(place)] == [
             (one.signal, one.time, one.value) for one in live.inputs
         ]
-    assert isinstance(worker.ask(SaveRun(number + 5)), Failed)
+    report, code = (worker.ask(SaveRun(number, form)) for form in ("report", "code"))
+    assert isinstance(report, SavedRun)
+    assert report.content[:15].lower() == b"<!doctype html>"
+    assert isinstance(code, SavedRun)
+    assert read_text(code.content.decode())[0] is not None
+    assert isinstance(worker.ask(SaveRun(number + 5, "recording")), Failed)
 
 
 def header_of(pack: bytes) -> dict[str, Any]:

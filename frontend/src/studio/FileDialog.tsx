@@ -1,0 +1,103 @@
+/** The dialogs of the File menu: which folder, which name, from which example. */
+import { type FormEvent, useEffect, useId, useRef, useState } from 'react'
+import { fileWords } from '../text/files'
+import { useStudio, useStudioState } from './context'
+import type { DialogKind } from './state'
+
+const words = fileWords.dialog
+
+export function FileDialog() {
+  const kind = useStudioState(state => state.dialog)
+  return kind ? <Dialog key={kind} kind={kind} /> : null
+}
+
+function Dialog({ kind }: { kind: DialogKind }) {
+  const studio = useStudio()
+  const dialog = useRef<HTMLDialogElement>(null)
+  const { folder, recent, examples } = studio.store.getState()
+  const [typed, setTyped] = useState(kind === 'recent' ? (recent[0] ?? '') : '')
+  const [example, setExample] = useState(examples[0]?.name ?? '')
+  const hint = useId()
+  useEffect(() => dialog.current?.showModal(), [])
+  const close = () => dialog.current?.close()
+  const act = (event: FormEvent) => {
+    event.preventDefault()
+    const text = typed.trim()
+    if (!text) return
+    close()
+    if (kind === 'newProject') studio.newProject(text, example)
+    else if (kind === 'newProgram') studio.newProgram(text)
+    else if (kind === 'saveAs') studio.saveAs(text)
+    else studio.openProject(text)
+  }
+  const isProject = kind === 'newProject' || kind === 'openProject' || kind === 'recent'
+  const beside = folder.replace(/[/\\][^/\\]*$/, '') || '/'
+  const label = kind === 'newProject' ? words.newFolder : isProject ? words.folder : words.name
+  const help =
+    kind === 'newProject' ? words.newFolderHint(beside) : isProject ? words.folderHint : words.nameHint
+  return (
+    <dialog
+      ref={dialog}
+      className="file-dialog"
+      aria-label={words.titles[kind]}
+      onClose={() => studio.store.setState({ dialog: null })}
+    >
+      <form onSubmit={act}>
+        <h2>{words.titles[kind]}</h2>
+        {kind === 'newProject' ? (
+          <label>
+            {words.example}
+            <select value={example} onChange={event => setExample(event.target.value)}>
+              {examples.map(one => (
+                <option key={one.name} value={one.name}>
+                  {one.name} – {one.summary}
+                </option>
+              ))}
+            </select>
+          </label>
+        ) : null}
+        <label>
+          {label}
+          <input
+            type="text"
+            autoFocus
+            required
+            spellCheck={false}
+            aria-describedby={hint}
+            value={typed}
+            onChange={event => setTyped(event.target.value)}
+          />
+        </label>
+        <p className="quiet" id={hint}>
+          {help} {isProject ? words.kept : ''}
+        </p>
+        {(kind === 'openProject' || kind === 'recent') && recent.length > 0 ? (
+          <fieldset>
+            <legend>{words.recentList}</legend>
+            {recent.map(one => (
+              <button
+                key={one}
+                type="button"
+                className="recent"
+                onClick={() => {
+                  close()
+                  studio.openProject(one)
+                }}
+              >
+                {one}
+              </button>
+            ))}
+          </fieldset>
+        ) : null}
+        <div className="actions">
+          <button type="button" onClick={close}>
+            {words.cancel}
+          </button>
+          <button type="submit" className="primary">
+            {words.ok[kind]}
+          </button>
+        </div>
+      </form>
+    </dialog>
+  )
+}

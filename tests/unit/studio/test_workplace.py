@@ -1,0 +1,127 @@
+"""Another project takes the place of the open one, new ones are made; a toy stands in for the simulator."""
+
+import asyncio
+import json
+import sys
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ropsim.studio.tab import Tab
+from ropsim.studio.workplace import Workplace
+from ropsim.workbench import new_project, recent_projects
+from support.patience import PATIENCE
+
+TOY = "support.toy_worker:main"
+
+
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("ROPSIM_STATE_HOME", str(tmp_path / "state"))
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    monkeypatch.setenv("PYTHONPATH", "")
+    new_project(tmp_path / "first")
+    return tmp_path
+
+
+async def said(workplace: Workplace, *messages: dict[str, Any]) -> list[dict[str, Any]]:
+    """Say hello and then messages as a page, and return what the page has heard until nothing more comes."""
+    session, tab = workplace.session, Tab()
+    heard: list[dict[str, Any]] = []
+
+    async def take(text: str) -> None:
+        heard.append(json.loads(text))
+
+    async def take_frame(frame: bytes) -> None:
+        del frame
+
+    pump = asyncio.create_task(tab.pump(take, take_frame))
+    for message in ({"type": "hello", "tab": "a"}, *messages):
+        await session.receive(tab, json.dumps(message))
+    for _ in range(10):
+        await asyncio.sleep(0)
+    tab.close()
+    await pump
+    await session.leave(tab)
+    return heard
+
+
+def at(folder: Path, play: Callable[[Workplace], Awaitable[None]]) -> None:
+    async def run() -> None:
+        workplace = Workplace(folder, folder.parent, TOY)
+        await workplace.open()
+        try:
+            await asyncio.wait_for(play(workplace), PATIENCE)
+        finally:
+            await workplace.close()
+            workplace.kill()
+
+    asyncio.run(run())
+
+
+async def switched(workplace: Workplace, folder: Path) -> None:
+    """Wait until another project is open."""
+    while True:
+        welcome = (await said(workplace))[0]
+        if welcome["folder"] == str(folder):
+            return
+        await asyncio.sleep(0.01)
+
+
+def test_a_project_that_is_opened_takes_the_place_of_the_one_before(home: Path) -> None:
+    new_project(home / "second")
+
+    async def play(workplace: Workplace) -> None:
+        before = workplace.session
+        await said(workplace, {"type": "open_project", "path": "second"})
+        await switched(workplace, home / "second")
+        assert workplace.session is not before
+
+    at(home / "first", play)
+    assert recent_projects() == (home / "second", home / "first")
+
+
+def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path) -> None:
+    async def play(workplace: Workplace) -> None:
+        await said(workplace, {"type": "new_project", "path": "third", "example": "fig5"})
+        await switched(workplace, home / "third")
+
+    at(home / "first", play)
+    assert (home / "third" / "cell.toml").is_file()
+
+
+@pytest.mark.parametrize(
+    ("message", "code"),
+    [
+        ({"type": "open_project", "path": "nowhere"}, "U950"),
+        ({"type": "open_project", "path": "state"}, "U950"),
+        ({"type": "open_project", "path": "a\0b"}, "U950"),
+        ({"type": "new_project", "path": "first", "example": "fig5"}, "X841"),
+        ({"type": "new_project", "path": "third", "example": "no such"}, "X840"),
+    ],
+)
+def test_what_cannot_be_opened_or_made_is_said_and_the_project_stays(
+    home: Path, message: dict[str, Any], code: str
+) -> None:
+    async def play(workplace: Workplace) -> None:
+        before = workplace.session
+        codes = [one["code"] for one in await said(workplace, message) if one["type"] == "notice"]
+        assert [one[0] for one in codes] == [code[0]]
+        assert workplace.session is before
+
+    at(home / "first", play)
+
+
+def test_a_tab_that_only_looks_on_opens_nothing(home: Path) -> None:
+    async def play(workplace: Workplace) -> None:
+        before, editor = workplace.session, Tab()
+        await before.receive(editor, json.dumps({"type": "hello", "tab": "editor"}))
+        heard = await said(workplace, {"type": "new_project", "path": "third", "example": "fig5"})
+        assert [one["code"] for one in heard if one["type"] == "notice"] == ["U954"]
+        assert workplace.session is before
+
+    at(home / "first", play)
+    assert not (home / "third").exists()
