@@ -117,6 +117,12 @@ def heap(page: "Page") -> float:
     return Metrics(page).total("JSHeapUsedSize")
 
 
+def kept_heap(page: "Page") -> float:
+    """Return the bytes that the page's scripts hold once its garbage is gone."""
+    page.context.new_cdp_session(page).send("HeapProfiler.collectGarbage")
+    return heap(page)
+
+
 def _counts(page: "Page") -> tuple[int, float]:
     """Return frames drawn until now and the time [ms]."""
     frames, now = page.evaluate("() => [__ropsim.stats().frames, performance.now()]")
