@@ -4,6 +4,7 @@ Run with `make bench`. Figures go into docs/explanation/robustness.md.
 """
 
 import shutil
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -57,7 +58,7 @@ def test_page(benchmark: Any, folder: Path, tmp_path: Path, open_page: Pages) ->
             page = opened(open_page, studio)
             tab, heaps = StudioPage(page), []
             for cycle in range(1, COUNT + 1):
-                edited(page, lambda text=program(cycle): tab.write(text))
+                edited(page, partial(tab.write, program(cycle)))
                 if cycle in {WARM, COUNT}:
                     heaps.append(kept_heap(page))
             page.close()
