@@ -12,6 +12,7 @@ from ropsim.flow import Recording
 from ropsim.workbench import Project
 from support.arm_poses import body_poses, joints_at, worst_apart
 from support.browser import FLAGS, Pages, chromium
+from support.small_disk import fill, small_disk
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -218,3 +219,39 @@ def test_files_with_code_are_listed_until_the_folder_is_trusted(
     page.page.reload()
     page.ready()
     assert banner.count() == 0
+
+
+def test_a_full_disk_is_said_and_the_text_stays(
+    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
+) -> None:
+    with small_disk(tmp_path / "disk") as disk:
+        cell = Path(shutil.copytree(folder, disk / "cell"))
+        before = program(cell).read_bytes()
+        page = StudioPage.opened(open_page, start_studio(cell).url)
+        fill(disk)
+        page.append(2, "  # does not fit")
+        page.page.keyboard.press("Control+s")
+        page.page.locator(".notice", has_text="No space left on device").wait_for()
+        assert page.line(2).text_content() == "units mm, deg, s  # does not fit"
+        page.until(lambda: journalled(tmp_path / "home", "# does not fit"))
+        assert program(cell).read_bytes() == before
+        assert not list(cell.rglob(".ropsim-*"))
+        (disk / "filling").unlink()
+        page.page.keyboard.press("Control+s")
+        page.until(lambda: "# does not fit" in program(cell).read_text("utf-8"))
+
+
+def test_a_removed_project_folder_is_said_and_the_texts_stay(
+    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
+) -> None:
+    page = StudioPage.opened(open_page, start_studio(folder).url)
+    shown, before = page.state()["shown"], program(folder).read_text("utf-8")
+    shutil.rmtree(folder)
+    page.page.locator(".notice", has_text="is gone; all its texts are kept here").wait_for()
+    page.until(lambda: journalled(tmp_path / "home", "pick_up"))
+    page.append(2, "  # typed without a folder")
+    page.rerun(shown)
+    page.page.keyboard.press("Control+s")
+    page.until(lambda: program(folder).exists())
+    typed = before.replace("units mm, deg, s", "units mm, deg, s  # typed without a folder", 1)
+    assert program(folder).read_text("utf-8") == typed

@@ -127,6 +127,19 @@ changed: what is code in the project stays inert. `ROPSIM_CONFIG_HOME` names ano
 """,
 )
 
+PROJECT_GONE = define(
+    "U965",
+    "project-gone",
+    Severity.ERROR,
+    "the project folder has been removed or renamed while it was open",
+    """
+Another program has removed, moved or unmounted the folder. The texts of the project stay in the studio, as
+unsaved ones, and in its journal. When the folder is back they are compared with its files; saving a text
+makes the folder anew. Meshes and other files of the project are not in the studio and do not come back by
+that.
+""",
+)
+
 INTERNAL = define(
     "U961",
     "studio-fault",

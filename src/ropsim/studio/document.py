@@ -81,6 +81,11 @@ class Document:
         self._read(content)
         self.conflict = self.unsaved
 
+    def lose_file(self) -> None:
+        """Learn that the whole project folder is gone: the text stays, and belongs to no file any more."""
+        self._read(None)
+        self.conflict = False
+
     def recover(self, draft: Draft) -> None:
         """Take unsaved text from the journal."""
         self.conflict = draft.base != self.draft.base

@@ -41,12 +41,17 @@ class ListChange(Enum):
 
 
 class Documents:
-    """All texts of a project. Changes on the disk are met by `look`, which reads in a thread."""
+    """All texts of a project. Changes on the disk are met by `look`, which reads in a thread.
+
+    Attributes:
+        gone: there is no project folder any more; its texts are kept until it is there again, or saved anew.
+    """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._stamps: dict[str, Stamp] = {}
         self._all: dict[str, Document] = {}
+        self.gone = False
         self._disk = asyncio.Lock()  # what is read from the disk must not be older than what was written
 
     @property
@@ -185,6 +190,9 @@ class Documents:
             return await self._look()
 
     async def _look(self) -> tuple[tuple[Document, ...], ListChange]:
+        self.gone = not await asyncio.to_thread(self._folder.is_dir)
+        if self.gone:
+            return self._lose(), ListChange.NONE
         now = await asyncio.to_thread(stamps, self._folder)
         if now == self._stamps:
             return (), ListChange.NONE
@@ -197,6 +205,14 @@ class Documents:
                 changed += self._meet(name, read) if read is not None or name not in now else self._shut(name)
         change = ListChange.NONE if names == set(self._all) else ListChange.SOME
         return tuple(changed), change
+
+    def _lose(self) -> tuple[Document, ...]:
+        """Keep all texts as unsaved ones: with their folder the files are gone that they were in."""
+        self._stamps = {}
+        lost = tuple(one for one in self.all if one.disk is not None and not one.problem)
+        for document in lost:
+            document.lose_file()
+        return lost
 
     def _shut(self, name: str) -> list[Document]:
         """Note that a file is there but may not be read."""

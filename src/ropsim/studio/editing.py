@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from ropsim.core import Diagnostic
 from ropsim.studio import commands
-from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, READ_ONLY
+from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_ONLY
 from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
@@ -141,7 +141,12 @@ class Editing:
                 self._warn(INTERNAL.at(None, message, hint="please report it"))
 
     async def _look(self) -> None:
+        was_gone = self.documents.gone
         changed, change = await self.documents.look()
+        if self.documents.gone and not was_gone:
+            message = f"the project folder `{self._folder}` is gone; all its texts are kept here"
+            self._warn(PROJECT_GONE.at(None, message, hint="put it back, or save the texts to make it anew"))
+            self._keeper.soon()
         if change is ListChange.SOME:
             self._list_changed()
         self._tell(changed)

@@ -282,3 +282,30 @@ def test_a_new_program_follows_no_link_out_of_the_project(
     (folder / "programs").symlink_to(elsewhere)
     assert create(opened(folder), "programs/new.task") == "U957"
     assert list(elsewhere.iterdir()) == []
+
+
+def test_a_removed_project_folder_takes_no_text_with_it(folder: Path) -> None:
+    documents = opened(folder)
+    documents.edit("programs/main.task", "typed\n", 1)
+    away = folder.with_name("away")
+    folder.rename(away)
+    changed, change = asyncio.run(documents.look())
+    assert (documents.gone, change) == (True, ListChange.NONE)
+    assert {one.name for one in changed} == {"cell.toml", "programs/main.task", "programs/other.task"}
+    assert documents.unsaved_texts["programs/main.task"] == "typed\n"
+    assert documents.drafts.keys() == {one.name for one in changed}  # the journal holds all of them
+    assert asyncio.run(documents.look()) == ((), ListChange.NONE)
+    away.rename(folder)
+    asyncio.run(documents.look())
+    assert (documents.gone, documents.unsaved_texts) == (False, {"programs/main.task": "typed\n"})
+
+
+def test_a_removed_project_folder_is_made_anew_by_saving(folder: Path) -> None:
+    documents = opened(folder)
+    folder.rename(folder.with_name("away"))
+    asyncio.run(documents.look())
+    assert save(documents, "cell.toml") == ""
+    assert save(documents, "programs/other.task") == ""
+    assert (folder / "cell.toml").read_bytes() == CELL
+    assert (folder / "programs" / "other.task").read_bytes() == b"x\n"
+    assert "cell.toml" not in documents.drafts
