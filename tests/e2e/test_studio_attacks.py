@@ -13,7 +13,8 @@ import pytest
 from websockets.exceptions import InvalidStatus
 
 from ropsim.studio.sockets import MOST_LANGUAGE_SERVERS
-from ropsim.workbench import new_project
+from ropsim.workbench import new_project, recording_file
+from ropsim.workbench.inputs import read_inputs
 from support.patience import PATIENCE
 from support.studio_client import (
     Page,
@@ -156,19 +157,62 @@ def test_odd_addresses_are_not_found(studio: Studio) -> None:
         assert get(studio, path, ours)[0] == 404, path
 
 
-def test_a_studio_that_is_started_again_on_its_port_takes_the_open_page_back(
+def test_the_next_studio_of_a_project_takes_the_open_page_back(
     studio: Studio, project: Path, tmp_path: Path
 ) -> None:
     old = secret(studio)
     with page_of(studio) as page:
         page.hear("welcome")
         assert studio.terminate() == 0
-    with Studio(project, tmp_path / "home", port=studio.port, command=command(tmp_path)) as again:
-        with pytest.raises(InvalidStatus) as refused, opened(again, Cookie=old["Cookie"]):
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as again:
+        assert again.port == studio.port
+        assert again.url != studio.url
+        assert get(again, studio.url.split(str(studio.port), 1)[1], {})[0] == 401, "an old address opens it"
+        with opened(again, Cookie=old["Cookie"]) as socket:
+            assert Page(socket).hear("welcome")["project"] == project.name
+
+
+def test_the_secret_of_a_project_is_in_no_address_and_opens_no_other_project(
+    studio: Studio, project: Path, tmp_path: Path
+) -> None:
+    old = secret(studio)
+    value = old["Cookie"].split("=", 1)[1]
+    assert value not in studio.url
+    kept = [one for one in (tmp_path / "home").rglob("*.json") if value in one.read_text("utf-8")]
+    assert [(one.parent.name, one.stat().st_mode & 0o077) for one in kept] == [("studio", 0)]
+    assert studio.terminate() == 0
+    other = new_project(tmp_path / "other")
+    with Studio(other, tmp_path / "home", port=studio.port, command=command(tmp_path)) as stranger:
+        with pytest.raises(InvalidStatus) as refused, opened(stranger, Cookie=old["Cookie"]):
             pass
         assert refused.value.response.status_code == 401
-        with page_of(again) as page:  # with the cookie of the new address, which replaces the old one
-            page.hear("welcome")
+
+
+def test_a_port_that_something_else_has_taken_is_left_to_it(
+    studio: Studio, project: Path, tmp_path: Path
+) -> None:
+    assert studio.terminate() == 0
+    with closing(socket.socket(socket.AF_INET, socket.SOCK_STREAM)) as stranger:
+        stranger.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        stranger.bind(("127.0.0.1", studio.port))
+        stranger.listen()
+        with Studio(project, tmp_path / "home", command=command(tmp_path)) as again:
+            assert again.port != studio.port
+            with page_of(again) as page:
+                page.hear("welcome")
+
+
+def test_the_newest_run_is_served_as_files_under_the_same_rules(studio: Studio, tmp_path: Path) -> None:
+    with page_of(studio) as page:
+        run = page.hear("run", state="done")["id"]
+        for ending in ("npz", "inputs.json"):
+            status, content = get(studio, f"/run/{run}.{ending}", secret(studio))
+            assert status == 200
+            (tmp_path / f"x.{ending}").write_bytes(content)
+            assert get(studio, f"/run/{run}.{ending}", {})[0] == 401
+            assert get(studio, f"/run/{run + 7}.{ending}", secret(studio))[0] == 404
+        assert recording_file.read(tmp_path / "x.npz").duration > 0.0
+        assert read_inputs(tmp_path / "x.inputs.json") == ()
 
 
 def test_cookies_of_other_servers_of_this_machine_do_no_harm(studio: Studio) -> None:

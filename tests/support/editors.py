@@ -46,13 +46,13 @@ class Editor:
             contentChanges=[{"range": span, "text": text}],
         )
 
-    def at_mark(self, method: str, uri: str, marked: str) -> Any:
+    def at_mark(self, method: str, uri: str, marked: str, **more: object) -> Any:
         """Open a text without its mark `|` and ask about the place of the mark."""
         before, _, after = marked.partition("|")
         self.open(uri, before + after)
         lines = before.split("\n")
         position = place(len(lines) - 1, len(lines[-1]))
-        return self.ask(f"textDocument/{method}", textDocument={"uri": uri}, position=position)
+        return self.ask(f"textDocument/{method}", textDocument={"uri": uri}, position=position, **more)
 
 
 def place(line: int, character: int) -> dict[str, int]:

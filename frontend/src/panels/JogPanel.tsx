@@ -1,17 +1,40 @@
 /** The robot moved by hand through its real kinematics, and what limits and reach have to say. */
+import { useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
+import type { HeldMove } from '../studio/hold'
 import { useTicks } from '../studio/hooks'
 import { words } from '../text/messages'
 import { formatQuantity } from '../units/quantity'
+import { HoldButton } from './HoldButton'
 import { JogTcp } from './JogTcp'
 import { QuantityField } from './QuantityField'
 import { Scroll } from './Scroll'
+
+/** What was typed last, so that a refusal can be told beside it. */
+export interface Asked {
+  /** Name of the joint or direction; empty for none. */
+  readonly name: string
+  /** [m | rad] */
+  readonly value: number
+  /** What the kinematics had to say about it. */
+  readonly why: string
+  readonly set: (name: string, value: number) => void
+  readonly forget: () => void
+}
+
+/** Greatest rates of a held button [rad/s, m/s]. */
+const FASTEST = { rad: Math.PI / 6, m: 0.25 } as const
+/** Steps of a pressed button [rad, m]. */
+const STEP = { rad: Math.PI / 180, m: 0.001 } as const
+/** A joint that is this near to the typed value has it [rad | m]. */
+const TAKEN = 1e-6
 
 export function JogPanel() {
   const studio = useStudio()
   const { jog } = studio
   const scene = useStudioState(state => state.scene)
   const lost = useStudioState(state => state.connection !== 'connected')
+  const [typed, setTyped] = useState({ name: '', value: 0 })
   useTicks(15)
   if (!scene) return <p className="empty">{words.jog.waiting}</p>
   if (!jog.q) {
@@ -24,6 +47,13 @@ export function JogPanel() {
         {lost ? <p className="quiet">{words.jog.lost}</p> : null}
       </div>
     )
+  }
+  const said = jog.answer?.words[0]?.text ?? words.jog.refused
+  const asked: Asked = {
+    ...typed,
+    why: jog.busy ? '' : said,
+    set: (name, value) => setTyped({ name, value }),
+    forget: () => setTyped({ name: '', value: 0 }),
   }
   return (
     <>
@@ -40,11 +70,15 @@ export function JogPanel() {
       </div>
       <Scroll label={words.jog.region} className="jog">
         <JogWords lost={lost} />
-        <h2>{words.jog.joints}</h2>
-        {scene.robot.joints.map((joint, at) => (
-          <JointRow key={joint.name} index={at} />
-        ))}
-        <JogTcp disabled={lost} />
+        <div className="jog-sides">
+          <section>
+            <h2>{words.jog.joints}</h2>
+            {scene.robot.joints.map((joint, at) => (
+              <JointRow key={joint.name} index={at} asked={asked} disabled={lost} />
+            ))}
+          </section>
+          <JogTcp disabled={lost} asked={asked} />
+        </div>
         <p className="quiet">{words.jog.run}</p>
       </Scroll>
     </>
@@ -67,7 +101,7 @@ function JogWords({ lost }: { lost: boolean }) {
   )
 }
 
-function JointRow({ index }: { index: number }) {
+function JointRow({ index, asked, disabled }: { index: number; asked: Asked; disabled: boolean }) {
   const { jog, loop } = useStudio()
   const joint = jog.joints[index]
   const value = jog.q?.[index]
@@ -75,6 +109,24 @@ function JointRow({ index }: { index: number }) {
   const unit = joint.type === 'revolute' ? 'rad' : 'm'
   const name = /^\d+$/.test(joint.name) ? `J${joint.name}` : joint.name
   const commit = () => jog.commit(words.jog.moveJoint(name))
+  const held = (sign: 1 | -1): HeldMove => {
+    asked.forget()
+    return {
+      step: STEP[unit],
+      fastest: FASTEST[unit],
+      busy: () => jog.busy,
+      move: amount => {
+        const from = jog.q?.[index]
+        if (from === undefined) return false
+        const to = Math.min(Math.max(from + sign * amount, joint.lower), joint.upper)
+        if (to === from) return false
+        jog.moveJoint(index, to)
+        loop.mark()
+        return true
+      },
+      end: commit,
+    }
+  }
   const low = formatQuantity(joint.lower, unit)
   const high = formatQuantity(joint.upper, unit)
   return (
@@ -90,17 +142,30 @@ function JointRow({ index }: { index: number }) {
         step={unit === 'rad' ? 0.001 : 0.0001}
         value={value}
         onChange={event => {
+          asked.forget()
           jog.moveJoint(index, Number(event.target.value))
           loop.mark()
         }}
         onPointerUp={commit}
         onKeyUp={commit}
       />
+      {([-1, 1] as const).map(sign => (
+        <HoldButton
+          key={sign}
+          sign={sign < 0 ? '−' : '+'}
+          label={sign < 0 ? words.jog.minus(name) : words.jog.plus(name)}
+          title={words.jog.hold}
+          disabled={disabled}
+          start={() => held(sign)}
+        />
+      ))}
       <QuantityField
         label={words.jog.value(name)}
+        refused={asked.name === name && Math.abs(asked.value - value) > TAKEN ? asked.why : ''}
         value={value}
         dimension={unit === 'rad' ? 'angle' : 'length'}
         onValue={typed => {
+          asked.set(name, typed)
           jog.moveJoint(index, typed)
           commit()
         }}

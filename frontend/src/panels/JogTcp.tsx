@@ -1,16 +1,23 @@
-/** The tool centre point moved by steps or to typed values, along the world's or the tool's axes. */
+/** The tool centre point moved by steps, on and on while held, or to typed values, along world or tool axes. */
 import { useState } from 'react'
 import type { Pose, Vector3 } from '../scene/description'
 import { useStudio } from '../studio/context'
+import type { HeldMove } from '../studio/hold'
 import { words } from '../text/messages'
 import { compose, poseOf, rollPitchYaw, stepInWorld } from '../units/pose'
+import { HoldButton } from './HoldButton'
+import type { Asked } from './JogPanel'
 import { QuantityField } from './QuantityField'
 
 type Frame = 'world' | 'tool'
 
 const FRAMES: readonly Frame[] = ['world', 'tool']
 
-export function JogTcp({ disabled }: { disabled: boolean }) {
+/** Greatest rates of a held button [m/s, rad/s]: the reduced speed of ISO 10218, and as slow a turn. */
+const FASTEST = 0.25
+const FASTEST_TURN = Math.PI / 4
+
+export function JogTcp({ disabled, asked }: { disabled: boolean; asked: Asked }) {
   const { jog, loop } = useStudio()
   const [frame, setFrame] = useState<Frame>('world')
   const [step, setStep] = useState(0.01)
@@ -19,31 +26,71 @@ export function JogTcp({ disabled }: { disabled: boolean }) {
   if (!pose) return null
   const numbers: readonly number[] = [pose[0], pose[1], pose[2], ...rollPitchYaw(pose)]
   const axisName = (axis: number) => words.jog.axes[axis] ?? ''
-  const move = (target: Pose, name: string) => {
+  const go = (target: Pose) => {
     jog.moveTcp(target)
-    jog.commit(name)
     loop.mark()
   }
-  const nudge = (axis: number, sign: 1 | -1) => {
-    const by = [0, 0, 0, 0, 0, 0]
-    by[axis] = sign * (axis < 3 ? step : turn)
-    const [x = 0, y = 0, z = 0, roll = 0, pitch = 0, yaw = 0] = by
-    const change = poseOf([x, y, z], [roll, pitch, yaw])
-    move(
-      frame === 'tool' ? compose(pose, change) : stepInWorld(pose, change),
-      words.jog.moveTcp(axisName(axis)),
-    )
+  const held = (axis: number, sign: 1 | -1): HeldMove => {
+    asked.forget()
+    return {
+      step: axis < 3 ? step : turn,
+      fastest: axis < 3 ? FASTEST : FASTEST_TURN,
+      busy: () => jog.busy,
+      move: amount => {
+        const { answer } = jog
+        if (!answer) return false
+        const by = [0, 0, 0, 0, 0, 0]
+        by[axis] = sign * amount
+        const [x = 0, y = 0, z = 0, roll = 0, pitch = 0, yaw = 0] = by
+        const change = poseOf([x, y, z], [roll, pitch, yaw])
+        const from = answer.tcp
+        // What the last movement was refused is refused again; a first one may lead back.
+        if (jog.moving && !answer.reached) return false
+        go(frame === 'tool' ? compose(from, change) : stepInWorld(from, change))
+        return true
+      },
+      end: () => jog.commit(words.jog.moveTcp(axisName(axis))),
+    }
   }
   const type = (axis: number, value: number) => {
     const [x = 0, y = 0, z = 0, roll = 0, pitch = 0, yaw = 0] = numbers.map((one, at) =>
       at === axis ? value : one,
     )
     const position: Vector3 = [x, y, z]
-    move(poseOf(position, [roll, pitch, yaw]), words.jog.typed)
+    asked.set(axisName(axis), value)
+    go(poseOf(position, [roll, pitch, yaw]))
+    jog.commit(words.jog.typed)
   }
   return (
-    <>
+    <section>
       <h2>{words.jog.tcp}</h2>
+      {numbers.map((value, axis) => (
+        <div className="jog-row tcp" key={axisName(axis)}>
+          <span className="name">{axisName(axis)}</span>
+          <HoldButton
+            sign="−"
+            label={words.jog.minus(axisName(axis))}
+            title={words.jog.hold}
+            disabled={disabled}
+            start={() => held(axis, -1)}
+          />
+          <HoldButton
+            sign="+"
+            label={words.jog.plus(axisName(axis))}
+            title={words.jog.hold}
+            disabled={disabled}
+            start={() => held(axis, 1)}
+          />
+          <QuantityField
+            label={words.jog.value(axisName(axis))}
+            value={value}
+            dimension={axis < 3 ? 'length' : 'angle'}
+            disabled={disabled}
+            refused={asked.name === axisName(axis) && jog.answer?.reached === false ? asked.why : ''}
+            onValue={typed => type(axis, typed)}
+          />
+        </div>
+      ))}
       <div className="toolbar">
         <label className="inline">
           {words.jog.frame}
@@ -67,34 +114,6 @@ export function JogTcp({ disabled }: { disabled: boolean }) {
           <QuantityField label={words.jog.turn} value={turn} dimension="angle" onValue={setTurn} />
         </span>
       </div>
-      {numbers.map((value, axis) => (
-        <div className="jog-row tcp" key={axisName(axis)}>
-          <span className="name">{axisName(axis)}</span>
-          <button
-            type="button"
-            disabled={disabled}
-            aria-label={words.jog.minus(axisName(axis))}
-            onClick={() => nudge(axis, -1)}
-          >
-            −
-          </button>
-          <button
-            type="button"
-            disabled={disabled}
-            aria-label={words.jog.plus(axisName(axis))}
-            onClick={() => nudge(axis, 1)}
-          >
-            +
-          </button>
-          <QuantityField
-            label={words.jog.value(axisName(axis))}
-            value={value}
-            dimension={axis < 3 ? 'length' : 'angle'}
-            disabled={disabled}
-            onValue={typed => type(axis, typed)}
-          />
-        </div>
-      ))}
-    </>
+    </section>
   )
 }

@@ -10,6 +10,9 @@ export function LiveBar() {
   const programs = useStudioState(state => state.programs)
   const connected = useStudioState(state => state.connection === 'connected')
   const on = live !== null && live.state !== 'over'
+  const finished = useStudioState(state => state.shown > 0 && state.status?.state === 'done')
+  const inputs = useStudioState(state => state.status?.inputs ?? 0)
+  const { id } = studio.runs
   const control = (action: 'pause' | 'resume' | 'stop') => studio.send({ type: 'live_control', action })
   return (
     <div className="toolbar" role="toolbar" aria-label={words.signals.live}>
@@ -36,6 +39,23 @@ export function LiveBar() {
           ) : null}
         </>
       )}
+      {!on && finished && connected && id > 0 ? (
+        <>
+          <a className="button" href={`/run/${id}.npz`} download="" title={words.signals.saveRecordingTitle}>
+            {words.signals.saveRecording}
+          </a>
+          {inputs > 0 ? (
+            <a
+              className="button"
+              href={`/run/${id}.inputs.json`}
+              download=""
+              title={words.signals.saveInputsTitle}
+            >
+              {words.signals.saveInputs}
+            </a>
+          ) : null}
+        </>
+      ) : null}
       {on && live ? (
         <>
           <strong className="live-mark">{words.run.live}</strong>

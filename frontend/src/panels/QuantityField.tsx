@@ -9,13 +9,23 @@ interface QuantityFieldProps {
   readonly value: number
   readonly dimension: Dimension
   readonly disabled?: boolean
+  /** Why the value that was typed last was not taken; empty when it was. */
+  readonly refused?: string
   readonly onValue: (value: number) => void
 }
 
-export function QuantityField({ label, value, dimension, disabled = false, onValue }: QuantityFieldProps) {
+export function QuantityField({
+  label,
+  value,
+  dimension,
+  disabled = false,
+  refused = '',
+  onValue,
+}: QuantityFieldProps) {
   const [typed, setTyped] = useState<string | null>(null)
   const [mistake, setMistake] = useState('')
   const id = useId()
+  const complaint = mistake || (typed === null ? refused : '')
   const shown = formatQuantity(value, dimension === 'length' ? 'm' : 'rad')
   const take = () => {
     if (typed === null) return
@@ -38,8 +48,8 @@ export function QuantityField({ label, value, dimension, disabled = false, onVal
         type="text"
         inputMode="text"
         aria-label={label}
-        aria-invalid={mistake !== ''}
-        aria-describedby={mistake ? id : undefined}
+        aria-invalid={complaint !== ''}
+        aria-describedby={complaint ? id : undefined}
         disabled={disabled}
         value={typed ?? shown}
         onFocus={event => event.target.select()}
@@ -53,9 +63,9 @@ export function QuantityField({ label, value, dimension, disabled = false, onVal
           if (event.key === 'Escape') drop()
         }}
       />
-      {mistake ? (
+      {complaint ? (
         <span className="mistake" id={id} role="alert">
-          {mistake}
+          {complaint}
         </span>
       ) : null}
     </span>

@@ -2,6 +2,7 @@
 import { type ReactNode, useState } from 'react'
 import { words } from '../text/messages'
 import { useStudio, useStudioState } from './context'
+import { UnsentTexts } from './UnsentTexts'
 
 export function Banners() {
   return (
@@ -24,9 +25,15 @@ function Banner({ level, children }: { level: 'error' | 'warning' | 'info'; chil
 
 function ConnectionBanner() {
   const connection = useStudioState(state => state.connection)
-  if (connection === 'lost') return <Banner level="error">{words.connection.lostLong}</Banner>
-  if (connection === 'expired') return <Banner level="error">{words.connection.expiredLong}</Banner>
-  return null
+  if (connection !== 'lost' && connection !== 'expired') return null
+  return (
+    <Banner level="error">
+      <div>
+        {connection === 'lost' ? words.connection.lostLong : words.connection.expiredLong}
+        <UnsentTexts />
+      </div>
+    </Banner>
+  )
 }
 
 function ViewerBanner() {

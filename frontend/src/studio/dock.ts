@@ -8,6 +8,7 @@ export const PANELS = [
   'views',
   'program',
   'problems',
+  'messages',
   'states',
   'plot',
   'jog',
@@ -141,11 +142,12 @@ export class Dock {
     if (preset === 'simulate') {
       const program = right('program', Math.max(300, Math.min(620, wide * 0.4)))
       const states = below('states', program, tall * 0.46)
-      for (const kind of ['problems', 'jog', 'signals', 'cell'] as const) within(kind, states)
+      for (const kind of ['problems', 'messages', 'jog', 'signals', 'cell'] as const) within(kind, states)
       below('plot', views, Math.max(190, tall * 0.32))
     } else if (preset === 'write') {
       const program = right('program', wide * 0.55)
       const problems = below('problems', program, 180)
+      within('messages', problems)
       within('states', problems)
       within('cell', problems)
     } else if (preset === 'analyse') {
@@ -180,7 +182,7 @@ export class Dock {
   ): { referencePanel: IDockviewPanel; direction: 'within' | 'right' | 'below' } | undefined {
     const open = (kinds: readonly string[]) =>
       this.#api.panels.find(panel => kinds.some(one => panel.id.startsWith(one)))
-    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'program'])
+    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'messages', 'program'])
     const reference = kind === 'plot' ? (open(['plot']) ?? open(['views'])) : (side ?? this.#api.panels[0])
     if (!reference) return undefined
     if (kind === 'plot' && reference.id === 'views') return { referencePanel: reference, direction: 'below' }

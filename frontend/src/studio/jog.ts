@@ -38,6 +38,16 @@ export class Jog {
     return this.#answer
   }
 
+  /** An answer is on its way. */
+  get busy(): boolean {
+    return this.#outstanding !== 0 || this.#waiting !== null
+  }
+
+  /** A gesture is under way: something has moved since the last `commit`. */
+  get moving(): boolean {
+    return this.#before !== null
+  }
+
   get tool(): string {
     return this.#tool
   }

@@ -3,6 +3,7 @@ import type { IDockviewPanelProps } from 'dockview-react'
 import { type ComponentType, type FunctionComponent, lazy, Suspense } from 'react'
 import { CellPanel } from '../panels/CellPanel'
 import { JogPanel } from '../panels/JogPanel'
+import { MessagesPanel } from '../panels/MessagesPanel'
 import { ProblemsPanel } from '../panels/ProblemsPanel'
 import { ProgramPanel } from '../panels/ProgramPanel'
 import { SignalsPanel } from '../panels/SignalsPanel'
@@ -38,6 +39,7 @@ export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> =
   views: guarded('views', ViewsPanel),
   program: guarded('program', ProgramPanel),
   problems: guarded('problems', ProblemsPanel),
+  messages: guarded('messages', MessagesPanel),
   states: guarded('states', StatesPanel),
   plot: guarded('plot', PlotPanel),
   jog: guarded('jog', JogPanel),

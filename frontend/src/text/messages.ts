@@ -7,6 +7,7 @@ export const words = {
     views: '3-D views',
     program: 'Program',
     problems: 'Problems',
+    messages: 'Messages',
     states: 'States',
     plot: 'Plot',
     jog: 'Jog',
@@ -28,6 +29,20 @@ export const words = {
   documents: {
     notSaved:
       'Not saved: there is no connection to the server. The text is kept in this page; save again later.',
+  },
+  unsent: {
+    texts: 'Texts that are not saved',
+    copy: 'Copy text',
+    copied: 'Copied',
+    save: 'Save to a file',
+    notCopied:
+      'The browser does not allow copying here; select the text in the editor, or save it to a file.',
+  },
+  messages: {
+    region: 'Messages of the program',
+    none: 'The program has printed nothing. `print` writes here, with the time and line of each message.',
+    line: (line: number) => `line ${line}`,
+    left: (count: number) => `${count} earlier messages are not shown.`,
   },
   viewer: 'Another tab edits this project. Here you can look, play, plot and jog.',
   viewerUnsent: 'Text typed here has not been sent; take over to send it.',
@@ -168,6 +183,8 @@ export const words = {
     range: (low: string, high: string) => `${low} to ${high}`,
     levels: { error: 'Error', warning: 'Warning', info: 'Note' },
     value: (name: string) => `${name}, typed value`,
+    hold: 'One step; hold it to go on',
+    refused: 'This pose cannot be taken.',
     run: 'The jogged arm is drawn beside the run; it changes nothing in the program.',
   },
   signals: {
@@ -208,6 +225,10 @@ export const words = {
     noPresses: 'None. What keys set in a live run stands here; later runs repeat it exactly.',
     repeated: 'Each run repeats them exactly until they are cleared.',
     forget: 'Clear recorded inputs',
+    saveRecording: 'Save recording',
+    saveRecordingTitle: 'The run as a file: `ropsim` and numpy read it (.npz)',
+    saveInputs: 'Save inputs',
+    saveInputsTitle: 'The recorded inputs as a file for `ropsim run --inputs` (.json)',
     time: 'Time',
   },
   cell: {

@@ -7,6 +7,7 @@ from ropsim import language
 from ropsim.language import Role
 from ropsim.lsp import names, words
 from ropsim.lsp.document import Document
+from ropsim.lsp.expected import LITERALS, expected, in_call, type_of
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Workshop
@@ -23,7 +24,8 @@ _KINDS = {
     Role.VARIABLE: 6,
     Role.PATTERN: 13,
 }
-_KEYWORD, _FUNCTION, _UNIT, _TYPE, _FIELD = 14, 3, 11, 25, 5
+_KEYWORD, _FUNCTION, _UNIT, _TYPE, _FIELD, _LITERAL = 14, 3, 11, 25, 5, 12
+_QUIET_TRIGGERS = (" ", ",", "(")
 _MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
 _NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*")*(?:#|//|")')
 _PARTIAL = re.compile(r"[A-Za-z_]?\w*$", re.ASCII)
@@ -52,9 +54,21 @@ _MOTION = re.compile(r"^\s*(?:movj?|movl|lin)\b.*\S\s+$", re.IGNORECASE)
 
 
 def completions(
-    document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
+    document: Document,
+    position: Position,
+    documents: Mapping[str, Document],
+    workshop: Workshop,
+    trigger: str = "",
 ) -> list[Json]:
-    """Return what can be written at a place, the likeliest first."""
+    """Return what can be written at a place, the likeliest first.
+
+    Args:
+        document: where.
+        position: in it.
+        documents: all that are open.
+        workshop: knows what was made of them.
+        trigger: the sign that has just been typed, where it is what asks; empty for a word or by wish.
+    """
     if document.name.endswith((".toml", ".icr")):
         return []
     before = document.line(position.line)[: document.column(position)]
@@ -62,6 +76,8 @@ def completions(
         return []
     lead = before[: len(before) - len(_partial(before))]
     place = next((offer for pattern, offer in _PLACES if pattern.search(lead)), "value")
+    if trigger in _QUIET_TRIGGERS and not in_call(lead, workshop.checked(document, documents).tasks):
+        return []
     around = workshop.surroundings(document, documents)
     known = {one.name: one for one in names.of_cell(around)}
     known |= {one.name: one for one in names.of_text(workshop.outline(document), position.line)}
@@ -108,7 +124,8 @@ def _offered(
         case "value":
             if _MOTION.search(lead):
                 yield from _words(words.MODIFIERS, _KEYWORD, "2")
-            yield from _values(known)
+            wanted = expected(lead, checked.tasks)
+            yield from _fitting(known, wanted)
             yield from _words(words.FUNCTIONS, _FUNCTION, "4")
             yield from _words(words.INNER, _KEYWORD, "3")
 
@@ -119,13 +136,24 @@ def _values(known: list[names.Known]) -> Iterator[Json]:
             yield _name(one)
 
 
+def _fitting(known: list[names.Known], wanted: str) -> Iterator[Json]:
+    """Yield values: those of the type that is wanted first, then literals of it, then the others."""
+    for one in known:
+        if one.role is Role.FRAME and wanted == "loc":
+            yield _name(one, "2")
+        elif one.role not in (Role.FRAME, Role.TOOL, Role.PATTERN):
+            yield _name(one, "0" if wanted and type_of(one) == wanted else "1" if not wanted else "2")
+    for place, literal in enumerate(LITERALS.get(wanted, ())):
+        yield _item(literal, _LITERAL, wanted, "", f"1{place}")
+
+
 def _named(known: list[names.Known], role: Role) -> Iterator[Json]:
     yield from (_name(one) for one in known if one.role is role)
 
 
-def _name(one: names.Known) -> Json:
+def _name(one: names.Known, group: str = "1") -> Json:
     detail = f"{one.role.value}: {one.text}" if one.origin == "cell" else one.text
-    return _item(one.name, _KINDS[one.role], detail[:120], "", "1")
+    return _item(one.name, _KINDS[one.role], detail[:120], "", group)
 
 
 def _tasks(checked: CheckedText, outline: language.Outline) -> Iterator[Json]:

@@ -73,6 +73,18 @@ class AtPosition(msgspec.Struct, frozen=True, rename="camel"):
     position: Position
 
 
+class CompletionContext(msgspec.Struct, frozen=True, rename="camel"):
+    """Why completion is asked for."""
+
+    trigger_character: str | None = None
+
+
+class CompletionAt(AtPosition, frozen=True, rename="camel"):
+    """A place at which something can be completed."""
+
+    context: CompletionContext | None = None
+
+
 class InRange(msgspec.Struct, frozen=True, rename="camel"):
     """Methods that ask about a stretch."""
 

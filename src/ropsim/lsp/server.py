@@ -20,7 +20,7 @@ from ropsim.version import __version__
 CAPABILITIES: Json = {
     "positionEncoding": "utf-16",
     "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
-    "completionProvider": {"triggerCharacters": [".", ":"]},
+    "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " "]},
     "hoverProvider": True,
     "definitionProvider": True,
     "documentSymbolProvider": True,
@@ -136,9 +136,12 @@ def _look_again(state: State, _: protocol.Anything, __: Workshop) -> State:
     return state.all_stale()
 
 
-def _complete(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
+def _complete(state: State, params: protocol.CompletionAt, workshop: Workshop) -> object:
     document = state.documents.get(params.text_document.uri)
-    items = completions(document, params.position, state.documents, workshop) if document else []
+    trigger = params.context.trigger_character if params.context is not None else None
+    items = (
+        completions(document, params.position, state.documents, workshop, trigger or "") if document else []
+    )
     return {"isIncomplete": False, "items": items}
 
 
@@ -179,7 +182,7 @@ _TOLD = {
     "workspace/didChangeWatchedFiles": _Method(protocol.Anything, _look_again),
 }
 _ASKED = {
-    "textDocument/completion": _Method(protocol.AtPosition, _complete),
+    "textDocument/completion": _Method(protocol.CompletionAt, _complete),
     "textDocument/hover": _Method(protocol.AtPosition, _hover),
     "textDocument/definition": _Method(protocol.AtPosition, _definition),
     "textDocument/documentSymbol": _Method(protocol.OfDocument, _symbols),

@@ -27,10 +27,11 @@ ALWAYS = {
 
 
 class Gate:
-    """Lets only requests through that carry our own host, our own origin and the secret of this start.
+    """Lets only requests through that carry our own host, our own origin and the secret of the project.
 
     The host is compared with the very port (DNS rebinding gives others), the origin wherever a request can
-    change something. The secret comes with the first address and stays in a cookie that scripts cannot see.
+    change something. The first address, which is new at each start, brings the secret: it stays in a cookie
+    that scripts cannot see.
 
     Args:
         app: what is behind the gate.
@@ -38,12 +39,14 @@ class Gate:
         token: the secret.
         once: opens the first address too, a single time; empty for none. Lists of processes show other users
             of this machine with which address a browser was started.
+        kept: what the cookie holds, never a part of an address; empty for the secret of this start.
     """
 
-    def __init__(self, app: ASGIApp, port: int, token: str, once: str = "") -> None:
+    def __init__(self, app: ASGIApp, port: int, token: str, once: str = "", kept: str = "") -> None:
         self._app = app
         self._token = token
         self._once = once
+        self._kept = kept or token
         self._cookie = f"ropsim-{port}"
         bare = LOOPBACK if port == 80 else ()
         self._hosts = frozenset((*(f"{name}:{port}" for name in LOOPBACK), *bare))
@@ -56,7 +59,7 @@ class Gate:
             return
         sender = _with_headers(send)
         if self._is_first(scope):
-            cookie = f"{self._cookie}={self._token}; HttpOnly; SameSite=Strict; Path=/"
+            cookie = f"{self._cookie}={self._kept}; HttpOnly; SameSite=Strict; Path=/"
             await refuse(scope, sender, Refusal(303, "", {"location": "/", "set-cookie": cookie}))
             return
         refusal = self._refusal(scope)
@@ -73,7 +76,7 @@ class Gate:
         if not reads and headers.get("origin") not in self._origins:
             return REFUSALS["origin"]
         cookies = cookie_parser(headers.get("cookie", ""))  # those of other servers on this machine, too
-        return None if self._is_ours(cookies.get(self._cookie, "")) else REFUSALS["token"]
+        return None if _same(cookies.get(self._cookie, ""), self._kept) else REFUSALS["token"]
 
     def _is_first(self, scope: Scope) -> bool:
         """Return whether this is the address that the terminal shows."""

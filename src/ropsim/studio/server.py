@@ -10,7 +10,7 @@ import tempfile
 import threading
 import webbrowser
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 from types import FrameType
@@ -22,6 +22,7 @@ from starlette.types import ASGIApp
 from ropsim.studio import pages, sockets
 from ropsim.studio.diagnostics import PORT_TAKEN, StudioError
 from ropsim.studio.isolation import leave_project
+from ropsim.studio.place import keep_place, place_of
 from ropsim.studio.project_files import project_folder
 from ropsim.studio.security import Gate
 from ropsim.studio.workplace import Workplace
@@ -44,7 +45,7 @@ class StudioOptions:
 
     Attributes:
         project: path of a project folder, its `cell.toml`, or one of its programs.
-        port: 0 for any free one.
+        port: 0 for that of the last time, or any free one.
         browser: opened or not.
     """
 
@@ -65,8 +66,10 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
     """
     folder = project_folder(options.project)
     page_folder = pages.pages_folder()
-    listener = _listen(options.port)
+    place = place_of(folder)
+    listener = _listen(options.port) if options.port else _listen_again(place.port)
     port = listener.getsockname()[1]
+    keep_place(folder, replace(place, port=port))
     token, once = (secrets.token_urlsafe(24) for _ in range(2))
 
     def ready() -> None:
@@ -82,7 +85,8 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
             routes=[*pages.routes(page_folder, workplace), *sockets.routes(workplace, Path(neutral))]
         )
         try:
-            _Server(_configuration(Gate(behind, port, token, once)), workplace, ready).run(sockets=[listener])
+            gate = Gate(behind, port, token, once, place.secret)
+            _Server(_configuration(gate), workplace, ready).run(sockets=[listener])
         finally:
             workplace.kill()
             os.chdir(Path(neutral).anchor)
@@ -161,3 +165,11 @@ def _listen(port: int) -> socket.socket:
         hint = "leave `--port` out, or give 0, for a free one"
         raise StudioError(PORT_TAKEN.at(None, message, hint=hint)) from error
     return listener
+
+
+def _listen_again(port: int) -> socket.socket:
+    """Return a socket on the port of the last time, where a page may be waiting, else on any free one."""
+    if port:
+        with contextlib.suppress(StudioError):
+            return _listen(port)
+    return _listen(0)

@@ -88,6 +88,41 @@ def test_a_place_offers_what_may_stand_there(line: str, among: str) -> None:
     assert among in labels(BARE, HEAD + line)
 
 
+@pytest.mark.parametrize(
+    ("line", "first"),
+    [
+        ("Pick |", "corner"),
+        ("call Pick |", "corner"),
+        ("Pick corner, |", "gap"),
+        ("Pick (1, 2, 3), |", "gap"),
+        ("Pick(corner, |", "gap"),
+        ("Pick corner, clear = |", "gap"),
+        ("x = Pick(|", "corner"),
+        ("lin |", "corner"),
+        ("lin corner above |", "gap"),
+        ("wait |", "1 s"),
+        ("lin corner speed |", "100 mm/s"),
+    ],
+)
+def test_what_fits_the_type_of_a_place_comes_first(line: str, first: str) -> None:
+    assert labels(BARE, HEAD + line)[0] == first
+
+
+def test_literals_with_a_unit_come_after_the_names_that_fit() -> None:
+    offered = labels(BARE, HEAD + "const far = 3 s\nPick corner, |")
+    assert offered[:2] == ["gap", "10 mm"]
+    assert offered.index("0.1 m") < min(offered.index("corner"), offered.index("far"))
+
+
+@pytest.mark.parametrize(
+    ("line", "offered"), [("Pick |", True), ("Pick corner, |", True), ("mov |", False), ("x = 1 |", False)]
+)
+def test_a_blank_asks_inside_of_a_call_only(line: str, offered: bool) -> None:
+    context = {"triggerKind": 2, "triggerCharacter": " "}
+    items = Editor().at_mark("completion", BARE, HEAD + line, context=context)["items"]
+    assert bool(items) is offered
+
+
 def test_names_of_the_cell_are_offered_where_they_fit(program: str) -> None:
     assert "infeed" in labels(program, HEAD + "mov |")
     assert labels(program, HEAD + "lin (1, 2, 3) in |") == ["base", "pallet"]

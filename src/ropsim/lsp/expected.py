@@ -1,0 +1,100 @@
+"""Which type of value a place of a line asks for, and which type a name of the text has."""
+
+import re
+from collections.abc import Mapping
+
+from ropsim.language import Role, TaskForm
+from ropsim.lsp.names import Known
+
+#: A literal of each type, as it may be typed and changed.
+LITERALS: Mapping[str, tuple[str, ...]] = {
+    "length": ("10 mm", "1 cm", "0.1 m"),
+    "angle": ("90 deg", "1 rad"),
+    "time": ("1 s", "100 ms"),
+    "speed": ("100 mm/s", "0.5 m/s"),
+    "accel": ("500 mm/s2", "1 m/s2"),
+    "force": ("10 N",),
+    "bool": ("true", "false"),
+}
+
+_CALL = re.compile(
+    r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
+    re.ASCII | re.IGNORECASE,
+)
+_INSIDE = re.compile(r"([A-Za-z_]\w*)\(([^()]*)$", re.ASCII)
+_NAMED = re.compile(r"([A-Za-z_]\w*)\s*=\s*$", re.ASCII)
+_TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
+
+#: What the word before a place asks for.
+_AFTER = tuple(
+    (re.compile(pattern, re.IGNORECASE), type_)
+    for pattern, type_ in (
+        (r"^\s*(?:\d+\.\s*)?(?:movj?|movl|lin)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
+        (r"\b(?:above|blend)\s+$", "length"),
+        (r"^\s*wait\s+$|\btimeout\s+$", "time"),
+        (r"\bspeed\s+$", "speed"),
+        (r"\bacc\s+$", "accel"),
+        (r"\b(?:rx|ry|rz|pitch|roll|yaw)\s+$", "angle"),
+    )
+)
+_DECLARED = r"\b{name}\s*:\s*([a-z]+)"
+_VALUE = re.compile(r"=\s*-?[\d.]+\s*([A-Za-z]+(?:/[A-Za-z]+\d?)?|°)?", re.ASCII)
+_UNITS = {
+    **dict.fromkeys(("mm", "cm", "m", "in"), "length"),
+    **dict.fromkeys(("deg", "rad", "°"), "angle"),
+    **dict.fromkeys(("s", "ms", "min"), "time"),
+    **dict.fromkeys(("mm/s", "m/s", "cm/s"), "speed"),
+    **dict.fromkeys(("mm/s2", "m/s2"), "accel"),
+    "N": "force",
+}
+_BY_ROLE = {Role.LOCATION: "loc", Role.SIGNAL: "bool"}
+
+
+def in_call(lead: str, tasks: Mapping[str, TaskForm]) -> str:
+    """Return the type of the parameter at the end of a line, empty outside of calls of tasks.
+
+    Args:
+        lead: the line up to the word that is being typed.
+        tasks: how each task is called.
+    """
+    bare = _TEXT.sub('""', lead)
+    match = _INSIDE.search(bare) or _CALL.match(bare)
+    form = tasks.get(match[1]) if match else None
+    if match is None or form is None or not form.parameters:
+        return ""
+    arguments = match[2].removeprefix("(").lstrip()
+    if arguments.count("(") > arguments.count(")"):  # inside of a location or a function
+        return ""
+    named = _NAMED.search(arguments)
+    if named is not None:
+        return next((one.type for one in form.parameters if one.name == named[1]), "")
+    before, _, last = arguments.rpartition(",")
+    if last.strip():  # a value stands there already
+        return ""
+    place = _outer_commas(before) + 1 if "," in arguments else 0
+    return form.parameters[place].type if place < len(form.parameters) else ""
+
+
+def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
+    """Return the type that the end of a line asks for, empty where any may stand."""
+    return in_call(lead, tasks) or next((type_ for pattern, type_ in _AFTER if pattern.search(lead)), "")
+
+
+def type_of(known: Known) -> str:
+    """Return the type of a name, empty where the text does not tell."""
+    if known.role in _BY_ROLE:
+        return _BY_ROLE[known.role]
+    declared = re.search(_DECLARED.format(name=re.escape(known.name)), known.text)
+    if declared is not None:
+        return declared[1]
+    value = _VALUE.search(known.text)
+    return _UNITS.get(value[1] or "", "num") if value is not None else ""
+
+
+def _outer_commas(arguments: str) -> int:
+    """Return how many commas stand outside of brackets."""
+    depth = count = 0
+    for character in arguments:
+        depth += (character == "(") - (character == ")")
+        count += character == "," and depth == 0
+    return count

@@ -1,0 +1,64 @@
+"""Where the studio of a project is found again: its port, and the secret that its pages keep.
+
+A page that is still open when the server ends goes on with the next one by itself: that takes the same port
+and knows the page by the same secret. The secret is in the cookie only, never in an address, and in a file
+that the user alone can read.
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import secrets
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from ropsim.core import read_bytes, replace_file
+from ropsim.workbench import state_folder
+
+LONGEST = 7 * 24 * 3600.0
+"""Age at which a secret is made anew [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Port and secret of a project.
+
+    Attributes:
+        port: of the last start, 0 for none.
+        secret: of its pages.
+        made: when the secret was made [s since 1970].
+    """
+
+    port: int
+    secret: str
+    made: float
+
+
+def place_of(folder: Path) -> Place:
+    """Return where the studio of a project was last, or a new place without a port."""
+    fresh = Place(0, secrets.token_urlsafe(24), time.time())
+    try:
+        kept = json.loads(read_bytes(_file(folder)))
+        place = Place(int(kept["port"]), str(kept["secret"]), float(kept["made"]))
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+        return fresh
+    right = 0 < place.port < 65536 and len(place.secret) >= len(fresh.secret)
+    return place if right and 0.0 <= fresh.made - place.made < LONGEST else fresh
+
+
+def keep_place(folder: Path, place: Place) -> None:
+    """Remember a place for the next start; without a place to write it, the next start is a new one."""
+    content = json.dumps({"port": place.port, "secret": place.secret, "made": place.made}).encode()
+    file = _file(folder)
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        # it keeps the permissions that it is made with: at no time can others read it
+        os.close(os.open(file, os.O_CREAT | os.O_WRONLY, 0o600))
+        replace_file(file, content)
+
+
+def _file(folder: Path) -> Path:
+    key = hashlib.sha256(str(folder).encode("utf-8", "surrogateescape")).hexdigest()[:20]
+    return state_folder() / "studio" / f"{key}.json"
