@@ -136,6 +136,17 @@ def test_equal_findings_of_a_line_are_one_row_with_a_count(fresh: StudioPage) ->
     assert row.count() == 1
 
 
+def test_what_the_program_prints_leads_to_its_time_and_line(fresh: StudioPage) -> None:
+    shown = fresh.state()["shown"]
+    fresh.append(17, "\nprint 7")
+    fresh.rerun(shown)
+    row = fresh.panel("Messages").locator(".message")
+    assert row.locator(".message-text").text_content() == "7"
+    row.click()
+    assert fresh.time() == pytest.approx(fresh.state()["duration"], abs=0.005)
+    fresh.page.locator(".cm-activeLine", has_text="print 7").wait_for()
+
+
 def test_the_cell_file_is_coloured_and_named_where_it_is_wrong(fresh: StudioPage) -> None:
     fresh.document("cell.toml")
     heading = fresh.line(1).locator("span").first

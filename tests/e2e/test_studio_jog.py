@@ -99,7 +99,8 @@ def test_a_joint_stops_at_its_limit_and_says_so(
     assert first_project.cell is not None
     limit = float(first_project.cell.robot.upper_limits[0])
     put(jog, "J1", "200 deg")
-    jog.get_by_text(f"joint 1 stops at its upper limit {degrees(limit):g}°").wait_for()
+    words = f"joint 1 stops at its upper limit {degrees(limit):g}°"
+    jog.locator(".jog-row", has_text="J1").get_by_text(words).wait_for()
     stands_at(tab, first_project, np.array([limit, *start[1:]]))
 
 
@@ -136,7 +137,7 @@ def test_a_pose_out_of_reach_is_refused_in_words(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
     put(jog, "X", "3 m")
-    words = jog.get_by_text("out of reach: the wrist would be")
+    words = jog.locator(".jog-row.tcp", has_text="X").get_by_text("out of reach: the wrist would be")
     words.wait_for()
     assert "mm too far away" in (words.text_content() or "")
     stands_at(tab, first_project, start)
@@ -188,3 +189,43 @@ def test_the_table_of_states_jogs_from_the_shown_time(
     assert first_project.cell is not None
     q = joints_at(first_run, time)
     stands_at(tab, first_project, np.array([first_project.cell.robot.lower_limits[0], *q[1:]]))
+
+
+def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator") -> None:
+    start = tab.poses("jogged")["link6"][1]
+    button = jog.get_by_role("button", name="Y plus")
+    button.scroll_into_view_if_needed()
+    button.hover()
+    tab.page.mouse.down()
+    tab.page.wait_for_function("y => __ropsim.jogged().link6[1] > y", arg=start + 0.05)
+    tab.page.mouse.up()
+    jog.get_by_role("button", name="Undo: Jog TCP Y").wait_for()
+    stopped = tab.poses("jogged")
+    tab.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    assert tab.poses("jogged") == stopped
+    jog.get_by_role("button", name="Undo: Jog TCP Y").click()
+    tab.page.wait_for_function("y => Math.abs(__ropsim.jogged().link6[1] - y) < 1e-4", arg=start)
+
+
+def test_a_key_holds_too_and_escape_stops(tab: StudioPage, jog: "Locator") -> None:
+    start = tab.poses("jogged")["link6"][2]
+    jog.get_by_role("button", name="Z plus").focus()
+    tab.page.keyboard.down("Enter")
+    tab.page.wait_for_function("z => __ropsim.jogged().link6[2] > z", arg=start + 0.03)
+    tab.page.keyboard.press("Escape")
+    jog.get_by_role("button", name="Undo: Jog TCP Z").wait_for()
+    tab.page.keyboard.up("Enter")
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (1440, 900)])
+def test_every_direction_of_the_tcp_is_in_sight(
+    tab: StudioPage, jog: "Locator", width: int, height: int
+) -> None:
+    from playwright.sync_api import expect
+
+    tab.page.set_viewport_size({"width": width, "height": height})
+    tab.page.evaluate("() => __ropsim.command('view.reset')")
+    panel = tab.panel("Jog")
+    for name in ("J6", "X", "Y", "Z", "Roll", "Pitch", "Yaw"):
+        expect(panel.get_by_label(f"{name}, typed value")).to_be_in_viewport(ratio=1)
+    tab.page.set_viewport_size({"width": 1280, "height": 800})

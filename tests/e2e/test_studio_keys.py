@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ropsim.workbench import open_project
+from ropsim.workbench.inputs import read_inputs
 from support.browser import Pages
 from support.keys_project import keys_project
 from support.studio_page import StudioPage
@@ -95,7 +96,7 @@ def test_without_a_press_the_program_waits_in_vain(keys: StudioPage, project: Pa
 
 
 def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
-    keys: StudioPage, signals: "Locator"
+    keys: StudioPage, signals: "Locator", tmp_path: Path
 ) -> None:
     arm(signals)
     live(keys, signals)
@@ -108,6 +109,16 @@ def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
     assert (on, off) == (1.0, 0.0)
     assert 0.0 < pressed < released < first["duration"] < 60.0
     keys.page.locator(".status").get_by_text("2 recorded").wait_for()
+    for name, ending in (("Save inputs", ".inputs.json"), ("Save recording", ".npz")):
+        with keys.page.expect_download() as saved:
+            signals.get_by_role("link", name=name).click()
+        assert saved.value.suggested_filename.endswith(ending)
+        saved.value.save_as(tmp_path / f"run{ending}")
+        kept = [
+            (one.time, one.value) for one in read_inputs(tmp_path / f"run{ending}") if one.signal == "start"
+        ]
+        assert [value for _, value in kept] == [on, off]
+        assert [time for time, _ in kept] == pytest.approx([pressed, released], abs=0.006)
     keys.page.keyboard.press("Control+Enter")
     keys.rerun(first["shown"])
     again = keys.state()

@@ -81,21 +81,26 @@ def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
     assert program(folder).read_bytes() == before
 
 
-def test_text_typed_without_a_server_is_sent_when_it_is_back(
-    start_studio: Start, open_page: Pages, folder: Path
+def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
+    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
 ) -> None:
     studio = start_studio(folder)
-    page = StudioPage.opened(open_page, studio.url, expected=(*GONE, "401"))
+    page = StudioPage.opened(open_page, studio.url, expected=GONE)
     studio.kill()
     page.page.get_by_role("alert").get_by_text("Connection lost").wait_for()
     page.append(2, "  # typed alone")
-    back = start_studio(folder, studio.port)
-    page.page.get_by_role("alert").get_by_text("use the URL the terminal shows").wait_for()
-    other = open_page(back.url, beside=page.page)
-    other.wait_for_selector("body[data-ready]", state="attached")
+    texts = page.page.get_by_role("list", name="Texts that are not saved")
+    with page.page.expect_download() as saved:
+        texts.get_by_role("button", name="Save to a file").click()
+    assert saved.value.suggested_filename == "main.task"
+    assert "units mm, deg, s  # typed alone\n" in saved.value.path().read_text("utf-8")
+    page.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    texts.get_by_role("button", name="Copy text").click()
+    texts.get_by_role("button", name="Copied").wait_for()
+    assert "# typed alone" in page.page.evaluate("() => navigator.clipboard.readText()")
+    start_studio(folder)
     page.page.wait_for_function("() => __ropsim.state().connection === 'connected'")
-    page.take_over()
-    other.locator(".cm-line", has_text="# typed alone").wait_for()
+    page.until(lambda: journalled(tmp_path, "# typed alone"))
     assert "# typed alone" not in program(folder).read_text("utf-8")
     assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
 
