@@ -123,7 +123,9 @@ def _glb(random: Random) -> bytes:
     if choice < 0.25:
         return mutated(random, random.choice(_GLBS), BYTES)
     if choice < 0.3:
-        return glb_container(_chain(random.choice(DEPTHS[:4])), _GLB_BODY)
+        return glb_container(
+            _chain(random.choice((*DEPTHS[:3], *DEPTHS[:3], *DEPTHS[:3], DEPTHS[3]))), _GLB_BODY
+        )
     document: object = _GLB
     for _ in range(random.choice((1, 1, 2, 3))):
         document = changed_value(random, document)
