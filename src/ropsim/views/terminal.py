@@ -71,8 +71,14 @@ def _title(summary: Summary, style: Style) -> list[str]:
         paint(fit(what + robot, COLUMNS), Tone.STRONG, style),
         *(["kinematic run: the arm follows its references exactly"] if is_kinematic else []),
         *(paint(line, _VERDICT_TONES[state.kind], style) for line in textwrap.wrap(state.text, COLUMNS)),
-        *textwrap.wrap(summary.unchecked.text, COLUMNS, subsequent_indent="  "),
+        *_unchecked(summary.unchecked.text),
     ]
+
+
+def _unchecked(text: str) -> list[str]:
+    """Return the line on what was not looked at; where it is too long it breaks between its parts."""
+    whole = "\u00a0· ".join(part.replace(" ", "\u00a0") for part in text.split(" · "))
+    return textwrap.wrap(whole, COLUMNS, subsequent_indent="  ")
 
 
 def _time(summary: Summary, style: Style) -> list[str]:

@@ -70,6 +70,13 @@ def test_a_kinematic_run_does_not_claim_to_settle_at_once() -> None:
     assert "settling     – (a kinematic run has no servo that settles)" in text
 
 
+def test_what_was_not_looked_at_breaks_between_its_parts_only() -> None:
+    about = {**header(), "fidelity": "kinematic", "estimated": ["p" * 30, "q" * 30]}
+    lines = report(header=about).splitlines()
+    start = lines.index("not checked: collisions, torques, drives, servo ·")
+    assert lines[start + 1] == "  estimated: 2 groups of parameters"
+
+
 def test_empty_recording_has_a_report() -> None:
     text = terminal_report(summarize(empty_recording()), Style.PLAIN)
     assert "cycle time   0.00 s" in text
