@@ -12,6 +12,7 @@ help:
 	@echo 'make check   lint, format, types, import contracts, spelling, generated pages; the pages of the studio'
 	@echo 'make bench   run the benchmarks'
 	@echo 'make docs    write the generated pages under docs/reference'
+	@echo 'make pictures  take the pictures of README and docs (needs Chromium)'
 	@echo 'make clean   remove .venv, node_modules, caches, build and example output'
 
 demo:
@@ -42,9 +43,14 @@ docs:
 	.venv/bin/python tools/diagnostic_pages.py
 	.venv/bin/python tools/icr_table.py
 
+pictures:
+	@$(VENV) test
+	.venv/bin/python tools/readme_picture.py
+	PYTHONPATH=tests .venv/bin/python -m tools.studio_pictures
+
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
 	rm -rf .benchmarks examples/*/out frontend/node_modules frontend/dist src/ropsim/static
 	find src tests tools benchmarks -name __pycache__ -type d -prune -exec rm -rf '{}' +
 
-.PHONY: help demo test check bench docs clean
+.PHONY: help demo test check bench docs pictures clean
