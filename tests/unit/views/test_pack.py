@@ -143,7 +143,7 @@ def test_the_36_boxes_end_on_the_pallet() -> None:
     pallet, end = shown.cell.frames["pallet"], shown.recording.duration
     boxes = np.array([shown.pack.pose(f"box_{k}", end).position for k in range(1, 37)])
     local = (boxes - (shown.cell.X_WB @ pallet).position) @ (shown.cell.X_WB @ pallet).rotation()
-    slots = np.array([[0.07 * i, 0.07 * j, 0.04] for i in range(6) for j in range(6)])
+    slots = np.array([[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)])
     nearest = np.linalg.norm(local[:, None] - slots[None], axis=2)
     assert np.max(np.min(nearest, axis=1)) < 1e-3
     assert sorted(np.argmin(nearest, axis=1)) == list(range(36))
