@@ -31,8 +31,8 @@ SCALE = 1.5
 """Pixels per point: sharp on screens of twice the density too, at half the bytes."""
 QUALITY = 72
 """Of WebP; edges of small letters show no ripples from here on."""
-MOMENT = 60.0
-"""Time of the pictures [s]: a part of the pallet is full, the arm carries a box."""
+MOMENT = 62.0
+"""Time of the pictures [s]: two rows of the pallet are full, the arm carries a box."""
 MOST_BYTES = 1_200_000
 """All pictures together."""
 PATIENCE = 120_000
