@@ -84,7 +84,7 @@ def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) 
 def _load(table: TomlTable, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
     """Return the arm with its standard controller at the rates of `settings`."""
     name = table.text("model", "")
-    if not name:
+    if not name and table.values.get("model") != "":  # it is absent or no text, which has been said
         return None
     try:
         model = robots.load(name)
