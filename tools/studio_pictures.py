@@ -21,12 +21,12 @@ from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator
+    from playwright.sync_api import Browser, Locator, ViewportSize
 
 ROOT = Path(__file__).parents[1]
 PROJECT = ROOT / "examples" / "palletizing"
 IMAGES = ROOT / "docs" / "images"
-WINDOW = {"width": 1440, "height": 900}
+WINDOW: "ViewportSize" = {"width": 1440, "height": 900}
 SCALE = 1.5
 """Pixels per point: sharp on screens of twice the density too, at half the bytes."""
 QUALITY = 72
