@@ -10,7 +10,7 @@ import pytest
 from support.fuzzing.guard import fuzz
 from support.fuzzing.targets import TARGETS
 
-CASES = 150
+CASES = 100
 SEED = 7
 WORDS = {
     1: "KeyError",
