@@ -91,11 +91,15 @@ def running(fresh: StudioPage, text: str) -> None:
     )
 
 
-def test_a_comment_or_a_blank_line_simulates_nothing_and_lines_stay_right(fresh: StudioPage) -> None:
-    fresh.seek(2.0)
-    line = fresh.page.locator(".cm-running").text_content() or ""
+def test_a_comment_or_a_blank_line_simulates_nothing_and_lines_stay_right(
+    fresh: StudioPage, first_run: Recording
+) -> None:
+    move = [event for event in first_run.events if event.kind == "move"][2]
+    assert move.span is not None
+    fresh.seek(move.time + move.duration / 2)
+    line = fresh.line(move.span.line).text_content() or ""
+    running(fresh, line)
     before = fresh.state()
-    fresh.page.keyboard.press("Control+Home")
     fresh.editor().focus()
     fresh.page.keyboard.press("Control+Home")
     fresh.page.keyboard.type("# of two kinds\n\n")

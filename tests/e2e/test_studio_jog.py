@@ -208,12 +208,12 @@ def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator
 
 
 def test_a_key_holds_too_and_escape_stops(tab: StudioPage, jog: "Locator") -> None:
-    start = tab.poses("jogged")["link6"][2]
-    jog.get_by_role("button", name="Z plus").focus()
+    start = tab.poses("jogged")["link6"][1]
+    jog.get_by_role("button", name="Y plus").focus()
     tab.page.keyboard.down("Enter")
-    tab.page.wait_for_function("z => __ropsim.jogged().link6[2] > z", arg=start + 0.03)
+    tab.page.wait_for_function("y => __ropsim.jogged().link6[1] > y", arg=start + 0.03)
     tab.page.keyboard.press("Escape")
-    jog.get_by_role("button", name="Undo: Jog TCP Z").wait_for()
+    jog.get_by_role("button", name="Undo: Jog TCP Y").wait_for()
     tab.page.keyboard.up("Enter")
 
 
