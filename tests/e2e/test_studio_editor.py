@@ -134,6 +134,7 @@ def test_a_move_out_of_reach_is_marked_in_its_line_before_the_drives_are_simulat
 def test_equal_findings_of_a_line_are_one_row_with_a_count(fresh: StudioPage) -> None:
     shown = fresh.state()["shown"]
     fresh.append(17, "\nrepeat 3\n  mov (5000, 0, 0; down)\n  wait 0.5\nendr")
+    fresh.page.keyboard.press("Escape")  # the list of completions lies over the tabs
     fresh.rerun(shown)
     row = fresh.show("Problems").locator(".problem").filter(has_text="× 3")
     row.wait_for()
