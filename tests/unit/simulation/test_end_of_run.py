@@ -107,7 +107,7 @@ def test_a_move_ends_when_every_joint_is_in_position(cell: Cell) -> None:
     window = np.full(6, 1e-5)  # an arm that has just been moved needs a while until it is within this
     strict = replace(cell, controller=replace(cell.controller, in_position=window))
     # joint 1 stands where it stands: it is in position all the time
-    program = code(strict, "mov joints (0, -60, 60, 0, 30, 0)", "mov joints (0, -60, 60, 60, 60, 0)")
+    program = code(strict, "mov joints (0, 60, -150, 0, -60, 0)", "mov joints (0, 60, -150, 60, -30, 0)")
     recording = run(strict, program, RunOptions(record_hz=1000))
     last = [event for event in recording.events if event.kind == "move"][-1]
     assert float(str(last.data["settle"])) > 0.0
