@@ -1,5 +1,6 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
+from ropsim.kinematics.configurations import configurations as configurations
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError
 from ropsim.kinematics.diagnostics import NoClosedFormError as NoClosedFormError
 from ropsim.kinematics.diagnostics import NotFiniteError as NotFiniteError

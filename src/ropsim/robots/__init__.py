@@ -7,6 +7,5 @@ from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load
 from ropsim.robots.library import names as names
 from ropsim.robots.standard_controller import LoopBandwidths as LoopBandwidths
-from ropsim.robots.standard_controller import configurations as configurations
 from ropsim.robots.standard_controller import standard_bandwidths as standard_bandwidths
 from ropsim.robots.standard_controller import standard_gains as standard_gains

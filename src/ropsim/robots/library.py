@@ -6,7 +6,7 @@ from types import MappingProxyType
 
 from ropsim.model import ControllerModel, Rates, RobotModel
 from ropsim.robots import puma560, two_link
-from ropsim.robots.diagnostics import NoControllerError, UnknownRobotError
+from ropsim.robots.diagnostics import UnknownRobotError
 from ropsim.robots.standard_controller import standard_controller
 
 _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
@@ -44,8 +44,6 @@ def default_controller(robot: str | RobotModel, rates: Rates = STANDARD_RATES) -
         NoControllerError: X861, the robot has no drives that gains could be made for.
     """
     model = load(robot) if isinstance(robot, str) else robot
-    if not model.drives:
-        raise NoControllerError(model.name)
     return _controller(model, rates)
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.dynamics import axis_inertias, torque_per_ampere
+from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
     ControllerKind,
@@ -14,6 +15,7 @@ from ropsim.model import (
     Rates,
     RobotModel,
 )
+from ropsim.robots.diagnostics import NoControllerError
 from ropsim.spatial import Array, frozen
 
 ELECTRICAL_SHARE = 1.0 / 3.0
@@ -52,7 +54,13 @@ class LoopBandwidths:
 
 
 def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
-    """Return the bandwidths that motors and control rate of an arm with drives allow."""
+    """Return the bandwidths that motors and control rate of an arm allow.
+
+    Raises:
+        NoControllerError: X861, the arm has no drives.
+    """
+    if not robot.drives:
+        raise NoControllerError(robot.name)
     poles = np.array([drive.motor.resistance / drive.motor.inductance for drive in robot.drives])
     speed = np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz)
     return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
@@ -67,6 +75,9 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
     that was designed for: gravity, Coulomb friction, coupling of the joints. M is the geometric mean of the
     least and the greatest inertia of the axis over the range of the joints. Cascades with feed-forward of
     the reference: W. Leonhard, Control of Electrical Drives, 3rd ed., Springer 2001.
+
+    Raises:
+        NoControllerError: X861, the arm has no drives.
     """
     bandwidths = standard_bandwidths(robot, rates)
     inertias = axis_inertias(robot, configurations(robot, SAMPLES))
@@ -89,7 +100,11 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
 
 
 def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:
-    """Return the cascaded P-PI controller of an arm with drives."""
+    """Return the cascaded P-PI controller of an arm with drives.
+
+    Raises:
+        NoControllerError: X861, the arm has no drives.
+    """
     return ControllerModel(
         kind=ControllerKind.CASCADED_P_PI,
         rates=rates,
@@ -98,24 +113,6 @@ def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:
         in_position=np.full(robot.n, IN_POSITION),
         origins=(ParameterOrigin("controller gains", "derived", _statement(robot, rates)),),
     )
-
-
-def configurations(robot: RobotModel, count: int) -> Array:
-    """Return configurations that fill the range of the joints evenly, shape (count, n) [rad | m].
-
-    The additive recurrence of M. Roberts, 2018 (a generalised golden ratio): point k has coordinate i at
-    frac(k·φ⁻ⁱ), i = 1 … n, where φ is the positive root of φⁿ⁺¹ = φ + 1.
-    """
-    n = robot.n
-    phi = 2.0
-    for _ in range(64):  # contracts to the root to the last bit
-        phi = (1.0 + phi) ** (1.0 / (n + 1))
-    shares = np.modf(np.outer(np.arange(1, count + 1), phi ** -np.arange(1.0, n + 1.0)))[0]
-    turn = 2.0 * np.pi  # further turns are the same arm
-    wide = robot.upper_limits - robot.lower_limits > turn
-    lower = np.where(wide, np.maximum(robot.lower_limits, -np.pi), robot.lower_limits)
-    upper = np.minimum(robot.upper_limits, lower + turn)
-    return np.asarray(lower + shares * (upper - lower))
 
 
 def _statement(robot: RobotModel, rates: Rates) -> str:

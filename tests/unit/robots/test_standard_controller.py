@@ -1,5 +1,6 @@
 """The standard gains, checked against the frequency response of the whole drive and against runs."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -87,13 +88,10 @@ def test_the_origin_of_the_gains_states_the_bandwidths() -> None:
     assert "speed loops 200 rad/s, position loops 60 rad/s" in origin.source
 
 
-def test_configurations_fill_the_ranges_of_the_joints() -> None:
-    Q = robots.configurations(PUMA, 512)
-    share = (Q - PUMA.lower_limits) / (PUMA.upper_limits - PUMA.lower_limits)
-    wide = share[:, np.degrees(PUMA.upper_limits - PUMA.lower_limits) < 360.0]
-    assert wide.shape[1] >= 4
-    for column in wide.T:
-        assert np.diff(np.sort(column), prepend=0.0, append=1.0).max() < 0.05  # joint 4: φ⁻⁴ is near 9/13
+@pytest.mark.parametrize("make", [robots.standard_bandwidths, robots.standard_gains])
+def test_an_arm_without_drives_has_no_standard_gains(make: Callable[[RobotModel, Rates], object]) -> None:
+    with pytest.raises(robots.NoControllerError, match="`two_link` has no drives"):
+        make(robots.load("two_link"), Rates())
 
 
 # ---- runs ----

@@ -1,0 +1,24 @@
+"""Configurations that fill the range of an arm's joints evenly, always the same ones."""
+
+import numpy as np
+
+from ropsim.model import RobotModel
+from ropsim.spatial import Array
+
+
+def configurations(robot: RobotModel, count: int) -> Array:
+    """Return configurations that fill the range of the joints evenly, shape (count, n) [rad | m].
+
+    The additive recurrence of M. Roberts, 2018 (a generalised golden ratio): point k has coordinate i at
+    frac(k·φ⁻ⁱ), i = 1 … n, where φ is the positive root of φⁿ⁺¹ = φ + 1.
+    """
+    n = robot.n
+    phi = 2.0
+    for _ in range(64):  # contracts to the root to the last bit
+        phi = (1.0 + phi) ** (1.0 / (n + 1))
+    shares = np.modf(np.outer(np.arange(1, count + 1), phi ** -np.arange(1.0, n + 1.0)))[0]
+    turn = 2.0 * np.pi  # further turns are the same arm
+    wide = robot.upper_limits - robot.lower_limits > turn
+    lower = np.where(wide, np.maximum(robot.lower_limits, -np.pi), robot.lower_limits)
+    upper = np.minimum(robot.upper_limits, lower + turn)
+    return np.asarray(lower + shares * (upper - lower))
