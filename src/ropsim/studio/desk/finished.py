@@ -48,7 +48,8 @@ class FinishedRun:
             case "inputs":
                 return SavedRun(inputs_text(inputs_of(self.recording)))
             case "report":
-                return SavedRun(self.ready.project.report(self.recording).html().encode("utf-8", "replace"))
+                report = self.ready.project.report(self.recording, self.ready.findings)
+                return SavedRun(report.html().encode("utf-8", "replace"))
             case "code":
                 return SavedRun(icr.disassemble(self.ready.code).encode("utf-8", "replace"))
 

@@ -274,6 +274,19 @@ def test_the_newest_run_can_be_kept_as_files(worker: Worker, folder: Path, tmp_p
     assert isinstance(worker.ask(SaveRun(number + 5, "recording")), Failed)
 
 
+def test_a_report_that_is_kept_has_the_verdict_of_the_page(worker: Worker, folder: Path) -> None:
+    warned = f"{KEYS}mov joints (0, 60, -150, 0, -60, 0) speed 100 mm/s\n"
+    number = worker.send(simulate(folder, warned))
+    run = worker.reply(number)
+    assert isinstance(run, RunReply)
+    result = header_of(run.pack)["result"]
+    assert result["warnings"] == 1
+    report = worker.ask(SaveRun(number, "report"))
+    assert isinstance(report, SavedRun)
+    page = report.content.decode()
+    assert result["verdict"]["text"] in page[: page.index("</header>")]
+
+
 def header_of(pack: bytes) -> dict[str, Any]:
     content = gzip.decompress(pack)
     (length,) = struct.unpack_from("<I", content, 4)
