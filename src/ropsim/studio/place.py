@@ -7,12 +7,14 @@ that the user alone can read.
 
 import contextlib
 import hashlib
-import json
 import os
 import secrets
 import time
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta, Struct
 
 from ropsim.core import read_bytes, replace_file
 from ropsim.workbench import state_folder
@@ -21,8 +23,7 @@ LONGEST = 7 * 24 * 3600.0
 """Age at which a secret is made anew [s]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(Struct, frozen=True):
     """Port and secret of a project.
 
     Attributes:
@@ -31,8 +32,8 @@ class Place:
         made: when the secret was made [s since 1970].
     """
 
-    port: int
-    secret: str
+    port: Annotated[int, Meta(ge=0, le=65535)]
+    secret: Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_-]{32,1000}\Z")]
     made: float
 
 
@@ -40,17 +41,15 @@ def place_of(folder: Path) -> Place:
     """Return where the studio of a project was last, or a new place without a port."""
     fresh = Place(0, secrets.token_urlsafe(24), time.time())
     try:
-        kept = json.loads(read_bytes(_file(folder)))
-        place = Place(int(kept["port"]), str(kept["secret"]), float(kept["made"]))
-    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+        kept = msgspec.json.decode(read_bytes(_file(folder)), type=Place)
+    except (OSError, ValueError, RecursionError):
         return fresh
-    right = 0 < place.port < 65536 and len(place.secret) >= len(fresh.secret)
-    return place if right and 0.0 <= fresh.made - place.made < LONGEST else fresh
+    return kept if 0.0 <= fresh.made - kept.made < LONGEST else fresh
 
 
 def keep_place(folder: Path, place: Place) -> None:
     """Remember a place for the next start; without a place to write it, the next start is a new one."""
-    content = json.dumps({"port": place.port, "secret": place.secret, "made": place.made}).encode()
+    content = msgspec.json.encode(place)
     file = _file(folder)
     with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
