@@ -70,7 +70,8 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
     place = place_of(folder)
     listener = _listen(options.port) if options.port else _listen_again(place.port)
     port = listener.getsockname()[1]
-    keep_place(folder, replace(place, port=port))
+    place = replace(place, port=port)
+    keep_place(folder, place)
     token, once = (secrets.token_urlsafe(24) for _ in range(2))
 
     def ready() -> None:
@@ -81,7 +82,7 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
 
     with tempfile.TemporaryDirectory(prefix="ropsim-", ignore_cleanup_errors=True) as neutral:
         leave_project(Path(neutral), folder)
-        workplace = Workplace(folder, Path(neutral))
+        workplace = Workplace(folder, Path(neutral), place)
         behind = Starlette(
             routes=[*pages.routes(page_folder, workplace), *sockets.routes(workplace, Path(neutral))]
         )

@@ -4,6 +4,7 @@ import asyncio
 from pathlib import Path
 
 from ropsim.studio.isolation import shut_out
+from ropsim.studio.place import Place, keep_place
 from ropsim.studio.session import Session
 from ropsim.studio.workers import DESK
 from ropsim.workbench import remember_project
@@ -15,11 +16,13 @@ class Workplace:
     Args:
         folder: of the project that is opened first.
         neutral: working folder of the workers, where no project lies.
+        place: port and secret of this studio; each project that is opened in it is found there again.
         worker: `module:function` that runs in the worker processes.
     """
 
-    def __init__(self, folder: Path, neutral: Path, worker: str = DESK) -> None:
+    def __init__(self, folder: Path, neutral: Path, place: Place, worker: str = DESK) -> None:
         self._neutral = neutral
+        self._place = place
         self._worker = worker
         self._folder = folder
         self._switching = asyncio.Lock()
@@ -59,6 +62,7 @@ class Workplace:
                 raise
             before, self.session, self._folder = self.session, after, folder
             await asyncio.to_thread(remember_project, folder)
+            await asyncio.to_thread(keep_place, folder, self._place)
             await before.close()
 
     def _made(self, folder: Path) -> Session:

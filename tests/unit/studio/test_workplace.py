@@ -3,18 +3,21 @@
 import asyncio
 import json
 import sys
+import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from ropsim.studio.place import Place, place_of
 from ropsim.studio.tab import Tab
 from ropsim.studio.workplace import Workplace
 from ropsim.workbench import new_project, recent_projects
 from support.patience import PATIENCE
 
 TOY = "support.toy_worker:main"
+PLACE = Place(40123, 32 * "s", time.time())
 
 
 @pytest.fixture
@@ -51,7 +54,7 @@ async def said(workplace: Workplace, *messages: dict[str, Any]) -> list[dict[str
 
 def at(folder: Path, play: Callable[[Workplace], Awaitable[None]]) -> None:
     async def run() -> None:
-        workplace = Workplace(folder, folder.parent, TOY)
+        workplace = Workplace(folder, folder.parent, PLACE, TOY)
         await workplace.open()
         try:
             await asyncio.wait_for(play(workplace), PATIENCE)
@@ -82,6 +85,17 @@ def test_a_project_that_is_opened_takes_the_place_of_the_one_before(home: Path) 
 
     at(home / "first", play)
     assert recent_projects() == (home / "second", home / "first")
+
+
+def test_a_project_that_was_opened_here_is_found_at_the_same_place_by_the_next_start(home: Path) -> None:
+    new_project(home / "second")
+
+    async def play(workplace: Workplace) -> None:
+        await said(workplace, {"type": "open_project", "path": "second"})
+        await switched(workplace, home / "second")
+
+    at(home / "first", play)
+    assert place_of(home / "second") == PLACE
 
 
 def test_a_new_project_is_made_where_it_was_typed_and_opened(home: Path) -> None:
