@@ -18,7 +18,6 @@ from ropsim.workbench.mesh_reading import read_mesh
 from support.meshes import cube_soup, drum, glb_container, obj, ply, ply_binary, stl, stl_text
 
 READERS = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "glb": read_glb}
-SINGLE = 1e-6  # of single precision, at sizes of about 1
 
 
 TURNED = np.array([[0.0, -1.0, 0.0, 0.5], [0.0, 0.0, -1.0, 0.2], [1.0, 0.0, 0.0, 0.1], [0.0, 0.0, 0.0, 1.0]])
@@ -158,7 +157,7 @@ REFUSED = [
     ("ply", PLY.replace(b"3 0 1 3", b"3 0 1 -2"), "a face at point -2"),
     ("ply", PLY.replace(b"3 0 1 3", b"3 0 1 nan"), "corners are no numbers of points"),
     ("ply", PLY.replace(b"3 0 1 3", b"2 0 1 3"), "more than its header promises"),
-    ("ply", PLY.replace(b"3 0 1 3", b"9 0 1 3"), ""),
+    ("ply", PLY.replace(b"3 0 1 3", b"9 0 1 3"), "is cut short"),
     ("ply", PLY.replace(b"3 0 1 3", b"three 0 1 3"), "something among its numbers that is none"),
     ("ply", PLY[:-30], "is cut short"),
     ("ply", PLY.replace(b"face 12", b"face 4000000000"), "has 4,000,000,000 triangles"),
@@ -169,7 +168,7 @@ REFUSED = [
     ("obj", obj().replace(b"f 1 ", b"f 0 ", 1), "a face at point 0, points are numbered from 1"),
     ("obj", obj().replace(b"f 1 ", b"f one ", 1), "a line `f one"),
     ("obj", b"v 0 0\nf 1 1 1\n", "a point with 2 coordinates"),
-    ("glb", glb_with("accessors/0/count", 2**31 - 1), "has 715,827,883 triangles"),
+    ("glb", glb_with("accessors/0/count", 2**31 - 1), "has 2,147,483,650 points, normals, colours"),
     ("glb", glb_with("accessors/1/componentType", 5126), "corners are no numbers of points"),
     ("glb", glb_with("accessors/0/bufferView", 7), "refers to bytes that it does not hold"),
     ("glb", glb_with("bufferViews/0/byteLength", 4096), "numbers lie outside of its bytes"),
@@ -188,6 +187,13 @@ def test_what_is_damaged_is_refused_in_words(ending: str, content: bytes, words:
     with pytest.raises(MeshFileError) as found:
         READERS[ending](content)
     assert words in found.value.found
+
+
+def test_too_many_points_are_called_points(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ropsim.workbench.mesh_formats.obj.MOST_TRIANGLES", 2)
+    with pytest.raises(MeshFileError) as found:
+        read_obj(7 * b"v 0 0 0\n" + b"f 1 2 3\n")
+    assert found.value.found == "has 7 points, at most 6 are read"
 
 
 @pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e308", "1e400"])

@@ -14,8 +14,8 @@ from ropsim.workbench.mesh_formats.soup import (
     Floats,
     Indices,
     MeshFileError,
-    check_count,
     check_places,
+    check_points,
     damaged,
 )
 
@@ -87,8 +87,7 @@ class Accessors:
 
     def _fresh(self, accessor: Accessor) -> Column:
         self.rows += accessor.count
-        if self.rows > 8 * MOST_TRIANGLES:
-            check_count(self.rows // 3)
+        check_points(self.rows, 8 * MOST_TRIANGLES, "points, normals, colours and corners")
         sort, width = _COMPONENTS.get(accessor.component_type), _WIDTHS.get(accessor.type)
         if sort is None or width is None or accessor.sparse is not None or accessor.buffer_view is None:
             raise damaged("has numbers of a form that is not read", "export it without compression of meshes")

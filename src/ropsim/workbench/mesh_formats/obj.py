@@ -17,6 +17,7 @@ from ropsim.workbench.mesh_formats.soup import (
     Soup,
     check_count,
     check_places,
+    check_points,
     damaged,
     fans,
 )
@@ -61,7 +62,7 @@ def read_obj(content: bytes) -> Soup:
             words = rest[:40].decode("utf-8", "replace")
             raise damaged(f"has a line `{sort.decode()} {words}` that is not numbers") from error
         check_count(len(lengths))
-        _check_points(len(points) // 3)
+        check_points(len(points) // 3, 3 * MOST_TRIANGLES, "points")
     if not lengths:
         raise damaged(NO_TRIANGLES)
     return _soup(points, colours if coloured else None, corners, lengths)
@@ -75,11 +76,6 @@ def _places(rest: bytes, points: int) -> list[int]:
     if 0 in named:
         raise damaged("has a face at point 0, points are numbered from 1")
     return [place - 1 if place > 0 else points + place for place in named]
-
-
-def _check_points(points: int) -> None:
-    if points > 3 * MOST_TRIANGLES:
-        check_count(points // 3 + 1)
 
 
 def _soup(points: Numbers, colours: Numbers | None, corners: Places, lengths: Places) -> Soup:

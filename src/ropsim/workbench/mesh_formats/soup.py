@@ -11,6 +11,8 @@ from ropsim.workbench.mesh_diagnostics import MESH_DAMAGED, MESH_TOO_LARGE
 MOST_TRIANGLES = 500_000
 """More are not drawn; making them ready takes about a kilobyte for each."""
 
+COARSER = "export it with a coarser tolerance"
+
 UNCOLOURED = (150, 156, 163, 255)
 """Red, green, blue and opaqueness of what has no colour in a file where other things have one."""
 
@@ -61,7 +63,22 @@ def check_count(triangles: int) -> None:
     """
     if triangles > MOST_TRIANGLES:
         found = f"has {triangles:,} triangles, at most {MOST_TRIANGLES:,} are drawn"
-        raise MeshFileError(MESH_TOO_LARGE, found, "export it with a coarser tolerance")
+        raise MeshFileError(MESH_TOO_LARGE, found, COARSER)
+
+
+def check_points(count: int, most: int, noun: str) -> None:
+    """Refuse more points than the triangles that can be drawn have use for.
+
+    Args:
+        count: how many there are.
+        most: how many are read.
+        noun: what is counted, in the plural.
+
+    Raises:
+        MeshFileError: X883.
+    """
+    if count > most:
+        raise MeshFileError(MESH_TOO_LARGE, f"has {count:,} {noun}, at most {most:,} are read", COARSER)
 
 
 def fans(starts: Indices, lengths: Indices) -> tuple[Indices, Indices]:
