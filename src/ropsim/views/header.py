@@ -64,6 +64,11 @@ class RunHeader:
     origins: tuple[ParameterOrigin, ...]
 
     @property
+    def is_kinematic(self) -> bool:
+        """Return whether the run was one without drives and masses."""
+        return self.fidelity == "kinematic"
+
+    @property
     def title(self) -> str:
         """Return project and program, each once, or `run` where neither has a name."""
         return " / ".join(dict.fromkeys(part for part in (self.project, self.program) if part)) or "run"

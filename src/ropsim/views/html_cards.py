@@ -38,7 +38,7 @@ def key_figures(summary: Summary) -> str:
 
 def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
     settling = summary.settling
-    if summary.header.fidelity == "kinematic":
+    if summary.header.is_kinematic:
         return []
     share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
     place = place_text(settling.line, settling.visit)

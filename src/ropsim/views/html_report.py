@@ -90,9 +90,7 @@ def _header(name: str, summary: Summary) -> str:
     state = verdict(summary)
     robot = f'<p class="quiet">{text(summary.header.robot)}</p>' if summary.header.robot else ""
     kinematic = (
-        "<p>Kinematic run: the arm follows its references exactly.</p>"
-        if summary.header.fidelity == "kinematic"
-        else ""
+        "<p>Kinematic run: the arm follows its references exactly.</p>" if summary.header.is_kinematic else ""
     )
     return (
         f"<header>\n<h1>{text(name)}</h1>\n{robot}{kinematic}"

@@ -66,10 +66,9 @@ def _title(summary: Summary, style: Style) -> list[str]:
     what = clean(header.title)
     robot = f" on {clean(header.robot)}" if header.robot else ""
     state = verdict(summary)
-    is_kinematic = header.fidelity == "kinematic"
     return [
         paint(fit(what + robot, COLUMNS), Tone.STRONG, style),
-        *(["kinematic run: the arm follows its references exactly"] if is_kinematic else []),
+        *(["kinematic run: the arm follows its references exactly"] if header.is_kinematic else []),
         *(paint(line, _VERDICT_TONES[state.kind], style) for line in textwrap.wrap(state.text, COLUMNS)),
         *_unchecked(summary.unchecked.text),
     ]
@@ -94,7 +93,7 @@ def _time(summary: Summary, style: Style) -> list[str]:
 
 def _settling(summary: Summary) -> list[str]:
     settling = summary.settling
-    if summary.header.fidelity == "kinematic":
+    if summary.header.is_kinematic:
         return [f"settling     {UNKNOWN} (a kinematic run has no servo that settles)"]
     share = with_unit(settling.share, PERCENT, 1)
     lines = [f"settling     {seconds(settling.total)} s after moves, {share} of the cycle time"]

@@ -52,7 +52,7 @@ def unchecked(header: RunHeader, events: Sequence[Event]) -> Unchecked:
         header: of the run.
         events: of the run; moves have their `zone` [m] in the data.
     """
-    kinematic = header.fidelity == "kinematic"
+    kinematic = header.is_kinematic
     zoned = {
         event.span.line
         for event in events
