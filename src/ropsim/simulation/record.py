@@ -73,6 +73,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         "skipped_moves": sum(event.kind == "skip" for event in state.events),
         "parts_left": list(state.parts.left),
         "estimated": [one.parameters for one in origins if one.kind == "estimated"],
+        "checked": [],  # collisions are not looked at
         "robot": {
             "name": robot.name,
             "title": robot.title,

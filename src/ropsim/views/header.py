@@ -47,6 +47,7 @@ class RunHeader:
         record_hz: rate of the recording [Hz]; NaN where unknown.
         icr_id: identity of the compiled program.
         estimated: what in the model is an estimate, for people.
+        checked: what the run looked at beside motion and limits, such as `collisions`.
         origins: where the parameters of the arm come from.
     """
 
@@ -61,6 +62,7 @@ class RunHeader:
     record_hz: float
     icr_id: str
     estimated: tuple[str, ...]
+    checked: tuple[str, ...]
     origins: tuple[ParameterOrigin, ...]
 
     @property
@@ -91,6 +93,7 @@ def run_header(recording: Recording) -> RunHeader:
         record_hz=number(header.get("record_hz")),
         icr_id=_text(header.get("icr_id")),
         estimated=tuple(_text(entry) for entry in _sequence(header.get("estimated"))),
+        checked=tuple(_text(entry) for entry in _sequence(header.get("checked"))),
         origins=tuple(_origin(_mapping(entry)) for entry in _sequence(robot.get("origins"))),
     )
 

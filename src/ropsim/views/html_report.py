@@ -92,11 +92,13 @@ def _header(name: str, summary: Summary) -> str:
     kinematic = (
         "<p>Kinematic run: the arm follows its references exactly.</p>" if summary.header.is_kinematic else ""
     )
+    left_open = text(summary.unchecked.text)
+    unchecked = f'<p class="unchecked">{left_open}</p>\n' if left_open else ""
     return (
         f"<header>\n<h1>{text(name)}</h1>\n{robot}{kinematic}"
         f'<p class="verdict {state.kind.value}"><span aria-hidden="true">{_SIGNS[state.kind]} </span>'
         f"{text(state.text)}</p>\n"
-        f'<p class="unchecked">{text(summary.unchecked.text)}</p>\n</header>\n'
+        f"{unchecked}</header>\n"
     )
 
 

@@ -8,8 +8,8 @@ from ropsim.views.characters import clean
 from ropsim.views.findings import plural
 from ropsim.views.header import RunHeader, number
 
-NEVER_LOOKED_AT = ("collisions",)
-"""What no run looks at."""
+LOOKED_AT_IF_SAID = ("collisions",)
+"""What a run has looked at only where its recording says so."""
 
 WITHOUT_DYNAMICS = ("torques", "drives", "servo")
 """What a kinematic run does not look at, beside that."""
@@ -28,14 +28,16 @@ class Unchecked:
         fine_stops: source lines of moves that ask for a zone and were stopped fine, ascending.
     """
 
-    aspects: tuple[str, ...] = NEVER_LOOKED_AT
+    aspects: tuple[str, ...] = ()
     estimated: tuple[str, ...] = ()
     fine_stops: tuple[int, ...] = ()
 
     @property
     def text(self) -> str:
-        """Return all of it as one line."""
-        parts = [f"not checked: {', '.join(self.aspects)}"]
+        """Return all of it as one line; empty where nothing is left open."""
+        parts: list[str] = []
+        if self.aspects:
+            parts.append(f"not checked: {', '.join(self.aspects)}")
         if self.estimated:
             names = ", ".join(clean(name) for name in self.estimated)
             count = plural(len(self.estimated), "group")
@@ -52,14 +54,14 @@ def unchecked(header: RunHeader, events: Sequence[Event]) -> Unchecked:
         header: of the run.
         events: of the run; moves have their `zone` [m] in the data.
     """
-    kinematic = header.is_kinematic
+    aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if header.is_kinematic else ())
     zoned = {
         event.span.line
         for event in events
         if event.kind == "move" and event.span and number(event.data.get("zone"), 0.0) > 0.0
     }
     return Unchecked(
-        NEVER_LOOKED_AT + (WITHOUT_DYNAMICS if kinematic else ()),
+        tuple(one for one in aspects if one not in header.checked),
         header.estimated,
         tuple(sorted(zoned)),
     )

@@ -24,8 +24,27 @@ def zoned(*places: tuple[int, float]) -> Recording:
     return replace(recording, events=(*recording.events, *moves))
 
 
-def test_no_run_has_looked_at_collisions() -> None:
+def test_a_run_that_does_not_say_so_has_not_looked_at_collisions() -> None:
     assert line_of(with_header(estimated=[])) == "not checked: collisions"
+    assert line_of(with_header(estimated=[], checked=[])) == "not checked: collisions"
+
+
+def test_what_a_run_has_looked_at_is_not_called_unchecked() -> None:
+    text = line_of(with_header(estimated=[], fidelity="kinematic", checked=["collisions"]))
+    assert text == "not checked: torques, drives, servo"
+
+
+def test_a_run_that_leaves_nothing_open_has_no_such_line() -> None:
+    recording = with_header(estimated=[], checked=["collisions"])
+    assert line_of(recording) == ""
+    page = html_report(recording, summarize(recording), {})
+    assert 'class="unchecked"' not in page
+    assert "not checked" not in terminal_report(summarize(recording), Style.PLAIN)
+
+
+def test_estimates_are_told_where_everything_was_looked_at() -> None:
+    text = line_of(with_header(estimated=["motor constants"], checked=["collisions"]))
+    assert text == "estimated: motor constants"
 
 
 def test_a_kinematic_run_has_not_looked_at_torques_drives_and_servo() -> None:
