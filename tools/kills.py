@@ -11,8 +11,7 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 from support.kills.family import killed_job  # noqa: E402  # the path above is needed first
-
-JOBS = ("save", "journal", "report", "recording", "cache", "trust")
+from support.kills.jobs import JOBS  # noqa: E402
 
 
 def main() -> int:
