@@ -9,6 +9,7 @@ import { formatPlain, formatQuantity } from '../units/quantity'
 import { InputRow } from './InputRow'
 import { keyLabel } from './key_label'
 import { LiveBar } from './LiveBar'
+import { letGo } from './let_go'
 import { Scroll } from './Scroll'
 
 export function SignalsPanel() {
@@ -35,7 +36,11 @@ export function SignalsPanel() {
             aria-checked={signals.armed}
             aria-label={words.signals.arm}
             disabled={inputs.length === 0}
-            onClick={() => (signals.armed ? signals.disarm() : signals.arm())}
+            onClick={event => {
+              if (signals.armed) signals.disarm()
+              else signals.arm()
+              letGo(event)
+            }}
           >
             <i aria-hidden="true" />
           </button>
