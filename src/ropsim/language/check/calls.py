@@ -1,6 +1,6 @@
 """Calls: arguments to parameters, by place, by name and by the number of a reference location."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NoReturn
 
@@ -13,6 +13,7 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.other_languages import HINTS
 from ropsim.language.syntax.words import VERBS
 from ropsim.program import Call, Expression
 from ropsim.program import Variable as VariableExpression
@@ -46,11 +47,21 @@ def unknown_task(body: Body, name: nodes.Name) -> NoReturn:
     Raises:
         RejectedError: always.
     """
-    near = did_you_mean(name.text, body.world.signatures) or did_you_mean(name.text, VERBS)
-    fix = near.split("`")[1] if near else None
-    if not near:
-        near = "define it with `task`, or assign a variable with `=`"
-    body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", near, fix=fix)
+    hint = _near_task(name.text, body.world.signatures)
+    fix = hint.split("`")[1] if hint.startswith("did you mean") else None
+    body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", hint, fix=fix)
+
+
+def _near_task(name: str, tasks: Iterable[str]) -> str:
+    """Return what may have been meant; a word of another robot language is looked up, not guessed."""
+    word = name.lower()
+    if word in HINTS and word not in map(str.lower, tasks):
+        return HINTS[word]
+    return (
+        did_you_mean(name, tasks)
+        or did_you_mean(name, VERBS)
+        or "define it with `task`, or assign a variable with `=`"
+    )
 
 
 def spread(

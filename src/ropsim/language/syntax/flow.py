@@ -6,6 +6,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.other_languages import WAIT_FOR
 from ropsim.language.syntax.statements import (
     Assign,
     Broken,
@@ -119,6 +120,8 @@ def stop(cursor: Cursor, head: Token) -> Statement:
 
 def wait(cursor: Cursor, head: Token) -> Statement:
     """Read `wait t` or `wait until condition [timeout t [else statement]]`."""
+    if cursor.token.word == "for":
+        cursor.fail("a time or `until`", WAIT_FOR)
     if not cursor.accept("until"):
         return WaitTime(total(cursor), head.start, cursor.end)
     condition = expression(cursor)
