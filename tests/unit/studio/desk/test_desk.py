@@ -279,6 +279,7 @@ def test_a_report_that_is_kept_has_the_verdict_of_the_page(worker: Worker, folde
     number = worker.send(simulate(folder, warned))
     run = worker.reply(number)
     assert isinstance(run, RunReply)
+    assert run.pack is not None
     result = header_of(run.pack)["result"]
     assert result["warnings"] == 1
     report = worker.ask(SaveRun(number, "report"))
