@@ -160,7 +160,13 @@ def _studio(commands: Commands) -> None:
     parser.add_argument(
         "path", metavar="PROJECT", nargs="?", default=".", help="project folder (default: this folder)"
     )
-    parser.add_argument("--port", metavar="N", type=int, default=0, help="port (default: any free one)")
+    parser.add_argument(
+        "--port",
+        metavar="N",
+        type=int,
+        default=0,
+        help="port (default: that of the last time, else any free one)",
+    )
     parser.add_argument("--no-browser", action="store_true", help="do not open the browser")
     parser.set_defaults(command=_lazy("studio:studio"), json=False)
 

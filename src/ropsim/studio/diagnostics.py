@@ -22,7 +22,8 @@ PORT_TAKEN = define(
     "the port of the studio cannot be used",
     """
 Another program, perhaps another studio, listens on that port, or the system does not allow it. Without
-`--port`, or with `--port 0`, a free port is chosen.
+`--port`, or with `--port 0`, the studio takes the port that this project had the last time, or any free one
+where that is taken.
 """,
 )
 
