@@ -37,17 +37,16 @@ export function MessagesPanel() {
 function MessageRow({ message }: { message: RunEvent }) {
   const studio = useStudio()
   const { span, time, text } = message
-  const document = span ? studio.documentOf(span.source) : ''
-  const line = span && document ? studio.lines.toText(document, span.line) : null
+  const line = span ? studio.lines.place(span.source, span.line)?.line : undefined
   const go = () => {
     studio.transport.go(time)
-    if (line !== null) studio.goTo(document, line)
+    if (span) studio.goToRun(span.source, span.line)
   }
   return (
     <li>
       <button type="button" className="message" onClick={go}>
         <span className="message-time">{formatQuantity(time, 's')}</span>
-        <span className="message-line">{line === null ? '' : words.messages.line(line)}</span>
+        <span className="message-line">{line === undefined ? '' : words.messages.line(line)}</span>
         <span className="message-text">{text}</span>
       </button>
     </li>

@@ -45,7 +45,7 @@ function TileButton({ tile, source }: { tile: Tile; source: string }) {
   const { id, label, value, detail, tone, time, line } = tile
   const act = () => {
     if (id === 'findings') studio.dock?.show('problems')
-    if (line > 0) studio.goTo(studio.documentOf(source), line)
+    studio.goToRun(source, line)
     if (time !== null) studio.transport.go(time)
   }
   return (

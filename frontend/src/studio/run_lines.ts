@@ -34,6 +34,13 @@ export class RunLines {
     return this.#map(document, this.#run).toNew(line)
   }
 
+  /** A line of a source of the run, from 1, as a place in the texts of now; null where there is none. */
+  place(source: string, line: number): { readonly document: string; readonly line: number } | null {
+    const document = this.#source.documentOf(source)
+    const there = document && line > 0 ? this.toText(document, line) : null
+    return there === null ? null : { document, line: there }
+  }
+
   /** Line of the text of now in the run; null where it is new. */
   toRun(document: string, line: number): number | null {
     return this.#map(document, this.#run).toOld(line)

@@ -195,6 +195,12 @@ export class Studio {
     this.desk.goTo({ document, line, column })
   }
 
+  /** Show a line of the shown run where it stands in the text of now; nothing where it is gone. */
+  goToRun(source: string, line: number): void {
+    const place = this.lines.place(source, line)
+    if (place) this.goTo(place.document, place.line)
+  }
+
   onGoTo(listener: (place: Place) => void): () => void {
     return this.desk.onGoTo(listener)
   }
