@@ -38,7 +38,7 @@ function severityOf(found: WireDiagnostic): Severity {
 }
 
 /** Offset of a place of the protocol; places beyond the text are its end. */
-export function offsetOf(doc: Text, place: WirePosition): number {
+function offsetOf(doc: Text, place: WirePosition): number {
   if (place.line >= doc.lines) return doc.length
   const line = doc.line(place.line + 1)
   return Math.min(line.from + place.character, line.to)

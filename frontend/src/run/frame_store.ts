@@ -2,7 +2,7 @@
 import { timesUpTo } from './search'
 
 /** Ten minutes at 60 frames a second; older frames are forgotten, a quarter at once. */
-export const CAPACITY = 36_000
+const CAPACITY = 36_000
 const FIRST = 1024
 
 export class FrameStore {

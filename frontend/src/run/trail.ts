@@ -7,7 +7,7 @@ export interface Trail {
   readonly points: Float32Array
 }
 
-export const NO_TRAIL: Trail = { times: new Float64Array(0), points: new Float32Array(0) }
+const NO_TRAIL: Trail = { times: new Float64Array(0), points: new Float32Array(0) }
 
 /** Points X_WB · p of three columns that share their times; empty where one of them is absent. */
 export function trailOf(times: Float64Array, position: readonly (Series | undefined)[], base: Pose): Trail {

@@ -15,7 +15,7 @@ export function documentOfSource(source: string, documents: readonly Named[]): s
   return documents.find(one => fileName(one.name) === fileName(path) || stem(one.name) === path)?.name ?? ''
 }
 
-export function fileName(path: string): string {
+function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1)
 }
 

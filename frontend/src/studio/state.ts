@@ -69,7 +69,7 @@ export interface StudioState {
   readonly examples: Welcome['examples']
 }
 
-export const START: StudioState = {
+const START: StudioState = {
   connection: 'connecting',
   ropsim: '',
   project: '',

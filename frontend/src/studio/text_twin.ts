@@ -7,7 +7,7 @@ import { compose } from '../units/pose'
 import { formatNumber, shownUnit } from '../units/quantity'
 
 /** Pose of the TCP in W at the shown poses; null where the cell marks none. */
-export function tcpOf(scene: SceneDescription, poses: Float32Array): Pose | null {
+function tcpOf(scene: SceneDescription, poses: Float32Array): Pose | null {
   const mark = scene.frames.find(frame => frame.kind === 'tcp')
   if (!mark || poses.length < 7 * (mark.parent + 1)) return null
   if (mark.parent < 0) return mark.pose
