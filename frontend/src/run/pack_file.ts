@@ -49,6 +49,8 @@ export type PackedBody = { readonly name: string } & (
 /** The worst share of a limit among the joints; `line` 0 for none. */
 export interface PeakFigure {
   readonly share: number
+  /** How it stands to the limit; the report says it by the same rule. */
+  readonly closeness: 'far' | 'near' | 'beyond'
   readonly joint: string
   readonly line: number
   readonly time: number

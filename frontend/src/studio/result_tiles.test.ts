@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
-import type { ResultFigures } from '../run/pack_file'
+import type { PeakFigure, ResultFigures } from '../run/pack_file'
 import type { Run } from '../run/run'
 import { METRIC, setUnits } from '../units/choice'
 import { tilesOf } from './result_tiles'
@@ -10,7 +10,7 @@ const RESULT: ResultFigures = {
   cycle_time: 186.8,
   cycle_time_valid: true,
   settling: 18.68,
-  peak_torque: { share: 0.742, joint: '2', line: 9, time: 3.5 },
+  peak_torque: { share: 0.742, closeness: 'far', joint: '2', line: 9, time: 3.5 },
   peak_speed: null,
   closest_limit: { margin: 0.0733, unit: 'rad', joint: '5', side: 'upper', line: 18, time: 40 },
   path_error: { max: 0.00031, line: 10, time: 1.2 },
@@ -76,6 +76,7 @@ test('findings count and lead to the worst one', () => {
 })
 
 test('a torque beyond its limit is an error, one near it a warning', () => {
-  const at = (share: number) => tile('torque', { peak_torque: { share, joint: '1', line: 1, time: 1 } }).tone
-  expect([0.9, 0.96, 1.2].map(at)).toEqual(['plain', 'warning', 'error'])
+  const at = (closeness: PeakFigure['closeness']) =>
+    tile('torque', { peak_torque: { share: 0.9, closeness, joint: '1', line: 1, time: 1 } }).tone
+  expect((['far', 'near', 'beyond'] as const).map(at)).toEqual(['plain', 'warning', 'error'])
 })

@@ -18,8 +18,7 @@ export interface Tile {
   readonly line: number
 }
 
-/** A share of a limit from which on it is worth a look. */
-const NEAR = 0.95
+const TONES = { far: 'plain', near: 'warning', beyond: 'error' } as const
 
 export function tilesOf(run: Run, result: ResultFigures): readonly Tile[] {
   return [
@@ -68,14 +67,13 @@ function settling(run: Run, { settling, cycle_time }: ResultFigures): Tile {
 function torque({ peak_torque }: ResultFigures): Tile {
   if (!peak_torque)
     return { ...NOWHERE, id: 'torque', label: words.torque, value: '–', detail: words.notSimulated }
-  const { share, joint, line, time } = peak_torque
-  const tone = share >= 1 ? 'error' : share >= NEAR ? 'warning' : 'plain'
+  const { share, closeness, joint, line, time } = peak_torque
   return {
     id: 'torque',
     label: words.torque,
     value: percent(share),
     detail: jointName(joint),
-    tone,
+    tone: TONES[closeness],
     line,
     time,
   }

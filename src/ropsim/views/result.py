@@ -3,6 +3,7 @@
 from ropsim.model import JointType
 from ropsim.views.channels import Peak
 from ropsim.views.joint_summary import (
+    Closeness,
     JointSummary,
     closest_to_position_limit,
     closest_to_speed_limit,
@@ -24,8 +25,8 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "cycle_time": summary.cycle_time,
         "cycle_time_valid": summary.cycle_time_valid,
         "settling": summary.settling.total,
-        "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort),
-        "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed),
+        "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort, torque.effort_closeness),
+        "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed, speed.speed_closeness),
         "closest_limit": closest and _margin(closest),
         "path_error": worst and _path_error(worst),
         "errors": summary.error_count,
@@ -34,8 +35,14 @@ def result_figures(summary: Summary) -> dict[str, object]:
     }
 
 
-def _peak(joint: JointSummary, share: float, peak: Peak) -> dict[str, object]:
-    return {"share": share, "joint": joint.facts.name, "line": peak.line, "time": peak.time}
+def _peak(joint: JointSummary, share: float, peak: Peak, closeness: Closeness) -> dict[str, object]:
+    return {
+        "share": share,
+        "closeness": closeness.value,
+        "joint": joint.facts.name,
+        "line": peak.line,
+        "time": peak.time,
+    }
 
 
 def _margin(joint: JointSummary) -> dict[str, object]:

@@ -28,6 +28,21 @@ def test_the_largest_share_of_a_limit_has_joint_time_and_line() -> None:
     assert peak["line"] == recording.channels["line"].values[9]
 
 
+@pytest.mark.parametrize(
+    ("share", "closeness"), [(0.89, "far"), (0.91, "near"), (1.0, "near"), (1.01, "beyond")]
+)
+def test_a_peak_torque_is_near_its_limit_from_90_percent_and_beyond_it_above(
+    share: float, closeness: str
+) -> None:
+    recording = pick_and_place(1)
+    tau = np.zeros_like(recording.channels["tau"].values)
+    tau[9, 4] = 20.1 * share
+    loaded = replace(recording, channels={**recording.channels, "tau": Channel(tau, "N·m")})
+    peak = result_figures(summarize(loaded))["peak_torque"]
+    assert isinstance(peak, dict)
+    assert peak["closeness"] == closeness
+
+
 def test_the_least_margin_names_its_side_and_unit() -> None:
     q = np.zeros((3, 6))
     q[1, 2] = -np.deg2rad(134.0)
