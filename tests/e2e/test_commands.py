@@ -142,8 +142,10 @@ def test_the_json_of_a_run_says_what_was_not_looked_at_and_what_settling_cost(pr
     assert result["unchecked"] == summary["unchecked"]["text"]
     assert result["unchecked"].startswith("not checked: collisions · estimated: ")
     assert result["unchecked"].endswith(" · zones stopped fine on 1 line")
-    assert result["settling"] == summary["settling"]["total"] >= summary["settling"]["longest"]
-    assert summary["settling"]["share"] == pytest.approx(result["settling"] / result["cycle_time"])
+    assert result["settling"]["total"] == summary["settling"]["total"] >= summary["settling"]["longest"]
+    share = result["settling"]["total"] / result["cycle_time"]
+    assert result["settling"]["share"] == summary["settling"]["share"] == pytest.approx(share)
+    assert (result["settling"]["time"], result["settling"]["line"]) == (summary["settling"]["time"], 3)
 
 
 def test_a_warning_of_the_compiler_counts_in_the_verdict(project: Path) -> None:

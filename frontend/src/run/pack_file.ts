@@ -64,8 +64,15 @@ export interface ResultFigures {
   readonly cycle_time: number
   /** False where a move was skipped: the cycle time is not that of the program then. */
   readonly cycle_time_valid: boolean
-  /** Time spent waiting for the arm to settle after moves [s]. */
-  readonly settling: number
+  /** Time spent waiting for the arm to settle after moves [s], its share of the cycle time, when and where longest. */
+  readonly settling: {
+    readonly total: number
+    readonly share: number
+    /** Null where no move settled. */
+    readonly time: number | null
+    /** From 1; 0 for none. */
+    readonly line: number
+  }
   readonly peak_torque: PeakFigure | null
   readonly peak_speed: PeakFigure | null
   readonly closest_limit: {

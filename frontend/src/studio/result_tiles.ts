@@ -23,7 +23,7 @@ const TONES = { far: 'plain', near: 'warning', beyond: 'error' } as const
 export function tilesOf(run: Run, result: ResultFigures): readonly Tile[] {
   return [
     cycle(run, result),
-    settling(run, result),
+    settling(result),
     torque(result),
     limit(result),
     path(result),
@@ -44,23 +44,16 @@ function cycle(run: Run, { cycle_time, cycle_time_valid }: ResultFigures): Tile 
 }
 
 /** The click leads to the longest wait of all. */
-function settling(run: Run, { settling, cycle_time }: ResultFigures): Tile {
-  let longest = 0
-  let place: Pick<Tile, 'time' | 'line'> = NOWHERE
-  for (const event of run.events) {
-    const settle = event.kind === 'move' ? Number(event.data.settle) : 0
-    if (!(settle > longest)) continue
-    longest = settle
-    place = { time: event.time + event.duration - settle, line: event.span?.line ?? 0 }
-  }
-  const share = cycle_time > 0 ? settling / cycle_time : 0
+function settling({ settling }: ResultFigures): Tile {
+  const { total, share, time, line } = settling
   return {
     id: 'settling',
     label: words.settling,
-    value: formatQuantity(settling, 's'),
+    value: formatQuantity(total, 's'),
     detail: words.ofCycle(percent(share)),
     tone: 'plain',
-    ...place,
+    time,
+    line,
   }
 }
 

@@ -1,5 +1,6 @@
 """The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind."""
 
+from ropsim.flow import Settling
 from ropsim.model import JointType
 from ropsim.views.channels import Peak
 from ropsim.views.joint_summary import (
@@ -24,7 +25,7 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "unchecked": summary.unchecked.text,
         "cycle_time": summary.cycle_time,
         "cycle_time_valid": summary.cycle_time_valid,
-        "settling": summary.settling.total,
+        "settling": _settling(summary.settling),
         "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort, torque.effort_closeness),
         "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed, speed.speed_closeness),
         "closest_limit": closest and _margin(closest),
@@ -32,6 +33,16 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "errors": summary.error_count,
         "warnings": summary.warning_count,
         "moves": sum(summary.moves.values()),
+    }
+
+
+def _settling(settling: Settling) -> dict[str, object]:
+    waited = settling.longest > 0.0
+    return {
+        "total": settling.total,
+        "share": settling.share,
+        "time": settling.time if waited else None,
+        "line": settling.line if waited else 0,
     }
 
 

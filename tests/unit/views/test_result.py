@@ -67,6 +67,26 @@ def test_a_margin_of_a_sliding_joint_is_in_metres() -> None:
     assert closest["margin"] == pytest.approx(0.1)
 
 
+def test_settling_leads_to_the_longest_wait() -> None:
+    recording = pick_and_place(1)
+    at, slow = [(k, one) for k, one in enumerate(recording.events) if one.kind == "move"][2]
+    events = list(recording.events)
+    events[at] = replace(slow, data={**slow.data, "settle": 0.05})
+    summary = summarize(replace(recording, events=tuple(events)))
+    assert slow.span is not None
+    assert result_figures(summary)["settling"] == {
+        "total": summary.settling.total,
+        "share": summary.settling.share,
+        "time": pytest.approx(slow.time + slow.duration - 0.05),
+        "line": slow.span.line,
+    }
+
+
+def test_a_run_that_never_settles_has_no_place_of_settling() -> None:
+    settling = result_figures(summarize(empty_recording()))["settling"]
+    assert settling == {"total": 0.0, "share": 0.0, "time": None, "line": 0}
+
+
 def test_a_skipped_move_makes_the_cycle_time_not_valid() -> None:
     recording = pick_and_place(1)
     skipped = replace(recording, events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
