@@ -1,5 +1,5 @@
 /** What lies above one another on the timeline: tasks and what they call, steps, gripper and signals, findings. */
-import type { FindingMark, InputMark, Marks } from './marks'
+import { type FindingMark, type InputMark, type Marks, worstLast } from './marks'
 import type { Run, RunEvent, Series } from './run'
 import { lastWhere } from './search'
 import { words } from './words'
@@ -19,6 +19,7 @@ export interface Lane {
   readonly depth: number
   /** In order of their beginnings. */
   readonly bars: readonly Bar[]
+  /** In the order in which they are drawn: the worst on top. */
   readonly findings: readonly FindingMark[]
   readonly inputs: readonly InputMark[]
 }
@@ -35,7 +36,7 @@ export function lanesOf(run: Run, marks: Marks): readonly Lane[] {
     tone: step.kind === 'move' ? 'move' : 'wait',
   }))
   const lanes = [
-    { ...lane('findings', words.lanes.findings), findings: marks.findings },
+    { ...lane('findings', words.lanes.findings), findings: worstLast(marks.findings) },
     ...taskLanes(run.events),
     lane('steps', words.lanes.steps, steps),
     ...heldLanes(run),

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { firstAfter, lastBefore, marksOf, nearest, stepAt } from './marks'
+import { firstAfter, lastBefore, marksOf, nearest, stepAt, worstLast } from './marks'
 import type { Run } from './run'
 
 const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
@@ -32,11 +32,33 @@ describe('marks', () => {
     expect(marksOf(run).findings).toEqual([{ time: 2.25, severity: 'warning', text: 'S720 late' }])
   })
 
+  it('tell the worst of the findings of a time', () => {
+    const found = (severity: string) => ({ code: 'S1', severity, message: severity, hint: '', span, time: 2 })
+    const both = { ...run, findings: [found('error'), found('hint')] } as unknown as Run
+    expect(nearest(marksOf(both).findings, 2, 0.1)?.severity).toBe('error')
+  })
+
   it('hold the inputs that were set from outside, which belong to no line', () => {
     expect(marksOf(run).inputs).toEqual([
       { time: 0.5, text: 'start = 1' },
       { time: 1.5, text: 'start = 0' },
     ])
+  })
+
+  it('are drawn with the worst on top, wherever they are', () => {
+    const mark = (time: number, severity: 'error' | 'warning' | 'info' | 'hint') => ({
+      time,
+      severity,
+      text: '',
+    })
+    const marks = [
+      mark(1, 'error'),
+      mark(1.1, 'hint'),
+      mark(1.2, 'warning'),
+      mark(1.3, 'info'),
+      mark(2, 'error'),
+    ]
+    expect(worstLast(marks).map(one => one.time)).toEqual([1.1, 1.3, 1.2, 1, 2])
   })
 
   it('are stepped over one by one, never staying at the same time', () => {

@@ -47,7 +47,8 @@ export function marksOf(run: Run): Marks {
     one.time === null ? [] : [{ time: one.time, severity: one.severity, text: `${one.code} ${one.message}` }],
   )
   const inputs = run.events.filter(one => one.kind === 'input').map(({ time, text }) => ({ time, text }))
-  return { steps: inOrder(steps), findings: inOrder(findings), inputs: inOrder(inputs) }
+  // Of findings at the same time the worst is told.
+  return { steps: inOrder(steps), findings: inOrder([...worstLast(findings)]), inputs: inOrder(inputs) }
 }
 
 /** The first mark after `time`, or undefined. */
@@ -87,6 +88,13 @@ export function nearest<M extends { readonly time: number }>(
     }
   }
   return best
+}
+
+const SEVERITIES: readonly Finding['severity'][] = ['hint', 'info', 'warning', 'error']
+
+/** The worst come last, each severity in its order of time: what is drawn last covers what was there before. */
+export function worstLast(findings: readonly FindingMark[]): readonly FindingMark[] {
+  return [...findings].sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity))
 }
 
 function timeOf(mark: { readonly time: number }): number {
