@@ -28,6 +28,8 @@ export interface Canvas {
 
 export function paintScale(canvas: Canvas, height: number): void {
   const { context, width, window, colour } = canvas
+  // Without a run there is no time to write.
+  if (window.to <= window.from) return
   const step = tickStep(width / Math.max(window.to - window.from, 1e-9), TICK_ROOM)
   context.font = FONT
   context.textBaseline = 'top'

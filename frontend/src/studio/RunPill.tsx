@@ -25,6 +25,8 @@ function runWords(state: StudioState): readonly [Tone, string] {
     case 'cancelled':
       return ['warning', words.run.cancelled]
     case 'done':
+      // Done at the server; what it came to is still on its way to this page.
+      if (state.shown === 0) return ['quiet', words.run.preparing]
       return state.problems.some(one => one.severity === 'error' && one.time !== null)
         ? ['warning', words.run.withErrors]
         : ['good', words.run.done]

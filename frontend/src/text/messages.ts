@@ -63,6 +63,7 @@ export const words = {
     running: 'Simulating …',
     done: 'Simulated',
     withErrors: 'Simulated, with errors',
+    preparing: 'Preparing the result …',
     refused: 'Program has errors',
     refusedCell: 'cell.toml has errors',
     cancelled: 'Simulation cancelled',
