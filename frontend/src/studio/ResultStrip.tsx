@@ -16,7 +16,10 @@ export function ResultStrip() {
     <section className={stale ? 'result stale' : 'result'} aria-label={words.strip}>
       {run && result ? (
         <>
-          <div className={`verdict ${result.verdict.kind}`} title={result.unchecked}>
+          <div
+            className={`verdict ${result.verdict.kind}`}
+            title={`${result.verdict.text}\n${result.unchecked}`}
+          >
             <strong>
               <span role="img" aria-label={words.spoken[result.verdict.kind]}>
                 {words.signs[result.verdict.kind]}
