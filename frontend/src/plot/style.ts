@@ -3,7 +3,7 @@ import type uPlot from 'uplot'
 import { words } from './words'
 
 /** Colour-blind safe, told apart also by lightness. */
-const TRACES = ['#0072b2', '#d55e00', '#009e73', '#b5468b', '#8a6d00', '#3b8ea5', '#7a5195', '#5d6673']
+const TRACES = ['#0072b2', '#d05000', '#00804a', '#d8409c', '#9a7a00', '#1f262e', '#7030b8', '#868f9a']
 const FONT = '11px system-ui, sans-serif'
 
 function variable(host: HTMLElement, name: string, fallback: string): string {
