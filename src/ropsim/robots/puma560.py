@@ -130,7 +130,7 @@ _ORIGINS = (
     ),
     ParameterOrigin("home position", "estimated", "elbow up, tool straight down in front, clear of limits"),
     ParameterOrigin(
-        "geometry", "estimated", "drawn by eye around the link lengths; nothing is computed with it"
+        "drawn shapes", "estimated", "drawn by eye around the link lengths; nothing is computed with them"
     ),
 )
 

@@ -76,8 +76,8 @@ def test_shapes_are_opaque_and_of_written_colours(name: str) -> None:
         assert len(bytes.fromhex(shape.colour.removeprefix("#"))) == 3
 
 
-def test_the_geometry_is_said_to_be_estimated() -> None:
-    (origin,) = [origin for origin in robots.load("puma560").origins if origin.parameters == "geometry"]
+def test_the_drawn_shapes_are_said_to_be_estimated() -> None:
+    (origin,) = [origin for origin in robots.load("puma560").origins if origin.parameters == "drawn shapes"]
     assert origin.kind == "estimated"
 
 
