@@ -8,7 +8,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "cycle time": "From the start to the end of the last motion or instruction, settling included.",
         "in motion": "Share of the cycle time in which the reference speed of at least one joint exceeds "
         "1e-6 rad/s (m/s for a sliding joint).",
-        "settling": "Time after a move until every joint is in position, summed over all moves.",
+        "settling": "Time after a move until every joint is in position, summed over all moves. "
+        "A stop looks at positions only, not at speeds.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "
