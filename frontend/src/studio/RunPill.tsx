@@ -6,7 +6,7 @@ import type { StudioState } from './state'
 
 type Tone = 'good' | 'running' | 'warning' | 'error' | 'quiet'
 
-function runWords(state: StudioState): readonly [Tone, string] {
+export function runWords(state: StudioState): readonly [Tone, string] {
   const { connection, live, status } = state
   if (connection === 'lost' || connection === 'expired') return ['error', words.connection[connection]]
   if (connection === 'connecting') return ['quiet', words.connection.connecting]
