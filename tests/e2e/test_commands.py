@@ -246,12 +246,6 @@ def test_results_never_overwrite_the_project_or_each_other(project: Path, tmp_pa
     assert (project / "cell.toml").read_text() == cell
 
 
-def test_a_report_onto_a_folder_is_said(project: Path, tmp_path: Path) -> None:
-    found = ropsim("run", str(project), "--kinematic", "--report", str(tmp_path))
-    assert found.returncode == 2
-    assert "cannot be written" in found.stderr
-
-
 def test_every_code_can_be_explained() -> None:
     listed = json.loads(ropsim("explain", "--json").stdout)["codes"]
     assert len(listed) > 50
@@ -337,3 +331,11 @@ def test_the_tutorial_leaves_a_program_that_runs(tmp_path: Path) -> None:
     assert "M501" in found.stderr
     made.write_text(good)
     assert ropsim("run", "my_cell", cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize("option", ["--report", "--record"])
+def test_a_folder_is_no_place_for_a_result(project: Path, tmp_path: Path, option: str) -> None:
+    found = ropsim("run", str(project), option, str(tmp_path))
+    assert found.returncode == 2
+    assert "is a folder, needed is the name of a file" in found.stderr
+    assert "simulating" not in found.stderr

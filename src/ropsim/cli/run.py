@@ -70,6 +70,9 @@ def _check_places(options: argparse.Namespace, project: Project) -> None:
     if options.inputs:
         taken[Path(options.inputs).resolve()] = "the recorded inputs"
     for place in filter(None, [options.report, options.record]):
+        if Path(place).is_dir():
+            message = f"`{place}` is a folder, needed is the name of a file"
+            raise ProjectError(NOT_WRITABLE.at(None, message, hint=f"such as `{Path(place) / 'run'}`"))
         if Path(place).resolve() in taken:
             message = f"`{place}` would replace {taken[Path(place).resolve()]}"
             raise ProjectError(NOT_WRITABLE.at(None, message, hint="choose another place"))

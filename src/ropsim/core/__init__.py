@@ -11,6 +11,7 @@ from ropsim.core.errors import RopsimError as RopsimError
 from ropsim.core.files import cache_folder as cache_folder
 from ropsim.core.files import read_bytes as read_bytes
 from ropsim.core.files import replace_file as replace_file
+from ropsim.core.files import replace_private_file as replace_private_file
 from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean

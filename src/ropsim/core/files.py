@@ -49,6 +49,20 @@ def replace_file(path: Path, content: bytes) -> None:
         raise
 
 
+def replace_private_file(path: Path, content: bytes) -> None:
+    """Write `content` to `path` in one step; at no time can other users read it, nor look into a new folder.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    for folder in reversed([one for one in path.parents if not one.exists()]):
+        folder.mkdir(exist_ok=True, mode=0o700)
+    # a replaced file keeps its permissions
+    os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
+    path.chmod(0o600)
+    replace_file(path, content)
+
+
 def cache_folder() -> Path:
     """Return the folder of generated code and other things that can be made again.
 

@@ -21,7 +21,7 @@ from ropsim.studio.project_files import (
     program_names,
     stamps,
 )
-from ropsim.workbench import Draft
+from ropsim.workbench import Draft, toml_values
 
 DEFAULT_PROGRAM = "main"
 
@@ -252,7 +252,7 @@ def _is_new_name(name: str) -> bool:
 def _named_program(cell: str) -> str:
     """Return the program that a cell file names; one with mistakes names the usual one."""
     try:
-        table = tomllib.loads(cell).get("cell")
+        table = toml_values(cell).get("cell")
     except (tomllib.TOMLDecodeError, RecursionError):
         return DEFAULT_PROGRAM
     name = table.get("program") if isinstance(table, dict) else None

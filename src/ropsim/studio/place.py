@@ -7,7 +7,6 @@ that the user alone can read.
 
 import contextlib
 import hashlib
-import os
 import secrets
 import time
 from pathlib import Path
@@ -16,7 +15,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta, Struct
 
-from ropsim.core import read_bytes, replace_file
+from ropsim.core import read_bytes, replace_private_file
 from ropsim.workbench import state_folder
 
 LONGEST = 7 * 24 * 3600.0
@@ -52,10 +51,7 @@ def keep_place(folder: Path, place: Place) -> None:
     content = msgspec.json.encode(place)
     file = _file(folder)
     with contextlib.suppress(OSError):
-        file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        # it keeps the permissions that it is made with: at no time can others read it
-        os.close(os.open(file, os.O_CREAT | os.O_WRONLY, 0o600))
-        replace_file(file, content)
+        replace_private_file(file, content)
 
 
 def _file(folder: Path) -> Path:

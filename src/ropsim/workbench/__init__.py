@@ -26,6 +26,7 @@ from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.recent_projects import recent_projects as recent_projects
 from ropsim.workbench.recent_projects import remember_project as remember_project
 from ropsim.workbench.text_file import read_text_file as read_text_file
+from ropsim.workbench.toml_text import toml_values as toml_values
 from ropsim.workbench.trust import Trust as Trust
 from ropsim.workbench.trust import set_trust as set_trust
 from ropsim.workbench.trust import trust_in as trust_in

@@ -1,7 +1,6 @@
 """The cell file `cell.toml`: text in, work cell and findings out (manual: docs/reference/cell-file.md)."""
 
 import re
-import tomllib
 from collections.abc import Mapping
 
 from ropsim.core import Diagnostic, SourceText
@@ -17,6 +16,7 @@ from ropsim.workbench.cell_tools import read_tools
 from ropsim.workbench.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
 from ropsim.workbench.toml_checks import Findings, TomlTable
 from ropsim.workbench.toml_positions import positions
+from ropsim.workbench.toml_text import toml_values
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
 _KEY = re.compile(r"'([^']*)'")
@@ -34,7 +34,7 @@ def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Di
         The cell, or None when there is an error; and the findings in order of their place.
     """
     try:
-        values = tomllib.loads("\n".join(text.lines))
+        values = toml_values("\n".join(text.lines))
         places = positions(text)
     except RecursionError:
         return None, (_nested_too_deeply(text),)

@@ -2,6 +2,7 @@
 
 import json
 import math
+import stat
 from dataclasses import replace
 from pathlib import Path
 
@@ -67,7 +68,10 @@ def read_inputs(path: str | Path) -> tuple[InputChange, ...]:
     if path.suffix == ".npz":
         return inputs_of(recording_file.read(path))
     try:
-        if path.stat().st_size > LARGEST:
+        facts = path.stat()
+        if not stat.S_ISREG(facts.st_mode):
+            raise _unreadable(str(path), "it is no ordinary file")
+        if facts.st_size > LARGEST:
             raise _unreadable(str(path), f"it is larger than {LARGEST / 1e6:.0f} MB")
         text = read_bytes(path).decode("utf-8-sig")
     except OSError as error:

@@ -1,7 +1,6 @@
 """The meshes of a cell: files of the project read once, as GLB bytes under their own hash."""
 
 import hashlib
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import chain
@@ -15,6 +14,7 @@ from ropsim.workbench.mesh_diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH
 from ropsim.workbench.mesh_formats import MeshFileError
 from ropsim.workbench.mesh_reading import read_mesh
 from ropsim.workbench.toml_positions import positions
+from ropsim.workbench.toml_text import toml_values
 
 if TYPE_CHECKING:
     from ropsim.views import MeshSource
@@ -178,7 +178,7 @@ def _near(path: Path) -> str:
 def _span(text: SourceText, file: str) -> Span:
     """Return where a valid cell file has the value `file`, or else its start."""
     places = positions(text)
-    paths: list[tuple[tuple[str | int, ...], object]] = [((), tomllib.loads("\n".join(text.lines)))]
+    paths: list[tuple[tuple[str | int, ...], object]] = [((), toml_values("\n".join(text.lines)))]
     while paths:
         path, value = paths.pop(0)
         if value == file and path[-1:] == ("mesh",):

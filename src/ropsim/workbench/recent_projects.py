@@ -4,7 +4,7 @@ import contextlib
 import json
 from pathlib import Path
 
-from ropsim.core import read_bytes, replace_file
+from ropsim.core import read_bytes, replace_private_file
 from ropsim.workbench.user_folders import state_folder
 
 VERSION = 1
@@ -23,7 +23,7 @@ def remember_project(folder: Path) -> None:
     folders = [this, *(one for one in _listed() if one != this)][:MOST]
     document = {"version": VERSION, "folders": [str(one) for one in folders]}
     with contextlib.suppress(OSError, UnicodeError):
-        replace_file(_place(), json.dumps(document, indent=2).encode())
+        replace_private_file(_place(), json.dumps(document, indent=2).encode())
 
 
 def _is_project(folder: Path) -> bool:

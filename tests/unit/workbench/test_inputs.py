@@ -1,6 +1,7 @@
 """Recorded inputs from files: what they give, and what is said of those that cannot be read."""
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -107,3 +108,12 @@ def test_no_plain_value_does_harm(plain: object) -> None:
         return
     assert isinstance(plain, list)
     assert len(inputs) == len(plain)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_a_device_or_a_pipe_is_no_file_of_inputs(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for path in (pipe, Path("/dev/zero")):
+        with pytest.raises(ProjectError, match="it is no ordinary file"):
+            read_inputs(path)

@@ -1,5 +1,7 @@
 """Projects that were open last are remembered outside of them."""
 
+import os
+import stat
 from pathlib import Path
 
 import pytest
@@ -41,3 +43,17 @@ def test_a_state_folder_that_cannot_be_written_is_no_reason_to_fail(tmp_path: Pa
     state.write_text("no folder", "utf-8")
     remember_project(tmp_path)
     assert recent_projects() == ()
+
+
+def test_no_more_than_twelve_are_remembered(tmp_path: Path) -> None:
+    folders = [new_project(tmp_path / f"cell{k}") for k in range(13)]
+    for folder in folders:
+        remember_project(folder)
+    assert recent_projects() == tuple(one.resolve() for one in reversed(folders[1:]))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no permissions of this kind")
+def test_nobody_else_can_read_what_was_open(tmp_path: Path, state: Path) -> None:
+    remember_project(new_project(tmp_path / "one"))
+    assert stat.S_IMODE((state / "recent.json").stat().st_mode) == 0o600
+    assert stat.S_IMODE(state.stat().st_mode) == 0o700
