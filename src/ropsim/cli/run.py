@@ -1,6 +1,7 @@
 """`ropsim run`: compile, plan, simulate, verify, report."""
 
 import argparse
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 
@@ -61,10 +62,10 @@ def message_entry(message: Message) -> dict[str, object]:
 
 
 def _check_places(options: argparse.Namespace, project: Project) -> None:
-    """Make sure that results replace no file that is read, nor each other.
+    """Make sure that a recording is called one, and that results replace neither what is read nor each other.
 
     Raises:
-        ProjectError: X847, they would.
+        ProjectError: X847, they would, or the recording has another ending than `.npz`.
     """
     taken = {Path(name).resolve(): f"the project's `{name}`" for name in project.texts}
     if options.inputs:
@@ -77,6 +78,10 @@ def _check_places(options: argparse.Namespace, project: Project) -> None:
             message = f"`{place}` would replace {taken[Path(place).resolve()]}"
             raise ProjectError(NOT_WRITABLE.at(None, message, hint="choose another place"))
         taken[Path(place).resolve()] = "the other result"
+    if options.record and Path(options.record).suffix.lower() not in ("", ".npz"):
+        message = f"`{options.record}` cannot hold a recording, which is an NPZ archive"
+        hint = f"write `--record {shlex.quote(str(Path(options.record).with_suffix('.npz')))}`"
+        raise ProjectError(NOT_WRITABLE.at(None, message, hint=hint))
 
 
 def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Namespace) -> Recording:

@@ -49,3 +49,12 @@ def test_trust_says_in_words_that_there_is_no_code(
     (project / "controllers").mkdir()
     (project / "controllers" / "law.py").write_text("")
     assert said(["trust", str(project)], capsys).splitlines()[1:] == ["  controllers/law.py"]
+
+
+def test_a_recording_under_the_name_of_a_table_is_refused_before_the_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    project = new_project(tmp_path / "cell")
+    assert main(["run", str(project), "--record", str(tmp_path / "run.csv")]) == 2
+    assert f"--record {tmp_path / 'run.npz'}" in capsys.readouterr().err
+    assert [one.name for one in tmp_path.iterdir()] == ["cell"]
