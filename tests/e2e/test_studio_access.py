@@ -98,7 +98,7 @@ def test_a_panel_is_closed_and_comes_back_by_keys(tab: StudioPage) -> None:
 
 
 def test_closed_panels_come_back_with_undo(tab: StudioPage) -> None:
-    tab.command("Only the 3-D views")
+    tab.command("Layout: 3-D views only")
     tab.page.get_by_role("tab", name="Program", exact=True).wait_for(state="detached")
     tab.view("Perspective").focus()
     tab.page.keyboard.press("Control+z")
