@@ -38,7 +38,7 @@ def test_every_command_with_a_key_is_on_the_sheet(tab: StudioPage, panel: "Locat
 
 def test_a_key_is_found_by_what_it_does(panel: "Locator") -> None:
     panel.get_by_role("searchbox", name="Search").fill("save")
-    assert panel.locator("dd").all_text_contents() == ["Save", "Save all"]
+    assert panel.locator("dd").all_text_contents() == ["Save", "Save program as …", "Save all"]
 
 
 def test_the_language_is_searched_by_section(tab: StudioPage, panel: "Locator") -> None:

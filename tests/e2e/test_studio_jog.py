@@ -56,11 +56,11 @@ def tcp(tab: StudioPage, project: Project) -> Pose:
 def test_a_typed_angle_moves_the_arm_and_its_tool(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
-    put(jog, "J1", "30 deg")
+    put(jog, "Joint 1", "30 deg")
     stands_at(tab, first_project, np.array([radians(30.0), *start[1:]]))
-    put(jog, "J3", "-0.5 rad")
+    put(jog, "Joint 3", "-0.5 rad")
     stands_at(tab, first_project, np.array([radians(30.0), start[1], -0.5, *start[3:]]))
-    put(jog, "J5", "-90/2")
+    put(jog, "Joint 5", "-90/2")
     stands_at(
         tab, first_project, np.array([radians(30.0), start[1], -0.5, start[3], radians(-45.0), start[5]])
     )
@@ -69,7 +69,7 @@ def test_a_typed_angle_moves_the_arm_and_its_tool(
 def test_a_slider_moves_the_arm_with_the_mouse(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
-    slider = jog.get_by_role("slider", name="J2", exact=True)
+    slider = jog.get_by_role("slider", name="Joint 2", exact=True)
     slider.scroll_into_view_if_needed()
     box = slider.bounding_box()
     assert box is not None
@@ -80,12 +80,12 @@ def test_a_slider_moves_the_arm_with_the_mouse(
     tab.page.wait_for_function("slider => slider.value > -0.1", arg=slider.element_handle())
     angle = float(slider.input_value())
     stands_at(tab, first_project, np.array([start[0], angle, *start[2:]]))
-    assert jog.get_by_label("J2, typed value").input_value() == f"{degrees(angle):.2f}°"
+    assert jog.get_by_label("Joint 2, typed value").input_value() == f"{degrees(angle):.2f}°"
 
 
 def test_jogging_leaves_run_and_texts_alone(tab: StudioPage, jog: "Locator", first_project: Project) -> None:
     before = tab.poses()
-    put(jog, "J1", "45")
+    put(jog, "Joint 1", "45")
     tab.page.wait_for_function("() => Math.abs(__ropsim.jogged().link1[6]) > 0.3")
     assert tab.poses() == before
     assert tab.state()["unsaved"] == []
@@ -98,9 +98,9 @@ def test_a_joint_stops_at_its_limit_and_says_so(
 ) -> None:
     assert first_project.cell is not None
     limit = float(first_project.cell.robot.upper_limits[0])
-    put(jog, "J1", "200 deg")
+    put(jog, "Joint 1", "200 deg")
     words = f"joint 1 stops at its upper limit {degrees(limit):g}°"
-    jog.locator(".jog-row", has_text="J1").get_by_text(words).wait_for()
+    jog.locator(".jog-row", has_text="Joint 1").get_by_text(words).wait_for()
     stands_at(tab, first_project, np.array([limit, *start[1:]]))
 
 
@@ -112,11 +112,9 @@ def test_the_tcp_steps_along_the_axes_of_the_world(
     step = jog.get_by_label("Step", exact=True)
     step.fill("2 cm")
     step.press("Enter")
-    jog.get_by_role("button", name="Y plus").click()
-    tab.page.wait_for_function("y => __ropsim.jogged().link6[1] > y", arg=tab.poses()["link6"][1] + 0.019)
-    after = tcp(tab, first_project)
-    assert after.position - before.position == pytest.approx([0.0, 0.02, 0.0], abs=SHOWN)
-    assert apart(Pose(before.position, after.orientation), before)[1] < SHOWN
+    jog.get_by_role("button", name="Y plus").dispatch_event("click")  # one step, however busy the machine
+    after = Pose(before.position + np.array([0.0, 0.02, 0.0]), before.orientation)
+    tab.until(lambda: max(apart(tcp(tab, first_project), after)) < SHOWN)
 
 
 def test_the_tcp_steps_along_its_own_axes(
@@ -125,12 +123,9 @@ def test_the_tcp_steps_along_its_own_axes(
     stands_at(tab, first_project, start)
     before = tcp(tab, first_project)
     jog.get_by_label("Directions of").select_option("Tool")
-    jog.get_by_role("button", name="Z minus").click()
-    tab.page.wait_for_function(
-        "link6 => __ropsim.jogged().link6.some((one, k) => Math.abs(one - link6[k]) > 0.005)",
-        arg=tab.poses()["link6"],
-    )
-    assert apart(tcp(tab, first_project), before @ Pose(np.array([0.0, 0.0, -0.01])))[0] < SHOWN
+    jog.get_by_role("button", name="Z minus").dispatch_event("click")
+    after = before @ Pose(np.array([0.0, 0.0, -0.01]))
+    tab.until(lambda: apart(tcp(tab, first_project), after)[0] < SHOWN)
 
 
 def test_a_pose_out_of_reach_is_refused_in_words(
@@ -144,34 +139,34 @@ def test_a_pose_out_of_reach_is_refused_in_words(
 
 
 def test_a_singularity_is_named_with_its_distance(tab: StudioPage, jog: "Locator") -> None:
-    put(jog, "J5", "2 deg")
+    put(jog, "Joint 5", "2 deg")
     jog.get_by_text("wrist nearly straight: axes 4 and 6 are 2.0° from lining up").wait_for()
-    put(jog, "J5", "-60 deg")
+    put(jog, "Joint 5", "-60 deg")
     jog.get_by_text("wrist nearly straight").wait_for(state="detached")
 
 
 def test_what_is_no_quantity_is_refused_in_words(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
-    put(jog, "J1", "12 furlong")
+    put(jog, "Joint 1", "12 furlong")
     jog.get_by_role("alert").get_by_text("“furlong” is no unit here; use deg, °, rad").wait_for()
-    jog.get_by_label("J1, typed value").press("Escape")
-    assert jog.get_by_label("J1, typed value").input_value() == f"{degrees(start[0]):.2f}°"
+    jog.get_by_label("Joint 1, typed value").press("Escape")
+    assert jog.get_by_label("Joint 1, typed value").input_value() == f"{degrees(start[0]):.2f}°"
     stands_at(tab, first_project, start)
 
 
 def test_jog_moves_are_undone_and_redone_one_by_one(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
-    put(jog, "J1", "20")
+    put(jog, "Joint 1", "20")
     one = np.array([radians(20.0), *start[1:]])
     stands_at(tab, first_project, one)
-    put(jog, "J2", "-60")
-    two = np.array([one[0], radians(-60.0), *start[2:]])
+    put(jog, "Joint 2", "60")
+    two = np.array([one[0], radians(60.0), *start[2:]])
     stands_at(tab, first_project, two)
-    jog.get_by_role("button", name="Undo: Jog joint J2").click()
+    jog.get_by_role("button", name="Undo: Jog Joint 2").click()
     stands_at(tab, first_project, one)
-    jog.get_by_role("button", name="Undo: Jog joint J1").click()
+    jog.get_by_role("button", name="Undo: Jog Joint 1").click()
     stands_at(tab, first_project, start)
     for q in (one, two):
         tab.page.keyboard.press("Control+Shift+z")
@@ -226,6 +221,6 @@ def test_every_direction_of_the_tcp_is_in_sight(
     tab.page.set_viewport_size({"width": width, "height": height})
     tab.page.evaluate("() => __ropsim.command('view.reset')")
     panel = tab.panel("Jog")
-    for name in ("J6", "X", "Y", "Z", "Roll", "Pitch", "Yaw"):
+    for name in ("Joint 6", "X", "Y", "Z", "Roll", "Pitch", "Yaw"):
         expect(panel.get_by_label(f"{name}, typed value")).to_be_in_viewport(ratio=1)
     tab.page.set_viewport_size({"width": 1280, "height": 800})

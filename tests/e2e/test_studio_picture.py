@@ -24,7 +24,7 @@ SHADED = (0.01, 0.4)
 #: A pixel that has become darker by this much lies in a shadow.
 DARKER = 8.0
 #: Highlights and mirrored light make this share of a view differ between flat and smooth shading.
-SMOOTH = 0.01
+SMOOTH = 0.005
 #: Pictures with and without something that must not be seen differ by less than this, at every pixel.
 UNSEEN = 2.0
 #: The box in the middle of its orange face is redder than blue by this much, in any light.

@@ -307,6 +307,6 @@ def test_the_time_line_of_a_plot_is_right_after_zooms_and_other_colours(
     for scheme in ("dark", "light"):
         tab.page.emulate_media(color_scheme=scheme)
         plot_line_is_right(tab)
-    tab.panel("Plot").get_by_role("button", name="Whole time").click()
+    tab.panel("Plot").get_by_role("button", name="Whole run").click()
     plot_line_is_right(tab)
     assert tab.page.evaluate("() => __ropsim.plots()[0].drawn") == pytest.approx(before, abs=PIXEL)

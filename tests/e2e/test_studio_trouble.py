@@ -193,7 +193,7 @@ def test_without_webgl_numbers_plots_and_editor_work(
         page.slider().press("End")
         assert page.time() == first_run.duration
         angle = degrees(joints_at(first_run, first_run.duration)[1])
-        page.panel("States").get_by_role("row", name=f"q 2 {angle:.2f}°").wait_for()
+        page.panel("States").get_by_role("row", name=f"Joint 2 position {angle:.2f}°").wait_for()
         page.panel("Plot").locator(".u-over").click()
         assert 0.0 < page.time() < first_run.duration
         shown = page.state()["shown"]

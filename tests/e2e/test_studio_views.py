@@ -79,9 +79,9 @@ def test_turning_a_side_view_makes_it_a_view_of_ones_own(tab: StudioPage) -> Non
 @pytest.mark.parametrize(
     ("key", "name", "along", "nearer"),
     [
-        ("7", "Top", [0.1, 0.0, 0.0], [0.0, 0.0, 0.1]),
-        ("1", "Front", [0.1, 0.0, 0.0], [0.0, 0.1, 0.0]),
-        ("3", "Right", [0.0, 0.1, 0.0], [0.1, 0.0, 0.0]),
+        ("7", "Top", [0.2, 0.0, 0.0], [0.0, 0.0, 0.1]),
+        ("1", "Front", [0.2, 0.0, 0.0], [0.0, 0.1, 0.0]),
+        ("3", "Right", [0.0, 0.2, 0.0], [0.1, 0.0, 0.0]),
     ],
 )
 def test_number_keys_look_along_the_axes(

@@ -18,7 +18,7 @@ from support.patience import PATIENCE
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, BrowserContext, Page
+    from playwright.sync_api import Browser, BrowserContext, Error, Page
 
 FLAGS = (
     "--no-sandbox",
@@ -51,6 +51,11 @@ def browser() -> Iterator["Browser"]:
         one = driver.chromium.launch(executable_path=path, args=list(FLAGS))
         yield one
         one.close()
+
+
+def uncaught(error: "Error") -> str:
+    """Return what a page did not catch, and where."""
+    return f"uncaught: {error.stack or error.message}"
 
 
 class Pages:
@@ -100,7 +105,7 @@ class Pages:
         context = self._browser.new_context(**{"viewport": VIEWPORT, "reduced_motion": "reduce", **options})
         context.set_default_timeout(1e3 * PATIENCE)
         context.on("console", lambda message: self._console(message.type, message.text))
-        context.on("weberror", lambda error: self._complaints.append(f"uncaught: {error.error}"))
+        context.on("weberror", lambda error: self._complaints.append(uncaught(error.error)))
         self._contexts.append(context)
         return context
 

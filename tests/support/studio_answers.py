@@ -94,7 +94,7 @@ def squiggles(page: "Page", rounds: int, rest: Callable[["Page"], None] = calm) 
 def jogs(page: "Page", count: int) -> list[float]:
     """Return the times from a movement of a joint's slider to the answer of the kinematics [ms], growing."""
     page.evaluate("() => { __ropsim.command('view.panel.jog'); __ropsim.command('jog.start') }")
-    slider = page.get_by_role("slider", name="J1", exact=True)
+    slider = page.get_by_role("slider", name="Joint 1", exact=True)
     slider.focus()
     page.evaluate("() => __probe.reset()")
     for done in range(count):

@@ -35,8 +35,23 @@ function messageOf({ first, all }: ProblemGroup): string {
 /** Show these marks of runs beside the marks of the language server that the view has. */
 export function showFound(view: EditorView, problems: readonly Problem[]): void {
   const others: Diagnostic[] = []
+  const before: Diagnostic[] = []
   forEachDiagnostic(view.state, (one, from, to) => {
-    if (one.markClass !== MARK) others.push({ ...one, from, to })
+    const list = one.markClass === MARK ? before : others
+    list.push({ ...one, from, to })
   })
-  view.dispatch(setDiagnostics(view.state, [...others, ...foundMarks(problems, view.state.doc)]))
+  const after = foundMarks(problems, view.state.doc)
+  // Setting marks closes what is read under the pointer: equal ones stay.
+  if (after.length === before.length && after.every(one => before.some(other => isSame(one, other)))) return
+  view.dispatch(setDiagnostics(view.state, [...others, ...after]))
+}
+
+function isSame(one: Diagnostic, other: Diagnostic): boolean {
+  return (
+    one.from === other.from &&
+    one.to === other.to &&
+    one.severity === other.severity &&
+    one.source === other.source &&
+    one.message === other.message
+  )
 }

@@ -4,6 +4,7 @@ import { useStudio, useStudioState } from '../studio/context'
 import type { HeldMove } from '../studio/hold'
 import { useTicks } from '../studio/hooks'
 import { words } from '../text/messages'
+import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
 import { HoldButton } from './HoldButton'
 import { JogTcp } from './JogTcp'
@@ -107,7 +108,7 @@ function JointRow({ index, asked, disabled }: { index: number; asked: Asked; dis
   const value = jog.q?.[index]
   if (!joint || value === undefined) return null
   const unit = joint.type === 'revolute' ? 'rad' : 'm'
-  const name = /^\d+$/.test(joint.name) ? `J${joint.name}` : joint.name
+  const name = jointName(joint.name)
   const commit = () => jog.commit(words.jog.moveJoint(name))
   const held = (sign: 1 | -1): HeldMove => {
     asked.forget()

@@ -64,8 +64,9 @@ export class LineGhost {
   /** The line that runs at the cursor, null where none does. */
   running(): { readonly document: string; readonly line: number } | null {
     const run = this.#wires.run()
+    // A live run that has only begun has no line yet: its value is NaN.
     const there = run ? Math.round(run.value('line', 0, this.#wires.time())) : 0
-    if (!run || there <= 0) return null
+    if (!run || !(there > 0)) return null
     const document = this.#wires.documentOf(run.source)
     const line = this.#wires.lines.toText(document, there)
     return line === null ? null : { document, line }
