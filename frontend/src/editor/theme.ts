@@ -35,6 +35,7 @@ const view = EditorView.theme({
   '.cm-arrow-running': { color: 'var(--accent)' },
   '.cm-arrow-ghost': { color: 'var(--ghost)' },
   '&.ropsim-stale .cm-running': { backgroundColor: mix('--quiet', 15) },
+  '&.ropsim-stale .cm-found': { opacity: '0.5' },
   '&.ropsim-stale .cm-arrow-running': { color: 'var(--quiet)' },
   '.cm-panels, .cm-tooltip': {
     backgroundColor: 'var(--panel)',

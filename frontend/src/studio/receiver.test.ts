@@ -148,6 +148,16 @@ describe('a run', () => {
     expect(state().problems).toEqual([])
   })
 
+  it('that was refused keeps what the last good run has found', () => {
+    const span = { source: 'place', line: 3, column: 1, end_line: 3, end_column: 4 }
+    const finding = { code: 'M1', severity: 'error', message: 'far', hint: '', span, time: 2 } as const
+    const refusal = { ...finding, code: 'T1', message: 'no', time: null }
+    receiver.receive(WELCOME)
+    studio.setFindings('run', [finding])
+    receiver.receive({ ...status, state: 'refused', findings: [refusal] })
+    expect(state().problems.map(one => one.code).sort()).toEqual(['M1', 'T1'])
+  })
+
   it('that was refused lists its errors', () => {
     const span = { source: 'place', line: 3, column: 1, end_line: 3, end_column: 4 }
     const finding = { code: 'T1', severity: 'error', message: 'no', hint: '', span, time: null } as const

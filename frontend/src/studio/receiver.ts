@@ -117,9 +117,10 @@ export class Receiver {
     const studio = this.#studio
     studio.store.setState({ status, program: status.program || studio.store.getState().program })
     const texts = studio.desk.documents.history.texts(status.versions)
-    // Findings of the run before stay until the new ones are there; those of a finished run come with it.
+    // Findings of the run before stay until new ones are there, also beside the errors of a text that is refused;
+    // those of a finished run come with it.
     if (status.state !== 'done') studio.setFindings('compile', status.findings, texts)
-    if (status.planned || status.state === 'refused') studio.setFindings('run', [])
+    if (status.planned) studio.setFindings('run', [])
     if (status.state === 'done') studio.store.setState({ finished: status.id })
     if (status.state === 'done') void studio.runs.take(status.id, texts)
     const { run } = studio

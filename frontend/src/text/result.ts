@@ -8,7 +8,7 @@ export const resultWords = {
   signs: { good: '✔', doubtful: '▲', failed: '✖' },
   spoken: { good: 'Good', doubtful: 'Doubtful', failed: 'Failed' },
   cycle: 'Cycle time',
-  notValid: 'not valid: moves were skipped',
+  notValid: 'not that of the program',
   settling: 'Settling',
   ofCycle: (share: string) => `${share} of the cycle`,
   torque: 'Peak torque',

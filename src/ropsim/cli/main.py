@@ -28,7 +28,11 @@ def main(arguments: Sequence[str]) -> int:
     from ropsim.cli.streams import OutputLostError, prepare_streams
 
     prepare_streams()
-    options = build_parser().parse_args(arguments)
+    parser = build_parser()
+    if not arguments:
+        parser.print_help()
+        return 2
+    options = parser.parse_args(arguments)
     try:
         return _run(options)
     except KeyboardInterrupt:

@@ -1,13 +1,15 @@
 """All commands and their arguments, as `ropsim --help` shows them."""
 
 import argparse
+import re
 from collections.abc import Callable
 from importlib import import_module
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
+from ropsim.core.suggest import did_you_mean
 from ropsim.version import __version__
 
-Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
+Commands: TypeAlias = "argparse._SubParsersAction[_Parser]"
 
 EPILOG = """\
 A project is a folder with `cell.toml` and `programs/*.task`. Start with
@@ -18,13 +20,23 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 """
 
 
+_CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
 _PROGRAM = "a .task or .icr file, or a project: its program"
 _ROBOT = "name of a robot, see `ropsim robot list`"
 
 
+class _Parser(argparse.ArgumentParser):
+    """Names the words that are near to one it does not know."""
+
+    def error(self, message: str) -> NoReturn:
+        choice = _CHOICE.search(message)
+        hint = did_you_mean(choice[1], re.findall(r"'([^']+)'", choice[2])) if choice else ""
+        super().error(f"{message}\n  = {hint}" if hint else message)
+
+
 def build_parser() -> argparse.ArgumentParser:
     """Return the parser; each command's module is imported only when it runs."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="ropsim",
         description="Robot off-line programming and real-time simulation: task text in, verified motion out.",
         epilog=EPILOG,

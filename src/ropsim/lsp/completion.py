@@ -7,7 +7,7 @@ from ropsim import language
 from ropsim.language import Role
 from ropsim.lsp import names, words
 from ropsim.lsp.document import Document
-from ropsim.lsp.expected import LITERALS, expected, in_call, type_of
+from ropsim.lsp.expected import LITERALS, expected, in_call, may_give, type_of
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Workshop
@@ -124,10 +124,7 @@ def _offered(
         case "value":
             if _MOTION.search(lead):
                 yield from _words(words.MODIFIERS, _KEYWORD, "2")
-            wanted = expected(lead, checked.tasks)
-            yield from _fitting(known, wanted)
-            yield from _words(words.FUNCTIONS, _FUNCTION, "4")
-            yield from _words(words.INNER, _KEYWORD, "3")
+            yield from _fitting(known, expected(lead, checked.tasks))
 
 
 def _values(known: list[names.Known]) -> Iterator[Json]:
@@ -137,14 +134,18 @@ def _values(known: list[names.Known]) -> Iterator[Json]:
 
 
 def _fitting(known: list[names.Known], wanted: str) -> Iterator[Json]:
-    """Yield values: those of the type that is wanted first, then literals of it, then the others."""
+    """Yield values: those of the type that is wanted first, then literals, then what may be made one."""
     for one in known:
         if one.role is Role.FRAME and wanted == "loc":
             yield _name(one, "2")
-        elif one.role not in (Role.FRAME, Role.TOOL, Role.PATTERN):
+        elif one.role not in (Role.FRAME, Role.TOOL, Role.PATTERN) and may_give(wanted, type_of(one)):
             yield _name(one, "0" if wanted and type_of(one) == wanted else "1" if not wanted else "2")
     for place, literal in enumerate(LITERALS.get(wanted, ())):
         yield _item(literal, _LITERAL, wanted, "", f"1{place}")
+    if wanted not in ("loc", "bool"):
+        yield from _words(words.FUNCTIONS, _FUNCTION, "4")
+    if not wanted:
+        yield from _words(words.INNER, _KEYWORD, "3")
 
 
 def _named(known: list[names.Known], role: Role) -> Iterator[Json]:

@@ -91,6 +91,16 @@ def type_of(known: Known) -> str:
     return _UNITS.get(value[1] or "", "num") if value is not None else ""
 
 
+def may_give(wanted: str, type_: str) -> bool:
+    """Return whether an expression with a name of a type can be of the type that is wanted; empty: any.
+
+    Locations are made of nothing else, truth values of comparisons, quantities of each other by arithmetic.
+    """
+    if wanted == "loc":
+        return type_ in ("loc", "")
+    return type_ != "loc" or wanted in ("", "bool")
+
+
 def _outer_commas(arguments: str) -> int:
     """Return how many commas stand outside of brackets."""
     depth = count = 0

@@ -18,6 +18,8 @@ from ropsim.views.unchecked import Unchecked, unchecked
 
 MOVING = 1e-6
 """Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
+STOPPED_BY_HAND = "S761"
+"""Code of the finding of a live run that did not come to the program's end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,12 @@ class Summary:
     @property
     def cycle_time_valid(self) -> bool:
         """Return whether the whole program was carried out, so that the cycle time is that of the program."""
-        return not self.skipped and self.invalid_samples == 0
+        return not self.skipped and self.invalid_samples == 0 and not self.stopped_by_hand
+
+    @property
+    def stopped_by_hand(self) -> bool:
+        """Return whether it is a live run that did not come to the program's end."""
+        return any(one.first.code == STOPPED_BY_HAND for one in self.findings)
 
 
 def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summary:

@@ -6,9 +6,6 @@ from enum import Enum
 from ropsim.views.findings import plural
 from ropsim.views.summary import Summary
 
-STOPPED_BY_HAND = "S761"
-"""Code of the finding of a live run that did not come to the program's end."""
-
 
 class Verdict(Enum):
     """How far a run can be relied on."""
@@ -27,7 +24,10 @@ class VerdictText:
 
 
 def verdict(summary: Summary) -> VerdictText:
-    """Return the verdict: failed with errors, skipped moves or broken samples, doubtful with warnings."""
+    """Return the verdict.
+
+    Failed with errors, skipped moves or broken samples; doubtful with warnings or when ended by hand.
+    """
     reasons = []
     if summary.invalid_samples:
         reasons.append(f"{plural(summary.invalid_samples, 'sample')} not finite: the integration failed")
@@ -42,11 +42,8 @@ def verdict(summary: Summary) -> VerdictText:
         reasons.append(plural(summary.warning_count, "warning"))
     if failed:
         return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
-    end = (
-        "ended by hand"
-        if any(one.first.code == STOPPED_BY_HAND for one in summary.findings)
-        else "ran to the end"
-    )
+    end = "ended by hand before the program was" if summary.stopped_by_hand else "ran to the end"
     if reasons:
         return VerdictText(Verdict.DOUBTFUL, f"{end} with " + ", ".join(reasons))
-    return VerdictText(Verdict.GOOD, f"{end}, no errors, no warnings")
+    kind = Verdict.DOUBTFUL if summary.stopped_by_hand else Verdict.GOOD
+    return VerdictText(kind, f"{end}, no errors, no warnings")

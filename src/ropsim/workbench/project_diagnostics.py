@@ -88,8 +88,9 @@ NOT_WRITABLE = define(
     Severity.ERROR,
     "a result file that cannot be written",
     """
-The folder does not exist and cannot be made, or may not be written. Nothing was changed: result files are
-replaced in one step, so an older report or recording is still whole.
+Its folder does not exist and cannot be made, or may not be written; or its name is that of a folder, or has
+another ending than the file is of: a recording ends in `.npz`. Nothing was changed: result files are replaced
+in one step, so an older report or recording is still whole.
 """,
 )
 

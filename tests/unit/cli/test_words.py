@@ -58,3 +58,19 @@ def test_a_recording_under_the_name_of_a_table_is_refused_before_the_run(
     assert main(["run", str(project), "--record", str(tmp_path / "run.csv")]) == 2
     assert f"--record {tmp_path / 'run.npz'}" in capsys.readouterr().err
     assert [one.name for one in tmp_path.iterdir()] == ["cell"]
+
+
+def test_the_bare_word_lists_the_commands(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 2
+    shown = capsys.readouterr().out
+    assert all(f"\n    {command} " in shown for command in ("new", "check", "run", "studio"))
+
+
+@pytest.mark.parametrize(("words", "near"), [(["chekc"], "check"), (["robot", "lst"], "list")])
+def test_a_command_that_does_not_exist_is_answered_with_the_nearest(
+    words: list[str], near: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 2
+    assert f"did you mean `{near}`?" in capsys.readouterr().err

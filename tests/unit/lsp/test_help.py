@@ -111,7 +111,21 @@ def test_what_fits_the_type_of_a_place_comes_first(line: str, first: str) -> Non
 def test_literals_with_a_unit_come_after_the_names_that_fit() -> None:
     offered = labels(BARE, HEAD + "const far = 3 s\nPick corner, |")
     assert offered[:2] == ["gap", "10 mm"]
-    assert offered.index("0.1 m") < min(offered.index("corner"), offered.index("far"))
+    assert offered.index("0.1 m") < offered.index("far")
+
+
+@pytest.mark.parametrize(
+    ("line", "unfit"),
+    [
+        ("Pick |", ("k", "far", "and", "do", "false", "sqrt")),
+        ("lin |", ("k", "far", "not", "abs")),
+        ("Pick corner, |", ("corner", "and", "do")),
+        ("wait |", ("corner", "then")),
+    ],
+)
+def test_what_cannot_stand_at_a_place_is_not_offered(line: str, unfit: tuple[str, ...]) -> None:
+    offered = labels(BARE, HEAD + f"const far = 3 s\nfor k = 1 to 3\n{line}")
+    assert set(offered).isdisjoint(unfit)
 
 
 @pytest.mark.parametrize(
