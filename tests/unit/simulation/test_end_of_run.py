@@ -84,7 +84,7 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
     coarse = replace(
         cell, controller=replace(cell.controller, rates=replace(cell.controller.rates, control_hz=50))
     )
-    assert coarse.controller.rates == Rates(50, 4, 4)
+    assert coarse.controller.rates == Rates(50, 4, 2)
     program = code(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
     with pytest.raises(DivergedError) as caught:
         run(coarse, program, RunOptions())

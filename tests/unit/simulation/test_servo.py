@@ -242,6 +242,15 @@ def test_more_plant_steps_converge_with_fourth_order() -> None:
     assert fine < coarse / 8.0 + 1e-14  # sixteen in theory; friction near standstill costs a little
 
 
+def test_the_step_of_the_standard_rates_costs_less_than_a_micrometre_at_a_metre() -> None:
+    robot, model = puma()
+    reference = quintic(START, GOAL, 1000)
+    standard, fine = (
+        _run(Servo.build(robot, with_rates(model, rates)), reference) for rates in (Rates(), Rates(1000, 4, 32))
+    )
+    assert 0.0 < np.abs(standard.q - fine.q).max() < 1e-6
+
+
 def test_an_arm_without_drives_is_refused() -> None:
     with pytest.raises(NoDrivesError, match="`two_link` has 0 drives for 2 joints") as caught:
         Servo.build(robots.load("two_link"), controller(2))
