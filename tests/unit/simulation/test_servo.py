@@ -246,7 +246,8 @@ def test_the_step_of_the_standard_rates_costs_less_than_a_micrometre_at_a_metre(
     robot, model = puma()
     reference = quintic(START, GOAL, 1000)
     standard, fine = (
-        _run(Servo.build(robot, with_rates(model, rates)), reference) for rates in (Rates(), Rates(1000, 4, 32))
+        _run(Servo.build(robot, with_rates(model, rates)), reference)
+        for rates in (Rates(), Rates(1000, 4, 32))
     )
     assert 0.0 < np.abs(standard.q - fine.q).max() < 1e-6
 
