@@ -200,7 +200,7 @@ def test_a_word_explains_itself_under_the_pointer(fresh: StudioPage) -> None:
 def test_a_problem_leads_to_its_line(fresh: StudioPage) -> None:
     fresh.write(fresh.text().replace("mov home", "mov hom"))
     fresh.page.get_by_role("button", name="1 error, 0 warnings").click()
-    row = fresh.page.locator(".panel-problems").get_by_role("button", name="there is no name `hom`")
+    row = fresh.page.locator(".panel-problems").get_by_role("button", name="there is no name hom")
     fresh.document("cell.toml")
     row.click()
     line = fresh.page.locator(".cm-activeLine", has_text="mov hom")

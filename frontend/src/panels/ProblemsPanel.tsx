@@ -4,6 +4,7 @@ import { useEffect, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import { grouped, nextOf, type ProblemGroup } from '../studio/problem_groups'
 import { severityIcons, words } from './editor_words'
+import { Marked } from './Marked'
 import { matching } from './problem_order'
 import './editor.css'
 
@@ -65,9 +66,13 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
           <span aria-hidden="true">{severityIcons[severity]}</span> {words.severities[severity]}
         </span>
         <span className="problem-text">
-          {message}
+          <Marked text={message} />
           {count > 1 ? <strong className="problem-count">{words.count(count)}</strong> : null}
-          {hint ? <span className="problem-hint"> {hint}</span> : null}
+          {hint ? (
+            <span className="problem-hint">
+              <Marked text={hint} />
+            </span>
+          ) : null}
         </span>
         <span className="problem-place">
           {code} {place.filter(Boolean).join(', ')}

@@ -1,5 +1,6 @@
 /** Words of the server and of the page that need no answer. */
 import { useEffect } from 'react'
+import { Marked } from '../panels/Marked'
 import { words } from '../text/messages'
 import { useStudio, useStudioState } from './context'
 import type { ShownNotice } from './state'
@@ -29,8 +30,12 @@ function NoticeCard({ notice }: { notice: ShownNotice }) {
   return (
     <div className={`notice ${level}`}>
       <div>
-        <strong>{words.levels[level]}</strong> {code ? <code>{code}</code> : null} {text}
-        {hint ? <p className="quiet">{hint}</p> : null}
+        <strong>{words.levels[level]}</strong> {code ? <code>{code}</code> : null} <Marked text={text} />
+        {hint ? (
+          <p className="quiet">
+            <Marked text={hint} />
+          </p>
+        ) : null}
       </div>
       <button
         type="button"

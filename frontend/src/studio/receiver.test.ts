@@ -155,7 +155,11 @@ describe('a run', () => {
     receiver.receive(WELCOME)
     studio.setFindings('run', [finding])
     receiver.receive({ ...status, state: 'refused', findings: [refusal] })
-    expect(state().problems.map(one => one.code).sort()).toEqual(['M1', 'T1'])
+    expect(
+      state()
+        .problems.map(one => one.code)
+        .sort(),
+    ).toEqual(['M1', 'T1'])
   })
 
   it('that was refused lists its errors', () => {
