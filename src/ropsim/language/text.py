@@ -1,5 +1,6 @@
 """A text read line by line: the green layer of the tree, independent of where a line stands."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from ropsim.language.syntax.statements import Broken, Closer, Statement
 MAX_LINES = 200_000
 MAX_KEPT = 250_000
 
+_WORD = re.compile(r"[^\W\d]\w*")
 Parsed = tuple[Statement | None, Fault | None]
 
 
@@ -49,8 +51,8 @@ class Line:
         """Return the first word, lower case."""
         if isinstance(self.statement, Broken | Closer):
             return self.statement.head if isinstance(self.statement, Broken) else self.statement.word
-        words = self.logical.text[self.start :].split(maxsplit=1)
-        return words[0].lower() if words else ""
+        word = _WORD.match(self.logical.text, self.start)
+        return word[0].lower() if word else ""
 
 
 class LineCache:

@@ -7,6 +7,7 @@ from ropsim.language.syntax import nodes
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.statements import Assign, Broken, Call, ContractClause, Motion, TaskHeader
+from support.tasks import codes
 
 
 def test_the_same_characters_give_the_same_node() -> None:
@@ -90,3 +91,9 @@ def test_absurd_lines_have_a_finding(line: str, kind: str) -> None:
 def test_lines_are_joined_after_a_parenthesis_but_not_into_a_statement() -> None:
     lines = [(x.number, x.text) for x in logical_lines(SourceText("t", "a (1,\n2)\nb (3\nmov x\nc \\\nd"))]
     assert lines == [(1, "a (1,\n2)"), (3, "b (3"), (4, "mov x"), (5, "c  \nd")]
+
+
+@pytest.mark.parametrize("middle", ["elseif(n > 3)", "ELSEIF(n > 3)", "else# note", "else// note", "else"])
+def test_the_middle_of_an_if_is_known_without_a_blank_behind_it(middle: str) -> None:
+    text = f"program p\nn = 4\nif(n > 5)\n  print 1\n{middle}\n  print 2\nendif\n"
+    assert codes(text) == []
