@@ -1,9 +1,10 @@
 /** What runs have found, as marks on the lines of a text. */
-import { type Diagnostic, forEachDiagnostic, setDiagnostics } from '@codemirror/lint'
+import type { Diagnostic } from '@codemirror/lint'
 import type { Text } from '@codemirror/state'
 import type { EditorView } from '@codemirror/view'
 import { grouped, type ProblemGroup } from '../studio/problem_groups'
 import type { Problem } from '../studio/problems'
+import { marksShown, putMarks } from './shown_marks'
 import { words } from './words'
 
 /** Tells marks of runs from those of the language server. */
@@ -34,24 +35,6 @@ function messageOf({ first, all }: ProblemGroup): string {
 
 /** Show these marks of runs beside the marks of the language server that the view has. */
 export function showFound(view: EditorView, problems: readonly Problem[]): void {
-  const others: Diagnostic[] = []
-  const before: Diagnostic[] = []
-  forEachDiagnostic(view.state, (one, from, to) => {
-    const list = one.markClass === MARK ? before : others
-    list.push({ ...one, from, to })
-  })
-  const after = foundMarks(problems, view.state.doc)
-  // Setting marks closes what is read under the pointer: equal ones stay.
-  if (after.length === before.length && after.every(one => before.some(other => isSame(one, other)))) return
-  view.dispatch(setDiagnostics(view.state, [...others, ...after]))
-}
-
-function isSame(one: Diagnostic, other: Diagnostic): boolean {
-  return (
-    one.from === other.from &&
-    one.to === other.to &&
-    one.severity === other.severity &&
-    one.source === other.source &&
-    one.message === other.message
-  )
+  const others = marksShown(view.state, mark => mark.markClass !== MARK)
+  putMarks(view, [...others, ...foundMarks(problems, view.state.doc)])
 }

@@ -1,5 +1,4 @@
 /** The language server in the editor: marks after 30 ms, completion, hover, definition. */
-import { setDiagnostics } from '@codemirror/lint'
 import {
   hoverTooltips,
   jumpToDefinitionKeymap,
@@ -12,6 +11,7 @@ import type { Problem } from '../studio/problems'
 import { marksOf, type Published, problemsOf } from './findings'
 import { foundMarks } from './found_marks'
 import { sanitizeHTML } from './sanitize'
+import { putMarks } from './shown_marks'
 import { LanguageLink } from './transport'
 import { type OpenedDocument, ProjectWorkspace } from './workspace'
 
@@ -110,7 +110,7 @@ export class LanguageClient {
     const plugin = LSPPlugin.get(view)
     const known = plugin && this.#published.get(plugin.uri)
     const marks = known ? marksOf(known.diagnostics, view.state.doc, at => at) : []
-    view.dispatch(setDiagnostics(view.state, [...marks, ...foundMarks(this.#found, view.state.doc)]))
+    putMarks(view, [...marks, ...foundMarks(this.#found, view.state.doc)])
   }
 
   /** What runs have found in the document that is shown, for the marks that follow. */
@@ -135,7 +135,7 @@ export class LanguageClient {
     if (view && plugin) {
       const map = (at: number) => plugin.unsyncedChanges.mapPos(at)
       const marks = marksOf(published.diagnostics, plugin.syncedDoc, map)
-      view.dispatch(setDiagnostics(view.state, [...marks, ...foundMarks(this.#found, view.state.doc)]))
+      putMarks(view, [...marks, ...foundMarks(this.#found, view.state.doc)])
     }
     this.#tell()
   }

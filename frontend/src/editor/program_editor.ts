@@ -22,6 +22,7 @@ import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { replacement } from './replacement'
+import { staysOpen } from './shown_marks'
 import { task } from './task_language'
 import { theme } from './theme'
 import { toml } from './toml_language'
@@ -220,6 +221,7 @@ export class ProgramEditor {
       foldGutter(),
       codeFolding(),
       lintGutter(),
+      staysOpen(),
       history(),
       drawSelection(),
       highlightActiveLine(),
