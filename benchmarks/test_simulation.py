@@ -11,14 +11,15 @@ import numpy as np
 from measuring import Measure
 
 import ropsim
-from ropsim.codegen import Compiled, kernel
+from ropsim import codegen
+from ropsim.codegen import Engine, SourceFunction
 from ropsim.controller import Refusal, plan_move, standard_chain
-from ropsim.dynamics import compiled, last_body
+from ropsim.dynamics import last_body
+from ropsim.dynamics.arm_functions import emit_forward
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.servo import Servo
-from ropsim.spatial import Array
 
 CELL = Path(__file__).parents[1] / "examples" / "palletizing"
 ROBOT = ropsim.robots.load("puma560")
@@ -41,14 +42,17 @@ def three_moves() -> JointReference:
     return JointReference(q, qd, span * (60 * r - 180 * r**2 + 120 * r**3) / seconds**2)
 
 
-@kernel
-def repeat_forward(
-    forward: Compiled, q: Array, qd: Array, tau: Array, load: Array, qdd: Array, times: int
-) -> None:
-    """Call the forward dynamics `times` times; each call depends on the one before."""
+REPEAT_FORWARD = SourceFunction(
+    "repeat_forward",
+    "void(f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], i8)",
+    """\
+def repeat_forward(q, qd, tau, load, qdd, times):
     for _ in range(times):
         forward(q, qd, tau, load, qdd)
         q[0] += 1e-9 * qdd[0]
+""",
+)
+"""Calls the forward dynamics `times` times; each call depends on the one before."""
 
 
 def bare_dynamics() -> float:
@@ -56,12 +60,12 @@ def bare_dynamics() -> float:
     n = ROBOT.n
     q, qd, tau, qdd = np.array(ROBOT.home), np.zeros(n), np.zeros(n), np.zeros(n)
     load = np.array(last_body(ROBOT, Payload()))
-    function = compiled(ROBOT).forward
-    repeat_forward(function, q, qd, tau, load, qdd, 10)
+    repeat_forward = codegen.load("repeat", (emit_forward(ROBOT), REPEAT_FORWARD), Engine.NUMBA)
+    repeat_forward(q, qd, tau, load, qdd, 10)
     best = np.inf
     for _ in range(5):
         start = time.perf_counter()
-        repeat_forward(function, q, qd, tau, load, qdd, 100_000)
+        repeat_forward(q, qd, tau, load, qdd, 100_000)
         best = min(best, time.perf_counter() - start)
     return float(best) / 100_000
 

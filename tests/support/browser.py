@@ -7,7 +7,7 @@ tests that ask for it are skipped with the reason.
 import os
 import re
 import shutil
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +19,8 @@ from support.studio_process import Studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, BrowserContext, Error, Page
+
+    from support.studio_page import StudioPage
 
 FLAGS = (
     "--no-sandbox",
@@ -149,3 +151,25 @@ def axe(page: "Page") -> list[str]:
         f"{one['id']}: {one['help']}: {', '.join(' '.join(node['target']) for node in one['nodes'])}"
         for one in result["violations"]
     ]
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Tell what a page of the studio showed when its test failed."""
+    report = yield
+    if report.failed and call.when == "call" and isinstance(item, pytest.Function):
+        from support.studio_page import StudioPage
+
+        for name, value in item.funcargs.items():
+            if isinstance(value, StudioPage):
+                report.sections.append((f"the page `{name}`", _told(value)))
+    return report
+
+
+def _told(page: "StudioPage") -> str:
+    try:
+        return page.told()
+    except Exception as error:  # a page that cannot say anything must not hide why the test failed
+        return f"it does not answer: {error}"

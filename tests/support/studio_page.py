@@ -14,6 +14,14 @@ NEWER = (
     "shown => { const now = __ropsim.state();"
     " return now.shown > shown && now.runState === 'done' && !now.stale }"
 )
+TELLING = {
+    "text": ".cm-line",
+    "mark": ".cm-lintRange",
+    "tooltip": ".cm-tooltip",
+    "problem": ".problem",
+    "pill": ".pill",
+    "banner": ".banners",
+}
 DRAWN = "() => __ropsim.stats().pending === 0"
 
 
@@ -185,3 +193,13 @@ class StudioPage:
             self.document(name.removeprefix("programs/"))
             self.page.evaluate("() => __ropsim.command('file.revert')")
         self.page.wait_for_function("() => __ropsim.state().unsaved.length === 0")
+
+    # ---- for the report of a failed test ----
+
+    def told(self) -> str:
+        """Return what the page shows."""
+        lines = [f"state {self.state()}"]
+        for name, selector in TELLING.items():
+            found = self.page.locator(selector)
+            lines += [f"{name} {text!r}" for text in found.all_inner_texts()]
+        return "\n".join(lines)

@@ -6,8 +6,8 @@ from ropsim.codegen.engine import Engine as Engine
 from ropsim.codegen.engine import default_engine as default_engine
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
-from ropsim.codegen.load import Compiled as Compiled
 from ropsim.codegen.load import load as load
+from ropsim.codegen.signature import Compiled as Compiled
 from ropsim.codegen.tracer import Scalar as Scalar
 from ropsim.codegen.tracer import Tracer as Tracer
 from ropsim.codegen.tracer import cos as cos

@@ -53,7 +53,7 @@ class ArmFunctions:
 
     def _function(self, name: str, emit_it: Callable[[RobotModel], SourceFunction]) -> Compiled:
         source = _source(self._robot, emit_it)
-        return load(f"{identifier(self._robot.name)}_{name}", (source,), self._engine)[name]
+        return load(f"{identifier(self._robot.name)}_{name}", (source,), self._engine)
 
 
 @lru_cache(maxsize=64)

@@ -6,7 +6,7 @@ from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
 
-@kernel
+@kernel("void(f8[:,:,::1], f8[:,::1], f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
 def forward_rows(R: Array, p: Array, slides: Array, offset: Array, X_nM: Array, Q: Array, out: Array) -> None:
     """Write X_BM of every row of Q (k, n) to out (k, 4, 4); arguments as in `ChainArrays`."""
     n = Q.shape[1]

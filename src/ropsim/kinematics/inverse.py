@@ -115,7 +115,20 @@ def _solve(arm: WristArm, T: Array, free: Array) -> Array:
     from ropsim.kinematics.inverse_kernel import inverse_rows
 
     out = np.full((len(T), 8, 6), np.nan)
-    inverse_rows(arm.lengths, arm.signs, arm.zeros, arm.front, arm.X_J, arm.X_M, arm.R_F, free, T, out)
+    inverse_rows(
+        arm.lengths,
+        arm.signs,
+        arm.zeros,
+        arm.front,
+        arm.X_J,
+        arm.X_M,
+        arm.R_F,
+        free,
+        T,
+        out,
+        np.empty((2, 3, 3)),
+        np.empty(6),
+    )
     return out
 
 

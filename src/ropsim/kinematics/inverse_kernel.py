@@ -10,8 +10,6 @@ Each row is checked by forward kinematics of the angles found; rows that miss th
 
 from math import atan2, ceil, cos, pi, sin, sqrt
 
-import numpy as np
-
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
@@ -23,7 +21,10 @@ WRIST_SLACK = 1e-10
 """With sin β below this, axes 4 and 6 count as aligned; the error made stays below `POSE_SLACK`."""
 
 
-@kernel
+@kernel(
+    "void(f8[::1], f8[::1], f8[::1], f8, f8[:,::1], f8[:,::1], f8[:,::1], f8[::1],"
+    " f8[:,:,::1], f8[:,:,::1], f8[:,:,::1], f8[::1])"
+)
 def inverse_rows(
     lengths: Array,
     signs: Array,
@@ -35,16 +36,18 @@ def inverse_rows(
     free: Array,
     T: Array,
     out: Array,
+    rotations: Array,
+    angles: Array,
 ) -> None:
     """Write all branches of every pose X_BM in T (k, 4, 4) to out (k, 8, 6), filled with NaN before.
 
     The first seven arguments are the fields of `WristArm`. `free` (6,) gives q1 and q4 [rad] where the
-    pose leaves them free. Row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
+    pose leaves them free; `rotations` (2, 3, 3) and `angles` (6,) are room to work in.
+    Row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
     """
     a1, h, D, upper, fore = lengths[0], lengths[1], lengths[2], lengths[3], lengths[4]
     free1, free4 = signs[0] * free[0] + zeros[0], signs[3] * free[3] + zeros[3]
-    N, G = np.empty((3, 3)), np.empty((3, 3))
-    angles = np.empty(6)
+    N, G = rotations[0], rotations[1]
     for k in range(T.shape[0]):
         # Wrist centre and M, turned by the constants, in frame J.
         X = T[k]
@@ -88,7 +91,6 @@ def inverse_rows(
                         out[k, row, j] = flip if same else _coordinate(signs[j], other, zeros[j])
 
 
-@kernel
 def _in_arm(X_J: Array, X: Array, v: Array, weight: float) -> tuple[float, float, float]:
     """Return in J the direction (weight 0) or the point (weight 1) that has the coordinates v (3,) in M."""
     x = X[0, 0] * v[0] + X[0, 1] * v[1] + X[0, 2] * v[2] + (X[0, 3] - X_J[0, 3]) * weight
@@ -101,7 +103,6 @@ def _in_arm(X_J: Array, X: Array, v: Array, weight: float) -> tuple[float, float
     )
 
 
-@kernel
 def _direction(x: float, y: float, fallback: float) -> tuple[float, float]:
     """Return (cos, sin) of the direction of (x, y), or of `fallback` [rad] where it has none."""
     length = sqrt(x * x + y * y)
@@ -111,7 +112,6 @@ def _direction(x: float, y: float, fallback: float) -> tuple[float, float]:
     return x * scale, y * scale
 
 
-@kernel
 def _wrist_rotation(R_F: Array, c23: float, s23: float, c1: float, s1: float, G: Array, N: Array) -> None:
     """Write R_F·Ry(θ23)·Rz(-θ1)·G to N."""
     for c in range(3):
@@ -123,7 +123,6 @@ def _wrist_rotation(R_F: Array, c23: float, s23: float, c1: float, s1: float, G:
             N[r, c] = R_F[r, 0] * along + R_F[r, 1] * across + R_F[r, 2] * over
 
 
-@kernel
 def _wrist_angles(N: Array, free4: float, angles: Array) -> float:
     """Write A, β >= 0, C with N = Rz(A)·Ry(β)·Rz(C) to angles 3 to 5; return the sum of entry errors."""
     sb = sqrt(N[0, 2] * N[0, 2] + N[1, 2] * N[1, 2])
@@ -151,7 +150,6 @@ def _wrist_angles(N: Array, free4: float, angles: Array) -> float:
     return error
 
 
-@kernel
 def _coordinate(sign: float, angle: float, zero: float) -> float:
     """Return sign·(angle - zero) in (-π, π]."""
     q = sign * (angle - zero)

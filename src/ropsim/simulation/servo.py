@@ -86,12 +86,10 @@ class Servo:
         inner, python_law = _split(law or law_of(controller, robot.drives), robot.n)
         check_law(inner, robot.n)
         name = f"{identifier(robot.name)}_servo_{inner.name}"
-        functions = load(name, servo_functions(robot, inner), engine or default_engine())
+        kernel = load(name, servo_functions(robot, inner), engine or default_engine())
         layout = StateLayout(robot.n, len(inner.state_names))
         rates = controller.rates
-        return cls(
-            robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, functions["run_slice"]
-        )
+        return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel)
 
     @property
     def period(self) -> float:
@@ -174,16 +172,19 @@ class Servo:
 
     def _advance(self, work: "_Work", rows: slice, parameters: Array) -> None:
         """Run one slice over some rows of the reference."""
+        n = self.robot.n
         q_ref, qd_ref, qdd_ref = (array[rows] for array in work.reference)
         tick = work.tick + rows.start
         recorder = work.recorder
         log, row = recorder.claim(tick, len(q_ref))
         plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
+        state = (work.values[: 3 * n], work.values[3 * n :].reshape(-1, n))
+        room = (np.empty((3, n)), np.empty((2, n)), np.zeros((2, n)), np.empty((5, 3 * n)))
         try:
-            self.kernel(work.values, q_ref, qd_ref, qdd_ref, parameters, work.load, log, *plan)
+            self.kernel(*state, q_ref, qd_ref, qdd_ref, parameters, work.load, log, *room, *plan)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
-            state = ServoState(tick, work.values, self.layout)
-            raise diverged(self.robot, state, self.control_hz) from error
+            after = ServoState(tick, work.values, self.layout)
+            raise diverged(self.robot, after, self.control_hz) from error
 
     def _follow_python_law(self, law: PythonLaw, work: "_Work") -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""

@@ -9,7 +9,8 @@ from ropsim.model import Drive, RobotModel
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], i8, i8, i8, i8, f8)"
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
+    " f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
 )
 LOG_COLUMNS = ("q", "qd", "current", "voltage", "q_ref", "qd_ref")
 """Blocks of n columns in a row of the log."""
@@ -20,7 +21,7 @@ def servo_functions(robot: RobotModel, law: CompiledLaw) -> tuple[SourceFunction
     return (
         emit_derivative(robot),
         SourceFunction("law", LAW_SIGNATURE, law.source),
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(robot, law)),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(robot)),
     )
 
 
@@ -43,26 +44,21 @@ def emit_derivative(robot: RobotModel) -> SourceFunction:
     return emit("derivative", ("x", "u", "load", "dx"), [(f"dx[{k}]", rate) for k, rate in enumerate(rates)])
 
 
-def _slice_text(robot: RobotModel, law: CompiledLaw) -> str:
+def _slice_text(robot: RobotModel) -> str:
     """Return `run_slice`: law, amplifier, `plant_steps` classical Runge-Kutta steps and log for every tick.
 
     A row of the log is what holds at the end of a tick, beside the reference and the voltage of that tick.
+    `ref` (3, n), `meas` (2, n), `volts` (2, n) and `stages` (5, 3n) are room to work in.
     """
-    n, rows = robot.n, len(law.state_names)
+    n = robot.n
     amplifiers = "\n        ".join(_amplifier(j, drive) for j, drive in enumerate(robot.drives))
     return f"""\
-def run_slice(state, q_ref, qd_ref, qdd_ref, par, load, log, tick, decimation, log_row, plant_steps, period):
-    x = state[:{3 * n}]
-    memory = state[{3 * n}:].reshape(({rows}, {n}))
-    ref = np.empty((3, {n}))
-    meas = np.empty((2, {n}))
-    out = np.zeros({n})
-    u = np.empty({n})
-    y = np.empty({3 * n})
-    k1 = np.empty({3 * n})
-    k2 = np.empty({3 * n})
-    k3 = np.empty({3 * n})
-    k4 = np.empty({3 * n})
+def run_slice(
+    x, memory, q_ref, qd_ref, qdd_ref, par, load, log, ref, meas, volts, stages,
+    tick, decimation, log_row, plant_steps, period,
+):
+    out, u = volts[0], volts[1]
+    y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h
     sixth = h / 6.0

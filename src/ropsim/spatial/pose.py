@@ -12,8 +12,8 @@ Array = npt.NDArray[np.float64]
 
 
 def frozen(values: npt.ArrayLike) -> Array:
-    """Return a read-only float64 copy."""
-    array = np.array(values, dtype=np.float64)
+    """Return a read-only float64 copy, its rows in order and without gaps."""
+    array = np.array(values, dtype=np.float64, order="C")
     array.flags.writeable = False
     return array
 

@@ -147,7 +147,7 @@ def _generate(folder: Path, tell: Tell) -> None:
     os.environ["ROPSIM_CACHE_DIR"] = str(folder / "cache")
     double = SourceFunction("double", "void(f8[::1], f8[::1])", "def double(x, out): out[0] = 2.0 * x[0]")
     out = np.empty(1)
-    load("doubling", (double,), Engine.NUMBA)["double"](np.array([21.0]), out)
+    load("doubling", (double,), Engine.NUMBA)(np.array([21.0]), out)
     assert out[0] == 42.0
 
 

@@ -34,7 +34,7 @@ def test_results_may_overwrite_inputs() -> None:
     x, y = tracer.variables("x", 2)
     swap = emit("swap", ("x",), [("x[0]", y), ("x[1]", x)])
     values = np.array([1.0, 2.0])
-    load("swap", (swap,), Engine.PYTHON)["swap"](values)
+    load("swap", (swap,), Engine.PYTHON)(values)
     assert values.tolist() == [2.0, 1.0]
 
 
@@ -43,11 +43,11 @@ def test_the_emitted_function_computes_what_the_formula_says() -> None:
     x, y = tracer.variables("x", 2)
     results = [("out[0]", -(x * y) + abs(x - 3.0)), ("out[1]", (x + y) / (1.0 + x * x)), ("out[2]", x * -2.0)]
     out = np.empty(3)
-    load("formula", (emit("f", ("x", "out"), results),), Engine.PYTHON)["f"](np.array([0.5, -1.5]), out)
+    load("formula", (emit("f", ("x", "out"), results),), Engine.PYTHON)(np.array([0.5, -1.5]), out)
     np.testing.assert_array_equal(out, [0.75 + 2.5, -1.0 / 1.25, -1.0])
 
 
 def test_a_function_without_results_is_still_a_function() -> None:
     source = emit("nothing", ("x",), [])
-    load("nothing", (source,), Engine.PYTHON)["nothing"](np.zeros(1))
+    load("nothing", (source,), Engine.PYTHON)(np.zeros(1))
     assert source.signature == "void(f8[::1])"

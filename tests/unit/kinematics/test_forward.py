@@ -33,7 +33,7 @@ def test_compiled_and_plain_forward_kinematics_agree(types: str) -> None:
 
 
 def test_the_kernel_does_the_same_without_numba() -> None:
-    plain = getattr(forward_rows, "py_func", forward_rows)
+    plain = getattr(forward_rows, "__wrapped__", forward_rows)
     Q = np.random.default_rng(2).uniform(-3.0, 3.0, (3, 6))
     from ropsim.kinematics.arrays import chain_arrays
 

@@ -1,0 +1,50 @@
+"""From what numba compiles to a function that Python calls, by way of the cache folder."""
+
+import contextlib
+import sys
+from collections.abc import Callable
+from hashlib import sha256
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
+from ropsim.codegen.signature import Compiled, Signature
+from ropsim.core import cache_folder
+
+_NATIVE = "cfunc."
+"""numba's word before the name of a function, for the one that C calls."""
+
+
+def compiled(name: str, source: str, signature: Signature, build: Callable[[], Any]) -> Compiled:
+    """Return a compiled function; numba is imported only where the cache folder does not hold it.
+
+    A cache that is damaged or cannot be written costs time only.
+
+    Args:
+        name: Python identifier that tells what the function is about.
+        source: the text that decides what the machine code is.
+        signature: of the function.
+        build: imports numba and returns its callback object of `Signature.entry_text`.
+    """
+    path = cache_folder() / "generated" / f"{name}_{_digest(source)}.code"
+    with contextlib.suppress(OSError, ValueError, MissingNameError):
+        return signature.caller(load(read(path)))
+    entry = build()
+    code = emit_object(entry.inspect_llvm(), entry.native_name.removeprefix(_NATIVE))
+    with contextlib.suppress(OSError):
+        keep(code, path)
+    return signature.caller(load(code))
+
+
+def _digest(source: str) -> str:
+    return sha256(f"{_numba_version()} {sys.version_info[:3]} {host()}\n{source}".encode()).hexdigest()[:24]
+
+
+def _numba_version() -> str:
+    """Return the text of numba's version file, which is read much faster than numba is imported."""
+    found = find_spec("numba")
+    place = found.origin if found else None
+    if place is None:
+        return "none"
+    return Path(place).with_name("_version.py").read_text(encoding="utf-8", errors="replace")
