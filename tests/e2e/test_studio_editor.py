@@ -122,9 +122,9 @@ def test_a_move_out_of_reach_is_marked_in_its_line_before_the_drives_are_simulat
     fresh: StudioPage,
 ) -> None:
     fresh.append(17, "\nmov (5000, 0, 0; down)")
-    mark = squiggle(fresh, "mov (5000, 0, 0; down)")
-    mark.wait_for()
-    mark.hover()
+    marked = fresh.line(18).locator(".cm-lintRange-error")  # in pieces while its brackets are shown as a pair
+    fresh.until(lambda: "".join(marked.all_text_contents()) == "mov (5000, 0, 0; down)")
+    marked.first.hover()
     tooltip(fresh).get_by_text("reach").first.wait_for()
     fresh.page.locator(".cm-lint-marker-error").first.wait_for()
     fresh.write(fresh.text().replace("mov (5000, 0, 0; down)", ""))

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-PATIENCE = 20.0
+PATIENCE = 120.0
 """Longer than anything takes on shared cores, compiling an arm for the first time included [s]."""
 GLANCE = 0.01
 """Between two looks at what is waited for [s]."""
