@@ -48,13 +48,14 @@ def first_studio(first_cell: Path, tmp_path_factory: pytest.TempPathFactory) -> 
 
 
 @pytest.fixture
-def fresh(open_page: Pages, first_studio: Studio, first_cell: Path) -> Iterator[StudioPage]:
-    """Return a new tab; what it has done to the texts is undone after the test."""
-    page = StudioPage.opened(open_page, first_studio.url)
-    yield page
+def fresh(first_pages: Pages, first_tab: StudioPage, first_cell: Path) -> Iterator[StudioPage]:
+    """Return the shared tab, loaded anew; what is done to the texts there is undone after the test."""
+    first_tab.renew()
+    yield first_tab
     for name in TEXTS:
         shutil.copyfile(FIRST_CELL / name, first_cell / name)
-    page.revert_all()
+    first_tab.revert_all()
+    assert first_pages.unexpected() == [], "the page complained"
 
 
 @pytest.fixture(scope="module")

@@ -31,14 +31,19 @@ FLAGS = (
     "--disable-component-update",
     "--disable-sync",
     "--enable-unsafe-swiftshader",
+    # pages of the browser's own address bar, loaded for every window though nobody sees one
+    "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup,AimEnabled,PreloadTopChromeWebUI,"
+    "PreloadTopChromeWebUILessNavigations,LazyFrameLoading,PaintHolding,Translate,HttpsUpgrades",
 )
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+"""The shell without windows first: it takes a quarter less of the processor."""
 VIEWPORT = {"width": 1280, "height": 800}
 
 
 def chromium() -> str | None:
     """Return the path of the browser, or None."""
     chosen = os.environ.get("CHROMIUM")
-    candidates = (chosen,) if chosen else ("chromium", "chromium-browser", "google-chrome")
+    candidates = (chosen,) if chosen else BROWSERS
     return next((path for one in candidates if (path := shutil.which(one))), None)
 
 

@@ -66,6 +66,12 @@ class StudioPage:
         self.page.wait_for_function(NEWER, arg=0)
         self.editor().wait_for()
 
+    def renew(self) -> None:
+        """Load the page anew, with nothing kept of what was done in it; the tab stays the one that edits."""
+        self.page.evaluate("() => localStorage.clear()")
+        self.page.reload()
+        self.ready()
+
     def rest(self) -> None:
         """Leave nothing of the test before: time 0, views and panels as at the start, no second arm."""
         for command in ("jog.stop", "view.ghost", "view.reset", "view.home"):
@@ -193,6 +199,7 @@ class StudioPage:
             self.document(name.removeprefix("programs/"))
             self.page.evaluate("() => __ropsim.command('file.revert')")
         self.page.wait_for_function("() => __ropsim.state().unsaved.length === 0")
+        self.page.wait_for_function(NEWER, arg=0)
 
     # ---- for the report of a failed test ----
 

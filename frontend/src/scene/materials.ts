@@ -4,8 +4,11 @@ import {
   DoubleSide,
   FrontSide,
   LineBasicMaterial,
+  LineSegments,
   type Material,
+  Mesh,
   MeshBasicMaterial,
+  type Object3D,
   ReplaceStencilOp,
 } from 'three'
 import { hatchMaterial } from './hatch'
@@ -64,6 +67,16 @@ export class Materials {
     if (wearer === 'arm' && opacity === 1) material.setValues(MARKED)
     this.#made.set(key, material)
     return material
+  }
+
+  /** A thing for each material of what stands in a cell. */
+  samples(): Object3D[] {
+    const surfaces = [false, true].map(open => this.of('surface', 1, open, 'thing'))
+    const edge = this.of('crease', 1, false, 'thing')
+    return [
+      ...surfaces.filter(material => material !== null).map(material => new Mesh(undefined, material)),
+      ...(edge ? [new LineSegments(undefined, edge)] : []),
+    ]
   }
 
   /** The robot comes after things that may stand before it: where it is marked, it is seen. */

@@ -1,5 +1,5 @@
 /** Draws viewports on one canvas, as far as the graphics of this machine allow. */
-import { type Camera, type Scene, WebGLRenderer } from 'three'
+import { type Camera, OrthographicCamera, type Scene, WebGLRenderer } from 'three'
 import type { Rect } from './layouts'
 import type { Shadow } from './shadow'
 import { tier } from './tier'
@@ -53,6 +53,13 @@ export class Painter {
     this.#renderer.setClearAlpha(0)
     this.#renderer.clear()
     this.#renderer.setClearAlpha(1)
+  }
+
+  /** Have the graphics ready for what is in these scenes, beside everything else the page does meanwhile. */
+  async prepare(scenes: readonly Scene[], shadow: Shadow): Promise<void> {
+    shadow.prepare(this.#renderer)
+    const camera = new OrthographicCamera()
+    await Promise.all(scenes.map(scene => this.#renderer.compileAsync(scene, camera)))
   }
 
   /** A frame begins: counts start anew. */

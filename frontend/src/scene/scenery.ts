@@ -79,6 +79,11 @@ export class Scenery {
     })
   }
 
+  /** What is there always, and samples of what cells bring. */
+  samples(): readonly Scene[] {
+    return [this.scene, new Scene().add(...this.#materials.samples())]
+  }
+
   get problems(): readonly StageProblem[] {
     return this.#looks.problems(this.bodies.list)
   }

@@ -26,6 +26,8 @@ export class Screen {
   /** Calls off the frame that has been asked for; null while none is. */
   #callOff: (() => void) | null = null
   #turn = 0
+  /** The graphics are ready; before that, drawing would hold up the page. */
+  #prepared = false
   #width = 0
   #height = 0
 
@@ -57,7 +59,7 @@ export class Screen {
     if (layout === this.#layout) return
     this.#layout = layout
     this.#place()
-    if (!this.#painter || this.#painter.lost) return
+    if (!this.#painter || !this.#canDraw()) return
     // The places are others now: all is drawn at once, or the picture would flicker.
     this.#painter.clear()
     this.#paint(this.#painter, this.shown, performance.now())
@@ -115,7 +117,7 @@ export class Screen {
   draw(): void {
     this.#callOff?.()
     this.#callOff = null
-    if (!this.#painter || this.#painter.lost) return
+    if (!this.#painter || !this.#canDraw()) return
     const start = performance.now()
     const gliding = this.views.map(view => view.pilot.step(start)).includes(true)
     const chosen = this.#chosen()
@@ -127,7 +129,7 @@ export class Screen {
   drawAll(): void {
     this.#callOff?.()
     this.#callOff = null
-    if (this.#painter && !this.#painter.lost) this.#paint(this.#painter, this.shown, performance.now())
+    if (this.#painter && this.#canDraw()) this.#paint(this.#painter, this.shown, performance.now())
   }
 
   stats(): StageStats {
@@ -165,6 +167,10 @@ export class Screen {
     this.drawn.tell()
   }
 
+  #canDraw(): boolean {
+    return this.#prepared && !this.#painter?.lost
+  }
+
   #waiting(): readonly Viewport[] {
     return this.shown.filter(({ dirty }) => dirty)
   }
@@ -182,6 +188,10 @@ export class Screen {
 
   #mount(painter: Painter): void {
     this.host.prepend(painter.canvas)
+    painter.prepare(this.scenery.samples(), this.scenery.shadow).finally(() => {
+      this.#prepared = true
+      this.redraw()
+    })
     painter.canvas.addEventListener('webglcontextlost', event => {
       event.preventDefault()
       this.overlay.message(this.words.contextLost)
@@ -201,7 +211,7 @@ export class Screen {
     this.#painter?.resize(width, height)
     this.#place()
     // The canvas is empty now: all of it is drawn at once, or it would flicker.
-    if (this.#painter && !this.#painter.lost) this.#paint(this.#painter, this.shown, performance.now())
+    if (this.#painter && this.#canDraw()) this.#paint(this.#painter, this.shown, performance.now())
   }
 
   #place(): void {

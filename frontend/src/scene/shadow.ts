@@ -5,10 +5,11 @@ import {
   DoubleSide,
   LessEqualCompare,
   LinearFilter,
+  Mesh,
   MeshBasicMaterial,
   OrthographicCamera,
   RedFormat,
-  type Scene,
+  Scene,
   UnsignedShortType,
   Vector3,
   type WebGLRenderer,
@@ -87,6 +88,15 @@ export class Shadow {
       .multiply(camera.projectionMatrix)
       .multiply(camera.matrixWorldInverse)
     this.touch()
+  }
+
+  /** Have the graphics ready for the map. */
+  prepare(renderer: WebGLRenderer): void {
+    const sample = new Scene()
+    sample.add(new Mesh(undefined, this.#material))
+    renderer.setRenderTarget(this.#made())
+    renderer.compile(sample, this.#camera)
+    renderer.setRenderTarget(null)
   }
 
   /** Bring the map up to date; `bare` has nothing but bodies lit by the rig. */

@@ -4,6 +4,7 @@ Exit codes: 0 all is well, 1 findings of severity error, 2 wrong usage. Bad inpu
 fault of ropsim itself says so and names the command that reproduces it.
 """
 
+import gc
 import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -16,7 +17,9 @@ if TYPE_CHECKING:
 
 def entry() -> None:
     """Run the command line of this process and exit."""
-    sys.exit(main(sys.argv[1:]))
+    code = main(sys.argv[1:])
+    gc.freeze()  # the end of the process looks for garbage twice more: a tenth of a short run
+    sys.exit(code)
 
 
 def main(arguments: Sequence[str]) -> int:
