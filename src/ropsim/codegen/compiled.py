@@ -11,6 +11,7 @@ from typing import Any
 from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
 from ropsim.codegen.signature import Compiled, Signature
 from ropsim.core import cache_folder
+from ropsim.version import __version__
 
 _NATIVE = "cfunc."
 """numba's word before the name of a function, for the one that C calls."""
@@ -38,7 +39,8 @@ def compiled(name: str, source: str, signature: Signature, build: Callable[[], A
 
 
 def _digest(source: str) -> str:
-    return sha256(f"{_numba_version()} {sys.version_info[:3]} {host()}\n{source}".encode()).hexdigest()[:24]
+    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()}"
+    return sha256(f"{made_by}\n{source}".encode()).hexdigest()[:24]
 
 
 def _numba_version() -> str:
