@@ -1,18 +1,16 @@
 """Branch following: one continuous sequence of joint coordinates out of all branches along a path."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ropsim.kinematics import IkOptions, Limits, inverse
 from ropsim.model import RobotModel
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, record
 
 JUMP = np.pi / 4.0  # [rad | m] in one interpolation period; no joint follows that, so it is another branch
 _TURN = 2.0 * np.pi
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Follow:
     """How far a path can be followed.
 
@@ -27,7 +25,7 @@ class Follow:
     reachable: bool = True
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class BranchFollower:
     """Follows the branch of the start along a path.
 

@@ -18,7 +18,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, JointSamples, MoveInstruction
 from ropsim.model import Cell, Rates
 from ropsim.motion import JointTrajectory, LineTrajectory
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +47,7 @@ class MotionChain:
         return X_MT if isinstance(X_MT, Pose) else Pose()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class PlannedMove:
     """A move that can be made.
 

@@ -1,7 +1,7 @@
 """The inverse transform: pose setpoints to joint samples on one branch of the inverse kinematics."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -21,10 +21,10 @@ from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import NoClosedFormError, forward_batch, inverse_batch
 from ropsim.model import RobotModel, Tool
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class StandardInverseTransform:
     """Solves all setpoints of a line at once and follows the branch of the start.
 

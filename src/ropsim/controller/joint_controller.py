@@ -1,16 +1,15 @@
 """The joint controller: the law inside the servo slice, as generated source or as a Python object."""
 
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 
 from ropsim.controller.law_diagnostics import GAIN_COUNT, GainError
 from ropsim.model import GAIN_NAMES, ControllerKind, ControllerModel, Drive
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class CompiledLaw:
     """A joint controller that is compiled into the servo slice.
 

@@ -1,7 +1,6 @@
 """Checks of the joint samples along a line: limits, speeds, accelerations, and what stops the joints."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,14 +19,14 @@ from ropsim.motion import (
     OUT_OF_REACH,
     SPEED_LIMIT_ON_LINE,
 )
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, record
 
 _RATE_SLACK = 1e-6  # relative; differences over a period carry the rounding of inverse kinematics
 _NEAR_SINGULAR = 0.08  # smallest singular value of the Jacobian [m | -] below which the note names it
 _SAME_JOINTS = 1e-6  # [rad | m]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Line:
     """A line on its way through the inverse transform.
 

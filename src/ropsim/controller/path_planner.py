@@ -1,7 +1,7 @@
 """The path planner: turns a move instruction into a trajectory, or says why there is none."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -24,10 +24,10 @@ from ropsim.motion import (
     line_trajectory,
     whole_periods,
 )
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.spatial import Array, Pose, frozen, record
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class StandardPathPlanner:
     """Plans synchronous PTP moves and straight LIN moves; durations are whole interpolation periods.
 

@@ -1,20 +1,18 @@
 """Posture choice: which of the branches of the inverse kinematics a PTP move takes, and with which turns."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ropsim.kinematics import posture
 from ropsim.model import JointType, RobotModel
 from ropsim.motion import JointMotionLimits, durations
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 
 _TURN = 2.0 * np.pi
 _SIDE = 1e-6  # [rad]; a step off a singularity that no drive notices
 _LIMIT_SLACK = 1e-9  # [rad | m]; rounding of inverse kinematics at a coordinate that stands on its limit
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class JointRange:
     """The limits of all joints as arrays.
 
@@ -40,7 +38,7 @@ class JointRange:
         return np.where(beyond > _LIMIT_SLACK, beyond, 0.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Choice:
     """The joint coordinates chosen for a pose.
 

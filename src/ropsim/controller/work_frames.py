@@ -1,18 +1,18 @@
 """Work frames: which tool and which task frame a move is meant in."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim.core import Diagnostic, Span, did_you_mean
 from ropsim.flow import ModalState
 from ropsim.model import Tool
 from ropsim.motion import UNKNOWN_FRAME, UNKNOWN_TOOL
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, record
 
 _IDENTITY = Pose()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class WorkFrames:
     """The tools and task frames of the cell; they override the nominal ones of a program.
 

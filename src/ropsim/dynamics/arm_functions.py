@@ -64,8 +64,7 @@ def _compiled(robot: RobotModel, engine: Engine) -> ArmFunctions:
 def compiled(robot: RobotModel, engine: Engine | None = None) -> ArmFunctions:
     """Return the compiled functions of an arm.
 
-    Models are compared by identity here; on disk, the machine code is found by the content of the generated
-    source, so that an equal model, in this process or a later one, is not compiled again.
+    Models are compared by content: an equal one, in this process or a later one, is not compiled again.
 
     Args:
         robot: the arm.

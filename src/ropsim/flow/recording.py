@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ropsim.core import Diagnostic, Severity, Span
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Channel:
     """One recorded quantity.
 

@@ -1,12 +1,10 @@
 """Setpoints: poses at the interpolation tick and joint references at the control tick."""
 
-from dataclasses import dataclass
-
 from ropsim.core import Diagnostic
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PoseSetpoints:
     """Command poses of the tool in the base frame at equally spaced times.
 
@@ -19,7 +17,7 @@ class PoseSetpoints:
     matrices: Array
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class JointSamples:
     """Joint coordinates at the interpolation tick.
 
@@ -34,7 +32,7 @@ class JointSamples:
     findings: tuple[Diagnostic, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class JointReference:
     """What the joint controller is given at each control tick.
 

@@ -1,6 +1,5 @@
 """What kernels need of a robot as plain arrays, made once per robot, and checks of arrays at the door."""
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -8,10 +7,10 @@ import numpy.typing as npt
 
 from ropsim.kinematics.diagnostics import ArrayShapeError, NotFiniteError
 from ropsim.model import JointType, RobotModel, interface_matrices, placement_matrices
-from ropsim.spatial import Array, frozen, real_numbers
+from ropsim.spatial import Array, frozen, real_numbers, record
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class ChainArrays:
     """The kinematic chain of a robot with n joints.
 
@@ -32,7 +31,7 @@ class ChainArrays:
 
 @lru_cache(maxsize=64)
 def chain_arrays(robot: RobotModel) -> ChainArrays:
-    """Return the chain of a robot as arrays; computed once per model object."""
+    """Return the chain of a robot as arrays; computed once per model."""
     rotations, positions = placement_matrices(robot)
     R_nM, p_nM = interface_matrices(robot)
     return ChainArrays(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.kinematics.posture import Posture
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 
 class Limits(Enum):
@@ -22,7 +22,7 @@ class IkStatus(Enum):
     OUT_OF_LIMITS = "out of limits"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class IkOptions:
     """How to solve.
 
@@ -80,7 +80,7 @@ class Reach:
     longest: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class IkResult:
     """All answers to one pose.
 

@@ -12,7 +12,6 @@ centre is in J at
     Rz(θ1)·(x, -D, z),  x = a1 + L2·cos θ2 + L3·cos θ23,  z = h + L2·sin θ2 + L3·sin θ23.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 from math import atan2, cos, hypot
 
@@ -21,7 +20,7 @@ import numpy as np
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.diagnostics import NoClosedFormError
 from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 ANGLE_SLACK = 1e-9
 """Directions count as parallel or perpendicular within this [rad]; finer than any drawing, above rounding."""
@@ -31,7 +30,7 @@ SHORTEST_LINK = 1e-6
 """An upper arm or forearm shorter than this [m] cannot place the wrist."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class WristArm:
     """Lengths, angles and constant frames of an arm with spherical wrist.
 
@@ -76,7 +75,7 @@ def has_closed_form(robot: RobotModel) -> bool:
 
 @lru_cache(maxsize=64)
 def wrist_arm(robot: RobotModel) -> WristArm:
-    """Return the geometry of an arm of the class; computed once per model object.
+    """Return the geometry of an arm of the class; computed once per model.
 
     Raises:
         NoClosedFormError: M550, with the condition that the arm misses.

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from ropsim.model.controller import ControllerModel
 from ropsim.model.geometry import Material, Shape
 from ropsim.model.robot import RobotModel
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.spatial import Array, Pose, frozen, record
 
 PART_COLOUR = "#d99a3d"
 """Colour of parts that have been given none."""
@@ -27,7 +27,7 @@ class Gripper:
     capture: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Tool:
     """A tool at the mechanical interface.
 
@@ -54,7 +54,7 @@ class Tool:
         object.__setattr__(self, "inertia", frozen(self.inertia))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Part:
     """A box-shaped object that can be grasped.
 
@@ -149,7 +149,7 @@ class ClassicSettings:
     frame: str = ""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Cell:
     """One robot and everything that its programs can name.
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.model.robot import ParameterOrigin
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 
 class ControllerKind(Enum):
@@ -43,7 +43,7 @@ GAIN_NAMES = ("kp", "kv", "ki", "kf", "ke", "ka")
 """The gains of the cascaded controller, in the order of its parameters."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class CascadedGains:
     """Gains of the cascaded P-PI joint controller, each of shape (n,).
 
@@ -93,7 +93,7 @@ class PathDefaults:
     orientation_jerk: float = 60.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class ControllerModel:
     """A whole controller.
 

@@ -1,13 +1,13 @@
 """Payload: a rigid body fixed to the mechanical interface."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Payload:
     """A rigid body in the mechanical interface frame.
 

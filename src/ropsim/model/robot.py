@@ -5,7 +5,7 @@ from enum import Enum
 
 from ropsim.model.drive import Drive
 from ropsim.model.geometry import Shape
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 class JointType(Enum):
@@ -15,7 +15,7 @@ class JointType(Enum):
     PRISMATIC = "prismatic"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Joint:
     """A driven joint; it turns about or slides along the z axis of its own frame.
 
@@ -45,7 +45,7 @@ class Joint:
     max_effort: float = float("inf")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Link:
     """The rigid body that a joint moves; all quantities in the frame of that joint.
 
@@ -100,7 +100,7 @@ class DhRow:
     type: JointType = JointType.REVOLUTE
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class RobotModel:
     """A serial arm; immutable, shared by all runs.
 

@@ -9,7 +9,7 @@ from ropsim.core import Diagnostic
 from ropsim.motion.profile import Profile, ProfileLimits, evaluate, lengthen, plan_profile
 from ropsim.motion.ptp import ZERO_LENGTH
 from ropsim.motion.turn import OrientationMode, Turn, plan_turn
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, record
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ class LineLimits:
     orientation_jerk: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class LineTrajectory:
     """A straight line of the TCP over time, in the base frame B.
 

@@ -1,17 +1,17 @@
 """Pose-to-pose motion: all joints start together, end together and share one profile."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.motion.profile import Profile, ProfileLimits, evaluate, lengthen, plan_profile
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 ZERO_LENGTH = 1e-9  # [rad | m]; far below any encoder, far above the rounding of inverse kinematics
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class JointMotionLimits:
     """What every joint must respect on the way, each of shape (n,).
 
@@ -30,7 +30,7 @@ class JointMotionLimits:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class JointTrajectory:
     """A straight line in joint space over time: q(t) = q_start + r(t)·(q_end - q_start).
 

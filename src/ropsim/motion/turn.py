@@ -1,12 +1,11 @@
 """How the tool turns on a straight line: about one fixed axis, or as Paul's drive transform."""
 
 import math
-from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 
-from ropsim.spatial import Array, Pose, frozen, quaternion
+from ropsim.spatial import Array, Pose, frozen, quaternion, record
 
 _STRAIGHT = 1e-12  # a smaller sine of an angle says that two vectors are in line
 _APPROACH = frozen([0.0, 0.0, 1.0])
@@ -19,7 +18,7 @@ class OrientationMode(Enum):
     DRIVE_TRANSFORM = "drive transform"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Turn:
     """R(r) = Rot(axis, r·angle)·Rot(z, r·roll) in the tool frame of the start, for r from 0 to 1.
 

@@ -1,7 +1,5 @@
 """The standard controller of an arm: cascaded loops, gains from its model by stated bandwidths."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ropsim.dynamics import axis_inertias, torque_per_ampere
@@ -16,7 +14,7 @@ from ropsim.model import (
     RobotModel,
 )
 from ropsim.robots.diagnostics import NoControllerError
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 ELECTRICAL_SHARE = 1.0 / 3.0
 """Crossover of the speed loop over the electrical pole R/L: the current then lags by about 18 degrees."""
@@ -38,7 +36,7 @@ SAMPLES = 512
 """Configurations at which the inertias of the axes are looked at."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class LoopBandwidths:
     """Bandwidths of the loops of a cascade, one number per joint.
 

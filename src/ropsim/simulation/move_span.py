@@ -1,12 +1,10 @@
 """A move of a run as it was carried out."""
 
-from dataclasses import dataclass
-
 from ropsim.flow import MoveInstruction
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MoveSpan:
     """A move as it was carried out.
 

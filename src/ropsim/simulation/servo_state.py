@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class StateLayout:
         return slice(3 * self.n, self.size)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class ServoState:
     """Everything that the future of a servo-driven arm depends on, besides a law written in Python.
 

@@ -1,6 +1,6 @@
 """Simulate an arm that follows joint references."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, PythonLaw
@@ -9,11 +9,11 @@ from ropsim.model import ControllerModel, Payload, RobotModel
 from ropsim.simulation.channels import joint_channels
 from ropsim.simulation.servo import Servo
 from ropsim.simulation.servo_checks import check_option
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 from ropsim.version import __version__
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SimulationOptions:
     """How a simulation runs.
 

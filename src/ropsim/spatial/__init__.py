@@ -9,3 +9,5 @@ from ropsim.spatial.pose import frozen as frozen
 from ropsim.spatial.pose import quaternion_from_matrix as quaternion_from_matrix
 from ropsim.spatial.pose import quaternions_from_matrices as quaternions_from_matrices
 from ropsim.spatial.quaternion import PoseTuple as PoseTuple
+from ropsim.spatial.record import fingerprint as fingerprint
+from ropsim.spatial.record import record as record

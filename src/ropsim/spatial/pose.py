@@ -1,12 +1,13 @@
 """Pose: position and orientation of one frame in another."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.spatial import quaternion
 from ropsim.spatial.diagnostics import PoseError
+from ropsim.spatial.record import record
 
 Array = npt.NDArray[np.float64]
 
@@ -18,7 +19,7 @@ def frozen(values: npt.ArrayLike) -> Array:
     return array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Pose:
     """Pose X_AB of frame B in frame A.
 

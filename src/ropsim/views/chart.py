@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 from ropsim.views.chart_axes import LEFT, RIGHT, WIDTH, Frame, time_axis, value_axis
 from ropsim.views.decimate import min_max
 from ropsim.views.markup import coordinate, points, text
@@ -24,7 +24,7 @@ REACH = 0.3
 Stretch = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Trace:
     """One curve: values (n,) in the unit of its row and the class that gives its colour (`c1`, `c2`)."""
 
@@ -61,7 +61,7 @@ class SpanRow:
     height: float = 16.0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class TimeChart:
     """Rows over one time axis.
 

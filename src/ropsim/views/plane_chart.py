@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 from ropsim.views.decimate import along_curve
 from ropsim.views.markup import coordinate, points, text
 from ropsim.views.ticks import nice_ticks, padded, tick_text
@@ -28,7 +28,7 @@ class Spot:
     y: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PlaneChart:
     """A path seen along one axis.
 

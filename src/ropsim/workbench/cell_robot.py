@@ -1,7 +1,7 @@
 """The robot of a cell file: model, start and what the file changes in its controller."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ropsim.model import (
     Rates,
     RobotModel,
 )
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.spatial import Array, Pose, frozen, record
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_poses import read_pose
 from ropsim.workbench.quantity import NUMBER, SHARE, TIME, Quantity, Units
@@ -31,7 +31,7 @@ _GRAVITY_ROUNDING = 1e-12  # [m/s²], of a rotation about the vertical
 _ROUNDING = 1e-9  # [rad | m], start written with decimals may touch a limit
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RobotSection:
     """What `[robot]` and `[controller]` say.
 

@@ -1,10 +1,11 @@
 """Triangles with normals: smooth over rounded faces, sharp at edges."""
 
-from dataclasses import dataclass
 from math import cos, radians
 
 import numpy as np
 import numpy.typing as npt
+
+from ropsim.spatial import record
 
 _CREASE = cos(radians(40.0))
 """Faces that meet at a greater angle keep their edge; chords of rounded faces are nearly always below."""
@@ -16,7 +17,7 @@ Indices = npt.NDArray[np.uint32]
 Colours = npt.NDArray[np.uint8]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Triangles:
     """What is sent to the page.
 

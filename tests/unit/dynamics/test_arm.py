@@ -85,3 +85,11 @@ def test_inputs_are_not_changed(puma: RobotModel) -> None:
     before = q.copy(), qd.copy(), qdd.copy()
     dynamics.inverse_dynamics(puma, q, qd, qdd)
     np.testing.assert_array_equal((q, qd, qdd), before)
+
+
+def test_equal_models_share_what_was_made_for_one_of_them() -> None:
+    one, other = random_arm(5, "RRR"), random_arm(5, "RRR")
+    assert one is not other
+    assert dynamics.compiled(one, Engine.PYTHON) is dynamics.compiled(other, Engine.PYTHON)
+    heavier = replace(other, links=(replace(other.links[0], mass=9.0), *other.links[1:]))
+    assert dynamics.compiled(one, Engine.PYTHON) is not dynamics.compiled(heavier, Engine.PYTHON)

@@ -1,19 +1,17 @@
 """Which answer of the inverse kinematics a jogged arm takes."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ropsim.kinematics import IkResult, posture
 from ropsim.model import RobotModel
-from ropsim.spatial import Array
+from ropsim.spatial import Array, record
 from ropsim.studio.desk.jog_words import Words
 
 STEP = 0.2
 """Largest motion of a joint [rad] at which the arm may pass from one posture to another unasked."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Choice:
     """Where the arm goes.
 
