@@ -124,8 +124,7 @@ def test_a_move_out_of_reach_is_marked_in_its_line_before_the_drives_are_simulat
     fresh.append(17, "\nmov (5000, 0, 0; down)")
     marked = fresh.line(18).locator(".cm-lintRange-error")  # in pieces while its brackets are shown as a pair
     fresh.until(lambda: "".join(marked.all_text_contents()) == "mov (5000, 0, 0; down)")
-    marked.first.hover()
-    tooltip(fresh).get_by_text("reach").first.wait_for()
+    fresh.read_about(marked.first, tooltip(fresh).get_by_text("reach").first)
     fresh.page.locator(".cm-lint-marker-error").first.wait_for()
     fresh.write(fresh.text().replace("mov (5000, 0, 0; down)", ""))
     fresh.page.locator(".cm-content:not(:has(.cm-lintRange-error))").wait_for()
@@ -171,10 +170,11 @@ def test_the_cell_file_is_coloured_and_named_where_it_is_wrong(fresh: StudioPage
 def test_a_squiggle_says_what_is_wrong_and_mends_it(fresh: StudioPage) -> None:
     shown = fresh.state()["shown"]
     fresh.write(fresh.text().replace("Carry pick_up", "Cary pick_up"))
-    squiggle(fresh, "Cary").hover()
     tip = tooltip(fresh)
+    mend = tip.get_by_role("button", name=re.compile("Carry"))
+    fresh.read_about(squiggle(fresh, "Cary"), mend)
     tip.get_by_text("Task not defined: “Cary”").or_(tip.get_by_text("Task not defined: `Cary`")).wait_for()
-    tip.get_by_role("button", name=re.compile("Carry")).click()
+    mend.click()
     fresh.rerun(shown)
     assert fresh.line(CALL).text_content() == "Carry pick_up, set_down"
 
@@ -286,7 +286,7 @@ def test_line_ends_of_the_file_survive_editing(fresh: StudioPage, first_cell: Pa
 def test_undo_in_the_editor_takes_back_typing_only(fresh: StudioPage) -> None:
     fresh.page.get_by_label("Number of views").select_option("Two views")
     before = fresh.text()
-    fresh.append(2, " # not for long")
+    fresh.insert(2, " # not for long")
     fresh.page.keyboard.press("Control+z")
     assert fresh.text() == before
     assert fresh.page.get_by_label("Number of views").input_value() == "2"
@@ -296,9 +296,9 @@ def test_undo_in_the_editor_takes_back_typing_only(fresh: StudioPage) -> None:
 
 
 def test_each_text_keeps_its_own_history(fresh: StudioPage) -> None:
-    fresh.append(2, " # first")
+    fresh.insert(2, " # first")
     fresh.document("cell.toml")
-    fresh.append(1, " second")
+    fresh.insert(1, " second")
     fresh.document("main.task")
     fresh.editor().focus()
     fresh.page.keyboard.press("Control+z")

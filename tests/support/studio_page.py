@@ -1,6 +1,7 @@
 """The studio's page as its users handle it, and the few numbers it tells about what it shows."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,8 @@ TELLING = {
     "pill": ".pill",
     "banner": ".banners",
 }
+LOOK = 5.0
+"""How long a pointer rests before it points anew [s]."""
 DRAWN = "() => __ropsim.stats().pending === 0"
 
 
@@ -188,6 +191,23 @@ class StudioPage:
         self.line(number).click()
         self.page.keyboard.press("End")
         self.page.keyboard.type(text)
+
+    def insert(self, number: int, text: str) -> None:
+        """Put text at the end of a line at once, which is one step of undo however slow the page is."""
+        self.line(number).click()
+        self.page.keyboard.press("End")
+        self.page.keyboard.insert_text(text)
+
+    def read_about(self, mark: "Locator", wanted: "Locator") -> None:
+        """Point at a mark until something is read there: what is read closes when its mark changes."""
+        from playwright.sync_api import TimeoutError as NotInTime
+
+        for _ in range(round(PATIENCE / LOOK)):
+            self.page.mouse.move(5, 5)
+            mark.hover()
+            with suppress(NotInTime):
+                return wanted.wait_for(timeout=1e3 * LOOK)
+        raise AssertionError("what was to be read has not come")
 
     def rerun(self, shown: int) -> None:
         """Wait for a good run after the one that was the `shown`-th."""
