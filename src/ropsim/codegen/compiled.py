@@ -17,7 +17,9 @@ _NATIVE = "cfunc."
 """numba's word before the name of a function, for the one that C calls."""
 
 
-def compiled(name: str, source: str, signature: Signature, build: Callable[[], Any]) -> Compiled:
+def compiled(
+    name: str, source: str, signature: Signature, build: Callable[[], tuple[Any, Compiled]]
+) -> Compiled:
     """Return a compiled function; numba is imported only where the cache folder does not hold it.
 
     A cache that is damaged or cannot be written costs time only.
@@ -26,16 +28,21 @@ def compiled(name: str, source: str, signature: Signature, build: Callable[[], A
         name: Python identifier that tells what the function is about.
         source: the text that decides what the machine code is.
         signature: of the function.
-        build: imports numba and returns its callback object of `Signature.entry_text`.
+        build: imports numba and returns its callback object of `Signature.entry_text`, and the function as
+            numba calls it, for a system where the machine code does not stand alone.
     """
     path = cache_folder() / "generated" / f"{name}_{_digest(source)}.code"
     with contextlib.suppress(OSError, ValueError, MissingNameError):
         return signature.caller(load(read(path)))
-    entry = build()
-    code = emit_object(entry.inspect_llvm(), entry.native_name.removeprefix(_NATIVE))
+    entry, function = build()
+    try:
+        code = emit_object(entry.inspect_llvm(), entry.native_name.removeprefix(_NATIVE))
+        address = load(code)
+    except (ValueError, MissingNameError):
+        return function
     with contextlib.suppress(OSError):
         keep(code, path)
-    return signature.caller(load(code))
+    return signature.caller(address)
 
 
 def _digest(source: str) -> str:

@@ -56,8 +56,8 @@ def _compiled(function: FunctionType, signature: str) -> Compiled:
     return compiled(name, source, takes, lambda: _build(function, entry))
 
 
-def _build(function: FunctionType, entry: str) -> object:
-    """Return numba's callback for a function, compiled together with the functions beside it."""
+def _build(function: FunctionType, entry: str) -> tuple[object, Compiled]:
+    """Return numba's callback for a function and the function, compiled with the functions beside it."""
     import numba
 
     scope = {**function.__globals__, "numba": numba}
@@ -66,4 +66,4 @@ def _build(function: FunctionType, entry: str) -> object:
             inner = getattr(one, "__wrapped__", one)
             scope[name] = numba.njit(error_model="numpy")(FunctionType(inner.__code__, scope, name))
     exec(compile(entry, f"<entry of {function.__name__}>", "exec"), scope)  # our own source
-    return scope["entry"]
+    return scope["entry"], scope[function.__name__]

@@ -37,7 +37,12 @@ def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> C
         return function
     signature = Signature.parse(last.signature)
     source = compiled_source(functions)
-    return compiled(name, source, signature, lambda: _run(source, name, {})["entry"])
+
+    def build() -> tuple[Any, Compiled]:
+        scope = _run(source, name, {})
+        return scope["entry"], scope[last.name]
+
+    return compiled(name, source, signature, build)
 
 
 def compiled_source(functions: Sequence[SourceFunction]) -> str:

@@ -2,7 +2,7 @@
 
 import struct
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from hashlib import sha256
 from math import isnan, nan
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
+_records: set[type] = set()
 _prints: dict[int, tuple["ref[object]", str]] = {}
 """Fingerprints of records that live, by identity; only of those whose arrays nobody can write to."""
 
@@ -30,11 +31,10 @@ def record(cls: type[T]) -> type[T]:
     """
     is_own = "__eq__" in cls.__dict__
     made: type[T] = dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)(cls)
-    if not is_own:
-        made.__eq__ = _is_equal  # type: ignore[method-assign]
-        made.__hash__ = _hash  # type: ignore[method-assign]
-    made.__setstate__ = _restore  # type: ignore[attr-defined]
-    made.__record__ = True  # type: ignore[attr-defined]
+    methods = {"__setstate__": _restore, **({} if is_own else {"__eq__": _is_equal, "__hash__": _hash})}
+    for name, method in methods.items():
+        setattr(made, name, method)
+    _records.add(made)
     return made
 
 
@@ -62,7 +62,7 @@ def _printed(value: object) -> tuple[str, bool]:
     hasher = sha256()
     lasts = _feed(hasher, value)
     found = hasher.hexdigest()
-    if lasts and getattr(type(value), "__record__", False):
+    if lasts and type(value) in _records:
         key = id(value)
         _prints[key] = ref(value, lambda _: _prints.pop(key, None)), found
     return found, lasts
@@ -98,16 +98,21 @@ def _feed(hasher: "_Hash", value: object) -> bool:
 
 def _feed_fields(hasher: "_Hash", value: object) -> bool:
     kind = type(value)
-    if not hasattr(kind, "__dataclass_fields__"):
-        raise TypeError(f"a {kind.__qualname__} is no value: it has no fingerprint")
+    names = _field_names(value)
     hasher.update(f"record {kind.__qualname__}\0".encode())
     lasts = True
-    for one in fields(value):  # type: ignore[arg-type]  # it is a dataclass
-        hasher.update(f"{one.name}\0".encode())
-        inner, stays = _printed(getattr(value, one.name))
+    for name in names:
+        hasher.update(f"{name}\0".encode())
+        inner, stays = _printed(getattr(value, name))
         hasher.update(inner.encode())
         lasts &= stays
     return lasts
+
+
+def _field_names(value: object) -> tuple[str, ...]:
+    if not is_dataclass(value) or isinstance(value, type):
+        raise TypeError(f"a {type(value).__qualname__} is no value: it has no fingerprint")
+    return tuple(one.name for one in fields(value))
 
 
 def _feed_array(hasher: "_Hash", array: "np.ndarray[Any, Any]") -> bool:
@@ -151,7 +156,7 @@ def _hash(self: object) -> int:
 
 
 def _restore(self: object, state: list[object]) -> None:
-    for one, value in zip(fields(self), state, strict=True):  # type: ignore[arg-type]  # it is a dataclass
+    for name, value in zip(_field_names(self), state, strict=True):
         if isinstance(value, np.ndarray):
             value.flags.writeable = False
-        object.__setattr__(self, one.name, value)
+        object.__setattr__(self, name, value)

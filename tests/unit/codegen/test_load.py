@@ -93,6 +93,21 @@ def test_code_that_needs_what_no_process_has_is_not_run() -> None:
         load_code(MachineCode("f", ("sin", "no_such_function"), b""))
 
 
+def test_where_code_does_not_stand_alone_numba_calls_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def lacks(_code: MachineCode) -> int:
+        raise MissingNameError("sin")
+
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr("ropsim.codegen.compiled.load", lacks)
+    text = "def lone(x):\n    x[0] = 3.0 * x[0]\n"
+    x = np.array([14.0])
+    load("lone", (SourceFunction("lone", "void(f8[::1])", text),), Engine.NUMBA)(x)
+    assert x[0] == 42.0
+    assert list(tmp_path.rglob("*.code")) == []
+
+
 @pytest.mark.parametrize("text", ["f8(f8)", "void(f4[::1])", "void(f8[:,:])", "void(f8[::1], i4)"])
 def test_a_signature_that_cannot_be_called_is_refused(text: str) -> None:
     with pytest.raises(ValueError, match="is not void"):
