@@ -1,6 +1,7 @@
 """The servo simulation and the whole palletizing run, with the bare dynamics measured in the same run."""
 
 import os
+import re
 import subprocess
 import sys
 import time
@@ -14,12 +15,13 @@ import ropsim
 from ropsim import codegen
 from ropsim.codegen import Engine, SourceFunction
 from ropsim.controller import Refusal, plan_move, standard_chain
-from ropsim.dynamics import last_body
-from ropsim.dynamics.arm_functions import emit_forward
+from ropsim.dynamics import arm_numbers, structure_of
+from ropsim.dynamics.arm_functions import forward_code
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.servo import Servo
+from ropsim.spatial import Array
 
 CELL = Path(__file__).parents[1] / "examples" / "palletizing"
 ROBOT = ropsim.robots.load("puma560")
@@ -46,28 +48,65 @@ REPEAT_FORWARD = SourceFunction(
     "repeat_forward",
     "void(f8[::1], f8[::1], f8[::1], f8[::1], f8[::1], i8)",
     """\
-def repeat_forward(q, qd, tau, load, qdd, times):
+def repeat_forward(q, qd, tau, constants, qdd, times):
     for _ in range(times):
-        forward(q, qd, tau, load, qdd)
+        forward(q, qd, tau, constants, qdd)
         q[0] += 1e-9 * qdd[0]
 """,
 )
 """Calls the forward dynamics `times` times; each call depends on the one before."""
 
 
+class RepeatedForward:
+    """The forward dynamics of the arm inside a compiled loop."""
+
+    def __init__(self, forward: SourceFunction, constants: Array) -> None:
+        self._repeat = codegen.load("repeat", (forward, REPEAT_FORWARD), Engine.NUMBA)
+        self._constants = constants
+        self.seconds(10)
+
+    def seconds(self, times: int = 100_000) -> float:
+        """Return the time of one call [s]."""
+        n = ROBOT.n
+        q, qd, tau, qdd = np.array(ROBOT.home), np.zeros(n), np.zeros(n), np.zeros(n)
+        start = time.perf_counter()
+        self._repeat(q, qd, tau, self._constants, qdd, times)
+        return (time.perf_counter() - start) / times
+
+
+def given_forward() -> RepeatedForward:
+    """Return the forward dynamics as it is: its numbers are given at run time."""
+    code = forward_code(structure_of(ROBOT))
+    return RepeatedForward(code.functions[0], code.constants(arm_numbers(ROBOT, Payload())))
+
+
+def folded_forward() -> RepeatedForward:
+    """Return the forward dynamics with every number of the arm written into its code."""
+    code = forward_code(structure_of(ROBOT))
+    values = code.constants(arm_numbers(ROBOT, Payload())).tolist()
+    given = code.functions[0]
+    constant = re.compile(r"float\(constants\[(\d+)\]\)")
+    text = constant.sub(lambda found: f"({values[int(found[1])]!r})", given.text)
+    return RepeatedForward(SourceFunction(given.name, given.signature, text), np.zeros(1))
+
+
 def bare_dynamics() -> float:
     """Return the time of one forward dynamics of the arm inside a compiled loop [s], best of five."""
-    n = ROBOT.n
-    q, qd, tau, qdd = np.array(ROBOT.home), np.zeros(n), np.zeros(n), np.zeros(n)
-    load = np.array(last_body(ROBOT, Payload()))
-    repeat_forward = codegen.load("repeat", (emit_forward(ROBOT), REPEAT_FORWARD), Engine.NUMBA)
-    repeat_forward(q, qd, tau, load, qdd, 10)
-    best = np.inf
-    for _ in range(5):
-        start = time.perf_counter()
-        repeat_forward(q, qd, tau, load, qdd, 100_000)
-        best = min(best, time.perf_counter() - start)
-    return float(best) / 100_000
+    forward = given_forward()
+    return min(forward.seconds() for _ in range(5))
+
+
+def test_numbers_that_are_given_cost_nearly_nothing(benchmark: Any) -> None:
+    """Masses, friction and motors given to the forward dynamics at run time, beside all of them folded."""
+    measure = Measure(benchmark)
+    given, folded = given_forward(), folded_forward()
+
+    def ratio() -> float:
+        pairs = [(given.seconds(), folded.seconds()) for _ in range(15)]
+        return float(np.median([one / other for one, other in pairs]))
+
+    found, _ = measure(ratio, rounds=3)
+    measure.figure("time over that of the folded code", found, most=1.2)
 
 
 def test_servo_tick(benchmark: Any) -> None:

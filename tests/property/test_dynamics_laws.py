@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.codegen import Engine
-from ropsim.dynamics import compiled, last_body
+from ropsim.dynamics import compiled
 from ropsim.model import Friction, RobotModel
 from support.arms import drive, random_arm, random_states, textbook_mass_matrix
 
@@ -24,12 +24,11 @@ LAWS = settings(max_examples=25, derandomize=True)
 @LAWS
 @given(robot=arms)
 def test_forward_dynamics_undo_inverse_dynamics(robot: RobotModel) -> None:
-    functions = compiled(robot, Engine.PYTHON)
-    load = last_body(robot)
+    functions = compiled(robot, engine=Engine.PYTHON)
     for q, qd, qdd in random_states(robot, 2):
         tau, back = np.empty(robot.n), np.empty(robot.n)
-        functions.inverse(q, qd, qdd, np.zeros(6), load, tau)
-        functions.forward(q, qd, tau, load, back)
+        functions.inverse(q, qd, qdd, np.zeros(6), tau)
+        functions.forward(q, qd, tau, back)
         np.testing.assert_allclose(back, qdd, rtol=0, atol=ROUNDING)
 
 
@@ -41,7 +40,7 @@ def test_the_mass_matrix_gives_the_kinetic_energy_of_links_and_rotors(robot: Rob
     rotors = np.diag([one.motor.rotor_inertia * one.ratio**2 for one in robot.drives])
     for q, one, other in random_states(robot, 2):
         entries = np.empty(n * n)
-        compiled(robot, Engine.PYTHON).mass_matrix(q, last_body(robot), entries)
+        compiled(robot, engine=Engine.PYTHON).mass_matrix(q, entries)
         M = entries.reshape(n, n)
         energy = one @ (textbook_mass_matrix(robot, q) + rotors) @ other
         assert one @ M @ other == pytest.approx(energy, rel=0, abs=ROUNDING)
@@ -53,27 +52,27 @@ def test_the_mass_matrix_gives_the_kinetic_energy_of_links_and_rotors(robot: Rob
 @given(robot=arms)
 def test_columns_of_the_mass_matrix_are_torques_of_unit_accelerations(robot: RobotModel) -> None:
     n = robot.n
-    functions, load = compiled(robot, Engine.PYTHON), last_body(robot)
+    functions = compiled(robot, engine=Engine.PYTHON)
     rest = np.zeros(n)
     q = random_states(robot, 1)[0, 0]
     entries, still, moved = np.empty(n * n), np.empty(n), np.empty(n)
-    functions.mass_matrix(q, load, entries)
-    functions.inverse(q, rest, rest, np.zeros(6), load, still)
+    functions.mass_matrix(q, entries)
+    functions.inverse(q, rest, rest, np.zeros(6), still)
     for k, unit in enumerate(np.eye(n)):
-        functions.inverse(q, rest, unit, np.zeros(6), load, moved)
+        functions.inverse(q, rest, unit, np.zeros(6), moved)
         np.testing.assert_allclose(moved - still, entries.reshape(n, n)[:, k], rtol=0, atol=ROUNDING)
 
 
 @LAWS
 @given(robot=arms, seed=st.integers(0, 1000))
 def test_a_wrench_at_the_tip_adds_linearly(robot: RobotModel, seed: int) -> None:
-    functions, load = compiled(robot, Engine.PYTHON), last_body(robot)
+    functions = compiled(robot, engine=Engine.PYTHON)
     rest = np.zeros(robot.n)
     q = random_states(robot, 1)[0, 0]
     wrench = np.random.default_rng(seed).normal(size=6)
     torques = []
     for factor in (0.0, 1.0, 2.0):
         tau = np.empty(robot.n)
-        functions.inverse(q, rest, rest, factor * wrench, load, tau)
+        functions.inverse(q, rest, rest, factor * wrench, tau)
         torques.append(tau)
     np.testing.assert_allclose(torques[2] - torques[1], torques[1] - torques[0], rtol=0, atol=ROUNDING)

@@ -3,14 +3,15 @@
 import numpy as np
 
 from ropsim.model import (
-    Amplifier,
     DcMotor,
     Drive,
     Friction,
+    Gear,
     Joint,
     JointType,
     Link,
     RobotModel,
+    VoltageAmplifier,
 )
 from ropsim.spatial import Array, Pose
 
@@ -52,7 +53,7 @@ def drive(
     ratio: float = 60.0, friction: Friction | None = None, motor: DcMotor = MOTOR, max_voltage: float = 40.0
 ) -> Drive:
     """Return a drive; without friction unless it is given."""
-    return Drive(ratio, motor, friction or Friction(0.0, 0.0, 0.0), Amplifier(max_voltage, 10.0))
+    return Drive(VoltageAmplifier(max_voltage, 10.0), motor, Gear(ratio), friction or Friction())
 
 
 def random_states(robot: RobotModel, count: int, seed: int = 0) -> Array:

@@ -15,6 +15,7 @@ from ropsim.model import (
     RobotModel,
 )
 from ropsim.spatial import Array
+from support.dc_drives import voltage_amplifier
 
 START = np.array([0.0, -1.2, -0.3, 0.1, 0.9, 0.2])
 GOAL = np.array([0.3, -1.0, -0.1, -0.2, 0.7, 0.5])
@@ -57,7 +58,7 @@ class CascadeInPython:
     def __init__(self, model: ControllerModel, robot: RobotModel, integral: Array) -> None:
         self.gains = model.gains
         self.period = model.rates.control_period
-        self.limits = np.array([one.amplifier.max_voltage for one in robot.drives])
+        self.limits = np.array([voltage_amplifier(one).max_voltage for one in robot.drives])
         self.start = integral
         self.integral = integral.copy()
         self.times: list[float] = []

@@ -3,10 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ropsim.codegen.reachable import reachable
 from ropsim.codegen.tracer import Scalar
 
 _BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
-_CALLS = {"abs": "abs", "sin": "math.sin", "cos": "math.cos", "tanh": "math.tanh"}
+_CALLS = {
+    "abs": "abs",
+    "sin": "math.sin",
+    "cos": "math.cos",
+    "tanh": "math.tanh",
+    "min": "min",
+    "max": "max",
+}
 _INLINE_LENGTH = 72
 
 
@@ -36,7 +44,7 @@ def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scala
         arguments: names of its array arguments, in order.
         results: pairs of target, such as `out[2]`, and value, in order.
     """
-    needed = _reachable([value for _, value in results])
+    needed = reachable([value for _, value in results])
     uses: dict[int, int] = {}
     for node in needed:
         for arg in node.args:
@@ -71,16 +79,4 @@ def _expression(node: Scalar, texts: dict[int, str]) -> str:
         return f"{args[0]} {_BINARY[node.op]} {args[1]}"
     if node.op == "neg":
         return f"-{args[0]}"
-    return f"{_CALLS[node.op]}({args[0]})"
-
-
-def _reachable(roots: Sequence[Scalar]) -> list[Scalar]:
-    """Return what the roots need, arguments first."""
-    found: dict[int, Scalar] = {}
-    stack = list(roots)
-    while stack:
-        node = stack.pop()
-        if node.index not in found:
-            found[node.index] = node
-            stack.extend(node.args)
-    return [found[index] for index in sorted(found)]
+    return f"{_CALLS[node.op]}({', '.join(args)})"

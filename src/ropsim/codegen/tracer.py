@@ -54,7 +54,7 @@ class Scalar:
     Attributes:
         tracer: the graph it belongs to.
         index: order of creation; arguments always come before their operation.
-        op: `const`, `var`, `add`, `sub`, `mul`, `div` or a key of `UNARY`.
+        op: `const`, `var`, `add`, `sub`, `mul`, `div`, `min`, `max` or a key of `UNARY`.
         args: what the operation works on.
         text: where a variable is read from.
         value: the number of a constant, else None.
@@ -175,6 +175,16 @@ def cos(x: Scalar) -> Scalar:
 def tanh(x: Scalar) -> Scalar:
     """Return the hyperbolic tangent."""
     return x._unary("tanh")
+
+
+def minimum(a: Scalar, b: Scalar) -> Scalar:
+    """Return the smaller of two numbers as Python's `min` does: the first unless the second is smaller."""
+    return a.tracer.operation("min", a, b)
+
+
+def maximum(a: Scalar, b: Scalar) -> Scalar:
+    """Return the larger of two numbers as Python's `max` does: the first unless the second is larger."""
+    return a.tracer.operation("max", a, b)
 
 
 def _ordered(a: Scalar, b: Scalar) -> tuple[Scalar, Scalar]:

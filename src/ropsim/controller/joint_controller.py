@@ -1,10 +1,12 @@
 """The joint controller: the law inside the servo slice, as generated source or as a Python object."""
 
+from sys import float_info
 from typing import Protocol
 
 import numpy as np
 
 from ropsim.controller.law_diagnostics import GAIN_COUNT, GainError
+from ropsim.dynamics import command_limit
 from ropsim.model import GAIN_NAMES, ControllerKind, ControllerModel, Drive
 from ropsim.spatial import Array, frozen, record
 
@@ -86,7 +88,7 @@ def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> Compiled
 
     Args:
         model: gains and control period.
-        drives: their amplifiers say at which voltage the integral has to stand still.
+        drives: their amplifiers say at which output the integral has to stand still.
 
     Raises:
         GainError: a gain does not have one number per drive.
@@ -97,12 +99,12 @@ def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> Compiled
         if values.shape != (n,):
             message = f"gain `{name}` has shape `{values.shape}`; allowed is `({n},)`, one number per joint"
             raise GainError(GAIN_COUNT.at(None, message, hint="give one number per joint"))
-    limits = [drive.amplifier.max_voltage for drive in drives]
+    limits = [min(command_limit(drive), float_info.max) for drive in drives]
     period = np.full(n, model.rates.control_period)
     return CompiledLaw(
         name="cascaded_p_pi",
         source=CASCADED_P_PI_SOURCE,
-        parameter_names=(*GAIN_NAMES, "max_voltage", "period"),
+        parameter_names=(*GAIN_NAMES, "limit", "period"),
         parameters=np.stack([*gains, np.array(limits), period]),
         state_names=("integral",),
         hold_row=0,

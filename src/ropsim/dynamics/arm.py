@@ -5,7 +5,6 @@ import numpy.typing as npt
 
 from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
-from ropsim.dynamics.inertia import last_body
 from ropsim.kinematics import NotFiniteError
 from ropsim.model import Payload, RobotModel
 from ropsim.spatial import Array, real_numbers
@@ -41,7 +40,7 @@ def inverse_dynamics(
     """
     tip = np.zeros(6) if wrench is None else _array("wrench", wrench, 6)
     tau = np.empty(robot.n)
-    compiled(robot).inverse(*_motion(robot, q, qd, qdd), tip, _load(robot, payload), tau)
+    compiled(robot, payload).inverse(*_motion(robot, q, qd, qdd), tip, tau)
     return tau
 
 
@@ -57,7 +56,7 @@ def rigid_inverse_dynamics(
     Arguments and errors are those of `inverse_dynamics`.
     """
     tau = np.empty(robot.n)
-    compiled(robot).rigid_inverse(*_motion(robot, q, qd, qdd), np.zeros(6), _load(robot, payload), tau)
+    compiled(robot, payload).rigid_inverse(*_motion(robot, q, qd, qdd), np.zeros(6), tau)
     return tau
 
 
@@ -103,7 +102,7 @@ def forward_dynamics(
     n = robot.n
     qdd = np.empty(n)
     inputs = (_array("q", q, n), _array("qd", qd, n), _array("tau", tau, n))
-    compiled(robot).forward(*inputs, _load(robot, payload), qdd)
+    compiled(robot, payload).forward(*inputs, qdd)
     return qdd
 
 
@@ -114,7 +113,7 @@ def mass_matrix(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = N
     """
     n = robot.n
     entries = np.empty(n * n)
-    compiled(robot).mass_matrix(_array("q", q, n), _load(robot, payload), entries)
+    compiled(robot, payload).mass_matrix(_array("q", q, n), entries)
     return entries.reshape(n, n)
 
 
@@ -144,10 +143,6 @@ def _motion(
 ) -> tuple[Array, Array, Array]:
     n = robot.n
     return _array("q", q, n), _array("qd", qd, n), _array("qdd", qdd, n)
-
-
-def _load(robot: RobotModel, payload: Payload | None) -> Array:
-    return np.array(last_body(robot, payload))  # compiled functions take writable arrays only
 
 
 def _array(name: str, values: npt.ArrayLike, size: int) -> Array:

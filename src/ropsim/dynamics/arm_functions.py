@@ -1,128 +1,150 @@
-"""The generated functions of one arm, made when they are first asked for."""
+"""The generated functions of an arm, made when they are first asked for."""
 
 from collections.abc import Callable
 from functools import lru_cache
 
-from ropsim.codegen import Compiled, Engine, Scalar, SourceFunction, Tracer, default_engine, emit, load
-from ropsim.dynamics.drive_dc import reflected_inertia
+from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer, default_engine
 from ropsim.dynamics.forward_dynamics import trace_solve
-from ropsim.dynamics.friction import trace_friction
 from ropsim.dynamics.mass_matrix import trace_mass_matrix
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.newton_euler import Wrench, trace_inverse
+from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced_arm import TracedArm, trace_arm
-from ropsim.model import RobotModel
+from ropsim.dynamics.traced_drives import joint_sides
+from ropsim.model import Payload, RobotModel
 
 
 class ArmFunctions:
     """Compiled functions of one arm; each is generated and compiled (or loaded from disk) at its first use.
 
-    All arrays are one-dimensional, contiguous float64; `load` is `last_body(robot, payload)`, shape (10,);
-    the last argument receives the result. Friction and motor inertia are those of the robot's drives, none
-    without.
+    All arrays are one-dimensional, contiguous float64; the last argument receives the result. The numbers of
+    the arm are filled in; every arm of the same structure shares the code. Friction and motor inertia are
+    those of the robot's drives, none without.
 
     Args:
         robot: the arm.
+        payload: body at the mechanical interface; None for none.
         engine: who runs the code.
     """
 
-    def __init__(self, robot: RobotModel, engine: Engine) -> None:
+    def __init__(self, robot: RobotModel, payload: Payload | None, engine: Engine) -> None:
         check_model(robot)
-        self._robot = robot
+        self._name = identifier(robot.name)
+        self._structure = structure_of(robot)
+        self._numbers = arm_numbers(robot, payload)
         self._engine = engine
+        self._made: dict[str, Compiled] = {}
 
     @property
     def rigid_inverse(self) -> Compiled:
-        """Return `f(q, qd, qdd, wrench, load, tau)`: torques of the rigid bodies only."""
-        return self._function("rigid_inverse", emit_rigid_inverse)
+        """Return `f(q, qd, qdd, wrench, tau)`: torques of the rigid bodies only."""
+        return self._function("rigid_inverse", rigid_inverse_code)
 
     @property
     def inverse(self) -> Compiled:
-        """Return `f(q, qd, qdd, wrench, load, tau)`: torques with friction and motor inertia."""
-        return self._function("inverse", emit_inverse)
+        """Return `f(q, qd, qdd, wrench, tau)`: torques with friction and motor inertia."""
+        return self._function("inverse", inverse_code)
 
     @property
     def forward(self) -> Compiled:
-        """Return `f(q, qd, tau, load, qdd)`: accelerations with friction and motor inertia."""
-        return self._function("forward", emit_forward)
+        """Return `f(q, qd, tau, qdd)`: accelerations with friction and motor inertia."""
+        return self._function("forward", forward_code)
 
     @property
     def mass_matrix(self) -> Compiled:
-        """Return `f(q, load, M)`: mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
-        return self._function("mass_matrix", emit_mass_matrix)
+        """Return `f(q, M)`: mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
+        return self._function("mass_matrix", mass_matrix_code)
 
-    def _function(self, name: str, emit_it: Callable[[RobotModel], SourceFunction]) -> Compiled:
-        source = _source(self._robot, emit_it)
-        return load(f"{identifier(self._robot.name)}_{name}", (source,), self._engine)
-
-
-@lru_cache(maxsize=64)
-def _compiled(robot: RobotModel, engine: Engine) -> ArmFunctions:
-    return ArmFunctions(robot, engine)
+    def _function(self, name: str, code_of: Callable[[ArmStructure], GivenCode]) -> Compiled:
+        if name not in self._made:
+            code = code_of(self._structure)
+            self._made[name] = code.bound(f"{self._name}_{name}", self._numbers, self._engine)
+        return self._made[name]
 
 
-def compiled(robot: RobotModel, engine: Engine | None = None) -> ArmFunctions:
+@lru_cache(maxsize=256)
+def _compiled(robot: RobotModel, payload: Payload | None, engine: Engine) -> ArmFunctions:
+    return ArmFunctions(robot, payload, engine)
+
+
+def compiled(robot: RobotModel, payload: Payload | None = None, engine: Engine | None = None) -> ArmFunctions:
     """Return the compiled functions of an arm.
 
-    Models are compared by content: an equal one, in this process or a later one, is not compiled again.
+    Models are compared by content: an equal one, in this process or a later one, is not compiled again; nor
+    is one that differs in numbers alone.
 
     Args:
         robot: the arm.
+        payload: body at the mechanical interface; None for none.
         engine: who runs the code; None takes numba where it is installed.
 
     Raises:
         ChainTooLongError: the arm has more than `MOST_JOINTS` joints.
         ModelNumberError: a number of the model is not finite.
     """
-    return _compiled(robot, engine or default_engine())
+    return _compiled(robot, payload, engine or default_engine())
 
 
-@lru_cache(maxsize=256)
-def _source(robot: RobotModel, emit_it: Callable[[RobotModel], SourceFunction]) -> SourceFunction:
-    return emit_it(robot)
+@lru_cache(maxsize=64)
+def rigid_inverse_code(structure: ArmStructure) -> GivenCode:
+    """Return the code of `rigid_inverse`."""
+    arm, qd, qdd, tip, _ = _inverse_inputs(structure)
+    return _inverse_code("rigid_inverse", trace_inverse(arm, qd, qdd, tip))
 
 
-def emit_rigid_inverse(robot: RobotModel) -> SourceFunction:
-    """Return the source of `rigid_inverse`."""
-    arm, qd, qdd, tip = _inverse_inputs(robot)
-    return _emit_inverse("rigid_inverse", trace_inverse(arm, qd, qdd, tip))
-
-
-def emit_inverse(robot: RobotModel) -> SourceFunction:
-    """Return the source of `inverse`."""
-    arm, qd, qdd, tip = _inverse_inputs(robot)
+@lru_cache(maxsize=64)
+def inverse_code(structure: ArmStructure) -> GivenCode:
+    """Return the code of `inverse`."""
+    arm, qd, qdd, tip, drives = _inverse_inputs(structure)
     tau = trace_inverse(arm, qd, qdd, tip)
-    for k, drive in enumerate(robot.drives):
-        tau[k] = tau[k] + qdd[k] * reflected_inertia(drive) + trace_friction(drive, qd[k])
-    return _emit_inverse("inverse", tau)
+    for k, (friction, inertia) in enumerate(joint_sides(structure, drives, arm.tracer, qd)):
+        tau[k] = tau[k] + qdd[k] * inertia + friction
+    return _inverse_code("inverse", tau)
 
 
-def emit_forward(robot: RobotModel) -> SourceFunction:
-    """Return the source of `forward`."""
-    tracer = Tracer()
-    n = robot.n
+@lru_cache(maxsize=64)
+def forward_code(structure: ArmStructure) -> GivenCode:
+    """Return the code of `forward`."""
+    tracer, n = Tracer(), structure.n
     q, qd, tau = (tracer.variables(name, n) for name in ("q", "qd", "tau"))
-    qdd = trace_forward(robot, trace_arm(tracer, robot, q, tracer.variables("load", 10)), qd, tau)
-    return emit("forward", ("q", "qd", "tau", "load", "qdd"), [(f"qdd[{k}]", qdd[k]) for k in range(n)])
+    numbers = traced_numbers(tracer, structure)
+    arm = trace_arm(tracer, structure, numbers, q)
+    qdd = trace_forward(arm, qd, tau, joint_sides(structure, numbers.drives, tracer, qd))
+    results = [(f"qdd[{k}]", qdd[k]) for k in range(n)]
+    return GivenCode.of(Formula("forward", ("q", "qd", "tau", "qdd"), results))
 
 
-def trace_forward(robot: RobotModel, arm: TracedArm, qd: list[Scalar], tau: list[Scalar]) -> list[Scalar]:
-    """Return the joint accelerations under the drive torques `tau`, with friction and motor inertia."""
+def trace_forward(
+    arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: list[tuple[Scalar, Scalar]]
+) -> list[Scalar]:
+    """Return the joint accelerations.
+
+    Args:
+        arm: as it stands.
+        qd: joint speeds.
+        tau: torques of the drives at the joints, before friction.
+        sides: friction and inertia of the drives at the joints; empty without drives.
+    """
     bias = trace_inverse(arm, qd, [arm.tracer.constant(0.0)] * arm.n)
     right = [tau[k] - bias[k] for k in range(arm.n)]
-    for k, drive in enumerate(robot.drives):
-        right[k] = right[k] - trace_friction(drive, qd[k])
-    return trace_solve(_trace_full_mass_matrix(robot, arm), right)
+    lower = trace_mass_matrix(arm)
+    for k, (friction, inertia) in enumerate(sides):
+        right[k] = right[k] - friction
+        lower[k][k] = lower[k][k] + inertia
+    return trace_solve(lower, right)
 
 
-def emit_mass_matrix(robot: RobotModel) -> SourceFunction:
-    """Return the source of `mass_matrix`."""
-    tracer = Tracer()
-    n = robot.n
-    arm = trace_arm(tracer, robot, tracer.variables("q", n), tracer.variables("load", 10))
-    lower = _trace_full_mass_matrix(robot, arm)
+@lru_cache(maxsize=64)
+def mass_matrix_code(structure: ArmStructure) -> GivenCode:
+    """Return the code of `mass_matrix`."""
+    tracer, n = Tracer(), structure.n
+    numbers = traced_numbers(tracer, structure)
+    lower = trace_mass_matrix(trace_arm(tracer, structure, numbers, tracer.variables("q", n)))
+    rest = [tracer.constant(0.0)] * n
+    for k, (_, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, rest)):
+        lower[k][k] = lower[k][k] + inertia
     entries = [(f"M[{n * i + j}]", lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
-    return emit("mass_matrix", ("q", "load", "M"), entries)
+    return GivenCode.of(Formula("mass_matrix", ("q", "M"), entries))
 
 
 def identifier(name: str) -> str:
@@ -130,21 +152,17 @@ def identifier(name: str) -> str:
     return "arm_" + "".join(c if c.isascii() and c.isalnum() else "_" for c in name)[:40]
 
 
-def _trace_full_mass_matrix(robot: RobotModel, arm: TracedArm) -> list[list[Scalar]]:
-    lower = trace_mass_matrix(arm)
-    for k, drive in enumerate(robot.drives):
-        lower[k][k] = lower[k][k] + reflected_inertia(drive)
-    return lower
-
-
-def _inverse_inputs(robot: RobotModel) -> tuple[TracedArm, list[Scalar], list[Scalar], Wrench]:
+def _inverse_inputs(
+    structure: ArmStructure,
+) -> tuple[TracedArm, list[Scalar], list[Scalar], Wrench, list[list[Scalar]]]:
     tracer = Tracer()
-    q, qd, qdd = (tracer.variables(name, robot.n) for name in ("q", "qd", "qdd"))
+    q, qd, qdd = (tracer.variables(name, structure.n) for name in ("q", "qd", "qdd"))
     fx, fy, fz, mx, my, mz = tracer.variables("wrench", 6)
-    arm = trace_arm(tracer, robot, q, tracer.variables("load", 10))
-    return arm, qd, qdd, Wrench((fx, fy, fz), (mx, my, mz))
+    numbers = traced_numbers(tracer, structure)
+    arm = trace_arm(tracer, structure, numbers, q)
+    return arm, qd, qdd, Wrench((fx, fy, fz), (mx, my, mz)), numbers.drives
 
 
-def _emit_inverse(name: str, tau: list[Scalar]) -> SourceFunction:
+def _inverse_code(name: str, tau: list[Scalar]) -> GivenCode:
     results = [(f"tau[{k}]", value) for k, value in enumerate(tau)]
-    return emit(name, ("q", "qd", "qdd", "wrench", "load", "tau"), results)
+    return GivenCode.of(Formula(name, ("q", "qd", "qdd", "wrench", "tau"), results))

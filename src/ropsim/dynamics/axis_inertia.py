@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.dynamics.drive_dc import reflected_inertia
+from ropsim.dynamics.drives import reflected_inertia
 from ropsim.kinematics import frames_batch
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array

@@ -8,7 +8,7 @@ from ropsim.dynamics.diagnostics import (
     ChainTooLongError,
     ModelNumberError,
 )
-from ropsim.dynamics.drive_dc import reflected_inertia
+from ropsim.dynamics.drives import chain_of
 from ropsim.dynamics.inertia import link_parameters
 from ropsim.model import Drive, RobotModel
 
@@ -35,10 +35,9 @@ def check_model(robot: RobotModel) -> None:
 
 
 def _drive_numbers(drive: Drive) -> list[float]:
-    friction = drive.friction
-    steepness = 1.0 / friction.smoothing_speed if friction.smoothing_speed else math.inf
-    coulomb = [friction.coulomb_positive, friction.coulomb_negative, steepness]
-    return [reflected_inertia(drive), friction.viscous, *coulomb]
+    smoothing = drive.friction.smoothing_speed
+    given = [number for number in chain_of(drive).numbers(drive) if number != math.inf]  # an open limit
+    return [*given, 1.0 / smoothing if smoothing else math.inf]
 
 
 def _check_finite(owner: str, numbers: list[float]) -> None:

@@ -1,18 +1,12 @@
 """The arm as traced scalars: the moving frames and bodies from which the recursions are written."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from ropsim.codegen import Scalar, Tracer, cos, sin
-from ropsim.dynamics.inertia import link_parameters
+from ropsim.dynamics.structure import ArmStructure, Placement, TracedNumbers
 from ropsim.dynamics.vectors import Matrix, Vector
-from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array, Pose
-
-RIGHT_ANGLE_TOLERANCE = 4e-15
-"""Entries of a rotation matrix this near to 0 or ±1 are meant to be exactly that: the rounding of a right
-angle that went through a quaternion."""
+from ropsim.model import JointType
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,14 +54,17 @@ class TracedArm:
         return len(self.types)
 
 
-def trace_arm(tracer: Tracer, robot: RobotModel, q: list[Scalar], load: list[Scalar]) -> TracedArm:
-    """Return the arm with its joints at `q` and the last body given by `load` (as from `last_body`)."""
+def trace_arm(
+    tracer: Tracer, structure: ArmStructure, numbers: TracedNumbers, q: Sequence[Scalar]
+) -> TracedArm:
+    """Return the arm with its joints at `q`, n of them."""
     rotations, origins = [], []
-    for joint, coordinate in zip(robot.joints, q, strict=True):
-        R0 = _rotation(tracer, joint.placement)
-        p0 = vector(tracer, joint.placement.position)
-        moved = coordinate + joint.offset
-        if joint.type is JointType.REVOLUTE:
+    for type_, placement, offset, coordinate in zip(
+        structure.types, structure.placements, structure.offsets, q, strict=True
+    ):
+        R0, p0 = _placed(tracer, placement)
+        moved = coordinate + offset
+        if type_ is JointType.REVOLUTE:
             s, c = sin(moved), cos(moved)
             rows = [(r[0] * c + r[1] * s, r[1] * c - r[0] * s, r[2]) for r in R0]
             rotations.append((rows[0], rows[1], rows[2]))
@@ -75,23 +72,16 @@ def trace_arm(tracer: Tracer, robot: RobotModel, q: list[Scalar], load: list[Sca
         else:
             rotations.append(R0)
             origins.append((p0[0] + R0[0][2] * moved, p0[1] + R0[1][2] * moved, p0[2] + R0[2][2] * moved))
-    fixed = [[tracer.constant(x) for x in link_parameters(link)] for link in robot.links[:-1]]
+    x, y, z = numbers.base_acceleration
     return TracedArm(
         tracer,
-        tuple(joint.type for joint in robot.joints),
+        structure.types,
         tuple(rotations),
         tuple(origins),
-        tuple(_body(parameters) for parameters in [*fixed, load]),
-        vector(tracer, -robot.gravity),
-        _rotation(tracer, robot.X_nM),
-        vector(tracer, robot.X_nM.position),
+        tuple(_body(parameters) for parameters in numbers.bodies),
+        (x, y, z),
+        *_placed(tracer, structure.interface),
     )
-
-
-def vector(tracer: Tracer, values: Array) -> Vector:
-    """Return three constants."""
-    x, y, z = (tracer.constant(value) for value in values)
-    return (x, y, z)
 
 
 def _body(parameters: list[Scalar]) -> Body:
@@ -99,8 +89,7 @@ def _body(parameters: list[Scalar]) -> Body:
     return Body(m, (hx, hy, hz), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
 
-def _rotation(tracer: Tracer, pose: Pose) -> Matrix:
-    R = pose.rotation()
-    whole = np.round(R)
-    R = np.where(np.abs(R - whole) < RIGHT_ANGLE_TOLERANCE, whole, R)
-    return (vector(tracer, R[0]), vector(tracer, R[1]), vector(tracer, R[2]))
+def _placed(tracer: Tracer, placement: Placement) -> tuple[Matrix, Vector]:
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = (tracer.constant(value) for value in placement[0])
+    x, y, z = (tracer.constant(value) for value in placement[1])
+    return ((xx, xy, xz), (yx, yy, yz), (zx, zy, zz)), (x, y, z)

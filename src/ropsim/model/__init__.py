@@ -23,7 +23,16 @@ from ropsim.model.dh import links_from_dh as links_from_dh
 from ropsim.model.drive import Amplifier as Amplifier
 from ropsim.model.drive import DcMotor as DcMotor
 from ropsim.model.drive import Drive as Drive
+from ropsim.model.drive import EffortAmplifier as EffortAmplifier
+from ropsim.model.drive import ElasticGear as ElasticGear
 from ropsim.model.drive import Friction as Friction
+from ropsim.model.drive import Gear as Gear
+from ropsim.model.drive import IdealMotor as IdealMotor
+from ropsim.model.drive import InputKind as InputKind
+from ropsim.model.drive import Motor as Motor
+from ropsim.model.drive import Transmission as Transmission
+from ropsim.model.drive import VoltageAmplifier as VoltageAmplifier
+from ropsim.model.drive import ideal_drive as ideal_drive
 from ropsim.model.geometry import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry import Box as Box
 from ropsim.model.geometry import Cylinder as Cylinder

@@ -1,26 +1,41 @@
-"""The drive of a joint: DC motor, gear, friction, amplifier."""
+"""The drive of a joint as a chain of blocks: amplifier, motor, transmission, friction."""
 
 from dataclasses import dataclass
+from enum import StrEnum
+from math import inf
+
+
+class InputKind(StrEnum):
+    """What a joint controller puts out, and what the amplifier of a drive takes."""
+
+    VOLTAGE = "voltage"
+    CURRENT = "current"
+    EFFORT = "effort"
+    VALVE = "valve"
 
 
 @dataclass(frozen=True, slots=True)
-class Friction:
-    """Viscous and Coulomb friction on the motor side of the gear.
-
-    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
-    Tc+ for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
+class VoltageAmplifier:
+    """A voltage amplifier.
 
     Attributes:
-        viscous: B [N·m·s/rad] at the motor.
-        coulomb_positive: Tc+ >= 0 [N·m] at the motor, for positive joint speed.
-        coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
-        smoothing_speed: v_s [rad/s] at the joint.
+        max_voltage: [V]; the output is clipped to ±max_voltage.
+        max_current: [A]; the drive reports when the current exceeds it.
     """
 
-    viscous: float
-    coulomb_positive: float
-    coulomb_negative: float
-    smoothing_speed: float = 5e-3
+    max_voltage: float
+    max_current: float
+
+
+@dataclass(frozen=True, slots=True)
+class EffortAmplifier:
+    """An amplifier that commands the torque or force of its motor directly.
+
+    Attributes:
+        max_effort: [N·m | N] at the motor; the output is clipped to ±max_effort.
+    """
+
+    max_effort: float = inf
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,30 +58,93 @@ class DcMotor:
 
 
 @dataclass(frozen=True, slots=True)
-class Amplifier:
-    """A voltage amplifier.
+class IdealMotor:
+    """A source of torque or force: what is commanded acts at once.
 
     Attributes:
-        max_voltage: [V]; the output is clipped to ±max_voltage.
-        max_current: [A]; the drive reports when the current exceeds it.
+        rotor_inertia: J [kg·m²] or, of a linear motor, [kg]; rotor and gear input.
     """
 
-    max_voltage: float
-    max_current: float
+    rotor_inertia: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Gear:
+    """A rigid gear without play.
+
+    Attributes:
+        ratio: G = motor angle / joint coordinate, signed.
+    """
+
+    ratio: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class ElasticGear:
+    """A gear that twists under load: effort at the joint = k·(θ/G - q) + d·(ω/G - q̇), θ the motor angle.
+
+    Attributes:
+        ratio: G = motor angle / joint coordinate, signed.
+        stiffness: k at the joint [N·m/rad | N/m].
+        damping: d at the joint [N·m·s/rad | N·s/m].
+    """
+
+    ratio: float
+    stiffness: float
+    damping: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Friction:
+    """Viscous and Coulomb friction on the motor side of the gear.
+
+    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
+    Tc+ for positive and Tc- for negative joint speed (Corke & Armstrong-Hélouvry 1994 give both).
+
+    Attributes:
+        viscous: B [N·m·s/rad] at the motor.
+        coulomb_positive: Tc+ >= 0 [N·m] at the motor, for positive joint speed.
+        coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
+        smoothing_speed: v_s [rad/s] at the joint.
+    """
+
+    viscous: float = 0.0
+    coulomb_positive: float = 0.0
+    coulomb_negative: float = 0.0
+    smoothing_speed: float = 5e-3
+
+
+Amplifier = VoltageAmplifier | EffortAmplifier
+Motor = DcMotor | IdealMotor
+Transmission = Gear | ElasticGear
 
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """Everything between the control signal and the joint.
+    """Everything between the control signal and the joint, block by block.
 
     Attributes:
-        ratio: G = motor angle / joint angle, signed.
-        motor: the motor.
-        friction: friction of motor and gear, on the motor side.
-        amplifier: the amplifier.
+        amplifier: takes what the joint controller puts out.
+        motor: turns that into torque at its shaft.
+        transmission: brings the torque to the joint.
+        friction: of motor and gear, on the motor side.
     """
 
-    ratio: float
-    motor: DcMotor
-    friction: Friction
     amplifier: Amplifier
+    motor: Motor
+    transmission: Transmission
+    friction: Friction = Friction()
+
+    @property
+    def ratio(self) -> float:
+        """Return G = motor angle / joint coordinate, signed."""
+        return self.transmission.ratio
+
+
+def ideal_drive(max_effort: float = inf) -> Drive:
+    """Return the drive that needs no data: what the joint controller commands acts on the joint at once.
+
+    Args:
+        max_effort: largest torque or force [N·m | N].
+    """
+    return Drive(EffortAmplifier(max_effort), IdealMotor(), Gear())

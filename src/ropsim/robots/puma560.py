@@ -7,15 +7,16 @@ from math import pi, radians
 import numpy as np
 
 from ropsim.model import (
-    Amplifier,
     DcMotor,
     DhRow,
     Drive,
     Friction,
+    Gear,
     JointLimits,
     Link,
     ParameterOrigin,
     RobotModel,
+    VoltageAmplifier,
     interface_from_dh,
     joints_from_dh,
     links_from_dh,
@@ -185,10 +186,10 @@ def _drives() -> tuple[Drive, ...]:
     )
     return tuple(
         Drive(
-            ratio,
+            VoltageAmplifier(_MAX_VOLTAGE, current),
             DcMotor(constant, constant, resistance, inductance, rotor),
+            Gear(ratio),
             Friction(viscous, positive, negative, _SMOOTHING_SPEED),
-            Amplifier(_MAX_VOLTAGE, current),
         )
         for ratio, constant, resistance, inductance, rotor, viscous, (positive, negative), current in columns
     )

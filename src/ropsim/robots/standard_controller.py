@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, torque_per_ampere
+from ropsim.dynamics import axis_inertias, chain_of, steady_drive
 from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
@@ -59,7 +59,7 @@ def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
     """
     if not robot.drives:
         raise NoControllerError(robot.name)
-    poles = np.array([drive.motor.resistance / drive.motor.inductance for drive in robot.drives])
+    poles = np.array([chain_of(drive).motor.pole(drive.motor) for drive in robot.drives])
     speed = np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz)
     return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
 
@@ -67,12 +67,13 @@ def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
 def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
     """Return gains that give an arm with drives its standard bandwidths.
 
-    Below its electrical pole, the drive of a joint with inertia M takes u = R·M/(Kt·|G|)·q̈ + (Ke·|G| +
-    R·B·|G|/Kt)·q̇. The speed gain gives that the crossover ω_s, kv = ω_s·R·M/(Kt·|G|); the feed-forward gains
-    are the two coefficients themselves, so that the loops have to correct only what differs from the drive
-    that was designed for: gravity, Coulomb friction, coupling of the joints. M is the geometric mean of the
-    least and the greatest inertia of the axis over the range of the joints. Cascades with feed-forward of
-    the reference: W. Leonhard, Control of Electrical Drives, 3rd ed., Springer 2001.
+    Below its electrical pole, the drive of a joint with inertia M takes u = ka·q̈ + ke·q̇; for a DC motor
+    ka = R·M/(Kt·|G|) and ke = Ke·|G| + R·B·|G|/Kt, for an ideal one ka = M/|G| and ke = B·|G|. The speed gain
+    gives that the crossover ω_s, kv = ω_s·ka; the feed-forward gains are the two coefficients, so that the
+    loops have to correct only what differs from the drive that was designed for: gravity, Coulomb friction,
+    coupling of the joints. M is the geometric mean of the least and the greatest inertia of the axis over the
+    range of the joints. Cascades with feed-forward of the reference: W. Leonhard, Control of Electrical
+    Drives, 3rd ed., Springer 2001.
 
     Raises:
         NoControllerError: X861, the arm has no drives.
@@ -80,20 +81,19 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
     bandwidths = standard_bandwidths(robot, rates)
     inertias = axis_inertias(robot, configurations(robot, SAMPLES))
     inertia = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
-    force_per_volt = np.array(
-        [abs(torque_per_ampere(drive)) / drive.motor.resistance for drive in robot.drives]
-    )
-    emf = [abs(drive.ratio) * drive.motor.back_emf_constant for drive in robot.drives]
+    per_effort = np.array([steady_drive(drive, 0.0, 0.0, 1.0).command for drive in robot.drives])
     viscous = [drive.ratio**2 * drive.friction.viscous for drive in robot.drives]
-    volts_per_acceleration = inertia / force_per_volt
-    kv = bandwidths.speed * volts_per_acceleration
+    pairs = zip(robot.drives, viscous, strict=True)
+    per_speed = np.array([steady_drive(drive, 0.0, 1.0, effort).command for drive, effort in pairs])
+    per_acceleration = inertia * per_effort
+    kv = bandwidths.speed * per_acceleration
     return CascadedGains(
         kp=bandwidths.position,
         kv=kv,
         ki=bandwidths.integral * kv,
         kf=np.ones(robot.n),
-        ke=np.array(emf) + np.array(viscous) / force_per_volt,
-        ka=volts_per_acceleration,
+        ke=per_speed,
+        ka=per_acceleration,
     )
 
 

@@ -1,33 +1,18 @@
 """The recorded channels: units, names and meaning."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ropsim.dynamics import Column, structure_of
 from ropsim.flow import Channel
-from ropsim.model import JointType, RobotModel
+from ropsim.model import Joint, JointType, RobotModel
+from ropsim.simulation.servo_log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
 from ropsim.spatial import Array, quaternions_from_matrices
 
-_UNITS = {
-    "q": "{0}",
-    "qd": "{0}/s",
-    "tau": "{1}",
-    "current": "A",
-    "voltage": "V",
-    "q_ref": "{0}",
-    "qd_ref": "{0}/s",
-    "q_error": "{0}",
-}
-_TEXTS = {
-    "q": "attained joint coordinates",
-    "qd": "attained joint speeds",
-    "tau": "torque of the drive at the joint, before friction",
-    "current": "motor current",
-    "voltage": "motor voltage",
-    "q_ref": "joint references",
-    "qd_ref": "reference joint speeds",
-    "q_error": "reference minus attained joint coordinates",
-}
+_ERROR = Column("q_error", "{q}", "reference minus attained joint coordinates")
+_COORDINATE = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
+_EFFORT = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
 
 
 def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Channel]:
@@ -35,18 +20,28 @@ def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Cha
 
     Args:
         robot: names and types of the joints.
-        log: arrays of shape (rows, n) by channel name; other names are left out.
+        log: arrays by channel name, a column for each joint that has the quantity; other names are left out.
     """
-    types = {joint.type for joint in robot.joints}
-    length = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
-    effort = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
-    names = [" | ".join(units[kind] for kind in JointType if kind in types) for units in (length, effort)]
-    columns = tuple(joint.name for joint in robot.joints)
-    return {
-        name: Channel(np.asarray(log[name]), unit.format(*names), columns, _TEXTS[name])
-        for name, unit in _UNITS.items()
-        if name in log
-    }
+    chains = structure_of(robot).drives
+    drives = dict.fromkeys(column for chain in chains for column in recorded(chain))
+    axes = {field.name: field.axes for field in LogLayout.of(chains).fields}
+    channels = {}
+    for column in (*ARM_COLUMNS, *drives, *REFERENCE_COLUMNS, _ERROR):
+        if column.name in log:
+            joints = [robot.joints[k] for k in axes.get(column.name, range(robot.n))]
+            values = np.asarray(log[column.name])
+            names = tuple(joint.name for joint in joints)
+            channels[column.name] = Channel(values, _unit(column, joints), names, column.text)
+    return channels
+
+
+def _unit(column: Column, joints: Sequence[Joint]) -> str:
+    """Return the unit of a quantity of these joints, such as `rad | m`."""
+    types = {joint.type for joint in joints}
+    coordinate, effort = (
+        " | ".join(units[kind] for kind in JointType if kind in types) for units in (_COORDINATE, _EFFORT)
+    )
+    return column.unit.format(q=coordinate, tau=effort)
 
 
 _TRACK_TEXTS = {

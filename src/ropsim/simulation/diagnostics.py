@@ -139,6 +139,18 @@ or the gains of the joint controller are wrong.
 """,
 )
 
+COMMAND_SATURATED = define(
+    "S736",
+    "command-saturated",
+    Severity.WARNING,
+    "an ideal drive was at its largest torque or force",
+    """
+The controller asked for more torque or force than the drive may give, for more than a twentieth of a second
+in all. While that lasts the arm does not follow its reference. Lower the speed or acceleration on the line
+that is named, or give the drive a larger `max_effort`.
+""",
+)
+
 VOLTAGE_SATURATED = define(
     "S734",
     "voltage-saturated",

@@ -83,7 +83,7 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
             "upper": robot.upper_limits.tolist(),
             "max_speed": robot.max_speeds.tolist(),
             "max_effort": robot.max_efforts.tolist(),
-            "max_current": [drive.amplifier.max_current for drive in robot.drives],
+            "max_current": [getattr(drive.amplifier, "max_current", None) for drive in robot.drives],
             "origins": [
                 {"parameters": one.parameters, "kind": one.kind, "source": one.source} for one in origins
             ],

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from ropsim.dynamics import torque_constants
+from ropsim.dynamics import structure_of
 from ropsim.model import RobotModel
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
-from ropsim.simulation.servo_source import LOG_COLUMNS
+from ropsim.simulation.servo_log import LogLayout
+from ropsim.simulation.servo_source import observe
 from ropsim.simulation.servo_state import ServoState
 from ropsim.spatial import Array
 
@@ -13,9 +14,9 @@ from ropsim.spatial import Array
 class Recorder:
     """Collects a row at every control tick that is a multiple of the decimation, the start included.
 
-    A row holds what is at the end of a tick: q, qd and current at time tick / control_hz, beside the voltage
-    that led there and the reference for that time. The row of the start holds the start itself as reference
-    and the voltage that would keep its current.
+    A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz, beside
+    what the amplifiers put out until then and the reference for that time. The row of the start holds the
+    start itself as reference.
 
     Args:
         robot: the arm; it must have drives.
@@ -27,15 +28,10 @@ class Recorder:
     def __init__(
         self, robot: RobotModel, start: ServoState, decimation: int, most_rows: int = MOST_ROWS
     ) -> None:
-        self._robot = robot
-        self._n = robot.n
-        self._log = RowLog(len(LOG_COLUMNS) * robot.n, start.tick, decimation, most_rows)
+        self._layout = LogLayout.of(structure_of(robot).drives)
+        self._log = RowLog(self._layout.width, start.tick, decimation, most_rows)
         if self._log.first_tick == start.tick:
-            motors = zip(robot.drives, start.current, start.qd, strict=True)
-            voltage = [
-                d.motor.resistance * i + d.motor.back_emf_constant * d.ratio * qd for d, i, qd in motors
-            ]
-            self._log.begin(np.concatenate([start.q, start.qd, start.current, voltage, start.q, start.qd]))
+            self._log.begin(self._first(robot, start))
 
     @property
     def decimation(self) -> int:
@@ -62,18 +58,24 @@ class Recorder:
         return self._log.claim(tick, ticks)
 
     def channels(self) -> dict[str, Array]:
-        """Return what was recorded: arrays of shape (rows, n), views of the log where possible.
+        """Return what was recorded by name: views of the log, a column for each joint that has the quantity.
 
-        Names: q [rad | m], qd, current [A], voltage [V], q_ref, qd_ref, and tau, the torque of the drive at
-        the joint before friction, G·Kt·i [N·m | N].
+        `servo_log` lists the quantities; those of drives, such as `current`, are there for the joints whose
+        drives have them.
         """
         return self._named(self._log.table)
 
     def at(self, tick: float) -> dict[str, Array]:
-        """Return what `channels` holds at a tick, linear between two rows: arrays of shape (n,)."""
+        """Return what `channels` holds at a tick, linear between two rows: one number for each column."""
         return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
 
     def _named(self, table: Array) -> dict[str, Array]:
-        n = self._n
-        blocks = {name: table[:, k * n : (k + 1) * n] for k, name in enumerate(LOG_COLUMNS)}
-        return {**blocks, "tau": blocks["current"] * torque_constants(self._robot.drives)}
+        return {field.name: table[:, field.place] for field in self._layout.fields}
+
+    def _first(self, robot: RobotModel, start: ServoState) -> Array:
+        """Return the row of the start."""
+        row = np.empty(self._layout.width)
+        row[self._layout.field("q_ref").place] = start.q
+        row[self._layout.field("qd_ref").place] = start.qd
+        observe(robot, start.values[: start.layout.integrated], start.output, row)
+        return row

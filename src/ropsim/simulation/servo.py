@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.codegen import Compiled, Engine, default_engine, load
 from ropsim.controller import CompiledLaw, PythonLaw, external_law, law_of
-from ropsim.dynamics import check_model, compiled, direction, identifier, last_body, torque_constants
+from ropsim.dynamics import arm_numbers, check_model, compiled, identifier, steady_drive, structure_of
 from ropsim.flow import JointReference
 from ropsim.model import ControllerModel, Payload, RobotModel
 from ropsim.simulation.recorder import Recorder
@@ -21,7 +21,7 @@ from ropsim.simulation.servo_checks import (
     check_vector,
     diverged,
 )
-from ropsim.simulation.servo_source import servo_functions
+from ropsim.simulation.servo_source import plant_code, servo_functions
 from ropsim.simulation.servo_state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -33,7 +33,7 @@ class Servo:
     """An arm under its joint controller; make it with `Servo.build`.
 
     The law runs once per control tick, its output holds over the tick, and the amplifier clips it. Drives and
-    arm are one system of 3n equations (joint coordinates, speeds, motor currents) that the classical
+    arm are one system of equations (joint coordinates, speeds, states of the drives) that the classical
     Runge-Kutta method of fourth order integrates with `plant_steps` equal steps per tick. Nothing is random
     and sums keep their order: the same calls give the same bits, however a reference is cut into slices.
 
@@ -86,8 +86,9 @@ class Servo:
         inner, python_law = _split(law or law_of(controller, robot.drives), robot.n)
         check_law(inner, robot.n)
         name = f"{identifier(robot.name)}_servo_{inner.name}"
-        kernel = load(name, servo_functions(robot, inner), engine or default_engine())
-        layout = StateLayout(robot.n, len(inner.state_names))
+        structure = structure_of(robot)
+        kernel = load(name, servo_functions(structure, inner), engine or default_engine())
+        layout = StateLayout.of(structure.drives, len(inner.state_names))
         rates = controller.rates
         return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel)
 
@@ -97,9 +98,9 @@ class Servo:
         return 1.0 / self.control_hz
 
     def initial_state(self, q: npt.ArrayLike, payload: Payload = NO_PAYLOAD) -> ServoState:
-        """Return the state at tick 0: at rest, held against gravity by the motor currents.
+        """Return the state at tick 0: at rest, held against gravity by the drives.
 
-        An integral in the law starts at the voltage of these currents, so that the arm does not sag when the
+        An integral in the law starts at the output that holds them, so that the arm does not sag when the
         simulation begins; a law in Python is told to reset.
 
         Args:
@@ -114,16 +115,16 @@ class Servo:
         tau = np.empty(n)
         rest = np.zeros(n)
         # a single evaluation: plain Python is faster than compiling it
-        functions = compiled(self.robot, Engine.PYTHON)
-        functions.rigid_inverse(start, rest, rest, np.zeros(6), _load(self.robot, payload), tau)
-        current = tau / torque_constants(self.robot.drives)
+        compiled(self.robot, payload, Engine.PYTHON).rigid_inverse(start, rest, rest, np.zeros(6), tau)
         values = np.zeros(self.layout.size)
         values[self.layout.q] = start
-        values[self.layout.current] = current
-        if self.law.hold_row is not None:
-            motors = zip(self.robot.drives, current, strict=True)
-            memory = values[self.layout.law].reshape(self.layout.law_rows, n)
-            memory[self.law.hold_row] = [direction(one) * one.motor.resistance * i for one, i in motors]
+        memory = values[self.layout.law].reshape(self.layout.law_rows, n)
+        for k, drive in enumerate(self.robot.drives):
+            held = steady_drive(drive, float(start[k]), 0.0, float(tau[k]))
+            values[list(self.layout.drive(k))] = held.states
+            values[self.layout.output.start + k] = held.output
+            if self.law.hold_row is not None:
+                memory[self.law.hold_row, k] = held.command
         if self.python_law is not None:
             self.python_law.reset(start)
         return ServoState(0, values, self.layout)
@@ -158,7 +159,7 @@ class Servo:
             np.array(state.values),
             state.tick,
             check_reference(reference, self.robot.n),
-            _load(self.robot, payload),
+            _constants(self.robot, payload),
             recorder,
         )
         if self.python_law is None:
@@ -178,10 +179,12 @@ class Servo:
         recorder = work.recorder
         log, row = recorder.claim(tick, len(q_ref))
         plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
-        state = (work.values[: 3 * n], work.values[3 * n :].reshape(-1, n))
-        room = (np.empty((3, n)), np.empty((2, n)), np.zeros((2, n)), np.empty((5, 3 * n)))
+        size = self.layout.integrated
+        memory = work.values[self.layout.law].reshape(self.layout.law_rows, n)
+        state = (work.values[:size], work.values[self.layout.output], memory)
+        room = (np.empty((3, n)), np.zeros((3, n)), np.empty((5, size)))
         try:
-            self.kernel(*state, q_ref, qd_ref, qdd_ref, parameters, work.load, log, *room, *plan)
+            self.kernel(*state, q_ref, qd_ref, qdd_ref, parameters, work.constants, log, *room, *plan)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
             after = ServoState(tick, work.values, self.layout)
             raise diverged(self.robot, after, self.control_hz) from error
@@ -198,12 +201,12 @@ class Servo:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Work:
-    """One call of `Servo.run`: state vector (written in place), its tick, reference, load, recorder."""
+    """One call of `Servo.run`: state vector (written in place), tick, reference, constants, recorder."""
 
     values: Array
     tick: int
     reference: tuple[Array, Array, Array]
-    load: Array
+    constants: Array
     recorder: Recorder
 
 
@@ -213,6 +216,6 @@ def _split(law: CompiledLaw | PythonLaw, n: int) -> tuple[CompiledLaw, PythonLaw
 
 
 @lru_cache(maxsize=256)
-def _load(robot: RobotModel, payload: Payload) -> Array:
-    """Return the last body as compiled code takes it: writable, though nobody writes to it."""
-    return np.array(last_body(robot, payload))
+def _constants(robot: RobotModel, payload: Payload) -> Array:
+    """Return what the code of the plant makes of the numbers of an arm with a payload."""
+    return plant_code(structure_of(robot)).constants(arm_numbers(robot, payload))

@@ -1,11 +1,10 @@
 """Checks at the door of the servo simulation, and the errors they raise."""
 
-import math
-
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.controller import CompiledLaw
+from ropsim.dynamics import drive_fault
 from ropsim.flow import JointReference
 from ropsim.model import Rates, RobotModel
 from ropsim.simulation.servo_diagnostics import (
@@ -43,19 +42,10 @@ def check_drives(robot: RobotModel) -> None:
     if len(robot.drives) != robot.n:
         raise _no_drives(robot)
     for joint, drive in zip(robot.joints, robot.drives, strict=True):
-        motor = drive.motor
-        positive = {
-            "torque_constant": motor.torque_constant,
-            "resistance": motor.resistance,
-            "inductance": motor.inductance,
-            "max_voltage": drive.amplifier.max_voltage,
-            "magnitude of ratio": abs(drive.ratio),
-        }
-        for name, value in positive.items():
-            if not (value > 0.0 and math.isfinite(value)):
-                owner = f"the drive of joint `{joint.name}`"
-                message = f"`{name}` of {owner} is `{value}`; it must be positive and finite"
-                raise DriveDataError(BAD_DRIVE.at(None, message, hint="look at the drive data of the model"))
+        found = drive_fault(drive)
+        if found:
+            message = f"{found[0]} of the drive of joint `{joint.name}` {found[1]}"
+            raise DriveDataError(BAD_DRIVE.at(None, message, hint="look at the drive data of the model"))
 
 
 def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:

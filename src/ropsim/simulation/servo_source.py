@@ -2,62 +2,120 @@
 
 from functools import lru_cache
 
-from ropsim.codegen import Scalar, SourceFunction, Tracer, emit
+from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
 from ropsim.controller import CompiledLaw
-from ropsim.dynamics import direction, torque_per_ampere, trace_arm, trace_current_rate, trace_forward
-from ropsim.model import Drive, RobotModel
+from ropsim.dynamics import (
+    ArmStructure,
+    arm_numbers,
+    sides_of,
+    structure_of,
+    trace_arm,
+    trace_drives,
+    trace_forward,
+    traced_numbers,
+)
+from ropsim.model import RobotModel
+from ropsim.simulation.servo_log import LogLayout
+from ropsim.simulation.servo_state import StateLayout
+from ropsim.spatial import Array
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
+    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
+    " f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
 )
-LOG_COLUMNS = ("q", "qd", "current", "voltage", "q_ref", "qd_ref")
-"""Blocks of n columns in a row of the log."""
 
 
-def servo_functions(robot: RobotModel, law: CompiledLaw) -> tuple[SourceFunction, ...]:
+def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFunction, ...]:
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
-        emit_derivative(robot),
+        *plant_code(structure).functions,
         SourceFunction("law", LAW_SIGNATURE, law.source),
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(robot)),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure)),
     )
 
 
 @lru_cache(maxsize=64)
-def emit_derivative(robot: RobotModel) -> SourceFunction:
-    """Return `derivative(x, u, load, dx)` of arm and drives.
+def plant_code(structure: ArmStructure) -> GivenCode:
+    """Return `amplify`, `derivative` and `observe` of arm and drives.
 
-    x is q, qd, motor current; u the motor voltages; load the last body. The torque at a joint is G·Kt·i.
+    `amplify(command, constants, u)` gives what the amplifiers put out; `derivative(x, u, constants, dx)` the
+    rates of the integrated part of the state; `observe(x, u, ref, constants, row)` a row of the log.
     """
-    n = robot.n
-    tracer = Tracer()
-    x = tracer.variables("x", 3 * n)
-    q, qd, current = x[:n], x[n : 2 * n], x[2 * n :]
-    voltage = tracer.variables("u", n)
-    tau = [i * torque_per_ampere(drive) for i, drive in zip(current, robot.drives, strict=True)]
-    arm = trace_arm(tracer, robot, q, tracer.variables("load", 10))
-    rates: list[Scalar] = [*qd, *trace_forward(robot, arm, qd, tau)]
-    for drive, speed, i, u in zip(robot.drives, qd, current, voltage, strict=True):
-        rates.append(trace_current_rate(drive, speed, i, u))
-    return emit("derivative", ("x", "u", "load", "dx"), [(f"dx[{k}]", rate) for k, rate in enumerate(rates)])
+    tracer, n = Tracer(), structure.n
+    layout = StateLayout.of(structure.drives, 0)
+    numbers = traced_numbers(tracer, structure)
+    x = tracer.variables("x", layout.integrated)
+    command, u = tracer.variables("command", n), tracer.variables("u", n)
+    outputs = [chain.amplified(numbers.drives[k], command[k]) for k, chain in enumerate(structure.drives)]
+    q, qd = x[layout.q], x[layout.qd]
+    places = [layout.drive(k) for k in range(n)]
+    states = [[x[place] for place in own] for own in places]
+    carried = trace_drives(structure, numbers.drives, (q, qd), states, u)
+    tau = [one.effort for one in carried]
+    arm = trace_arm(tracer, structure, numbers, q)
+    rates: list[Scalar] = [*qd, *trace_forward(arm, qd, tau, sides_of(tracer, carried))]
+    results = [(f"dx[{k}]", rate) for k, rate in enumerate(rates)]
+    for own, one in zip(places, carried, strict=True):
+        results += [(f"dx[{place}]", rate) for place, rate in zip(own, one.rates, strict=True)]
+    return GivenCode.of(
+        Formula("amplify", ("command", "u"), [(f"u[{k}]", one) for k, one in enumerate(outputs)]),
+        Formula("derivative", ("x", "u", "dx"), results),
+        Formula("observe", ("x", "u", "row"), _row(structure, layout, x, u, tau)),
+    )
 
 
-def _slice_text(robot: RobotModel) -> str:
-    """Return `run_slice`: law, amplifier, `plant_steps` classical Runge-Kutta steps and log for every tick.
+def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:
+    """Enter everything but the reference into a row of the log.
 
-    A row of the log is what holds at the end of a tick, beside the reference and the voltage of that tick.
-    `ref` (3, n), `meas` (2, n), `volts` (2, n) and `stages` (5, 3n) are room to work in.
+    Args:
+        robot: arm with drives.
+        x: integrated part of the state vector.
+        u: what the amplifiers put out.
+        row: of the log; written in place.
     """
-    n = robot.n
-    amplifiers = "\n        ".join(_amplifier(j, drive) for j, drive in enumerate(robot.drives))
+    code = plant_code(structure_of(robot))
+    # a single evaluation: plain Python is faster than compiling it
+    function = load("observe", (code.functions[-1],), Engine.PYTHON)
+    function(x, u, code.constants(arm_numbers(robot)), row)
+
+
+def _row(
+    structure: ArmStructure, layout: StateLayout, x: list[Scalar], u: list[Scalar], tau: list[Scalar]
+) -> list[tuple[str, Scalar]]:
+    """Return what `observe` enters: everything but the reference."""
+    known = {"q": x[layout.q], "qd": x[layout.qd], "tau": tau}
+    states = {field.name: field for field in layout.drives}
+    results = []
+    for field in LogLayout.of(structure.drives).fields:
+        for place, axis in enumerate(field.axes, field.first):
+            if field.name in known:
+                results.append((f"row[{place}]", known[field.name][axis]))
+            elif field.name in states:
+                state = states[field.name]
+                results.append((f"row[{place}]", x[state.first + state.axes.index(axis)]))
+            elif field.name == structure.drives[axis].amplifier.output.name:
+                results.append((f"row[{place}]", u[axis]))
+    return results
+
+
+def _slice_text(structure: ArmStructure) -> str:
+    """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
+
+    A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
+    amplifiers put out over it. `ref` (3, n), `meas` (3, n) and `stages` (5, m) are room to work in: the last
+    row of `meas` takes the output of the law.
+    """
+    n = structure.n
+    size = StateLayout.of(structure.drives, 0).integrated
+    log = LogLayout.of(structure.drives)
+    q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     return f"""\
 def run_slice(
-    x, memory, q_ref, qd_ref, qdd_ref, par, load, log, ref, meas, volts, stages,
+    x, u, memory, q_ref, qd_ref, qdd_ref, par, constants, log, ref, meas, stages,
     tick, decimation, log_row, plant_steps, period,
 ):
-    out, u = volts[0], volts[1]
+    out, seen = meas[2], meas[:2]
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h
@@ -68,37 +126,27 @@ def run_slice(
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
             ref[2, j] = qdd_ref[k, j]
-            meas[0, j] = x[j]
-            meas[1, j] = x[{n} + j]
-        law(par, memory, ref, meas, out)
-        {amplifiers}
+            seen[0, j] = x[j]
+            seen[1, j] = x[{n} + j]
+        law(par, memory, ref, seen, out)
+        amplify(out, constants, u)
         for _ in range(plant_steps):
-            derivative(x, u, load, k1)
-            for j in range({3 * n}):
+            derivative(x, u, constants, k1)
+            for j in range({size}):
                 y[j] = x[j] + half * k1[j]
-            derivative(y, u, load, k2)
-            for j in range({3 * n}):
+            derivative(y, u, constants, k2)
+            for j in range({size}):
                 y[j] = x[j] + half * k2[j]
-            derivative(y, u, load, k3)
-            for j in range({3 * n}):
+            derivative(y, u, constants, k3)
+            for j in range({size}):
                 y[j] = x[j] + h * k3[j]
-            derivative(y, u, load, k4)
-            for j in range({3 * n}):
+            derivative(y, u, constants, k4)
+            for j in range({size}):
                 x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
         if (tick + k + 1) % decimation == 0:
+            observe(x, u, constants, log[row])
             for j in range({n}):
-                log[row, j] = x[j]
-                log[row, {n} + j] = x[{n} + j]
-                log[row, {2 * n} + j] = x[{2 * n} + j]
-                log[row, {3 * n} + j] = u[j]
-                log[row, {4 * n} + j] = ref[0, j]
-                log[row, {5 * n} + j] = ref[1, j]
+                log[row, {q_ref} + j] = ref[0, j]
+                log[row, {qd_ref} + j] = ref[1, j]
             row += 1
 """
-
-
-def _amplifier(j: int, drive: Drive) -> str:
-    """Return the statement that clips the output of the law and turns it into the motor's direction."""
-    limit = drive.amplifier.max_voltage
-    sign = "-" if direction(drive) < 0.0 else ""
-    return f"u[{j}] = {sign}min(max(out[{j}], {-limit!r}), {limit!r})"

@@ -4,25 +4,78 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.dynamics import DriveChain
 from ropsim.spatial import Array, record
 
 
 @dataclass(frozen=True, slots=True)
+class Field:
+    """A named place in the state vector or in a row of the log.
+
+    Attributes:
+        name: such as `current`.
+        axes: joints that have it, in order.
+        first: where its numbers begin, one for each of the axes.
+    """
+
+    name: str
+    axes: tuple[int, ...]
+    first: int
+
+    @property
+    def place(self) -> slice:
+        """Return the place of its numbers."""
+        return slice(self.first, self.first + len(self.axes))
+
+
+def fields(names_of_axes: tuple[tuple[str, ...], ...], first: int) -> tuple[Field, ...]:
+    """Return a field for every name, one behind the other.
+
+    Args:
+        names_of_axes: for each joint, what it has.
+        first: where the first field begins.
+    """
+    found: list[Field] = []
+    for name in dict.fromkeys(name for names in names_of_axes for name in names):
+        axes = tuple(k for k, names in enumerate(names_of_axes) if name in names)
+        found.append(Field(name, axes, first))
+        first += len(axes)
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
 class StateLayout:
-    """Where things stand in the state vector: q, qd, current, rows of the law's state; n numbers each.
+    """Where things stand in the state vector.
+
+    In order: q, qd, what the drives remember, what their amplifiers put out, what the law remembers. The
+    first three are integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
-        law_rows: rows of the law's state.
+        drives: states of the drives, by name.
+        law_rows: rows of n numbers that the law remembers.
     """
 
     n: int
+    drives: tuple[Field, ...]
     law_rows: int
+
+    @classmethod
+    def of(cls, chains: tuple[DriveChain, ...], law_rows: int) -> "StateLayout":
+        """Return the layout of an arm with these drives under a law."""
+        n = len(chains)
+        names = tuple(tuple(state.name for state in chain.states) for chain in chains)
+        return cls(n, fields(names, 2 * n), law_rows)
+
+    @property
+    def integrated(self) -> int:
+        """Return how many numbers the equations of motion have."""
+        return 2 * self.n + sum(len(field.axes) for field in self.drives)
 
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return (3 + self.law_rows) * self.n
+        return self.integrated + (1 + self.law_rows) * self.n
 
     @property
     def q(self) -> slice:
@@ -35,14 +88,18 @@ class StateLayout:
         return slice(self.n, 2 * self.n)
 
     @property
-    def current(self) -> slice:
-        """Return the place of the motor currents [A]."""
-        return slice(2 * self.n, 3 * self.n)
+    def output(self) -> slice:
+        """Return the place of what the amplifiers put out, in the sense of the motors."""
+        return slice(self.integrated, self.integrated + self.n)
 
     @property
     def law(self) -> slice:
-        """Return the place of the law's state, by rows."""
-        return slice(3 * self.n, self.size)
+        """Return the place of what the law remembers, by rows."""
+        return slice(self.integrated + self.n, self.size)
+
+    def drive(self, axis: int) -> tuple[int, ...]:
+        """Return the places of the states of one drive, in the order of its chain."""
+        return tuple(field.first + field.axes.index(axis) for field in self.drives if axis in field.axes)
 
 
 @record
@@ -73,14 +130,25 @@ class ServoState:
         return self.values[self.layout.qd]
 
     @property
-    def current(self) -> Array:
-        """Return the motor currents [A], shape (n,)."""
-        return self.values[self.layout.current]
+    def output(self) -> Array:
+        """Return what the amplifiers put out over the last tick, in the sense of the motors, shape (n,)."""
+        return self.values[self.layout.output]
 
     @property
     def law(self) -> Array:
-        """Return the law's state, shape (rows, n)."""
+        """Return what the law remembers, shape (rows, n)."""
         return self.values[self.layout.law].reshape(self.layout.law_rows, self.layout.n)
+
+    def drive(self, name: str) -> Array:
+        """Return a state of the drives that have it, such as `current` [A], in the order of the joints.
+
+        Raises:
+            KeyError: no drive has such a state.
+        """
+        for field in self.layout.drives:
+            if field.name == name:
+                return self.values[field.place]
+        raise KeyError(name)
 
     def is_finite(self) -> bool:
         """Return whether every number is finite."""

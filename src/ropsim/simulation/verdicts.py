@@ -6,9 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.core import Diagnostic, Kind, Span
+from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.flow import Channel
 from ropsim.model import SPEED_OVERSHOOT, Cell, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
+    COMMAND_SATURATED,
     CURRENT_EXCEEDED,
     EFFORT_EXCEEDED,
     FOLLOWING_ERROR,
@@ -18,7 +20,7 @@ from ropsim.simulation.diagnostics import (
 )
 from ropsim.spatial import Array
 
-#: Time at the voltage limit that is a finding [s].
+#: Time at the limit of an amplifier that is a finding [s].
 SATURATION_TIME = 0.05
 #: Following error at which a real controller would long have stopped [rad | m].
 FOLLOWING = 0.1
@@ -32,7 +34,15 @@ _SHOWN = {
     "torque": {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")},
     "current": dict.fromkeys(JointType, (1.0, "A")),
     "time at full voltage": dict.fromkeys(JointType, (1.0, "s")),
+    "time at full command": dict.fromkeys(JointType, (1.0, "s")),
 }
+
+_DRIVE_LIMITS = {
+    ("current", LimitSort.PEAK): (CURRENT_EXCEEDED, "current"),
+    ("voltage", LimitSort.LASTING): (VOLTAGE_SATURATED, "time at full voltage"),
+    ("command", LimitSort.LASTING): (COMMAND_SATURATED, "time at full command"),
+}
+"""How the limits of drives are told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,18 +87,34 @@ def _checks(robot: RobotModel, time: Array, channels: Mapping[str, Channel]) -> 
     ]
     if "tau" not in channels:
         return checks
-    currents = np.array([drive.amplifier.max_current for drive in robot.drives])
-    voltages = np.array([drive.amplifier.max_voltage for drive in robot.drives])
-    period = float(time[1] - time[0]) if len(time) > 1 else 0.0
-    full = np.abs(channels["voltage"].values) >= voltages * (1 - 1e-9)
-    # the time at full voltage so far, kept only where it grows: its maximum is at the last such row
-    lasting = np.where(full, np.cumsum(full, axis=0) * period, 0.0)
-    return [
-        *checks,
-        _Check(EFFORT_EXCEEDED, "torque", channels["tau"].values, robot.max_efforts),
-        _Check(CURRENT_EXCEEDED, "current", channels["current"].values, currents),
-        _Check(VOLTAGE_SATURATED, "time at full voltage", lasting, np.full(robot.n, SATURATION_TIME)),
-    ]
+    checks.append(_Check(EFFORT_EXCEEDED, "torque", channels["tau"].values, robot.max_efforts))
+    return [*checks, *(_drive_check(robot, limit, time, channels) for limit in _drive_limits(robot))]
+
+
+def _drive_limits(robot: RobotModel) -> dict[Limit, list[int]]:
+    """Return the limits that drives have, each with the joints whose drives have it."""
+    found: dict[Limit, list[int]] = {}
+    for k, chain in enumerate(chain_of(drive) for drive in robot.drives):
+        for limit in chain.amplifier.limits:
+            found.setdefault(limit, []).append(k)
+    return found
+
+
+def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping[str, Channel]) -> _Check:
+    """Return the check of a limit of drives; joints whose drives do not have it get no value and no limit."""
+    kind, quantity = _DRIVE_LIMITS[limit.column, limit.sort]
+    axes = _drive_limits(robot)[limit]
+    values, limits = np.zeros((len(time), robot.n)), np.full(robot.n, np.inf)
+    bounds = np.array([getattr(robot.drives[k].amplifier, limit.number) for k in axes])
+    recorded = channels[limit.column].values
+    if limit.sort is LimitSort.PEAK:
+        values[:, axes], limits[axes] = recorded, bounds
+    else:
+        period = float(time[1] - time[0]) if len(time) > 1 else 0.0
+        full = np.abs(recorded) >= bounds * (1 - 1e-9)
+        # the time at the limit so far, kept only where it grows: its maximum is at the last such row
+        values[:, axes], limits[axes] = np.where(full, np.cumsum(full, axis=0) * period, 0.0), SATURATION_TIME
+    return _Check(kind, quantity, values, limits)
 
 
 def _finding(

@@ -39,12 +39,22 @@ def series(recording: Recording, name: str) -> Array:
 
 
 def matrix(recording: Recording, name: str, columns: int) -> Array:
-    """Return a channel of several columns, shape (n, columns); NaN where it is absent or not finite."""
+    """Return a channel of several columns, shape (n, columns); NaN where it is absent or not finite.
+
+    A quantity that some joints have, such as the motor current, is NaN for the others.
+    """
     channel = recording.channels.get(name)
     shape = (recording.time.shape[0], columns)
-    if channel is None or channel.values.shape != shape:
+    if channel is None:
         return np.full(shape, np.nan)
-    return _finite(channel.values)
+    if channel.values.shape == shape:
+        return _finite(channel.values)
+    joints = recording.channels["q"].columns if "q" in recording.channels else ()
+    own, found = channel.columns, np.full(shape, np.nan)
+    known = len(joints) == columns and set(own) <= set(joints)
+    if known and channel.values.shape == (shape[0], len(own)):
+        found[:, [joints.index(joint) for joint in own]] = _finite(channel.values)
+    return found
 
 
 def codes(recording: Recording, name: str, absent: int) -> npt.NDArray[np.int64]:

@@ -9,7 +9,8 @@ from ropsim.views.pack_steps import is_held, steps
 
 QUATERNION_STEP = 2.0**-15
 
-_JOINTS = {"q", "qd", "tau", "current", "voltage", "q_ref", "qd_ref", "q_error"}
+_ARM = {"q", "qd", "tau", "q_ref", "qd_ref", "q_error"}
+_DRIVES = {"current", "voltage", "command", "motor_coordinate", "motor_speed"}
 _STEPS = (("rad/s", 1e-4), ("m/s", 1e-4), ("rad", 1e-6), ("m", 1e-6), ("N", 1e-3), ("A", 1e-3), ("V", 1e-3))
 """Coarsest rounding by unit; `rad | m` counts as its first one. All are far below what a plot shows."""
 
@@ -36,7 +37,7 @@ def packed_channels(recording: Recording, times: Array, body: Body) -> list[dict
 
 def group_of(name: str) -> str:
     """Return the group under which lists show a channel."""
-    if name in _JOINTS:
+    if name in _ARM | _DRIVES:
         return "joints"
     if name.startswith("signal."):
         return "signals"

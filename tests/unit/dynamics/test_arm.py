@@ -34,12 +34,11 @@ def test_forward_dynamics_with_a_payload_undo_inverse_dynamics_with_it(puma: Rob
 
 
 def test_both_engines_agree(puma: RobotModel) -> None:
-    load = np.array(dynamics.last_body(puma))
     for q, qd, tau in random_states(puma, 20):
         results = []
         for engine in Engine:
             qdd = np.empty(6)
-            dynamics.compiled(puma, engine).forward(*(np.array(x) for x in (q, qd, tau)), load, qdd)
+            dynamics.compiled(puma, engine=engine).forward(*(np.array(x) for x in (q, qd, tau)), qdd)
             results.append(qdd)
         np.testing.assert_allclose(results[0], results[1], rtol=TWO_ENGINES, atol=TWO_ENGINES)
 
@@ -90,6 +89,8 @@ def test_inputs_are_not_changed(puma: RobotModel) -> None:
 def test_equal_models_share_what_was_made_for_one_of_them() -> None:
     one, other = random_arm(5, "RRR"), random_arm(5, "RRR")
     assert one is not other
-    assert dynamics.compiled(one, Engine.PYTHON) is dynamics.compiled(other, Engine.PYTHON)
+    assert dynamics.compiled(one, engine=Engine.PYTHON) is dynamics.compiled(other, engine=Engine.PYTHON)
     heavier = replace(other, links=(replace(other.links[0], mass=9.0), *other.links[1:]))
-    assert dynamics.compiled(one, Engine.PYTHON) is not dynamics.compiled(heavier, Engine.PYTHON)
+    assert dynamics.compiled(one, engine=Engine.PYTHON) is not dynamics.compiled(
+        heavier, engine=Engine.PYTHON
+    )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine
-from ropsim.dynamics import compiled, friction, last_body
+from ropsim.dynamics import compiled, friction
 from ropsim.model import Friction, RobotModel
 from ropsim.spatial import Array
 from support.arms import drive, random_arm
@@ -32,12 +32,12 @@ def test_friction_is_continuous_at_standstill() -> None:
 @pytest.mark.parametrize("speed", [-2.0, -1e-3, 0.0, 1e-3, 2.0])
 def test_the_generated_code_and_the_function_mean_the_same_friction(speed: float) -> None:
     robot = _arm(2.0)
-    functions = compiled(robot, Engine.PYTHON)
+    functions = compiled(robot, engine=Engine.PYTHON)
 
     def torque(name: str) -> Array:
         tau = np.empty(1)
         zero = np.zeros(1)
-        arguments = (zero, np.array([speed]), zero, np.zeros(6), last_body(robot), tau)
+        arguments = (zero, np.array([speed]), zero, np.zeros(6), tau)
         getattr(functions, name)(*arguments)
         return tau
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine
-from ropsim.dynamics import compiled, last_body
+from ropsim.dynamics import compiled
 from ropsim.model import RobotModel
 from ropsim.spatial import Array
 from support.arms import potential_energy, random_arm, random_states, textbook_mass_matrix
@@ -18,13 +18,13 @@ CHAINS = ["R", "P", "RR", "RP", "PR", "PP", "RRR", "PRP", "RPRPRP", "RRRRRR"]
 
 def _mass_matrix(robot: RobotModel, q: Array) -> Array:
     out = np.empty(robot.n**2)
-    compiled(robot, Engine.PYTHON).mass_matrix(q, last_body(robot), out)
+    compiled(robot, engine=Engine.PYTHON).mass_matrix(q, out)
     return out.reshape(robot.n, robot.n)
 
 
 def _inverse(robot: RobotModel, q: Array, qd: Array, qdd: Array) -> Array:
     out = np.empty(robot.n)
-    compiled(robot, Engine.PYTHON).rigid_inverse(q, qd, qdd, np.zeros(6), last_body(robot), out)
+    compiled(robot, engine=Engine.PYTHON).rigid_inverse(q, qd, qdd, np.zeros(6), out)
     return out
 
 

@@ -5,6 +5,7 @@ import pytest
 from ropsim import robots
 from ropsim.core import RopsimError
 from ropsim.model import GAIN_NAMES, audit
+from support.dc_drives import dc_motor
 
 
 def test_all_names_load_a_robot_of_that_name() -> None:
@@ -37,9 +38,8 @@ def test_the_controller_of_the_puma_has_gains_for_six_joints() -> None:
 
 def test_the_controller_of_a_changed_model_follows_the_model() -> None:
     robot = robots.load("puma560")
-    drives = tuple(
-        replace(one, motor=replace(one.motor, resistance=0.5 * one.motor.resistance)) for one in robot.drives
-    )
+    motors = [replace(dc_motor(one), resistance=0.5 * dc_motor(one).resistance) for one in robot.drives]
+    drives = tuple(replace(one, motor=motor) for one, motor in zip(robot.drives, motors, strict=True))
     own, changed = robots.default_controller(robot), robots.default_controller(replace(robot, drives=drives))
     assert (changed.gains.kv < own.gains.kv).all()
     assert (changed.gains.ka == 0.5 * own.gains.ka).all()

@@ -13,6 +13,7 @@ from ropsim.model import Cell, Drive, Rates, RobotModel, Tool
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Array, Pose
 from support.arms import drive, random_arm
+from support.dc_drives import dc_motor
 
 PUMA = robots.load("puma560")
 SETTLED = 0.020
@@ -24,7 +25,7 @@ PHASE_MARGIN = 45.0
 
 def phase_margin(one: Drive, inertia: float, kv: float, ki: float, period: float) -> float:
     """Return the phase margin of a speed loop [degrees]: the whole drive, its output held for a period."""
-    motor, ratio = one.motor, abs(one.ratio)
+    motor, ratio = dc_motor(one), abs(one.ratio)
     s = 1j * np.geomspace(1.0, 3000.0, 20_000)
     torque = motor.torque_constant * ratio
     friction = one.friction.viscous * ratio**2
@@ -51,7 +52,7 @@ def test_every_speed_loop_is_well_damped_at_every_inertia_of_its_axis(hz: int) -
 
 def test_the_speed_loop_of_one_mass_crosses_over_at_its_stated_bandwidth() -> None:
     """With no inductance to speak of, the loop gain is 1 at ω_s: kv·Kt·|G| = ω_s·R·M, back-EMF apart."""
-    motor = replace(drive().motor, inductance=1e-5)
+    motor = replace(dc_motor(drive()), inductance=1e-5)
     robot = replace(random_arm(3, "R", (drive(motor=motor),)), gravity=np.zeros(3))
     rates = Rates()
     [speed] = robots.standard_bandwidths(robot, rates).speed
@@ -67,7 +68,7 @@ def test_feed_forward_alone_drives_a_motor_without_friction_on_its_reference() -
     gains = robots.standard_gains(robot, Rates())
     [[inertia]] = dynamics.mass_matrix(robot, [0.3])
     [ke], [ka] = gains.ke, gains.ka
-    assert ke == pytest.approx(drive().motor.back_emf_constant * 60.0)
+    assert ke == pytest.approx(dc_motor(drive()).back_emf_constant * 60.0)
     assert ka == pytest.approx(2.1 * inertia / (0.19 * 60.0))
 
 
@@ -77,7 +78,7 @@ def test_feed_forward_alone_drives_a_motor_without_friction_on_its_reference() -
 def test_bandwidths_stay_below_the_electrical_pole_and_the_control_rate(
     hz: int, inductance: float, speed: float
 ) -> None:
-    motor = replace(drive().motor, inductance=inductance)  # R = 2.1 ohm
+    motor = replace(dc_motor(drive()), inductance=inductance)  # R = 2.1 ohm
     robot = random_arm(1, "R", (drive(motor=motor),))
     assert robots.standard_bandwidths(robot, Rates(control_hz=hz)).speed == pytest.approx([speed])
 

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine
-from ropsim.dynamics import compiled, last_body
+from ropsim.dynamics import compiled
 from ropsim.model import Payload
 from ropsim.simulation import OptionError, Servo
+from support.dc_drives import dc_motor
 from support.servo_cases import GOAL, START, puma, quintic, standing
 
 NOTHING = Payload()
@@ -26,8 +27,8 @@ def test_row_zero_is_the_start_at_its_own_reference(servo: Servo) -> None:
     assert recorder.ticks.tolist() == [0.0]
     np.testing.assert_array_equal(channels["q"][0], START)
     np.testing.assert_array_equal(channels["q_ref"][0], START)
-    resistance = [one.motor.resistance for one in servo.robot.drives]
-    np.testing.assert_allclose(channels["voltage"][0], resistance * start.current, rtol=1e-15)
+    resistance = [dc_motor(one).resistance for one in servo.robot.drives]
+    np.testing.assert_allclose(channels["voltage"][0], resistance * start.drive("current"), rtol=1e-15)
 
 
 def test_a_row_holds_the_state_at_the_end_of_its_tick_beside_its_reference(servo: Servo) -> None:
@@ -38,7 +39,7 @@ def test_a_row_holds_the_state_at_the_end_of_its_tick_beside_its_reference(servo
     channels = recorder.channels()
     np.testing.assert_array_equal(channels["q"][-1], after.q)
     np.testing.assert_array_equal(channels["qd"][-1], after.qd)
-    np.testing.assert_array_equal(channels["current"][-1], after.current)
+    np.testing.assert_array_equal(channels["current"][-1], after.drive("current"))
     np.testing.assert_array_equal(channels["q_ref"][1:], reference.q)
     np.testing.assert_array_equal(channels["qd_ref"][1:], reference.qd)
 
@@ -48,12 +49,12 @@ def test_the_recorded_torques_move_the_arm_as_it_was_recorded(servo: Servo) -> N
     recorder = servo.recorder(state)
     servo.run(state, quintic(START, GOAL, 600), NOTHING, recorder)
     channels = recorder.channels()
-    functions, load = compiled(servo.robot, Engine.PYTHON), last_body(servo.robot)
+    functions = compiled(servo.robot, engine=Engine.PYTHON)
     for row in range(50, 600, 50):
         before, after = channels["qd"][[row - 1, row + 1]]
         acceleration = (after - before) / (2.0 * servo.period)
         needed = np.empty(6)
-        functions.inverse(channels["q"][row], channels["qd"][row], acceleration, np.zeros(6), load, needed)
+        functions.inverse(channels["q"][row], channels["qd"][row], acceleration, np.zeros(6), needed)
         np.testing.assert_allclose(channels["tau"][row], needed, rtol=0, atol=BALANCE)
 
 

@@ -13,7 +13,7 @@ from ropsim import robots
 from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw
 from ropsim.core import RopsimError
-from ropsim.dynamics import gravity, torque_constants
+from ropsim.dynamics import gravity
 from ropsim.flow import JointReference
 from ropsim.model import Payload, Rates
 from ropsim.simulation import (
@@ -27,6 +27,7 @@ from ropsim.simulation import (
 )
 from ropsim.spatial import Array
 from support.arms import drive, random_arm
+from support.dc_drives import dc_motor, voltage_amplifier
 from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, quintic, standing, with_rates
 
 NOTHING = Payload()
@@ -69,9 +70,9 @@ def _friction_over_stiffness(servo: Servo) -> Array:
     """Return how far the proportional loops alone yield to Coulomb friction [rad]: R·Tc/Kt / (kp·kv)."""
     gains = puma()[1].gains
     volts = [
-        one.motor.resistance
+        dc_motor(one).resistance
         * max(one.friction.coulomb_positive, -one.friction.coulomb_negative)
-        / one.motor.torque_constant
+        / dc_motor(one).torque_constant
         for one in servo.robot.drives
     ]
     return np.asarray(volts / (gains.kp * gains.kv))
@@ -84,9 +85,14 @@ def test_a_start_at_rest_stays_at_rest(servo: Servo) -> None:
     np.testing.assert_allclose(after.qd, 0.0, rtol=0, atol=1e-9)
 
 
+def _torque_constants(servo: Servo) -> Array:
+    """Return G·Kt of each joint [N·m/A]."""
+    return np.array([one.ratio * dc_motor(one).torque_constant for one in servo.robot.drives])
+
+
 def test_motors_at_rest_carry_gravity_and_payload(servo: Servo) -> None:
     state = servo.initial_state(START, BOX)
-    torque = torque_constants(servo.robot.drives) * state.current
+    torque = _torque_constants(servo) * state.drive("current")
     np.testing.assert_allclose(torque, gravity(servo.robot, START, BOX), rtol=1e-12, atol=1e-12)
 
 
@@ -95,7 +101,7 @@ def test_a_grasp_makes_the_arm_yield_and_the_integral_carry_the_part(servo: Serv
     recorder = servo.recorder(start)
     after = servo.run(start, standing(START, 1000), BOX, recorder)
     assert np.abs(recorder.channels()["q"][50] - START).max() > 1e-6
-    torque = torque_constants(servo.robot.drives) * after.current
+    torque = _torque_constants(servo) * after.drive("current")
     needed = gravity(servo.robot, START, BOX)
     assert abs(torque[1] - needed[1]) < 0.1 * abs(needed[1] - gravity(servo.robot, START)[1])
 
@@ -200,7 +206,7 @@ def test_the_amplifier_clips_the_voltage(servo: Servo) -> None:
     recorder = servo.recorder(state)
     servo.run(state, standing(START + 1.0, 30), NOTHING, recorder)
     voltage = np.abs(recorder.channels()["voltage"])
-    limits = [one.amplifier.max_voltage for one in servo.robot.drives]
+    limits = [voltage_amplifier(one).max_voltage for one in servo.robot.drives]
     assert (voltage <= limits).all()
     assert (voltage[1] == limits).all()
 
@@ -217,7 +223,7 @@ def test_a_single_axis_moves_as_the_matrix_exponential_says() -> None:
     one = drive(ratio=60.0)
     robot = replace(random_arm(6, "R", (one,)), gravity=np.zeros(3))
     servo = Servo.build(robot, controller(1, Rates(1000, 4, 16)), _constant(5.0), Engine.PYTHON)
-    link, motor = robot.links[0], one.motor
+    link, motor = robot.links[0], dc_motor(one)
     x, y, _ = link.com
     inertia = link.inertia[2, 2] + link.mass * (x * x + y * y) + motor.rotor_inertia * one.ratio**2
     A = np.zeros((3, 3))
@@ -227,7 +233,7 @@ def test_a_single_axis_moves_as_the_matrix_exponential_says() -> None:
     state = servo.initial_state(np.zeros(1))
     after = servo.run(state, standing(np.zeros(1), 50), NOTHING, servo.recorder(state))
     integration = 1e-7  # RK4 at 62.5 µs with an electrical time constant of 1.7 ms
-    np.testing.assert_allclose([after.qd[0], after.current[0]], expected, rtol=integration)
+    np.testing.assert_allclose([after.qd[0], after.drive("current")[0]], expected, rtol=integration)
 
 
 def test_more_plant_steps_converge_with_fourth_order() -> None:
@@ -259,7 +265,7 @@ def test_an_arm_without_drives_is_refused() -> None:
 
 
 def test_an_impossible_drive_is_refused_by_name() -> None:
-    broken = replace(drive(), motor=replace(drive().motor, inductance=0.0))
+    broken = replace(drive(), motor=replace(dc_motor(drive()), inductance=0.0))
     with pytest.raises(DriveDataError, match=r"`inductance` of the drive of joint `1` is `0\.0`"):
         Servo.build(random_arm(0, "R", (broken,)), controller(1))
 

@@ -1,9 +1,11 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ropsim import robots
 from ropsim.flow import Channel
-from ropsim.model import Cell
+from ropsim.model import Cell, ideal_drive
 from ropsim.simulation.verdicts import verdicts
 
 ROBOT = robots.load("puma560")
@@ -62,3 +64,32 @@ def test_full_voltage_counts_only_when_it_lasts() -> None:
     channels["voltage"].values[20:35, 3] = -40.0
     (found,) = verdicts(CELL, TIME, channels, "a.task")
     assert (found.code, found.data["value"]) == ("S734", pytest.approx(0.060))
+
+
+def _mixed() -> tuple[Cell, dict[str, Channel]]:
+    """Return a cell whose second joint has an ideal drive of 30 N·m, and a recording at rest."""
+    drives = (ROBOT.drives[0], ideal_drive(30.0), *ROBOT.drives[2:])
+    robot = replace(ROBOT, drives=drives)
+    channels = quiet()
+    others = ("1", "3", "4", "5", "6")
+    for name in ("current", "voltage"):
+        channels[name] = Channel(np.zeros((100, 5)), "", others)
+    channels["command"] = Channel(np.zeros((100, 1)), "", ("2",))
+    return replace(CELL, robot=robot), channels
+
+
+def test_a_limit_of_a_drive_is_looked_at_where_the_drive_has_it() -> None:
+    cell, channels = _mixed()
+    assert verdicts(cell, TIME, channels, "a.task") == ()
+    channels["current"].values[41, 1] = 9.5  # the second of the joints with a motor current is joint 3
+    (found,) = verdicts(cell, TIME, channels, "a.task")
+    assert (found.code, found.data["joint"]) == ("S731", 3)
+
+
+def test_an_ideal_drive_at_its_limit_counts_only_when_it_lasts() -> None:
+    cell, channels = _mixed()
+    channels["command"].values[20:30, 0] = 30.0
+    assert verdicts(cell, TIME, channels, "a.task") == ()
+    channels["command"].values[20:35, 0] = -30.0
+    (found,) = verdicts(cell, TIME, channels, "a.task")
+    assert (found.code, found.data["joint"], found.data["value"]) == ("S736", 2, pytest.approx(0.060))

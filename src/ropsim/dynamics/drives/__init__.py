@@ -1,0 +1,13 @@
+"""Drives as chains of blocks: what each block adds to the equations of an arm, as traced formulas."""
+
+from ropsim.dynamics.drives.block import Carried as Carried
+from ropsim.dynamics.drives.block import Column as Column
+from ropsim.dynamics.drives.block import Limit as Limit
+from ropsim.dynamics.drives.block import LimitSort as LimitSort
+from ropsim.dynamics.drives.chain import DriveChain as DriveChain
+from ropsim.dynamics.drives.chain import chain_of as chain_of
+from ropsim.dynamics.drives.faults import drive_fault as drive_fault
+from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
+from ropsim.dynamics.drives.steady import command_limit as command_limit
+from ropsim.dynamics.drives.steady import reflected_inertia as reflected_inertia
+from ropsim.dynamics.drives.steady import steady_drive as steady_drive

@@ -1,0 +1,163 @@
+"""What a block of a drive tells about itself: numbers, states, formulas, log columns, limits.
+
+A block is static: it holds functions, not numbers. The numbers of one drive are attributes of its record in
+`model`; formulas read them as traced scalars, in the order in which the block names them.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any, NamedTuple
+
+from ropsim.codegen import Scalar
+from ropsim.model import InputKind
+
+Numbers = Sequence[Scalar]
+
+
+class Column(NamedTuple):
+    """A quantity of a drive that is recorded.
+
+    Attributes:
+        name: of the channel.
+        unit: SI unit; `{q}` stands for that of the joint coordinate, `{tau}` for that of its effort.
+        text: what it is.
+    """
+
+    name: str
+    unit: str
+    text: str
+
+
+class LimitSort(Enum):
+    """How a limit is broken: by the largest value, or by a value that stays at it."""
+
+    PEAK = "peak"
+    LASTING = "lasting"
+
+
+class Limit(NamedTuple):
+    """A limit that a run is held to.
+
+    Attributes:
+        column: name of the recorded quantity that it is about, such as `current`.
+        sort: what breaks it.
+        number: attribute of the amplifier that holds the largest magnitude.
+    """
+
+    column: str
+    sort: LimitSort
+    number: str
+
+
+class Torque(NamedTuple):
+    """What a motor does: torque at its shaft and the rates of its states."""
+
+    torque: Scalar
+    rates: tuple[Scalar, ...]
+
+
+class Steady(NamedTuple):
+    """A block in a steady state: its states and what it needs from the block before it."""
+
+    states: tuple[float, ...]
+    needs: float
+
+
+@dataclass(frozen=True, slots=True)
+class AmplifierBlock:
+    """An amplifier.
+
+    Attributes:
+        kind: of what it takes and puts out.
+        numbers: attributes of its record that the formula takes.
+        positive: those of them that must be positive.
+        output: how its output is recorded.
+        trace: `(numbers, command)` to the output, which holds until the next control tick.
+        limits: that its record holds.
+    """
+
+    kind: InputKind
+    numbers: tuple[str, ...]
+    positive: tuple[str, ...]
+    output: Column
+    trace: Callable[[Numbers, Scalar], Scalar]
+    limits: tuple[Limit, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class MotorBlock:
+    """A motor.
+
+    Attributes:
+        takes: what its amplifier has to put out.
+        numbers: attributes of its record that the formulas take.
+        positive: those of them that must be positive.
+        states: what it remembers.
+        trace: `(numbers, states, input, shaft speed)` to torque and rates.
+        inertia: `numbers` to the rotor inertia.
+        steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
+        pole: `record` to the rate at which its torque follows its input [rad/s].
+    """
+
+    takes: InputKind
+    numbers: tuple[str, ...]
+    positive: tuple[str, ...]
+    states: tuple[Column, ...]
+    trace: Callable[[Numbers, Numbers, Scalar, Scalar], Torque]
+    inertia: Callable[[Numbers], Scalar]
+    steady: Callable[[Any, float, float], Steady]
+    pole: Callable[[Any], float]
+
+
+class Shaft(NamedTuple):
+    """What a transmission lies between.
+
+    Attributes:
+        q: joint coordinate.
+        qd: joint speed.
+        motor: shaft speed to what the motor does.
+        inertia: of the rotor.
+        friction: speed seen at the joint, to the torque at the joint that friction takes.
+    """
+
+    q: Scalar
+    qd: Scalar
+    motor: Callable[[Scalar], Torque]
+    inertia: Scalar
+    friction: Callable[[Scalar], Scalar]
+
+
+class Carried(NamedTuple):
+    """What a transmission brings to the joint.
+
+    Attributes:
+        effort: torque or force of the drive at the joint, before friction that acts there.
+        friction: torque or force that friction takes at the joint; None where it acts on the motor alone.
+        inertia: that the joint feels in addition to its links; None where the motor moves by itself.
+        rates: of the states of the motor, then of the transmission.
+    """
+
+    effort: Scalar
+    friction: Scalar | None
+    inertia: Scalar | None
+    rates: tuple[Scalar, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TransmissionBlock:
+    """A transmission; the first of its numbers is the ratio G.
+
+    Attributes:
+        numbers: attributes of its record that the formula takes.
+        positive: those of them that must be positive.
+        states: what it remembers.
+        trace: `(numbers, states, shaft)` to what it brings to the joint.
+        rest: `(record, joint coordinate, effort)` to its states, and the motor torque, at standstill.
+    """
+
+    numbers: tuple[str, ...]
+    positive: tuple[str, ...]
+    states: tuple[Column, ...]
+    trace: Callable[[Numbers, Numbers, Shaft], Carried]
+    rest: Callable[[Any, float, float], Steady]

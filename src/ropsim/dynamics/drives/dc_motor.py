@@ -1,0 +1,31 @@
+"""A permanent-magnet DC motor: its current is a state."""
+
+from ropsim.codegen import Scalar
+from ropsim.dynamics.drives.block import Column, MotorBlock, Numbers, Steady, Torque
+from ropsim.model import DcMotor, InputKind
+
+
+def _trace(p: Numbers, states: Numbers, voltage: Scalar, speed: Scalar) -> Torque:
+    """Return Kt·i and di/dt = (u - R·i - Ke·ω) / L."""
+    constant, back_emf, resistance, inductance, _ = p
+    (current,) = states
+    inverse = 1.0 / inductance
+    rate = voltage * inverse - current * (resistance * inverse) - speed * (back_emf * inverse)
+    return Torque(current * constant, (rate,))
+
+
+def _steady(motor: DcMotor, torque: float, speed: float) -> Steady:
+    current = torque / motor.torque_constant
+    return Steady((current,), motor.resistance * current + motor.back_emf_constant * speed)
+
+
+DC_MOTOR = MotorBlock(
+    takes=InputKind.VOLTAGE,
+    numbers=("torque_constant", "back_emf_constant", "resistance", "inductance", "rotor_inertia"),
+    positive=("torque_constant", "resistance", "inductance"),
+    states=(Column("current", "A", "motor current"),),
+    trace=_trace,
+    inertia=lambda p: p[4],
+    steady=_steady,
+    pole=lambda motor: float(motor.resistance / motor.inductance),
+)

@@ -1,0 +1,21 @@
+"""A rigid gear: motor and joint move as one."""
+
+from ropsim.dynamics.drives.block import Carried, Numbers, Shaft, Steady, TransmissionBlock
+from ropsim.model import Gear
+
+
+def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
+    """Return G·τ and J·G²; the motor turns at G·q̇."""
+    del states
+    (ratio,) = p
+    motor = shaft.motor(ratio * shaft.qd)
+    inertia = shaft.inertia * (ratio * ratio)
+    return Carried(ratio * motor.torque, shaft.friction(shaft.qd), inertia, motor.rates)
+
+
+def _rest(gear: Gear, q: float, effort: float) -> Steady:
+    del q
+    return Steady((), effort / gear.ratio)
+
+
+GEAR = TransmissionBlock(("ratio",), (), (), _trace, _rest)

@@ -1,0 +1,34 @@
+"""A source of torque or force without states."""
+
+from math import inf
+
+from ropsim.codegen import Scalar
+from ropsim.dynamics.drives.block import MotorBlock, Numbers, Steady, Torque
+from ropsim.model import IdealMotor, InputKind
+
+
+def _trace(p: Numbers, states: Numbers, effort: Scalar, speed: Scalar) -> Torque:
+    del p, states, speed
+    return Torque(effort, ())
+
+
+def _steady(motor: IdealMotor, torque: float, speed: float) -> Steady:
+    del motor, speed
+    return Steady((), torque)
+
+
+def _pole(motor: IdealMotor) -> float:
+    del motor
+    return inf
+
+
+IDEAL_MOTOR = MotorBlock(
+    takes=InputKind.EFFORT,
+    numbers=("rotor_inertia",),
+    positive=(),
+    states=(),
+    trace=_trace,
+    inertia=lambda p: p[0],
+    steady=_steady,
+    pole=_pole,
+)

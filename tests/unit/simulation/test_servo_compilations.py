@@ -1,0 +1,76 @@
+"""What a change compiles: structure does, numbers do not."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.codegen.compiled import compiled
+from ropsim.model import ControllerModel, Friction, Payload, RobotModel
+from ropsim.simulation import Servo, ServoState
+from support.dc_drives import dc_motor
+from support.servo_cases import START, puma, standing
+
+Arm = tuple[RobotModel, ControllerModel]
+
+
+def _heavier(arm: Arm) -> Arm:
+    robot, _ = arm
+    links = tuple(replace(link, mass=1.1 * link.mass) for link in robot.links)
+    changed = replace(robot, links=links)
+    return changed, robots.default_controller(changed)
+
+
+def _worn(arm: Arm) -> Arm:
+    robot, model = arm
+    drives = tuple(replace(one, friction=Friction(1e-3, 0.4, -0.5)) for one in robot.drives)
+    return replace(robot, drives=drives), model
+
+
+def _rewound(arm: Arm) -> Arm:
+    robot, model = arm
+    drives = tuple(replace(one, motor=replace(dc_motor(one), torque_constant=0.3)) for one in robot.drives)
+    return replace(robot, drives=drives), model
+
+
+def _tuned(arm: Arm) -> Arm:
+    robot, model = arm
+    return robot, replace(model, gains=replace(model.gains, kv=1.2 * model.gains.kv))
+
+
+def _compilations(robot: RobotModel, model: ControllerModel, payload: Payload) -> tuple[int, ServoState]:
+    """Return how often code was asked for while an arm stood still for a while, and its state."""
+    with patch("ropsim.codegen.load.compiled", wraps=compiled) as asked:
+        servo = Servo.build(robot, model)
+        start = servo.initial_state(START, payload)
+        after = servo.run(start, standing(START + 0.01, 20), payload, servo.recorder(start))
+    return asked.call_count, after
+
+
+CHANGES: list[Callable[[Arm], Arm]] = [_heavier, _worn, _rewound, _tuned]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_changed_number_compiles_nothing_and_changes_the_motion(change: Callable[[Arm], Arm]) -> None:
+    _, before = _compilations(*puma(), Payload())
+    count, after = _compilations(*change(puma()), Payload())
+    assert count == 0
+    assert (after.values != before.values).any()
+
+
+def test_a_payload_compiles_nothing_and_changes_the_motion() -> None:
+    _, before = _compilations(*puma(), Payload())
+    count, after = _compilations(*puma(), Payload(2.0, np.array([0.0, 0.0, 0.1])))
+    assert count == 0
+    assert (after.values != before.values).any()
+
+
+def test_another_structure_is_compiled() -> None:
+    robot, model = puma()
+    _compilations(robot, model, Payload())
+    moved = replace(robot, joints=(replace(robot.joints[0], offset=0.01), *robot.joints[1:]))
+    count, _ = _compilations(moved, model, Payload())
+    assert count == 1
