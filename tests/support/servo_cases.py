@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim import robots
+from ropsim.controller import LawInput, LawTraits
 from ropsim.flow import JointReference
 from ropsim.model import (
     CascadedGains,
@@ -55,24 +56,21 @@ def controller(n: int, rates: Rates | None = None, kv: float = 30.0) -> Controll
 class CascadeInPython:
     """The built-in law once more, as a Python object; operations in the same order as the compiled one."""
 
-    def __init__(self, model: ControllerModel, robot: RobotModel, integral: Array) -> None:
+    traits = LawTraits(state_names=("integral",), hold_row=0)
+
+    def __init__(self, model: ControllerModel, robot: RobotModel) -> None:
         self.gains = model.gains
         self.period = model.rates.control_period
         self.limits = np.array([voltage_amplifier(one).max_voltage for one in robot.drives])
-        self.start = integral
-        self.integral = integral.copy()
         self.times: list[float] = []
 
-    def reset(self, _q: Array, /) -> None:
-        self.integral = self.start.copy()
-
-    def step(self, ref: Array, meas: Array, t: float) -> Array:
-        self.times.append(t)
-        gains = self.gains
+    def step(self, now: LawInput, state: Array, /) -> Array:
+        self.times.append(now.time)
+        gains, ref, meas = self.gains, now.ref, now.meas
         error = gains.kp * (ref[0] - meas[0]) + gains.kf * ref[1] - meas[1]
-        wanted = gains.kv * error + self.integral + gains.ke * ref[1] + gains.ka * ref[2]
+        wanted = gains.kv * error + state[0] + gains.ke * ref[1] + gains.ka * ref[2]
         u = np.clip(wanted, -self.limits, self.limits)
-        self.integral = np.where(u == wanted, self.integral + gains.ki * error * self.period, self.integral)
+        state[0] = np.where(u == wanted, state[0] + gains.ki * error * self.period, state[0])
         return np.asarray(u)
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 
 from ropsim.codegen.reachable import reachable
 from ropsim.codegen.tracer import Scalar
@@ -18,6 +19,13 @@ _CALLS = {
 _INLINE_LENGTH = 72
 
 
+class Bounds(Enum):
+    """Whether a function looks at every index before it uses it."""
+
+    TRUSTED = "trusted"
+    CHECKED = "checked"
+
+
 @dataclass(frozen=True, slots=True)
 class SourceFunction:
     """One function of a generated module.
@@ -26,11 +34,13 @@ class SourceFunction:
         name: of the function.
         signature: numba signature, such as `void(f8[::1], f8[::1])`.
         text: `def` statement without decorators; may use `math`, `np` and functions before it.
+        bounds: CHECKED for a text that is not ours; an index beyond an array then ends the call.
     """
 
     name: str
     signature: str
     text: str
+    bounds: Bounds = Bounds.TRUSTED
 
 
 def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scalar]]) -> SourceFunction:

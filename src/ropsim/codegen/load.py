@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ropsim.codegen.compiled import compiled
-from ropsim.codegen.emit import SourceFunction
+from ropsim.codegen.emit import Bounds, SourceFunction
 from ropsim.codegen.engine import Engine
 from ropsim.codegen.signature import Compiled, Signature
 
@@ -45,10 +45,16 @@ def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> C
     return compiled(name, source, signature, build)
 
 
+_OPTIONS = {
+    Bounds.TRUSTED: 'error_model="numpy"',
+    Bounds.CHECKED: 'error_model="numpy", boundscheck=True',
+}
+
+
 def compiled_source(functions: Sequence[SourceFunction]) -> str:
     """Return the text of a module whose functions numba compiles when it is run; `entry` calls the last."""
     parts = ["import math\n\nimport numba\nimport numpy as np\n"]
-    parts += [f'@numba.njit("{one.signature}", error_model="numpy")\n{one.text}' for one in functions]
+    parts += [f'@numba.njit("{one.signature}", {_OPTIONS[one.bounds]})\n{one.text}' for one in functions]
     last = functions[-1]
     return "\n\n".join((*parts, Signature.parse(last.signature).entry_text(last.name)))
 

@@ -9,6 +9,11 @@ import numpy as np
 
 Compiled = Callable[..., Any]
 
+
+class StoppedError(RuntimeError):
+    """Compiled code has ended before its end, such as at an index beyond an array."""
+
+
 _FLOAT64 = np.dtype(np.float64)
 _AXES = {"f8[::1]": 1, "f8[:,::1]": 2, "f8[:,:,::1]": 3}
 _WHOLE, _FLOAT = "i8", "f8"
@@ -84,7 +89,7 @@ class Signature:
                     flat.append(argument)
             status = function(*flat)
             if status:
-                raise RuntimeError(f"compiled code ended with status {status}")
+                raise StoppedError(f"compiled code ended with status {status}")
 
         return call
 

@@ -9,13 +9,14 @@ from ropsim.controller.entities import (
     PathPlanner,
     Refusal,
 )
+from ropsim.controller.entity_faults import guarded, unusable
 from ropsim.controller.interpolator import StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform
 from ropsim.controller.joint_interpolator import SplineJointInterpolator
 from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import JointReference, JointSamples, MoveInstruction
+from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.model import Cell, Rates
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.spatial import Array, Pose, frozen, record
@@ -68,6 +69,10 @@ class PlannedMove:
     findings: tuple[Diagnostic, ...]
 
 
+TRAJECTORIES = (JointTrajectory, LineTrajectory)
+SETPOINTS = (JointSamples, PoseSetpoints)
+
+
 def standard_chain(cell: Cell) -> MotionChain:
     """Return the built-in entities for the robot, tools, frames and controller of a cell."""
     robot, tool = cell.robot, cell.default_tool
@@ -89,17 +94,27 @@ def plan_move(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Plan
         move: the instruction with its modal state.
         q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
     """
-    rates = chain.rates
-    trajectory = chain.planner.plan(move, q_start)
+    rates, refine = chain.rates, chain.joint_interpolator.refine
+    planner, interpolator, inverse = chain.planner, chain.interpolator, chain.inverse
+    trajectory = guarded(planner, lambda: planner.plan(move, q_start), TRAJECTORIES, move)
     if isinstance(trajectory, Refusal):
         return trajectory
-    setpoints = chain.interpolator.sample(trajectory, rates.interpolation_period)
-    samples = (
-        setpoints if isinstance(setpoints, JointSamples) else chain.inverse.solve(setpoints, q_start, move)
-    )
+    period = rates.interpolation_period
+    setpoints = guarded(interpolator, lambda: interpolator.sample(trajectory, period), SETPOINTS, move)
+    if isinstance(setpoints, PoseSetpoints):
+        samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
+    else:
+        samples = setpoints
     if isinstance(samples, Refusal):
         return samples
-    reference = chain.joint_interpolator.refine(samples, q_start, rates.interpolation_ticks)
+    ticks = rates.interpolation_ticks
+    last = chain.joint_interpolator
+    reference = guarded(last, lambda: refine(samples, q_start, ticks), (JointReference,), move)
+    if isinstance(reference, Refusal):
+        return reference
+    wrong = unusable(last, reference, q_start, move)
+    if wrong:
+        return wrong
     q_end = frozen(reference.q[-1] if reference.ticks else q_start)
     duration = reference.ticks * rates.control_period
     findings = (*trajectory.findings, *samples.findings)

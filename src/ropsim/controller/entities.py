@@ -3,7 +3,7 @@
 Path planner, interpolator, inverse transform, joint interpolator and joint controller work in series, from
 the move instructions to the control vectors for the actuators; the sensor interface stands beside them
 (generic controller model of ROPSIM, paper 2, Fig. 4.2). The joint controller runs inside the compiled
-servo slice: see `ropsim.controller.joint_controller`.
+servo slice: see `ropsim.controller.law`.
 """
 
 from dataclasses import dataclass

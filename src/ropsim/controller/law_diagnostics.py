@@ -22,3 +22,36 @@ kp = [25.0, 25.0, 25.0, 30.0, 30.0, 30.0]
 
 class GainError(RopsimError):
     """The gains do not fit the arm."""
+
+
+LAW_FAILS = define(
+    "C601",
+    "law-fails",
+    Severity.ERROR,
+    "a joint controller of your own does not do its work",
+    """
+A law of your own cannot be read as Python, raises an exception, cannot be compiled, reaches beyond its
+arrays or puts out NaN. It is tried once in plain Python before a run, at rest and on its reference, with
+every index checked; while it runs, indexes are checked too. The message says what it did.
+
+A compiled law is the source of `law(par, state, ref, meas, load, aux, out)`; it may use `math`, loops and
+arithmetic on its arrays. `par` has the shape of the parameters, `state` one row for each name in
+`traits.state_names`, `ref` and `meas` three rows, `out` one number per joint.
+""",
+)
+
+LAW_DOES_NOT_FIT = define(
+    "C602",
+    "law-does-not-fit",
+    Severity.ERROR,
+    "a joint controller does not fit the drives or the cell",
+    """
+What a law says about itself (`traits`) does not go together with the arm: it puts out voltages where a drive
+takes torques, it has a negative delay, it names a row of its state that it does not have, or it reads a
+signal that the cell does not have.
+""",
+)
+
+
+class LawError(RopsimError):
+    """A law does not work or does not fit."""

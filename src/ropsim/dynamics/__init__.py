@@ -24,6 +24,7 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
+from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.model_check import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.structure import ArmStructure as ArmStructure

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
+from ropsim.controller import LawError
 from ropsim.core import Diagnostic
 from ropsim.flow import (
     GripInstruction,
@@ -30,7 +31,7 @@ from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
-from ropsim.simulation.servo_diagnostics import DivergedError
+from ropsim.simulation.servo_diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.start import start_run
 from ropsim.simulation.world import SimulatedWorld
 
@@ -120,12 +121,10 @@ def _blamed(step: Instruction) -> Iterator[None]:
     """Put the source line and the pass of `step` on what the servo raises."""
     try:
         yield
-    except DivergedError as error:
+    except (DivergedError, LawError, ServoArrayError) as error:
         found, visit = error.diagnostic, step.origin.visit
         data = {**found.data, "pass": visit}
-        raise DivergedError(
-            replace(found, span=step.origin.span, label=f"pass {visit}", data=data)
-        ) from error
+        raise type(error)(replace(found, span=step.origin.span, label=f"pass {visit}", data=data)) from error
 
 
 def _stopped(step: Instruction | Finished) -> Diagnostic:

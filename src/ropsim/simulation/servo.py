@@ -6,13 +6,23 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, default_engine, load
-from ropsim.controller import CompiledLaw, PythonLaw, external_law, law_of
-from ropsim.dynamics import arm_numbers, check_model, compiled, identifier, steady_drive, structure_of
+from ropsim.codegen import Compiled, Engine, StoppedError, default_engine, load
+from ropsim.controller import CompiledLaw, LawInput, PythonLaw, compiled_half, failed, law_of, rehearse
+from ropsim.core import RopsimError
+from ropsim.dynamics import (
+    arm_numbers,
+    barycentric,
+    check_model,
+    compiled,
+    identifier,
+    steady_drive,
+    structure_of,
+)
 from ropsim.flow import JointReference
 from ropsim.model import ControllerModel, Payload, RobotModel
 from ropsim.simulation.recorder import Recorder
 from ropsim.simulation.servo_checks import (
+    check_aux,
     check_drives,
     check_law,
     check_option,
@@ -21,7 +31,7 @@ from ropsim.simulation.servo_checks import (
     check_vector,
     diverged,
 )
-from ropsim.simulation.servo_source import plant_code, servo_functions
+from ropsim.simulation.servo_source import efforts, plant_code, servo_functions
 from ropsim.simulation.servo_state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -77,18 +87,19 @@ class Servo:
             GainError: the gains do not fit the arm.
             OptionError: a rate is not a whole number of at least 1.
             ServoArrayError: the parameters of the law do not fit the arm.
+            LawError: a law of your own does not work, or does not fit the drives.
             ChainTooLongError: no code can be generated for the arm.
             ModelNumberError: a number of the model is not finite.
         """
         check_drives(robot)
         check_model(robot)
         check_rates(controller.rates)
-        inner, python_law = _split(law or law_of(controller, robot.drives), robot.n)
-        check_law(inner, robot.n)
-        name = f"{identifier(robot.name)}_servo_{inner.name}"
-        structure = structure_of(robot)
-        kernel = load(name, servo_functions(structure, inner), engine or default_engine())
-        layout = StateLayout.of(structure.drives, len(inner.state_names))
+        chosen = law or law_of(controller, robot.drives)
+        python_law = None if isinstance(chosen, CompiledLaw) else chosen
+        inner = compiled_half(chosen, np.zeros(robot.n))
+        check_law(inner, robot)
+        kernel = _kernel(robot, inner, engine or default_engine(), law)
+        layout = StateLayout.of(structure_of(robot).drives, inner.traits)
         rates = controller.rates
         return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel)
 
@@ -101,7 +112,7 @@ class Servo:
         """Return the state at tick 0: at rest, held against gravity by the drives.
 
         An integral in the law starts at the output that holds them, so that the arm does not sag when the
-        simulation begins; a law in Python is told to reset.
+        simulation begins.
 
         Args:
             q: joint coordinates [rad | m], shape (n,).
@@ -118,15 +129,14 @@ class Servo:
         compiled(self.robot, payload, Engine.PYTHON).rigid_inverse(start, rest, rest, np.zeros(6), tau)
         values = np.zeros(self.layout.size)
         values[self.layout.q] = start
-        memory = values[self.layout.law].reshape(self.layout.law_rows, n)
+        memory, pending = self._memory(values), self._pending(values)
         for k, drive in enumerate(self.robot.drives):
             held = steady_drive(drive, float(start[k]), 0.0, float(tau[k]))
             values[list(self.layout.drive(k))] = held.states
             values[self.layout.output.start + k] = held.output
-            if self.law.hold_row is not None:
-                memory[self.law.hold_row, k] = held.command
-        if self.python_law is not None:
-            self.python_law.reset(start)
+            pending[:, k] = held.command
+            if self.law.traits.hold_row is not None:
+                memory[self.law.traits.hold_row, k] = held.command
         return ServoState(0, values, self.layout)
 
     def recorder(self, start: ServoState, decimation: int = 1) -> Recorder:
@@ -139,7 +149,12 @@ class Servo:
         return Recorder(self.robot, start, decimation)
 
     def run(
-        self, state: ServoState, reference: JointReference, payload: Payload, recorder: Recorder
+        self,
+        state: ServoState,
+        reference: JointReference,
+        payload: Payload,
+        recorder: Recorder,
+        aux: Array | None = None,
     ) -> ServoState:
         """Follow a reference and return the state after its last tick.
 
@@ -150,16 +165,19 @@ class Servo:
             reference: one row per control tick; row 0 is where the arm should be one control period from now.
             payload: body at the mechanical interface, constant over the call.
             recorder: gets the rows of these ticks.
+            aux: values of the signals that the law reads, shape (ticks, a); None where it reads none.
 
         Raises:
             ServoArrayError: the reference, or the output of a law in Python, does not fit the arm.
+            LawError: the law reaches beyond its arrays, or in Python raises an exception.
             DivergedError: the state has become NaN or infinite.
         """
         work = _Work(
             np.array(state.values),
             state.tick,
             check_reference(reference, self.robot.n),
-            _constants(self.robot, payload),
+            check_aux(aux, reference.ticks, self.law.traits.aux),
+            payload,
             recorder,
         )
         if self.python_law is None:
@@ -180,42 +198,85 @@ class Servo:
         log, row = recorder.claim(tick, len(q_ref))
         plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
         size = self.layout.integrated
-        memory = work.values[self.layout.law].reshape(self.layout.law_rows, n)
-        state = (work.values[:size], work.values[self.layout.output], memory)
-        room = (np.empty((3, n)), np.zeros((3, n)), np.empty((5, size)))
+        values = work.values
+        state = (values[:size], values[self.layout.output], self._pending(values), self._memory(values))
+        given = (parameters, _constants(self.robot, work.payload), _load(work.payload))
+        room = (np.empty((3, n)), np.zeros((4, n)), np.empty((5, size)))
         try:
-            self.kernel(*state, q_ref, qd_ref, qdd_ref, parameters, work.constants, log, *room, *plan)
+            self.kernel(*state, q_ref, qd_ref, qdd_ref, work.aux[rows], *given, log, *room, *plan)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
             after = ServoState(tick, work.values, self.layout)
             raise diverged(self.robot, after, self.control_hz) from error
+        except (IndexError, StoppedError) as error:
+            raise failed(self.law, error) from error
 
     def _follow_python_law(self, law: PythonLaw, work: "_Work") -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n = self.robot.n
         for k in range(len(work.reference[0])):
             ref = np.stack([array[k] for array in work.reference])
-            meas = work.values[: 2 * n].reshape(2, n).copy()
-            u = check_vector("u", law.step(ref, meas, (work.tick + k) * self.period), n)
+            meas = self._measured(work)
+            now = LawInput((work.tick + k) * self.period, ref, meas, work.payload, work.aux[k].copy())
+            try:
+                answer = law.step(now, self._memory(work.values))
+            except RopsimError:
+                raise
+            except Exception as error:  # whatever the code of a user raises is told
+                raise failed(self.law, error) from error
+            u = check_vector("u", answer, n)
             self._advance(work, slice(k, k + 1), u.reshape(1, n))
+
+    def _measured(self, work: "_Work") -> Array:
+        """Return coordinates, speeds and torques of the drives, shape (3, n)."""
+        meas = np.empty((3, self.robot.n))
+        meas[0], meas[1] = work.values[self.layout.q], work.values[self.layout.qd]
+        x, u = work.values[: self.layout.integrated], work.values[self.layout.output]
+        efforts(self.robot, x, u, meas[2])
+        return meas
+
+    def _memory(self, values: Array) -> Array:
+        """Return what the law remembers, a view by rows."""
+        return values[self.layout.law].reshape(self.layout.law_rows, self.robot.n)
+
+    def _pending(self, values: Array) -> Array:
+        """Return the outputs that wait for their tick, a view by rows."""
+        return values[self.layout.pending].reshape(self.layout.delay, self.robot.n)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Work:
-    """One call of `Servo.run`: state vector (written in place), tick, reference, constants, recorder."""
+    """One call of `Servo.run`: state vector (written in place), tick, reference, signals, load, recorder."""
 
     values: Array
     tick: int
     reference: tuple[Array, Array, Array]
-    constants: Array
+    aux: Array
+    payload: Payload
     recorder: Recorder
 
 
-def _split(law: CompiledLaw | PythonLaw, n: int) -> tuple[CompiledLaw, PythonLaw | None]:
-    """Return the compiled half of a law and the half in Python, if there is one."""
-    return (law, None) if isinstance(law, CompiledLaw) else (external_law(n), law)
+def _kernel(
+    robot: RobotModel, law: CompiledLaw, engine: Engine, own: CompiledLaw | PythonLaw | None
+) -> Compiled:
+    """Return the compiled slice; `own` is the law of a user, which is tried first."""
+    functions = servo_functions(structure_of(robot), law)
+    name = f"{identifier(robot.name)}_servo_{law.name}"
+    if not isinstance(own, CompiledLaw):
+        return load(name, functions, engine)
+    rehearse(law, robot.n)
+    try:
+        return load(name, functions, engine)
+    except Exception as error:  # numba has a family of errors for code that it cannot compile
+        raise failed(law, error) from error
 
 
 @lru_cache(maxsize=256)
 def _constants(robot: RobotModel, payload: Payload) -> Array:
     """Return what the code of the plant makes of the numbers of an arm with a payload."""
     return plant_code(structure_of(robot)).constants(arm_numbers(robot, payload))
+
+
+@lru_cache(maxsize=256)
+def _load(payload: Payload) -> Array:
+    """Return tool and part as a law takes them, shape (10,)."""
+    return np.array(barycentric(payload.mass, payload.com, payload.inertia))

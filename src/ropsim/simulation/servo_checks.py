@@ -3,10 +3,11 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.controller import CompiledLaw
-from ropsim.dynamics import drive_fault
+from ropsim.controller import LAW_DOES_NOT_FIT, CompiledLaw, LawError, LawTraits
+from ropsim.core import did_you_mean
+from ropsim.dynamics import chain_of, drive_fault
 from ropsim.flow import JointReference
-from ropsim.model import Rates, RobotModel
+from ropsim.model import Cell, Rates, RobotModel
 from ropsim.simulation.servo_diagnostics import (
     BAD_DRIVE,
     BAD_OPTIONS,
@@ -21,6 +22,9 @@ from ropsim.simulation.servo_diagnostics import (
 )
 from ropsim.simulation.servo_state import ServoState
 from ropsim.spatial import Array, real_numbers
+
+MOST_DELAY = 1000
+"""Longest delay of a law [control ticks]."""
 
 
 def _no_drives(robot: RobotModel) -> NoDrivesError:
@@ -79,17 +83,64 @@ def check_rates(rates: Rates) -> None:
     check_option("plant_steps", rates.plant_steps)
 
 
-def check_law(law: CompiledLaw, n: int) -> None:
-    """Make sure that the parameters of a law fit the arm.
+def check_law(law: CompiledLaw, robot: RobotModel) -> None:
+    """Make sure that a law fits the arm: its parameters, what it puts out, what it says about its state.
 
     Raises:
-        ServoArrayError: they do not.
+        ServoArrayError: its parameters do not.
+        LawError: what it says about itself does not.
     """
-    allowed = (len(law.parameter_names), n)
+    misfit = _misfit(law.traits, robot)
+    if misfit:
+        hint = "look at the `traits` of the law"
+        raise LawError(LAW_DOES_NOT_FIT.at(None, f"law `{law.name}` {misfit}", hint=hint))
+    allowed = (len(law.parameter_names), robot.n)
     if law.parameters.shape != allowed:
         raise _bad_shape(f"parameters of law `{law.name}`", law.parameters.shape, str(allowed))
     if not np.isfinite(law.parameters).all():
         raise _not_finite(f"parameters of law `{law.name}`")
+
+
+def _misfit(traits: LawTraits, robot: RobotModel) -> str:
+    """Return what of the traits of a law does not go together with an arm, empty for nothing."""
+    for joint, drive in zip(robot.joints, robot.drives, strict=True):
+        takes = chain_of(drive).amplifier.kind
+        if traits.u_kind not in (None, takes):
+            return f"puts out {traits.u_kind}, but the drive of joint `{joint.name}` takes {takes}"
+    rows = len(traits.state_names)
+    if traits.hold_row is not None and not 0 <= traits.hold_row < rows:
+        return f"names row {traits.hold_row} as `hold_row`, but has {rows} rows of state"
+    if not isinstance(traits.delay, int) or not 0 <= traits.delay <= MOST_DELAY:
+        return f"has a delay of {traits.delay!r}; allowed are 0 to {MOST_DELAY} control ticks"
+    return ""
+
+
+def check_signals(law: CompiledLaw, cell: Cell) -> None:
+    """Make sure that the cell has the signals that a law reads.
+
+    Raises:
+        LawError: it does not.
+    """
+    for name in law.traits.aux:
+        if name not in cell.signals:
+            hint = did_you_mean(name, cell.signals) or "look at the signals in cell.toml"
+            message = f"law `{law.name}` reads signal `{name}`, which the cell does not have"
+            raise LawError(LAW_DOES_NOT_FIT.at(None, message, hint=hint))
+
+
+def check_aux(aux: Array | None, ticks: int, names: tuple[str, ...]) -> Array:
+    """Return the signals that a law reads, shape (ticks, a).
+
+    Raises:
+        ServoArrayError: they are missing or have another shape.
+    """
+    allowed = (ticks, len(names))
+    given = np.zeros((ticks, 0)) if aux is None else aux
+    if given.shape != allowed:
+        raise _bad_shape(
+            "array `aux`", given.shape, f"{allowed}, a column for each signal that the law reads"
+        )
+    return _plain(given)
 
 
 def check_vector(name: str, values: npt.ArrayLike, n: int) -> Array:

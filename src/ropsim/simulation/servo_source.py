@@ -2,8 +2,8 @@
 
 from functools import lru_cache
 
-from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
-from ropsim.controller import CompiledLaw
+from ropsim.codegen import Bounds, Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
+from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.dynamics import (
     ArmStructure,
     arm_numbers,
@@ -19,10 +19,10 @@ from ropsim.simulation.servo_log import LogLayout
 from ropsim.simulation.servo_state import StateLayout
 from ropsim.spatial import Array
 
-LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1])"
+LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
-    " f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
+    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
+    " f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
 )
 
 
@@ -30,20 +30,21 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
-        SourceFunction("law", LAW_SIGNATURE, law.source),
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure)),
+        SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
     )
 
 
 @lru_cache(maxsize=64)
 def plant_code(structure: ArmStructure) -> GivenCode:
-    """Return `amplify`, `derivative` and `observe` of arm and drives.
+    """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
 
     `amplify(command, constants, u)` gives what the amplifiers put out; `derivative(x, u, constants, dx)` the
-    rates of the integrated part of the state; `observe(x, u, ref, constants, row)` a row of the log.
+    rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives at
+    the joints; `observe(x, u, constants, row)` a row of the log without the reference.
     """
     tracer, n = Tracer(), structure.n
-    layout = StateLayout.of(structure.drives, 0)
+    layout = StateLayout.of(structure.drives, LawTraits())
     numbers = traced_numbers(tracer, structure)
     x = tracer.variables("x", layout.integrated)
     command, u = tracer.variables("command", n), tracer.variables("u", n)
@@ -61,6 +62,7 @@ def plant_code(structure: ArmStructure) -> GivenCode:
     return GivenCode.of(
         Formula("amplify", ("command", "u"), [(f"u[{k}]", one) for k, one in enumerate(outputs)]),
         Formula("derivative", ("x", "u", "dx"), results),
+        Formula("efforts", ("x", "u", "tau"), [(f"tau[{k}]", one) for k, one in enumerate(tau)]),
         Formula("observe", ("x", "u", "row"), _row(structure, layout, x, u, tau)),
     )
 
@@ -74,10 +76,24 @@ def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:
         u: what the amplifiers put out.
         row: of the log; written in place.
     """
+    _evaluated(robot, "observe", x, u, row)
+
+
+def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
+    """Enter the torques of the drives at the joints into `tau`; arguments are those of `observe`."""
+    _evaluated(robot, "efforts", x, u, tau)
+
+
+def _evaluated(robot: RobotModel, name: str, x: Array, u: Array, result: Array) -> None:
+    """Evaluate a function of the plant once: plain Python is faster than compiling it."""
     code = plant_code(structure_of(robot))
-    # a single evaluation: plain Python is faster than compiling it
-    function = load("observe", (code.functions[-1],), Engine.PYTHON)
-    function(x, u, code.constants(arm_numbers(robot)), row)
+    (source,) = (function for function in code.functions if function.name == name)
+    load(name, (source,), Engine.PYTHON)(x, u, _constants(robot), result)
+
+
+@lru_cache(maxsize=64)
+def _constants(robot: RobotModel) -> Array:
+    return plant_code(structure_of(robot)).constants(arm_numbers(robot))
 
 
 def _row(
@@ -99,23 +115,24 @@ def _row(
     return results
 
 
-def _slice_text(structure: ArmStructure) -> str:
+def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
 
     A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
-    amplifiers put out over it. `ref` (3, n), `meas` (3, n) and `stages` (5, m) are room to work in: the last
-    row of `meas` takes the output of the law.
+    amplifiers put out over it. `ref` (3, n), `meas` (4, n) and `stages` (5, m) are room to work in: the last
+    row of `meas` takes the output of the law. `pending` (d, n) are outputs that wait for their tick.
     """
     n = structure.n
-    size = StateLayout.of(structure.drives, 0).integrated
+    size = StateLayout.of(structure.drives, traits).integrated
+    amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     return f"""\
 def run_slice(
-    x, u, memory, q_ref, qd_ref, qdd_ref, par, constants, log, ref, meas, stages,
+    x, u, pending, memory, q_ref, qd_ref, qdd_ref, aux, par, constants, load, log, ref, meas, stages,
     tick, decimation, log_row, plant_steps, period,
 ):
-    out, seen = meas[2], meas[:2]
+    out, seen = meas[3], meas[:3]
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h
@@ -128,8 +145,9 @@ def run_slice(
             ref[2, j] = qdd_ref[k, j]
             seen[0, j] = x[j]
             seen[1, j] = x[{n} + j]
-        law(par, memory, ref, seen, out)
-        amplify(out, constants, u)
+        efforts(x, u, constants, seen[2])
+        law(par, memory, ref, seen, load, aux[k], out)
+        {amplified}
         for _ in range(plant_steps):
             derivative(x, u, constants, k1)
             for j in range({size}):
@@ -150,3 +168,14 @@ def run_slice(
                 log[row, {qd_ref} + j] = ref[1, j]
             row += 1
 """
+
+
+def _delayed(n: int, delay: int) -> str:
+    """Return the statements that let an output wait for `delay` control ticks."""
+    return f"""\
+amplify(pending[0], constants, u)
+        for d in range({delay - 1}):
+            for j in range({n}):
+                pending[d, j] = pending[d + 1, j]
+        for j in range({n}):
+            pending[{delay - 1}, j] = out[j]"""

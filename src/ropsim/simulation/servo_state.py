@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.controller import LawTraits
 from ropsim.dynamics import DriveChain
 from ropsim.spatial import Array, record
 
@@ -47,25 +48,27 @@ def fields(names_of_axes: tuple[tuple[str, ...], ...], first: int) -> tuple[Fiel
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, what the drives remember, what their amplifiers put out, what the law remembers. The
-    first three are integrated; the others change at control ticks.
+    In order: q, qd, what the drives remember, what their amplifiers put out, outputs of the law that do not
+    act yet, what the law remembers. The first three are integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
         drives: states of the drives, by name.
+        delay: rows of n outputs on their way from the law to the amplifiers, the oldest first.
         law_rows: rows of n numbers that the law remembers.
     """
 
     n: int
     drives: tuple[Field, ...]
+    delay: int
     law_rows: int
 
     @classmethod
-    def of(cls, chains: tuple[DriveChain, ...], law_rows: int) -> "StateLayout":
+    def of(cls, chains: tuple[DriveChain, ...], traits: LawTraits) -> "StateLayout":
         """Return the layout of an arm with these drives under a law."""
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
-        return cls(n, fields(names, 2 * n), law_rows)
+        return cls(n, fields(names, 2 * n), traits.delay, len(traits.state_names))
 
     @property
     def integrated(self) -> int:
@@ -75,7 +78,7 @@ class StateLayout:
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return self.integrated + (1 + self.law_rows) * self.n
+        return self.integrated + (1 + self.delay + self.law_rows) * self.n
 
     @property
     def q(self) -> slice:
@@ -93,9 +96,14 @@ class StateLayout:
         return slice(self.integrated, self.integrated + self.n)
 
     @property
+    def pending(self) -> slice:
+        """Return the place of the outputs of the law that do not act yet, by rows."""
+        return slice(self.output.stop, self.output.stop + self.delay * self.n)
+
+    @property
     def law(self) -> slice:
         """Return the place of what the law remembers, by rows."""
-        return slice(self.integrated + self.n, self.size)
+        return slice(self.pending.stop, self.size)
 
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""

@@ -1,6 +1,6 @@
 """The state of a run at time 0."""
 
-from ropsim.controller import ScriptedSensors, standard_chain
+from ropsim.controller import ScriptedSensors, SensorInterface, standard_chain
 from ropsim.model import Cell, Payload
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
@@ -20,11 +20,12 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     parts = initial_parts(cell)
     tool = cell.tools.get(cell.default_tool)
     load = payload(parts, tool)
+    sensors = ScriptedSensors(cell.signals)
     state = CellRun(
         cell=cell,
         chain=options.chain or standard_chain(cell),
-        plant=_plant(cell, q, load, options),
-        sensors=ScriptedSensors(cell.signals),
+        plant=_plant(cell, q, load, options, options.sensors or sensors),
+        sensors=sensors,
         q_command=frozen(q),
         parts=parts,
         tool=tool,
@@ -44,8 +45,8 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     return state
 
 
-def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions) -> Plant:
+def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions, sensors: SensorInterface) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
         record_ticks = options.record_ticks(cell.controller.rates.control_hz)
         return KinematicPlant(q, record_ticks, options.most_rows)
-    return ServoPlant(cell, q, load, options)
+    return ServoPlant(cell, q, load, options, sensors)

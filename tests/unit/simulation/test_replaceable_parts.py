@@ -1,6 +1,7 @@
 """Each entity of the generic controller can be replaced in a whole run."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +10,8 @@ import ropsim
 from ropsim import icr, robots
 from ropsim.controller import (
     InverseTransform,
+    LawInput,
+    LawTraits,
     PathPlanner,
     Refusal,
     Sample,
@@ -149,20 +152,16 @@ def test_another_joint_interpolator_shows_in_the_following_error(
 class PdLaw:
     """A plain PD controller in Python."""
 
-    def __init__(self, n: int) -> None:
-        self._n = n
+    traits = LawTraits()
 
-    def reset(self, q: Array) -> None:
-        assert q.shape == (self._n,)
-
-    def step(self, ref: Array, meas: Array, t: float) -> Array:
-        del t
-        error = 50.0 * (ref[0] - meas[0]) + ref[1] - meas[1]
+    def step(self, now: LawInput, state: Array, /) -> Array:
+        assert state.shape == (0, now.ref.shape[1])
+        error = 50.0 * (now.ref[0] - now.meas[0]) + now.ref[1] - now.meas[1]
         return np.asarray(np.clip(60.0 * error, -40.0, 40.0))
 
 
 def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard: Recording) -> None:
-    recording = run(cell, program, RunOptions(law=PdLaw(cell.robot.n)))
+    recording = run(cell, program, RunOptions(law=PdLaw()))
     final = [one.channels["q"].values[-1] for one in (recording, standard)]
     offset = np.abs(final[0] - final[1]).max()
     # without an integral gravity keeps the arm out of position, further than two arms in position can differ
@@ -186,3 +185,60 @@ def test_another_sensor_interface_ends_a_wait_earlier(
 def test_scripted_inputs_are_recorded_as_they_change(standard: Recording) -> None:
     go = standard.channels["signal.go"].values
     assert standard.time[np.argmax(go)] == pytest.approx(4.004)
+
+
+class BrokenPlanner:
+    """Answers as it is told to."""
+
+    def __init__(self, answer: object) -> None:
+        self.answer = answer
+
+    def plan(self, move: MoveInstruction, q_start: Array) -> Any:
+        del move, q_start
+        if isinstance(self.answer, Exception):
+            raise self.answer
+        return self.answer
+
+
+@pytest.mark.parametrize(
+    ("answer", "told"),
+    [
+        (ValueError("no map"), "`BrokenPlanner` raised ValueError: no map (test_replaceable_parts.py, line"),
+        (None, "`BrokenPlanner` returned a `NoneType` instead of a JointTrajectory or LineTrajectory"),
+    ],
+)
+def test_a_planner_that_fails_is_told_at_every_line_and_the_program_goes_on(
+    cell: Cell, program: icr.Program, standard: Recording, answer: object, told: str
+) -> None:
+    chain = replace(standard_chain(cell), planner=BrokenPlanner(answer))
+    recording = run(cell, program, RunOptions(chain=chain))
+    found = [one for one in recording.findings if one.code == "C603"]
+    moves = [event for event in standard.events if event.kind == "move"]
+    assert len(found) == len(moves)
+    assert all(told in one.message and one.span is not None for one in found)
+
+
+class BrokenJointInterpolator:
+    """Returns references of the right kind that no arm can follow."""
+
+    def __init__(self, columns: int, value: float) -> None:
+        self.columns, self.value = columns, value
+
+    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
+        del samples, q_start
+        q = np.full((ticks_per_sample, self.columns), self.value)
+        return JointReference(q, np.zeros_like(q), np.zeros_like(q))
+
+
+@pytest.mark.parametrize(
+    ("columns", "value", "told"),
+    [(5, 0.0, "`q` of shape (4, 5) instead of (4, 6)"), (6, np.nan, "numbers that are not finite")],
+)
+def test_a_reference_that_no_arm_can_follow_is_refused(
+    cell: Cell, program: icr.Program, columns: int, value: float, told: str
+) -> None:
+    chain = replace(standard_chain(cell), joint_interpolator=BrokenJointInterpolator(columns, value))
+    recording = run(cell, program, RunOptions(chain=chain))
+    found = [one for one in recording.findings if one.code == "C603"]
+    assert found
+    assert told in found[0].message

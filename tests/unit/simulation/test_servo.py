@@ -11,7 +11,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.codegen import Engine
-from ropsim.controller import CompiledLaw
+from ropsim.controller import CompiledLaw, LawError, LawInput, LawTraits
 from ropsim.core import RopsimError
 from ropsim.dynamics import gravity
 from ropsim.flow import JointReference
@@ -37,7 +37,7 @@ TWO_ENGINES = 1e-9  # elementary functions of two libraries over 140 ms of close
 
 
 HOLD = """\
-def law(par, state, ref, meas, out):
+def law(par, state, ref, meas, load, aux, out):
     for j in range(out.shape[0]):
         out[j] = par[0, j]
 """
@@ -164,17 +164,17 @@ def test_plain_python_and_compiled_code_agree() -> None:
 
 def test_the_built_in_law_in_python_gives_the_same_bits(servo: Servo) -> None:
     robot, model = puma()
-    law = CascadeInPython(model, robot, servo.initial_state(START).law[0].copy())
+    law = CascadeInPython(model, robot)
     slow = Servo.build(robot, model, law)
     reference = quintic(START, GOAL, TICKS)
-    plant = slice(0, 3 * robot.n)
-    np.testing.assert_array_equal(_run(slow, reference).values[plant], _run(servo, reference).values[plant])
+    np.testing.assert_array_equal(_run(slow, reference).values, _run(servo, reference).values)
     assert law.times[:3] == [0.0, 0.001, 0.002]
 
 
 def test_another_law_takes_the_place_of_the_built_in_one() -> None:
     robot, model = puma()
-    off = CompiledLaw("off", "def law(par, state, ref, meas, out):\n    out[:] = 0.0\n", (), np.zeros((0, 6)))
+    source = "def law(par, state, ref, meas, load, aux, out):\n    out[:] = 0.0\n"
+    off = CompiledLaw("off", source, (), np.zeros((0, 6)))
     servo = Servo.build(robot, model, off)
     after = _run(servo, standing(START, 50))
     assert np.abs(after.qd).max() > 1e-3  # nobody holds the arm
@@ -306,10 +306,9 @@ def test_a_start_that_is_not_finite_is_refused(servo: Servo) -> None:
 
 def test_a_law_in_python_that_returns_too_few_voltages_is_refused() -> None:
     class Short:
-        def reset(self, _q: Array, /) -> None:
-            pass
+        traits = LawTraits()
 
-        def step(self, _ref: Array, _meas: Array, _t: float, /) -> Array:
+        def step(self, _now: LawInput, _state: Array, /) -> Array:
             return np.zeros(2)
 
     servo = Servo.build(*puma(), law=Short())
@@ -319,14 +318,16 @@ def test_a_law_in_python_that_returns_too_few_voltages_is_refused() -> None:
 
 def test_an_error_inside_a_law_in_python_reaches_its_author() -> None:
     class Faulty:
-        def reset(self, _q: Array, /) -> None:
-            pass
+        traits = LawTraits()
 
-        def step(self, _ref: Array, _meas: Array, _t: float, /) -> Array:
+        def step(self, _now: LawInput, _state: Array, /) -> Array:
             raise ValueError("mistake in the law")
 
-    with pytest.raises(ValueError, match="mistake in the law"):
+    with pytest.raises(
+        LawError, match=r"ValueError: mistake in the law \(test_servo.py, line \d+\)"
+    ) as caught:
         _run(Servo.build(*puma(), law=Faulty()), standing(START, 1))
+    assert isinstance(caught.value.__cause__, ValueError)
 
 
 def test_a_state_cannot_be_written_to(servo: Servo) -> None:

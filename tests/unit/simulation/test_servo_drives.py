@@ -26,7 +26,11 @@ from support.servo_cases import controller, quintic, standing
 NOTHING = Payload()
 STIFFNESS, DAMPING, RATIO = 2e3, 3.0, 40.0
 ELASTIC = Drive(VoltageAmplifier(40.0, 100.0), MOTOR, ElasticGear(RATIO, STIFFNESS, DAMPING))
-HOLD = "def law(par, state, ref, meas, out):\n    for j in range(out.shape[0]):\n        out[j] = par[0, j]\n"
+HOLD = """\
+def law(par, state, ref, meas, load, aux, out):
+    for j in range(out.shape[0]):
+        out[j] = par[0, j]
+"""
 
 
 def _constant(*commands: float) -> CompiledLaw:

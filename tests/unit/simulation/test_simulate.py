@@ -64,7 +64,7 @@ def test_the_header_names_robot_law_and_rates() -> None:
     header = simulate(robot, model, standing(START, 1)).header
     assert (header["robot"], header["law"]) == ("puma560", "cascaded_p_pi")
     assert (header["control_hz"], header["plant_steps"], header["decimation"]) == (1000, 2, 1)
-    own = CascadeInPython(model, robot, np.zeros(6))
+    own = CascadeInPython(model, robot)
     assert (
         simulate(robot, model, standing(START, 1), SimulationOptions(law=own)).header["law"]
         == "CascadeInPython"

@@ -1,0 +1,66 @@
+"""The cascaded P-PI law, and the table of laws that a controller model can ask for."""
+
+from sys import float_info
+
+import numpy as np
+
+from ropsim.controller.law import CompiledLaw, LawTraits
+from ropsim.controller.law_diagnostics import GAIN_COUNT, GainError
+from ropsim.dynamics import command_limit
+from ropsim.model import GAIN_NAMES, ControllerKind, ControllerModel, Drive
+from ropsim.spatial import Array
+
+CASCADED_P_PI_SOURCE = '''\
+def law(par, state, ref, meas, load, aux, out):
+    """Position loop P, speed loop PI, both with feed-forward; see model.CascadedGains."""
+    for j in range(out.shape[0]):
+        speed_error = par[0, j] * (ref[0, j] - meas[0, j]) + par[3, j] * ref[1, j] - meas[1, j]
+        u = par[1, j] * speed_error + state[0, j] + par[4, j] * ref[1, j] + par[5, j] * ref[2, j]
+        limit = par[6, j]
+        if u > limit:
+            u = limit
+        elif u < -limit:
+            u = -limit
+        else:
+            state[0, j] += par[2, j] * speed_error * par[7, j]
+        out[j] = u
+'''
+
+
+def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> CompiledLaw:
+    """Return the cascaded P-PI law of a controller; see `model.CascadedGains` for the equations.
+
+    Args:
+        model: gains and control period.
+        drives: their amplifiers say at which output the integral has to stand still.
+
+    Raises:
+        GainError: a gain does not have one number per drive.
+    """
+    n = len(drives)
+    gains: list[Array] = [getattr(model.gains, name) for name in GAIN_NAMES]
+    for name, values in zip(GAIN_NAMES, gains, strict=True):
+        if values.shape != (n,):
+            message = f"gain `{name}` has shape `{values.shape}`; allowed is `({n},)`, one number per joint"
+            raise GainError(GAIN_COUNT.at(None, message, hint="give one number per joint"))
+    limits = [min(command_limit(drive), float_info.max) for drive in drives]
+    period = np.full(n, model.rates.control_period)
+    return CompiledLaw(
+        name="cascaded_p_pi",
+        source=CASCADED_P_PI_SOURCE,
+        parameter_names=(*GAIN_NAMES, "limit", "period"),
+        parameters=np.stack([*gains, np.array(limits), period]),
+        traits=LawTraits(state_names=("integral",), hold_row=0),
+    )
+
+
+_LAWS = {ControllerKind.CASCADED_P_PI: cascaded_p_pi}
+
+
+def law_of(model: ControllerModel, drives: tuple[Drive, ...]) -> CompiledLaw:
+    """Return the law that a controller model asks for.
+
+    Raises:
+        GainError: the gains do not fit the arm.
+    """
+    return _LAWS[model.kind](model, drives)

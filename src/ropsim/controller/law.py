@@ -1,0 +1,124 @@
+"""The joint controller: the law inside the servo slice, as generated source or as a Python object."""
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from ropsim.model import InputKind, Payload
+from ropsim.spatial import Array, frozen, record
+
+
+@dataclass(frozen=True, slots=True)
+class LawTraits:
+    """What a law says about itself.
+
+    Attributes:
+        u_kind: what it puts out; None for a law that gives each drive what that drive takes.
+        state_names: names of the rows that it remembers.
+        hold_row: of them, the row that equals the output at rest on the reference, such as the integral of a
+            PI law; a start at rest sets it so that the arm does not sag. None without such a row.
+        aux: names of signals of the cell that it reads at every control tick.
+        delay: control ticks between a measurement and the moment when the output made of it acts.
+    """
+
+    u_kind: InputKind | None = None
+    state_names: tuple[str, ...] = ()
+    hold_row: int | None = None
+    aux: tuple[str, ...] = ()
+    delay: int = 0
+
+
+@record
+class CompiledLaw:
+    """A joint controller that is compiled into the servo slice.
+
+    `source` is the `def` statement of `law(par, state, ref, meas, load, aux, out)`, called once per control
+    tick. It may use `math`, loops and the shapes of its arguments, which are float64 arrays:
+
+    - `par` (p, n): the parameters, one row each;
+    - `state` (s, n): what the law remembers; it changes it in place;
+    - `ref` (3, n): reference coordinates, speeds, accelerations;
+    - `meas` (3, n): measured coordinates and speeds, and the torques of the drives at the joints;
+    - `load` (10,): tool and grasped part in the mechanical interface frame: mass m [kg], m·c [kg·m] (3), and
+      inertia about the origin of that frame as xx, yy, zz, xy, xz, yz [kg·m²];
+    - `aux` (a,): values of the signals that `traits.aux` names;
+    - `out` (n,): what the amplifiers take, which it sets, in V for DC motors; positive drives the joint
+      forward, whatever the sign of the gear ratio. The amplifier clips it; keeping an integral sound
+      meanwhile (anti-windup) is the task of the law.
+
+    The output holds until that of the next tick. Parameters are run-time values: other gains, same code. An
+    index beyond an array ends the run with a finding.
+
+    Attributes:
+        name: Python identifier.
+        source: see above.
+        parameter_names: names of the rows of `parameters`, with the symbols that `source` explains.
+        parameters: shape (p, n).
+        traits: what it says about itself.
+    """
+
+    name: str
+    source: str
+    parameter_names: tuple[str, ...]
+    parameters: Array
+    traits: LawTraits = field(default_factory=LawTraits)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "parameters", frozen(self.parameters))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LawInput:
+    """What a law in Python is given at a control tick.
+
+    Attributes:
+        time: of the tick [s].
+        ref: reference coordinates [rad | m], speeds and accelerations, shape (3, n).
+        meas: measured coordinates [rad | m], speeds, and torques of the drives at the joints [N·m | N], shape
+            (3, n).
+        payload: tool and grasped part.
+        aux: values of the signals that the traits name, shape (a,).
+    """
+
+    time: float
+    ref: Array
+    meas: Array
+    payload: Payload
+    aux: Array
+
+
+class PythonLaw(Protocol):
+    """A joint controller as a Python object, called once per control tick: slower, same plant."""
+
+    @property
+    def traits(self) -> LawTraits:
+        """Return what the law says about itself."""
+        ...
+
+    def step(self, now: LawInput, state: Array, /) -> Array:
+        """Return what the amplifiers take until the next tick, shape (n,); positive drives a joint forward.
+
+        Args:
+            now: reference, measurement and more.
+            state: what the law remembers, shape (s, n); it changes it in place, and remembers nothing else.
+        """
+        ...
+
+
+EXTERNAL_SOURCE = '''\
+def law(par, state, ref, meas, load, aux, out):
+    """Hold what a controller outside has computed for this tick."""
+    for j in range(out.shape[0]):
+        out[j] = par[0, j]
+'''
+
+
+def compiled_half(law: CompiledLaw | PythonLaw, zeros: Array) -> CompiledLaw:
+    """Return the law itself, or of one in Python the compiled law that holds its output.
+
+    Args:
+        law: the law.
+        zeros: n zeros.
+    """
+    if isinstance(law, CompiledLaw):
+        return law
+    return CompiledLaw("external", EXTERNAL_SOURCE, ("u",), zeros[None, :], law.traits)

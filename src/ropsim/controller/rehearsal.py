@@ -1,0 +1,64 @@
+"""A first call of a law that somebody wrote, in plain Python, before the real ones."""
+
+import math
+from pathlib import Path
+from traceback import extract_tb
+from typing import Any
+
+import numpy as np
+
+from ropsim.controller.law import CompiledLaw
+from ropsim.controller.law_diagnostics import LAW_FAILS, LawError
+
+_LOAD = 10
+
+
+def rehearse(law: CompiledLaw, n: int) -> None:
+    """Make sure that a law can be called: at rest, on its reference, without payload.
+
+    Args:
+        law: the law.
+        n: joints of the arm.
+
+    Raises:
+        LawError: C601, it is no Python, has another name, raises, indexes beyond its arrays, or gives NaN.
+    """
+    scope: dict[str, Any] = {"math": math, "np": np}
+    try:
+        exec(compile(law.source, f"<law {law.name}>", "exec"), scope)  # its author runs this process
+        function = scope["law"]
+    except KeyError:
+        raise _fails(law, "its source defines no function `law`") from None
+    except Exception as error:  # whatever the source of a user does is told
+        raise _fails(law, f"its source is no Python: {_told(error)}") from error
+    out = np.zeros(n)
+    arrays = (
+        np.array(law.parameters),
+        np.zeros((len(law.traits.state_names), n)),
+        *(np.zeros((3, n)), np.zeros((3, n)), np.zeros(_LOAD), np.zeros(len(law.traits.aux))),
+    )
+    try:
+        with np.errstate(all="ignore"):
+            function(*arrays, out)
+    except Exception as error:  # whatever the source of a user does is told
+        raise _fails(law, f"at rest it stops with {_told(error)}") from error
+    if not np.isfinite(out).all():
+        raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")
+
+
+def failed(law: CompiledLaw, error: Exception) -> LawError:
+    """Return the error of a law that stopped while it ran, or that cannot be compiled."""
+    return _fails(law, _told(error))
+
+
+def _fails(law: CompiledLaw, found: str) -> LawError:
+    hint = "the signature is `law(par, state, ref, meas, load, aux, out)`; see docs/how-to/own-controller.md"
+    return LawError(LAW_FAILS.at(None, f"law `{law.name}` fails: {found}", hint=hint))
+
+
+def _told(error: Exception) -> str:
+    """Return the kind of an error, its first line with words, and where it was raised."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    told = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
+    frames = extract_tb(error.__traceback__)
+    return f"{told} ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else told
