@@ -191,17 +191,15 @@ class Servo:
 
     def _advance(self, work: "_Work", rows: slice, parameters: Array) -> None:
         """Run one slice over some rows of the reference."""
-        n = self.robot.n
         q_ref, qd_ref, qdd_ref = (array[rows] for array in work.reference)
         tick = work.tick + rows.start
         recorder = work.recorder
         log, row = recorder.claim(tick, len(q_ref))
         plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
-        size = self.layout.integrated
-        values = work.values
-        state = (values[:size], values[self.layout.output], self._pending(values), self._memory(values))
         given = (parameters, _constants(self.robot, work.payload), _load(work.payload))
-        room = (np.empty((3, n)), np.zeros((4, n)), np.empty((5, size)))
+        values, n = work.values, self.robot.n
+        state = (values, self._pending(values), self._memory(values))
+        room = (np.zeros((7, n)), np.empty((5, self.layout.integrated)))
         try:
             self.kernel(*state, q_ref, qd_ref, qdd_ref, work.aux[rows], *given, log, *room, *plan)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN

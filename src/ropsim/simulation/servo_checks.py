@@ -173,6 +173,8 @@ def check_reference(reference: JointReference, n: int) -> tuple[Array, Array, Ar
 
 
 def _plain(array: Array) -> Array:
+    if array.flags.carray and array.dtype == np.float64:
+        return array
     return np.require(array, np.float64, ["C", "W"])
 
 

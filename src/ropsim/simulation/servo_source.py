@@ -21,8 +21,8 @@ from ropsim.spatial import Array
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1],"
-    " f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1],"
+    " f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
 )
 
 
@@ -119,8 +119,8 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
 
     A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
-    amplifiers put out over it. `ref` (3, n), `meas` (4, n) and `stages` (5, m) are room to work in: the last
-    row of `meas` takes the output of the law. `pending` (d, n) are outputs that wait for their tick.
+    amplifiers put out over it. `values` is the state vector, `pending` and `memory` are parts of it by rows;
+    `frame` (7, n) and `stages` (5, m) are room to work in.
     """
     n = structure.n
     size = StateLayout.of(structure.drives, traits).integrated
@@ -129,10 +129,11 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     return f"""\
 def run_slice(
-    x, u, pending, memory, q_ref, qd_ref, qdd_ref, aux, par, constants, load, log, ref, meas, stages,
+    values, pending, memory, q_ref, qd_ref, qdd_ref, aux, par, constants, load, log, frame, stages,
     tick, decimation, log_row, plant_steps, period,
 ):
-    out, seen = meas[3], meas[:3]
+    x, u = values[:{size}], values[{size}:{size + n}]
+    ref, seen, out = frame[:3], frame[3:6], frame[6]
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h

@@ -73,7 +73,7 @@ class StateLayout:
     @property
     def integrated(self) -> int:
         """Return how many numbers the equations of motion have."""
-        return 2 * self.n + sum(len(field.axes) for field in self.drives)
+        return self.drives[-1].place.stop if self.drives else 2 * self.n
 
     @property
     def size(self) -> int:

@@ -1,5 +1,7 @@
 """What a change compiles: structure does, numbers do not."""
 
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from unittest.mock import patch
@@ -74,3 +76,28 @@ def test_another_structure_is_compiled() -> None:
     moved = replace(robot, joints=(replace(robot.joints[0], offset=0.01), *robot.joints[1:]))
     count, _ = _compilations(moved, model, Payload())
     assert count == 1
+
+
+def test_a_warm_process_simulates_without_numba(servo_script: str) -> None:
+    """The first process compiles where the cache is empty; its code stands alone for the next one."""
+    answers = [
+        subprocess.run(
+            [sys.executable, "-c", servo_script], capture_output=True, text=True, check=True
+        ).stdout
+        for _ in range(2)
+    ]
+    assert answers[1].split() == ["False"]
+
+
+@pytest.fixture
+def servo_script() -> str:
+    return (
+        f"import sys; sys.path[:0] = {sys.path!r}\n"
+        "from support.servo_cases import START, puma, standing\n"
+        "from ropsim.model import Payload\n"
+        "from ropsim.simulation import Servo\n"
+        "servo = Servo.build(*puma())\n"
+        "state = servo.initial_state(START)\n"
+        "servo.run(state, standing(START, 3), Payload(), servo.recorder(state))\n"
+        "print('numba' in sys.modules)\n"
+    )
