@@ -12,9 +12,10 @@ from ropsim.dynamics.arm_functions import compiled as compiled
 from ropsim.dynamics.arm_functions import identifier as identifier
 from ropsim.dynamics.arm_functions import trace_forward as trace_forward
 from ropsim.dynamics.axis_inertia import axis_inertias as axis_inertias
-from ropsim.dynamics.diagnostics import ChainTooLongError as ChainTooLongError
+from ropsim.dynamics.diagnostics import JointCountError as JointCountError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError
+from ropsim.dynamics.drives import Carried as Carried
 from ropsim.dynamics.drives import Column as Column
 from ropsim.dynamics.drives import DriveChain as DriveChain
 from ropsim.dynamics.drives import Limit as Limit
@@ -25,6 +26,8 @@ from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.inertia import barycentric as barycentric
+from ropsim.dynamics.long_arm import ACCELERATIONS as ACCELERATIONS
+from ropsim.dynamics.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.structure import ArmStructure as ArmStructure

@@ -35,7 +35,7 @@ def inverse_dynamics(
     Raises:
         StateShapeError: an array has another shape.
         NotFiniteError: an array holds NaN or infinity.
-        ChainTooLongError: no code can be generated for the arm.
+        JointCountError: the arm has no joints, or not one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
     """
     tip = np.zeros(6) if wrench is None else _array("wrench", wrench, 6)
@@ -96,7 +96,7 @@ def forward_dynamics(
     Raises:
         StateShapeError: an array has another shape.
         NotFiniteError: an array holds NaN or infinity.
-        ChainTooLongError: no code can be generated for the arm.
+        JointCountError: the arm has no joints, or not one link and one drive for each.
         ModelNumberError: a number of the model is not finite.
     """
     n = robot.n

@@ -5,8 +5,9 @@ from functools import lru_cache
 
 from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer, default_engine
 from ropsim.dynamics.forward_dynamics import trace_solve
+from ropsim.dynamics.long_arm import LongArmFunctions
 from ropsim.dynamics.mass_matrix import trace_mass_matrix
-from ropsim.dynamics.model_check import check_model
+from ropsim.dynamics.model_check import MOST_JOINTS, check_model
 from ropsim.dynamics.newton_euler import Wrench, trace_inverse
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced_arm import TracedArm, trace_arm
@@ -63,11 +64,13 @@ class ArmFunctions:
 
 
 @lru_cache(maxsize=256)
-def _compiled(robot: RobotModel, payload: Payload | None, engine: Engine) -> ArmFunctions:
-    return ArmFunctions(robot, payload, engine)
+def _compiled(robot: RobotModel, payload: Payload | None, engine: Engine) -> ArmFunctions | LongArmFunctions:
+    return (ArmFunctions if robot.n <= MOST_JOINTS else LongArmFunctions)(robot, payload, engine)
 
 
-def compiled(robot: RobotModel, payload: Payload | None = None, engine: Engine | None = None) -> ArmFunctions:
+def compiled(
+    robot: RobotModel, payload: Payload | None = None, engine: Engine | None = None
+) -> ArmFunctions | LongArmFunctions:
     """Return the compiled functions of an arm.
 
     Models are compared by content: an equal one, in this process or a later one, is not compiled again; nor

@@ -20,16 +20,28 @@ ropsim.dynamics.gravity(robot, [0.0, 0.8, 3.1, 0.0, 0.8, 0.0])  # six joints, si
 """,
 )
 
-TOO_MANY_JOINTS = define(
-    "M571",
-    "chain-too-long",
+WRONG_COUNT = define(
+    "M573",
+    "arm-count-mismatch",
     Severity.ERROR,
-    "the arm has more joints than straight-line code is generated for",
+    "an arm has no joints, or not one link and one drive for each joint",
     """
-The dynamics of an arm are written as one straight piece of code for that arm. Its length grows with the
-square of the number of joints, so arms beyond the limit are refused instead of compiled for minutes.
+An arm needs at least one joint. Every joint moves one link, and where drive data exist every joint has its
+own drive, so the lists of a robot model have the same length; drives may be left out altogether.
+""",
+)
 
-Split the chain, or leave out joints that do not move.
+ASYMMETRIC_INERTIA = define(
+    "M574",
+    "inertia-not-symmetric",
+    Severity.ERROR,
+    "the inertia tensor of a link is not symmetric",
+    """
+An inertia tensor is symmetric: Ixy = Iyx and so on. One that is not belongs to no body, and the equations of
+motion would use one half of it without saying so.
+
+Products of inertia are often given once, and with either sign: write the same number on both sides of the
+diagonal, with the sign that makes the tensor Σ m·(r²·1 − r·rᵀ).
 """,
 )
 
@@ -52,9 +64,9 @@ class StateShapeError(RopsimError):
     """An array has the wrong shape."""
 
 
-class ChainTooLongError(RopsimError):
-    """The arm has too many joints for generated code."""
+class JointCountError(RopsimError):
+    """The lists of the robot model do not have one entry for each joint."""
 
 
 class ModelNumberError(RopsimError):
-    """The robot model holds a number that is not finite."""
+    """The robot model holds a number that is not finite, or an inertia that no body has."""

@@ -1,37 +1,54 @@
-"""Whether code can be generated for an arm."""
+"""Whether the dynamics of an arm can be computed."""
 
 import math
 
 from ropsim.dynamics.diagnostics import (
+    ASYMMETRIC_INERTIA,
     ENTRY_NOT_FINITE,
-    TOO_MANY_JOINTS,
-    ChainTooLongError,
+    WRONG_COUNT,
+    JointCountError,
     ModelNumberError,
 )
 from ropsim.dynamics.drives import chain_of
 from ropsim.dynamics.inertia import link_parameters
-from ropsim.model import Drive, RobotModel
+from ropsim.model import Drive, Link, RobotModel, is_symmetric
 
 MOST_JOINTS = 12
-"""Longest chain for straight-line code; a longer one would need a loop over the links."""
+"""Longest chain for straight-line code; longer ones are loops over the joints."""
 
 
 def check_model(robot: RobotModel) -> None:
-    """Make sure that code can be generated for the arm.
+    """Make sure that the dynamics of an arm can be computed.
 
     Raises:
-        ChainTooLongError: the arm has more than `MOST_JOINTS` joints.
-        ModelNumberError: a number of the model is not finite.
+        JointCountError: the arm has no joints, or not one link and one drive for each.
+        ModelNumberError: a number of the model is not finite, or an inertia tensor is not symmetric.
     """
-    if not 1 <= robot.n <= MOST_JOINTS:
-        message = f"arm `{robot.name}` has {robot.n} joints; code is generated for 1 to {MOST_JOINTS} joints"
-        raise ChainTooLongError(TOO_MANY_JOINTS.at(None, message, hint="split the chain"))
+    _check_counts(robot)
     _check_finite(f"arm `{robot.name}`", [*robot.gravity, *robot.X_nM.as_tuple()])
     for joint, link in zip(robot.joints, robot.links, strict=True):
-        numbers = [*joint.placement.as_tuple(), joint.offset, *link_parameters(link)]
-        _check_finite(f"joint `{joint.name}` of arm `{robot.name}`", numbers)
+        owner = f"joint `{joint.name}` of arm `{robot.name}`"
+        _check_finite(owner, [*joint.placement.as_tuple(), joint.offset, *link_parameters(link)])
+        _check_symmetric(owner, link)
     for joint, drive in zip(robot.joints, robot.drives, strict=bool(robot.drives)):
         _check_finite(f"drive of joint `{joint.name}` of arm `{robot.name}`", _drive_numbers(drive))
+
+
+def _check_counts(robot: RobotModel) -> None:
+    if robot.n < 1:
+        message = f"arm `{robot.name}` has no joints"
+        raise JointCountError(WRONG_COUNT.at(None, message, hint="give it at least one joint"))
+    for what, count in (("links", len(robot.links)), ("drives", len(robot.drives) or robot.n)):
+        if count != robot.n:
+            message = f"arm `{robot.name}` has {count} {what} for {robot.n} joints"
+            raise JointCountError(WRONG_COUNT.at(None, message, hint=f"give one entry of {what} per joint"))
+
+
+def _check_symmetric(owner: str, link: Link) -> None:
+    if not is_symmetric(link.inertia):
+        message = f"the inertia tensor of {owner} is not symmetric"
+        hint = "write each product of inertia on both sides of the diagonal"
+        raise ModelNumberError(ASYMMETRIC_INERTIA.at(None, message, hint=hint))
 
 
 def _drive_numbers(drive: Drive) -> list[float]:

@@ -1,6 +1,7 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
 from ropsim.model.audit import audit as audit
+from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings

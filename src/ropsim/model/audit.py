@@ -9,9 +9,19 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.model import diagnostics as kinds
 from ropsim.model.robot import Joint, JointType, Link, RobotModel
+from ropsim.spatial import Array
 
 TRIANGLE_SLACK = 1e-9
 """Relative slack of the triangle inequality: products of rotations leave rounding errors in the moments."""
+
+SYMMETRY_SLACK = 1e-9
+"""Difference of two products of inertia, relative to the largest entry, that is rounding."""
+
+
+def is_symmetric(inertia: Array) -> bool:
+    """Return whether an inertia tensor, shape (3, 3), is one as far as symmetry goes."""
+    slack = SYMMETRY_SLACK * float(np.abs(inertia).max())
+    return bool(np.allclose(inertia, inertia.T, rtol=0.0, atol=slack))
 
 
 def audit(robot: RobotModel) -> tuple[Diagnostic, ...]:
@@ -80,6 +90,13 @@ def _link_findings(name: str, link: Link) -> Iterator[Diagnostic]:
         )
     elif link.mass == 0.0:
         yield kinds.MASSLESS_LINK.at(None, f"link `{name}` has no mass", data={"mass_kg": 0.0})
+    if not is_symmetric(link.inertia):
+        yield kinds.ASYMMETRIC_INERTIA.at(
+            None,
+            f"the inertia tensor of link `{name}` is not symmetric",
+            hint="write each product of inertia on both sides of the diagonal",
+        )
+        return
     a, b, c = (float(moment) for moment in np.linalg.eigvalsh(link.inertia))
     figures = f"{a:.4g}, {b:.4g}, {c:.4g} kg·m²"
     if a <= 0.0 and link.inertia.any():  # no moments at all: a point mass, allowed as an idealisation

@@ -43,6 +43,17 @@ Nothing needs to be done in the first case; in the second, look up or estimate t
 """,
 )
 
+ASYMMETRIC_INERTIA = define(
+    "X862",
+    "inertia-tensor-not-symmetric",
+    Severity.ERROR,
+    "an inertia tensor is not symmetric",
+    """
+An inertia tensor is symmetric: Ixy = Iyx and so on. Products of inertia are often given once, and with either
+sign: write the same number on both sides of the diagonal. The dynamics refuse the arm until then (M574).
+""",
+)
+
 INDEFINITE_INERTIA = define(
     "X853",
     "inertia-not-positive",

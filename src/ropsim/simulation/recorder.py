@@ -4,9 +4,9 @@ import numpy as np
 
 from ropsim.dynamics import structure_of
 from ropsim.model import RobotModel
+from ropsim.simulation.plant_code import observe
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.servo_log import LogLayout
-from ropsim.simulation.servo_source import observe
 from ropsim.simulation.servo_state import ServoState
 from ropsim.spatial import Array
 

@@ -20,6 +20,7 @@ from ropsim.dynamics import (
 )
 from ropsim.flow import JointReference
 from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.simulation.plant_code import efforts, plant_code
 from ropsim.simulation.recorder import Recorder
 from ropsim.simulation.servo_checks import (
     check_aux,
@@ -31,7 +32,7 @@ from ropsim.simulation.servo_checks import (
     check_vector,
     diverged,
 )
-from ropsim.simulation.servo_source import efforts, plant_code, servo_functions
+from ropsim.simulation.servo_source import servo_functions
 from ropsim.simulation.servo_state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -88,7 +89,7 @@ class Servo:
             OptionError: a rate is not a whole number of at least 1.
             ServoArrayError: the parameters of the law do not fit the arm.
             LawError: a law of your own does not work, or does not fit the drives.
-            ChainTooLongError: no code can be generated for the arm.
+            JointCountError: the arm has no joints, or not one link and one drive for each.
             ModelNumberError: a number of the model is not finite.
         """
         check_drives(robot)

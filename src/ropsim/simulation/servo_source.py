@@ -1,23 +1,11 @@
-"""The source of a servo slice: traced plant, law of the joint controller, and the loops around them."""
+"""The source of a servo slice: plant, law of the joint controller, and the loops around them."""
 
-from functools import lru_cache
-
-from ropsim.codegen import Bounds, Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
+from ropsim.codegen import Bounds, SourceFunction
 from ropsim.controller import CompiledLaw, LawTraits
-from ropsim.dynamics import (
-    ArmStructure,
-    arm_numbers,
-    sides_of,
-    structure_of,
-    trace_arm,
-    trace_drives,
-    trace_forward,
-    traced_numbers,
-)
-from ropsim.model import RobotModel
+from ropsim.dynamics import ArmStructure
+from ropsim.simulation.plant_code import plant_code
 from ropsim.simulation.servo_log import LogLayout
 from ropsim.simulation.servo_state import StateLayout
-from ropsim.spatial import Array
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
@@ -33,86 +21,6 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
         SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
         SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
     )
-
-
-@lru_cache(maxsize=64)
-def plant_code(structure: ArmStructure) -> GivenCode:
-    """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
-
-    `amplify(command, constants, u)` gives what the amplifiers put out; `derivative(x, u, constants, dx)` the
-    rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives at
-    the joints; `observe(x, u, constants, row)` a row of the log without the reference.
-    """
-    tracer, n = Tracer(), structure.n
-    layout = StateLayout.of(structure.drives, LawTraits())
-    numbers = traced_numbers(tracer, structure)
-    x = tracer.variables("x", layout.integrated)
-    command, u = tracer.variables("command", n), tracer.variables("u", n)
-    outputs = [chain.amplified(numbers.drives[k], command[k]) for k, chain in enumerate(structure.drives)]
-    q, qd = x[layout.q], x[layout.qd]
-    places = [layout.drive(k) for k in range(n)]
-    states = [[x[place] for place in own] for own in places]
-    carried = trace_drives(structure, numbers.drives, (q, qd), states, u)
-    tau = [one.effort for one in carried]
-    arm = trace_arm(tracer, structure, numbers, q)
-    rates: list[Scalar] = [*qd, *trace_forward(arm, qd, tau, sides_of(tracer, carried))]
-    results = [(f"dx[{k}]", rate) for k, rate in enumerate(rates)]
-    for own, one in zip(places, carried, strict=True):
-        results += [(f"dx[{place}]", rate) for place, rate in zip(own, one.rates, strict=True)]
-    return GivenCode.of(
-        Formula("amplify", ("command", "u"), [(f"u[{k}]", one) for k, one in enumerate(outputs)]),
-        Formula("derivative", ("x", "u", "dx"), results),
-        Formula("efforts", ("x", "u", "tau"), [(f"tau[{k}]", one) for k, one in enumerate(tau)]),
-        Formula("observe", ("x", "u", "row"), _row(structure, layout, x, u, tau)),
-    )
-
-
-def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:
-    """Enter everything but the reference into a row of the log.
-
-    Args:
-        robot: arm with drives.
-        x: integrated part of the state vector.
-        u: what the amplifiers put out.
-        row: of the log; written in place.
-    """
-    _evaluated(robot, "observe", x, u, row)
-
-
-def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
-    """Enter the torques of the drives at the joints into `tau`; arguments are those of `observe`."""
-    _evaluated(robot, "efforts", x, u, tau)
-
-
-def _evaluated(robot: RobotModel, name: str, x: Array, u: Array, result: Array) -> None:
-    """Evaluate a function of the plant once: plain Python is faster than compiling it."""
-    code = plant_code(structure_of(robot))
-    (source,) = (function for function in code.functions if function.name == name)
-    load(name, (source,), Engine.PYTHON)(x, u, _constants(robot), result)
-
-
-@lru_cache(maxsize=64)
-def _constants(robot: RobotModel) -> Array:
-    return plant_code(structure_of(robot)).constants(arm_numbers(robot))
-
-
-def _row(
-    structure: ArmStructure, layout: StateLayout, x: list[Scalar], u: list[Scalar], tau: list[Scalar]
-) -> list[tuple[str, Scalar]]:
-    """Return what `observe` enters: everything but the reference."""
-    known = {"q": x[layout.q], "qd": x[layout.qd], "tau": tau}
-    states = {field.name: field for field in layout.drives}
-    results = []
-    for field in LogLayout.of(structure.drives).fields:
-        for place, axis in enumerate(field.axes, field.first):
-            if field.name in known:
-                results.append((f"row[{place}]", known[field.name][axis]))
-            elif field.name in states:
-                state = states[field.name]
-                results.append((f"row[{place}]", x[state.first + state.axes.index(axis)]))
-            elif field.name == structure.drives[axis].amplifier.output.name:
-                results.append((f"row[{place}]", u[axis]))
-    return results
 
 
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:

@@ -1,6 +1,7 @@
 """The functions for callers with plain arrays."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 from ropsim import dynamics, kinematics, robots
 from ropsim.codegen import Engine
 from ropsim.model import Link, Payload, RobotModel
-from support.arms import random_arm, random_states
+from support.arms import drive, random_arm, random_states
 
 ROUNDING = 1e-11
 TWO_ENGINES = 1e-12  # elementary functions of two libraries
@@ -38,7 +39,7 @@ def test_both_engines_agree(puma: RobotModel) -> None:
         results = []
         for engine in Engine:
             qdd = np.empty(6)
-            dynamics.compiled(puma, engine=engine).forward(*(np.array(x) for x in (q, qd, tau)), qdd)
+            dynamics.compiled(puma, engine=engine).forward(np.array(q), np.array(qd), np.array(tau), qdd)
             results.append(qdd)
         np.testing.assert_allclose(results[0], results[1], rtol=TWO_ENGINES, atol=TWO_ENGINES)
 
@@ -66,10 +67,28 @@ def test_a_wrench_needs_six_numbers(puma: RobotModel) -> None:
         dynamics.inverse_dynamics(puma, rest, rest, rest, [1.0, 2.0, 3.0])
 
 
-def test_a_chain_that_is_too_long_is_refused_with_the_limit() -> None:
-    robot = random_arm(0, "R" * 13)
-    with pytest.raises(dynamics.ChainTooLongError, match="13 joints; code is generated for 1 to 12"):
-        dynamics.gravity(robot, np.zeros(13))
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"joints": (), "links": ()}, "has no joints"),
+        ({"links": ()}, "has 0 links for 2 joints"),
+        ({"drives": (drive(),)}, "has 1 drives for 2 joints"),
+    ],
+)
+def test_lists_that_do_not_go_together_are_refused(change: dict[str, Any], told: str) -> None:
+    robot = replace(random_arm(0, "RR"), **change)
+    with pytest.raises(dynamics.JointCountError, match=told) as caught:
+        dynamics.gravity(robot, np.zeros(robot.n))
+    assert caught.value.diagnostic.code == "M573"
+
+
+def test_an_inertia_that_is_not_symmetric_is_refused_by_name_of_the_joint() -> None:
+    robot = random_arm(0, "RR")
+    skew = robot.links[1].inertia + np.array([[0.0, 1e-6, 0.0], [0.0] * 3, [0.0] * 3])
+    broken = replace(robot, links=(robot.links[0], replace(robot.links[1], inertia=skew)))
+    with pytest.raises(dynamics.ModelNumberError, match=r"joint `2` .* not symmetric") as caught:
+        dynamics.gravity(broken, np.zeros(2))
+    assert caught.value.diagnostic.code == "M574"
 
 
 def test_a_model_with_nan_is_refused_by_name_of_the_joint() -> None:

@@ -107,3 +107,12 @@ def test_missing_links_and_drives_are_errors() -> None:
     puma = robots.load("puma560")
     assert "X858" in codes(replace(puma, links=puma.links[:5]))
     assert "X858" in codes(replace(puma, drives=puma.drives[:5]))
+
+
+def test_an_inertia_tensor_that_is_not_symmetric_is_an_error() -> None:
+    puma = robots.load("puma560")
+    skew = puma.links[2].inertia + np.array([[0.0, 1e-4, 0.0], [0.0] * 3, [0.0] * 3])
+    links = (*puma.links[:2], replace(puma.links[2], inertia=skew), *puma.links[3:])
+    (found,) = [one for one in audit(replace(puma, links=links)) if one.code == "X862"]
+    assert found.is_error
+    assert "link `3`" in found.message

@@ -1,0 +1,124 @@
+"""The functions of an arm that is too long for straight-line code: loops over its joints."""
+
+import ast
+from collections.abc import Callable
+from functools import lru_cache
+from inspect import getsource
+
+import numpy as np
+
+from ropsim.codegen import Compiled, Engine, Formula, GivenCode, SourceFunction, Tracer, load
+from ropsim.dynamics import chain_steps as steps
+from ropsim.dynamics.chain_loop import chain_accelerations, chain_mass_matrix, chain_torques
+from ropsim.dynamics.model_check import check_model
+from ropsim.dynamics.structure import BODY, ArmStructure, arm_numbers, structure_of, traced_numbers
+from ropsim.dynamics.traced_drives import joint_sides
+from ropsim.model import JointType, Payload, RobotModel
+from ropsim.spatial import Array
+
+_TYPES = {"chain": "f8[::1]", "b": "i8", "q": "f8", "qd": "f8", "R": "f8[:,::1]", "A": "f8[:,::1]"}
+
+
+def _source(function: Callable[..., None], **types: str) -> SourceFunction:
+    """Return a function as it stands in its file; an argument without a type is a vector."""
+    module = ast.parse(getsource(function))
+    (definition,) = module.body
+    assert isinstance(definition, ast.FunctionDef)
+    for argument in definition.args.args:
+        argument.annotation = None
+    names = [argument.arg for argument in definition.args.args]
+    words = ", ".join(types.get(name, "f8[::1]") for name in names)
+    return SourceFunction(function.__name__, f"void({words})", ast.unparse(module))
+
+
+_STEPS = (
+    _source(steps.place_joint, **_TYPES),
+    _source(steps.carry_motion, **_TYPES),
+    _source(steps.carry_force, **_TYPES),
+    _source(steps.move_joint, **_TYPES),
+    _source(steps.momentum, **_TYPES),
+    _source(steps.turn_momentum, **_TYPES),
+    _source(steps.spatial_inertia, **_TYPES),
+    _source(steps.carry_inertia, **_TYPES, into="f8[:,::1]"),
+)
+TORQUES = (*_STEPS, _source(chain_torques))
+ACCELERATIONS = (*_STEPS, _source(chain_accelerations))
+MASS_MATRIX = (*TORQUES, _source(chain_mass_matrix))
+
+
+def chain_numbers(structure: ArmStructure, numbers: Array) -> Array:
+    """Return an arm as the loops take it; see `chain_loop`.
+
+    Args:
+        structure: geometry of the arm.
+        numbers: as from `arm_numbers`.
+    """
+    bodies = numbers[3 : 3 + BODY * structure.n].reshape(structure.n, BODY)
+    found = [numbers[:3]]
+    for k in range(structure.n):
+        slides = float(structure.types[k] is JointType.PRISMATIC)
+        rotation, origin = structure.placements[k]
+        found.append(np.array([slides, structure.offsets[k], *rotation, *origin, *bodies[k]]))
+    rotation, origin = structure.interface
+    return np.concatenate([*found, rotation, origin])
+
+
+@lru_cache(maxsize=64)
+def sides_code(structure: ArmStructure) -> GivenCode:
+    """Return `sides(qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
+    tracer, n = Tracer(), structure.n
+    qd = tracer.variables("qd", n)
+    sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, qd)
+    sides = sides or [(tracer.constant(0.0),) * 2] * n
+    results = [(f"out[{k}]", friction) for k, (friction, _) in enumerate(sides)]
+    results += [(f"out[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
+    return GivenCode.of(Formula("sides", ("qd", "out"), results))
+
+
+class LongArmFunctions:
+    """What `ArmFunctions` is for arms of more than `MOST_JOINTS` joints: the same functions.
+
+    Torques and accelerations cost time in proportion to the number of joints, the mass matrix to its square.
+
+    Args:
+        robot: the arm.
+        payload: body at the mechanical interface; None for none.
+        engine: who runs the code.
+    """
+
+    def __init__(self, robot: RobotModel, payload: Payload | None, engine: Engine) -> None:
+        check_model(robot)
+        structure, numbers = structure_of(robot), arm_numbers(robot, payload)
+        self._n = robot.n
+        self._engine = engine
+        self._chain = chain_numbers(structure, numbers)
+        # one line for each joint: compiling them takes longer than many calls in plain Python
+        self._sides = sides_code(structure).bound("long_arm_sides", numbers, Engine.PYTHON)
+
+    def rigid_inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
+        """Enter the torques of the rigid bodies only."""
+        self._code(TORQUES)(q, qd, qdd, wrench, self._chain, tau)
+
+    def inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
+        """Enter the torques with friction and motor inertia."""
+        self.rigid_inverse(q, qd, qdd, wrench, tau)
+        friction, inertia = self._friction_and_inertia(qd)
+        tau += inertia * qdd + friction
+
+    def forward(self, q: Array, qd: Array, tau: Array, qdd: Array) -> None:
+        """Enter the accelerations with friction and motor inertia."""
+        friction, inertia = self._friction_and_inertia(qd)
+        self._code(ACCELERATIONS)(q, qd, tau - friction, inertia, self._chain, qdd)
+
+    def mass_matrix(self, q: Array, M: Array) -> None:
+        """Enter the mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
+        self._code(MASS_MATRIX)(q, self._chain, M)
+        M[:: self._n + 1] += self._friction_and_inertia(np.zeros(self._n))[1]
+
+    def _code(self, functions: tuple[SourceFunction, ...]) -> Compiled:
+        return load(functions[-1].name, functions, self._engine)
+
+    def _friction_and_inertia(self, qd: Array) -> tuple[Array, Array]:
+        out = np.empty(2 * self._n)
+        self._sides(qd, out)
+        return out[: self._n], np.ascontiguousarray(out[self._n :])
