@@ -60,10 +60,8 @@ def routes(folder: Path, workplace: Workplace) -> list[BaseRoute]:
         return HTMLResponse(page, headers=headers)
 
     async def pack(request: Request) -> Response:
-        number = request.path_params["run"]
-        content = (
-            workplace.session.runs.pack(int(number)) if len(number) < 19 and number.isdecimal() else None
-        )
+        number = _run_number(request)
+        content = workplace.session.runs.pack(number) if number is not None else None
         return _bytes(content, "application/octet-stream", {})
 
     async def mesh(request: Request) -> Response:
@@ -84,12 +82,17 @@ def _saved(workplace: Workplace, ending: str) -> Callable[[Request], Awaitable[R
     form, media_type = FILES[ending]
 
     async def saved(request: Request) -> Response:
-        number, session = request.path_params["run"], workplace.session
-        known = len(number) < 19 and number.isdecimal()
-        content = await session.runs.file(int(number), form) if known else None
+        number, session = _run_number(request), workplace.session
+        content = await session.runs.file(number, form) if number is not None else None
         return _bytes(content, media_type, _to_keep(session, ending) if content is not None else {})
 
     return saved
+
+
+def _run_number(request: Request) -> int | None:
+    """Return the run that an address means, None where it is no number in plain digits."""
+    text: str = request.path_params["run"]
+    return int(text) if len(text) < 19 and text.isascii() and text.isdecimal() else None
 
 
 def _to_keep(session: Session, ending: str) -> dict[str, str]:

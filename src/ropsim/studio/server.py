@@ -142,6 +142,7 @@ def _configuration(app: ASGIApp) -> uvicorn.Config:
         ws="websockets-sansio",
         ws_max_size=LONGEST_MESSAGE,
         ws_per_message_deflate=False,
+        ws_ping_interval=None,  # of a page that is gone this machine tells; a held-up one must not be cut off
         server_header=False,
         proxy_headers=False,
         timeout_graceful_shutdown=2,
