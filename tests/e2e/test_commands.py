@@ -1,5 +1,11 @@
-"""The user's path on the command line, and everything that can be wrong on it."""
+"""The user's path on the command line, and everything that can be wrong on it.
 
+The path itself is walked in processes of their own; what is wrong on it is told by the same commands in this
+one, which needs not be started each time. `test_hostile_streams.py` has what only a process can meet.
+"""
+
+import contextlib
+import io
 import json
 import random
 import re
@@ -10,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from ropsim.cli.main import main
 from ropsim.cli.parser import build_parser
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
@@ -18,15 +25,33 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 
 
-def ropsim(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    found = subprocess.run(
-        [sys.executable, "-m", "ropsim", *arguments],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        timeout=PATIENCE,
-        check=False,
+def process(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a command in a process of its own."""
+    return sound(
+        subprocess.run(
+            [sys.executable, "-m", "ropsim", *arguments],
+            capture_output=True,
+            text=True,
+            cwd=cwd,
+            timeout=PATIENCE,
+            check=False,
+        )
     )
+
+
+def ropsim(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a command in this process."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), contextlib.chdir(cwd or "."):
+        try:
+            code = main(arguments)
+        except SystemExit as end:  # of the parser
+            code = int(end.code or 0)
+    return sound(subprocess.CompletedProcess(arguments, code, out.getvalue(), err.getvalue()))
+
+
+def sound(found: subprocess.CompletedProcess[str]) -> subprocess.CompletedProcess[str]:
+    """Return a result that shows no fault of ropsim itself."""
     assert "Traceback" not in found.stderr, found.stderr
     assert "bug in ropsim" not in found.stderr, found.stderr
     return found
@@ -46,13 +71,13 @@ def program(project: Path, text: str) -> Path:
 
 
 def test_the_version_is_one_line() -> None:
-    found = ropsim("--version")
+    found = process("--version")
     assert found.returncode == 0
     assert found.stdout.startswith("ropsim ")
 
 
 def test_help_names_every_command() -> None:
-    shown = re.findall(r"^ {4}([a-z]+) +\S", ropsim("--help").stdout, re.MULTILINE)
+    shown = re.findall(r"^ {4}([a-z]+) +\S", process("--help").stdout, re.MULTILINE)
     (commands,) = (one for one in build_parser()._actions if one.choices)
     assert shown == list(commands.choices or ())
     assert len(shown) > 8
@@ -66,7 +91,7 @@ def test_the_examples_are_right(name: str) -> None:
 
 def test_a_run_writes_report_and_recording(project: Path, tmp_path: Path) -> None:
     report, record = tmp_path / "r" / "report.html", tmp_path / "r" / "run.npz"
-    found = ropsim("run", str(project), "--report", str(report), "--record", str(record), "--json")
+    found = process("run", str(project), "--report", str(report), "--record", str(record), "--json")
     assert found.returncode == 0, found.stderr
     document = json.loads(found.stdout)
     assert document["ok"] is True
@@ -84,9 +109,9 @@ def test_a_kinematic_run_tells_its_cycle_time(project: Path) -> None:
 def test_icr_can_be_compiled_verified_and_run(tmp_path: Path) -> None:
     task = str(EXAMPLES / "fig5" / "programs" / "main.task")
     code = tmp_path / "fig5.icr"
-    assert ropsim("icr", "compile", task, "-o", str(code)).returncode == 0
-    assert ropsim("icr", "verify", str(code)).returncode == 0
-    found = ropsim("icr", "run", str(code))
+    assert process("icr", "compile", task, "-o", str(code)).returncode == 0
+    assert process("icr", "verify", str(code)).returncode == 0
+    found = process("icr", "run", str(code))
     assert found.returncode == 0
     assert "72 moves, 72 gripper actions" in found.stdout
 
@@ -95,7 +120,7 @@ def test_a_wrong_task_name_is_answered_in_the_words_of_the_paper(project: Path) 
     text = (
         (EXAMPLES / "fig5" / "programs" / "main.task").read_text().replace("call release 2", "call relase 2")
     )
-    found = ropsim("run", str(program(project, text)))
+    found = process("run", str(program(project, text)))
     assert found.returncode == 1
     assert "Task not defined: `relase`" in found.stderr
     assert "did you mean `release`?" in found.stderr
@@ -205,7 +230,7 @@ def test_missing_things_are_wrong_usage(tmp_path: Path, project: Path) -> None:
     found = ropsim("run", str(project), "mian")
     assert found.returncode == 2
     assert "did you mean `main`?" in found.stderr
-    assert ropsim("frobnicate").returncode == 2
+    assert process("frobnicate").returncode == 2
     assert ropsim("explain", "M999").returncode == 2
 
 
@@ -293,10 +318,10 @@ def test_ik_says_how_far_a_pose_is_out_of_reach() -> None:
 
 
 def test_a_new_project_runs_at_once(tmp_path: Path) -> None:
-    made = ropsim("new", "mine", cwd=tmp_path)
+    made = process("new", "mine", cwd=tmp_path)
     assert made.returncode == 0, made.stderr
-    assert ropsim("run", "mine", cwd=tmp_path).returncode == 0
-    again = ropsim("new", "mine", cwd=tmp_path)
+    assert process("run", "mine", cwd=tmp_path).returncode == 0
+    again = process("new", "mine", cwd=tmp_path)
     assert again.returncode == 2
     assert "not an empty folder" in again.stderr
 

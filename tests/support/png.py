@@ -9,6 +9,7 @@ import numpy.typing as npt
 from ropsim.spatial import Array
 
 Bytes = npt.NDArray[np.uint8]
+Numbers = npt.NDArray[np.int16]
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 CHANNELS = {2: 3, 6: 4}
 """Bytes of a pixel by colour type: RGB and RGBA."""
@@ -21,11 +22,8 @@ def read_png(content: bytes) -> Array:
     width, height, bits, kind, _, _, interlaced = struct.unpack(">IIBBBBB", chunks[b"IHDR"])
     assert (bits, interlaced) == (8, 0)
     step = CHANNELS[kind]
-    rows = np.frombuffer(zlib.decompress(chunks[b"IDAT"]), np.uint8).reshape(height, 1 + width * step)
-    picture: Bytes = np.zeros((height, width, step), np.uint8)
-    above: Bytes = np.zeros((width, step), np.uint8)
-    for at, row in enumerate(rows):
-        above = picture[at] = _unfiltered(int(row[0]), row[1:].reshape(width, step), above)
+    lines = np.frombuffer(zlib.decompress(chunks[b"IDAT"]), np.uint8).reshape(height, 1 + width * step)
+    picture = _unfiltered(lines[:, 0], lines[:, 1:].reshape(height, width, step))
     return picture[:, :, :3].astype(np.float64)
 
 
@@ -41,33 +39,36 @@ def _chunks(content: bytes) -> dict[bytes, bytes]:
     return found
 
 
-def _unfiltered(kind: int, row: Bytes, above: Bytes) -> Bytes:
-    """Return a row of pixels from its differences to its neighbours at the left and above."""
-    if kind == 0:
-        return row
-    if kind == 1:
-        return np.cumsum(row, axis=0, dtype=np.uint8)
-    if kind == 2:
-        return row + above
-    guess = _average if kind == 3 else _paeth
-    pixels = []
-    left, corner = [0] * row.shape[1], [0] * row.shape[1]
-    for differences, over in zip(row.tolist(), above.tolist(), strict=True):
-        left = [
-            (d + guess(a, b, c)) & 255 for d, a, b, c in zip(differences, left, over, corner, strict=True)
-        ]
-        corner = over
-        pixels.append(left)
-    return np.array(pixels, np.uint8)
+def _unfiltered(kinds: Bytes, differences: Bytes) -> Numbers:
+    """Return the pixels (height, width, channels) from their differences to a guess from their neighbours.
+
+    A pixel needs those at its left, above, and left above. All those on a line that falls from the upper
+    right to the lower left, a front, have them at the same time and are made together.
+    """
+    height, width, channels = differences.shape
+    row, column = np.indices((height, width))
+    fronts = np.zeros((height + width, height, channels), np.int16)
+    fronts[row + column, row] = differences
+    # by front and row, behind two fronts and a row of nothing
+    made = np.zeros((height + width + 2, height + 1, channels), np.int16)
+    for front in range(height + width - 1):
+        rows = slice(max(0, front - width + 1), min(height, front + 1))
+        here = slice(rows.start + 1, rows.stop + 1)
+        left, above, corner = made[front + 1, here], made[front + 1, rows], made[front, rows]
+        kind = kinds[rows, None]
+        guess = np.select(
+            [kind == 1, kind == 2, kind == 3, kind == 4],
+            [left, above, (left + above) >> 1, _paeth(left, above, corner)],
+        )
+        made[front + 2, here] = (fronts[front, rows] + guess) & 255
+    pixels: Numbers = made[row + column + 2, row + 1]
+    return pixels
 
 
-def _average(left: int, above: int, corner: int) -> int:
-    return (left + above) // 2
-
-
-def _paeth(left: int, above: int, corner: int) -> int:
-    """Return the neighbour that is nearest to `left + above - corner`."""
-    by_left, by_above, by_corner = abs(above - corner), abs(left - corner), abs(left + above - 2 * corner)
-    if by_left <= by_above and by_left <= by_corner:
-        return left
-    return above if by_above <= by_corner else corner
+def _paeth(left: Numbers, above: Numbers, corner: Numbers) -> Numbers:
+    """Return the neighbours that are nearest to `left + above - corner`."""
+    by_left, by_above = np.abs(above - corner), np.abs(left - corner)
+    by_corner = np.abs(left + above - 2 * corner)
+    other = np.where(by_above <= by_corner, above, corner)
+    nearest: Numbers = np.where((by_left <= by_above) & (by_left <= by_corner), left, other)
+    return nearest
