@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.flow import Recording
 from ropsim.workbench import Project, open_project
-from support.browser import Pages
+from support.browser import UNDRAWN, Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -49,19 +49,22 @@ def first_studio(first_cell: Path, tmp_path_factory: pytest.TempPathFactory) -> 
 
 @pytest.fixture
 def fresh(first_pages: Pages, first_tab: StudioPage, first_cell: Path) -> Iterator[StudioPage]:
-    """Return the shared tab, loaded anew; what is done to the texts there is undone after the test."""
-    first_tab.renew()
+    """Return the shared tab with the program in sight; what is done to the texts is undone after the test."""
+    first_tab.rest()
+    first_tab.document("main.task")
+    first_tab.hear_nothing()
     yield first_tab
     for name in TEXTS:
         shutil.copyfile(FIRST_CELL / name, first_cell / name)
     first_tab.revert_all()
+    first_tab.has_texts({name: (FIRST_CELL / name).read_text("utf-8") for name in TEXTS})
     assert first_pages.unexpected() == [], "the page complained"
 
 
 @pytest.fixture(scope="module")
-def first_pages(browser: "Browser") -> Iterator[Pages]:
-    """Return what opens the shared tab."""
-    pages = Pages(browser)
+def first_pages(browser: "Browser", request: pytest.FixtureRequest) -> Iterator[Pages]:
+    """Return what opens the shared tab; modules that say `UNDRAWN = True` are not about the picture."""
+    pages = Pages(browser, UNDRAWN if getattr(request.module, "UNDRAWN", False) else "")
     yield pages
     pages.close()
 

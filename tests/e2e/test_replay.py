@@ -1,7 +1,7 @@
 """The report's 3-D replay in a real browser, opened as a file: no server, no network."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,10 +13,13 @@ from ropsim.flow import Recording
 from ropsim.workbench import Project, open_project
 from ropsim.workbench.viewer import built_viewer
 from support.browser import Pages, axe
+from support.patience import until
 from support.png import read_png
+from support.studio_gauges import drawn_in
+from support.studio_page import TWO_FRAMES
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import Browser, Page
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 #: A report may have this much, and this much for each simulated minute [bytes].
@@ -85,6 +88,29 @@ def opened(open_page: Pages, made: Made, **context: Any) -> "Page":
     return page
 
 
+@pytest.fixture(scope="module")
+def first_pages(browser: "Browser") -> Iterator[Pages]:
+    """Return what opens the shared page."""
+    pages = Pages(browser)
+    yield pages
+    pages.close()
+
+
+@pytest.fixture(scope="module")
+def first_page(first_pages: Pages, first: Made) -> "Page":
+    """Return a page with the first report that the tests share."""
+    return opened(first_pages, first)
+
+
+@pytest.fixture
+def page(first_pages: Pages, first_page: "Page") -> "Iterator[Page]":
+    """Return the shared page, paused at time 0."""
+    seek(first_page, 0.0)
+    first_page.get_by_label("Speed", exact=True).select_option("1×")
+    yield first_page
+    assert first_pages.unexpected() == [], "the page complained"
+
+
 def seek(page: "Page", time: float) -> None:
     page.evaluate("time => __ropsim.seek(time)", time)
 
@@ -108,22 +134,19 @@ def test_it_opens_as_a_file_draws_and_asks_for_nothing(open_page: Pages, first: 
     assert page.evaluate("() => __ropsim.stats().frames") > 0
 
 
-def test_it_plays_and_pauses(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
+def test_it_plays_and_pauses(page: "Page", first: Made) -> None:
+    page.get_by_label("Speed", exact=True).select_option("0.1×")  # the end is far, however late the pause
     page.get_by_role("button", name="Play", exact=True).click()
-    page.wait_for_function("() => __ropsim.time() > 0.3")
+    page.wait_for_function("() => __ropsim.time() > 0")
     page.get_by_role("button", name="Pause").click()
     stopped = time_of(page)
-    page.wait_for_timeout(300)
+    page.evaluate(TWO_FRAMES)
     assert time_of(page) == stopped < first.recording.duration
 
 
-def test_an_idle_page_draws_nothing(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
-    page.wait_for_function("() => __ropsim.stats().pending === 0")
-    frames = page.evaluate("() => __ropsim.stats().frames")
-    page.wait_for_timeout(400)
-    assert page.evaluate("() => __ropsim.stats().frames") == frames
+def test_an_idle_page_draws_nothing(page: "Page") -> None:
+    """It comes to rest: nothing is drawn in many frames of the browser."""
+    until(lambda: drawn_in(page, 25) == 0, "rest")
 
 
 def test_all_boxes_stand_on_the_pallet_at_the_end(open_page: Pages, palletizing: Made) -> None:
@@ -141,8 +164,7 @@ def test_all_boxes_stand_on_the_pallet_at_the_end(open_page: Pages, palletizing:
     assert sorted(np.argmin(distances, axis=1)) == list(range(36))
 
 
-def test_the_box_rides_with_the_gripper(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
+def test_the_box_rides_with_the_gripper(page: "Page", first: Made) -> None:
     grip, release = (
         next(e for e in first.recording.events if e.kind == kind) for kind in ("grip", "release")
     )
@@ -158,8 +180,7 @@ def test_the_box_rides_with_the_gripper(open_page: Pages, first: Made) -> None:
     assert poses(page)["box"] == pytest.approx(after, abs=SHOWN)
 
 
-def test_the_picture_agrees_with_the_numbers(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
+def test_the_picture_agrees_with_the_numbers(page: "Page", first: Made) -> None:
     seek(page, first.recording.duration)
     x, y, z = poses(page)["box"][:3]
     spots = [page.evaluate("([v, p]) => __ropsim.project(v, p)", [view, [x, y, z]]) for view in range(4)]
@@ -170,8 +191,7 @@ def test_the_picture_agrees_with_the_numbers(open_page: Pages, first: Made) -> N
     assert along["y"] == pytest.approx(spots[1]["y"], abs=0.5)
 
 
-def test_a_line_leads_to_its_move(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
+def test_a_line_leads_to_its_move(page: "Page", first: Made) -> None:
     moves = [event for event in first.recording.events if event.kind == "move" and event.span]
     event = moves[3]
     assert event.span is not None
@@ -184,8 +204,7 @@ def test_a_line_leads_to_its_move(open_page: Pages, first: Made) -> None:
     page.wait_for_function(marked, arg=source)  # the program follows the cursor a few times a second
 
 
-def test_the_keyboard_moves_through_the_program(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first)
+def test_the_keyboard_moves_through_the_program(page: "Page", first: Made) -> None:
     slider = page.get_by_role("slider", name="Simulated time")
     slider.focus()
     steps = sorted({e.time for e in first.recording.events if e.kind != "task" and e.span})
@@ -200,7 +219,7 @@ def test_the_keyboard_moves_through_the_program(open_page: Pages, first: Made) -
     words = slider.get_attribute("aria-valuetext") or ""
     assert words.startswith(f"0.0 of {first.recording.duration:.1f} seconds")
     page.keyboard.press(" ")
-    page.wait_for_function("() => __ropsim.time() > 0.1")
+    page.wait_for_function("() => __ropsim.time() > 0")
 
 
 def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages, first: Made) -> None:
@@ -216,6 +235,7 @@ def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages
     page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
     assert np.mean(read_png(stage.screenshot()).min(axis=2) == WHITE) > PAPER
     page.evaluate("() => dispatchEvent(new Event('afterprint'))")
+    page.wait_for_function("() => __ropsim.stats().pending === 0")
     assert np.array_equal(read_png(stage.screenshot()), shown["all"])
 
 
@@ -242,15 +262,8 @@ def test_a_narrow_screen_needs_no_sideways_scrolling(open_page: Pages, first: Ma
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 400
 
 
-def test_without_webgl_all_but_the_views_works(open_page: Pages, first: Made) -> None:
-    page = open_page("about:blank")
-    page.add_init_script(
-        "const get = HTMLCanvasElement.prototype.getContext;"
-        "HTMLCanvasElement.prototype.getContext = function (kind, ...rest)"
-        " { return kind.startsWith('webgl') ? null : get.call(this, kind, ...rest) }"
-    )
-    page.goto(first.url)
-    page.wait_for_selector("#replay[data-ready]")
+def test_without_webgl_all_but_the_views_works(open_undrawn: Pages, first: Made) -> None:
+    page = opened(open_undrawn, first)
     assert page.get_by_text("no WebGL 2").first.is_visible()
     page.get_by_role("slider", name="Simulated time").press("End")
     assert time_of(page) == first.recording.duration
@@ -274,7 +287,7 @@ def test_a_damaged_page_says_so_and_keeps_its_report(
     page = open_page(path.as_uri())
     alert = page.locator("#replay [role=alert]")
     alert.wait_for()
-    assert said in alert.inner_text()
+    alert.get_by_text(said).wait_for()
     assert page.get_by_role("heading", name="Charts").is_visible()
 
 

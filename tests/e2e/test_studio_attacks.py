@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from websockets.exceptions import InvalidStatus
 
-from ropsim.studio.sockets import MOST_LANGUAGE_SERVERS
 from ropsim.workbench import new_project, recording_file
 from ropsim.workbench.inputs import read_inputs
+from support import studio_launcher
 from support.patience import PATIENCE
 from support.studio_client import (
     Page,
@@ -26,7 +26,7 @@ from support.studio_client import (
     wait_for_journal,
 )
 from support.studio_family import gone, language_servers, needs_proc, workers
-from support.studio_process import Studio
+from support.studio_process import Studio, own_port
 
 MAIN = "programs/main.task"
 CLOSED = b"\x88\x02" + (1013).to_bytes(2, "big")
@@ -40,12 +40,20 @@ def project(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
-    with Studio(project, tmp_path / "home", command=command(tmp_path)) as running:
+    with Studio(project, tmp_path / "home", own_port(), command=command(tmp_path)) as running:
         yield running
 
 
-def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(studio: Studio) -> None:
-    with page_of(studio) as page:
+@pytest.fixture(scope="module")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    """Return a studio for tests that leave it as it was."""
+    place = tmp_path_factory.mktemp("shared")
+    with Studio(new_project(place / "cell"), place / "home", command=command(place)) as running:
+        yield running
+
+
+def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(shared: Studio) -> None:
+    with page_of(shared) as page:
         page.hear("run", state="done")
         for nonsense in (
             "",
@@ -68,7 +76,7 @@ def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(studio: Studio) -> 
         assert page.hear("jogged", id=2)["reached"] is False
         page.say(type="run", program="", fidelity="kinematic")
         page.hear("run", state="done")
-    assert studio.errors() == ""
+    assert shared.errors() == ""
 
 
 def test_a_tab_that_never_reads_is_dropped_and_holds_nobody_up(studio: Studio) -> None:
@@ -81,9 +89,9 @@ def test_a_tab_that_never_reads_is_dropped_and_holds_nobody_up(studio: Studio) -
             assert page.hear("notice")["code"] == "U958"
             assert resident(studio.process.pid) < 400
             deaf.settimeout(PATIENCE)
-            held = b""
-            while not held.endswith(CLOSED):
-                held = held[-4:] + deaf.recv(1_000_000)  # what was in the buffers
+            held = b""  # what was in the buffers; the closing words are for those who still listen by then
+            while not held.endswith(CLOSED) and (more := deaf.recv(1_000_000)):
+                held = held[-4:] + more
 
 
 def deaf_socket(studio: Studio) -> socket.socket:
@@ -117,15 +125,24 @@ def resident(pid: int) -> float:
 
 
 @needs_proc
-def test_many_tabs_share_few_language_servers_and_a_storm_leaves_none(studio: Studio) -> None:
+def test_many_tabs_share_few_language_servers_and_a_storm_leaves_none(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    most = 3
+    monkeypatch.setenv(studio_launcher.MOST_LANGUAGE_SERVERS, str(most))
+    with Studio(project, tmp_path / "home", command=command(tmp_path)) as studio:
+        storm(studio, most)
+
+
+def storm(studio: Studio, most: int) -> None:
     with contextlib.ExitStack() as stack:
         pages = [Page(stack.enter_context(opened(studio)), str(number)) for number in range(20)]
         assert sum(page.hear("welcome")["editing"] for page in pages) == 1
-        for _ in range(MOST_LANGUAGE_SERVERS):
+        for _ in range(most):
             stack.enter_context(opened(studio, "/ws/lsp"))
         with pytest.raises(InvalidStatus), opened(studio, "/ws/lsp"):
             pass
-        assert len(language_servers(studio.process.pid)) == MOST_LANGUAGE_SERVERS
+        assert len(language_servers(studio.process.pid)) == most
         for page in pages:
             page.hear("run", state="done")
     for _ in range(30):
@@ -137,8 +154,8 @@ def test_many_tabs_share_few_language_servers_and_a_storm_leaves_none(studio: St
         page.hear("welcome")
 
 
-def test_odd_addresses_are_not_found(studio: Studio) -> None:
-    ours = secret(studio)
+def test_odd_addresses_are_not_found(shared: Studio) -> None:
+    ours = secret(shared)
     for path in (
         "/run/../../etc/passwd",
         "/run/..%2f..%2fetc%2fpasswd",
@@ -154,7 +171,7 @@ def test_odd_addresses_are_not_found(studio: Studio) -> None:
         "/assets//etc/passwd",
         "/assets/%00",
     ):
-        assert get(studio, path, ours)[0] == 404, path
+        assert get(shared, path, ours)[0] == 404, path
 
 
 def test_the_next_studio_of_a_project_takes_the_open_page_back(
@@ -202,30 +219,30 @@ def test_a_port_that_something_else_has_taken_is_left_to_it(
                 page.hear("welcome")
 
 
-def test_the_newest_run_is_served_as_files_under_the_same_rules(studio: Studio, tmp_path: Path) -> None:
-    with page_of(studio) as page:
+def test_the_newest_run_is_served_as_files_under_the_same_rules(shared: Studio, tmp_path: Path) -> None:
+    with page_of(shared) as page:
         run = page.hear("run", state="done")["id"]
         for ending in ("npz", "inputs.json"):
-            status, content = get(studio, f"/run/{run}.{ending}", secret(studio))
+            status, content = get(shared, f"/run/{run}.{ending}", secret(shared))
             assert status == 200
             (tmp_path / f"x.{ending}").write_bytes(content)
-            assert get(studio, f"/run/{run}.{ending}", {})[0] == 401
-            assert get(studio, f"/run/{run + 7}.{ending}", secret(studio))[0] == 404
+            assert get(shared, f"/run/{run}.{ending}", {})[0] == 401
+            assert get(shared, f"/run/{run + 7}.{ending}", secret(shared))[0] == 404
         assert recording_file.read(tmp_path / "x.npz").duration > 0.0
         assert read_inputs(tmp_path / "x.inputs.json") == ()
 
 
-def test_cookies_of_other_servers_of_this_machine_do_no_harm(studio: Studio) -> None:
-    ours = secret(studio)["Cookie"]
+def test_cookies_of_other_servers_of_this_machine_do_no_harm(shared: Studio) -> None:
+    ours = secret(shared)["Cookie"]
     strangers = "; ".join(f"ropsim-{port}=wrong" for port in range(9000, 9020))
-    assert get(studio, "/", {"Cookie": f"{strangers}; {ours}; _xsrf=2|a|b"})[0] == 200
-    assert get(studio, "/", {"Cookie": strangers})[0] == 401
+    assert get(shared, "/", {"Cookie": f"{strangers}; {ours}; _xsrf=2|a|b"})[0] == 200
+    assert get(shared, "/", {"Cookie": strangers})[0] == 401
     for stranger in (
         {"Origin": "null"},
-        {"Origin": f"http://127.0.0.1:{studio.port + 1}"},
-        {"Host": f"evil.example:{studio.port}"},
+        {"Origin": f"http://127.0.0.1:{shared.port + 1}"},
+        {"Host": f"evil.example:{shared.port}"},
     ):
-        with pytest.raises(InvalidStatus), opened(studio, **stranger):
+        with pytest.raises(InvalidStatus), opened(shared, **stranger):
             pass
 
 

@@ -10,10 +10,12 @@ from ropsim.flow import Recording
 from ropsim.spatial import Array, Pose
 from ropsim.workbench import Project
 from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
-from support.studio_page import StudioPage
+from support.studio_page import TWO_FRAMES, StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
+
+UNDRAWN = True
 
 #: Poses are drawn in single precision; the joint angles to begin with come from the pack [m, rad].
 SHOWN = 1e-4
@@ -25,6 +27,7 @@ def jog(tab: StudioPage) -> "Locator":
     panel = tab.panel("Jog")
     panel.get_by_role("button", name="Jog from here").click()
     panel.get_by_role("heading", name="Joints").wait_for()
+    tab.page.wait_for_function("() => __ropsim.jogged()")  # the kinematics have answered
     return panel
 
 
@@ -80,7 +83,8 @@ def test_a_slider_moves_the_arm_with_the_mouse(
     tab.page.wait_for_function("slider => slider.value > -0.1", arg=slider.element_handle())
     angle = float(slider.input_value())
     stands_at(tab, first_project, np.array([start[0], angle, *start[2:]]))
-    assert jog.get_by_label("Joint 2, typed value").input_value() == f"{degrees(angle):.2f}°"
+    typed = jog.get_by_label("Joint 2, typed value")
+    tab.until(lambda: typed.input_value() == f"{degrees(angle):.2f}°")
 
 
 def test_jogging_leaves_run_and_texts_alone(tab: StudioPage, jog: "Locator", first_project: Project) -> None:
@@ -151,7 +155,8 @@ def test_what_is_no_quantity_is_refused_in_words(
     put(jog, "Joint 1", "12 furlong")
     jog.get_by_role("alert").get_by_text("“furlong” is no unit here; use deg, °, rad").wait_for()
     jog.get_by_label("Joint 1, typed value").press("Escape")
-    assert jog.get_by_label("Joint 1, typed value").input_value() == f"{degrees(start[0]):.2f}°"
+    typed = jog.get_by_label("Joint 1, typed value")
+    tab.until(lambda: typed.input_value() == f"{degrees(start[0]):.2f}°")
     stands_at(tab, first_project, start)
 
 
@@ -194,9 +199,9 @@ def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator
     tab.page.mouse.down()
     tab.page.wait_for_function("y => __ropsim.jogged().link6[1] > y", arg=start + 0.05)
     tab.page.mouse.up()
-    jog.get_by_role("button", name="Undo: Jog TCP Y").wait_for()
+    jog.get_by_role("button", name="Undo: Jog TCP Y").wait_for()  # comes with the last answer
     stopped = tab.poses("jogged")
-    tab.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    tab.page.evaluate(TWO_FRAMES)
     assert tab.poses("jogged") == stopped
     jog.get_by_role("button", name="Undo: Jog TCP Y").click()
     tab.page.wait_for_function("y => Math.abs(__ropsim.jogged().link6[1] - y) < 1e-4", arg=start)

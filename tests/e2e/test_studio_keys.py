@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.workbench import open_project
 from ropsim.workbench.inputs import read_inputs
-from support.browser import Pages
+from support.browser import UNDRAWN, Pages
 from support.keys_project import keys_project
 from support.studio_page import StudioPage
 from support.studio_process import Studio
@@ -18,11 +18,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator
 
 ON = "() => { const now = __ropsim.state(); return now.live === 'running' && !now.recorded }"
-OVER = (
-    "() => { const now = __ropsim.state();"
-    " return now.live !== 'running' && now.recorded && now.runState === 'done' && !now.stale }"
-)
-WAITING = "() => document.querySelector('.cm-running')?.textContent.startsWith('wait until start')"
+OVER = "() => { const now = __ropsim.state(); return now.live !== 'running' && now.recorded && now.current }"
 #: What tells one finished run from another, bit by bit.
 DIGEST = (
     "async id => { const bytes = await (await fetch(`/run/${id}.pack`)).arrayBuffer();"
@@ -37,7 +33,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def pages(browser: "Browser") -> Iterator[Pages]:
-    pages = Pages(browser)
+    pages = Pages(browser, UNDRAWN)
     yield pages
     pages.close()
 
@@ -53,9 +49,11 @@ def keys(pages: Pages, shared: StudioPage) -> Iterator[StudioPage]:
     """Return the page of the project with the panel of signals in front, and no live run."""
     shared.panel("Signals")
     yield shared
-    for command in ("live.stop", "live.forget"):
-        shared.page.evaluate("command => __ropsim.command(command)", command)
-        shared.page.wait_for_function(OVER)
+    shared.page.evaluate("() => __ropsim.command('live.stop')")
+    over(shared)
+    shown = shared.state()["shown"]
+    if shared.page.evaluate("() => __ropsim.command('live.forget')"):
+        shared.rerun(shown)
     shared.page.locator(".presses").wait_for(state="detached")
     assert pages.unexpected() == [], "the page complained"
 
@@ -79,6 +77,18 @@ def arm(signals: "Locator") -> None:
     signals.get_by_role("switch", name="Keys set inputs", checked=True).wait_for()
 
 
+def hold(keys: StudioPage, signals: "Locator", key: str) -> None:
+    """Hold a key until the program has seen it: a press of some time may be over before it looks."""
+    keys.page.keyboard.down(key)
+    lamp(signals)
+    keys.page.keyboard.up(key)
+
+
+def lamp(signals: "Locator") -> None:
+    """Wait until the program has seen its input."""
+    signals.locator(".outputs", has_text="lamp 1").wait_for()
+
+
 def over(keys: StudioPage) -> None:
     keys.page.wait_for_function(OVER)
 
@@ -100,9 +110,7 @@ def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
 ) -> None:
     arm(signals)
     live(keys, signals)
-    keys.page.keyboard.down("1")
-    signals.locator(".outputs", has_text="lamp 1").wait_for()
-    keys.page.keyboard.up("1")
+    hold(keys, signals, "1")
     over(keys)
     first = keys.state()
     (pressed, on), (released, off) = presses(signals, "start")
@@ -130,7 +138,7 @@ def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
 def test_forgotten_presses_take_no_more_part(keys: StudioPage, signals: "Locator") -> None:
     arm(signals)
     live(keys, signals)
-    keys.page.keyboard.press("1", delay=100)
+    hold(keys, signals, "1")
     over(keys)
     shown = keys.state()["shown"]
     assert keys.state()["duration"] < 60.0
@@ -143,9 +151,9 @@ def test_forgotten_presses_take_no_more_part(keys: StudioPage, signals: "Locator
 def test_a_key_that_is_not_armed_does_nothing(keys: StudioPage, signals: "Locator") -> None:
     live(keys, signals)
     signals.get_by_role("switch", name="Keys set inputs", checked=False).wait_for()
-    keys.page.keyboard.press("1", delay=100)
+    keys.page.keyboard.press("1")
     # what was sent before is heard before: this press comes behind that one
-    signals.get_by_role("button", name="Set level").click(delay=100)
+    signals.get_by_role("button", name="Set level").click()
     signals.locator(".presses", has_text="level").wait_for()
     assert presses(signals, "start") == []
 
@@ -155,16 +163,19 @@ def test_a_key_in_the_text_is_text(keys: StudioPage, signals: "Locator") -> None
     live(keys, signals)
     keys.append(1, " # 1")
     keys.page.locator(".cm-line", has_text="program keys # 1").wait_for()
-    signals.get_by_role("button", name="Set level").click(delay=100)
+    signals.get_by_role("button", name="Set level").click()
     signals.locator(".presses", has_text="level").wait_for()
     assert presses(signals, "start") == []
+    keys.page.evaluate("() => __ropsim.command('live.stop')")  # else it goes on to its end
     keys.revert_all()
 
 
 def test_a_button_sets_its_input_without_a_key(keys: StudioPage, signals: "Locator") -> None:
     live(keys, signals)
-    signals.get_by_role("button", name="Set start").click(delay=150)
-    signals.locator(".outputs", has_text="lamp 1").wait_for()
+    signals.get_by_role("button", name="Set start").hover()
+    keys.page.mouse.down()
+    lamp(signals)
+    keys.page.mouse.up()
     over(keys)
 
 
@@ -177,7 +188,7 @@ def test_another_key_is_learnt_and_undone(keys: StudioPage, signals: "Locator") 
     key.filter(has_text="G").wait_for()
     arm(signals)
     live(keys, signals)
-    keys.page.keyboard.press("g", delay=150)
+    hold(keys, signals, "g")
     over(keys)
     keys.page.get_by_role("menuitem", name="Edit").click()
     keys.page.get_by_role("menuitem", name="Undo: Key G for start").click()
@@ -190,8 +201,8 @@ def test_a_toggled_input_stays_until_the_next_press(keys: StudioPage, signals: "
     arm(signals)
     live(keys, signals)
     keys.page.keyboard.press("1")
-    signals.locator(".outputs", has_text="lamp 1").wait_for()
-    assert [value for _, value in presses(signals, "start")] == [1.0]
+    lamp(signals)
+    keys.until(lambda: [value for _, value in presses(signals, "start")] == [1.0])
     keys.page.keyboard.press("1")
     over(keys)
     mode.select_option("while held")

@@ -163,7 +163,7 @@ def test_nothing_of_hidden_views_is_seen(tab: StudioPage) -> None:
     )
     assert tab.page.evaluate(letters) > 0
     tab.page.get_by_role("button", name="Maximise: Program").click()
-    assert tab.page.evaluate(letters) == 0
+    tab.until(lambda: tab.page.evaluate(letters) == 0)
     tab.page.get_by_role("button", name="Restore size: Program").click()
 
 

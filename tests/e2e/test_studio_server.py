@@ -37,6 +37,14 @@ def studio(project: Path, tmp_path: Path) -> Iterator[Studio]:
         yield running
 
 
+@pytest.fixture(scope="module")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    """Return a studio for tests that leave it as it was."""
+    place = tmp_path_factory.mktemp("shared")
+    with Studio(new_project(place / "cell"), place / "home", command=command(place)) as running:
+        yield running
+
+
 @needs_proc
 def test_ctrl_c_ends_server_workers_and_language_server(studio: Studio) -> None:
     with page_of(studio) as page, opened(studio, "/ws/lsp") as language:
@@ -87,8 +95,8 @@ def test_a_page_sees_the_cell_the_run_and_an_edit_that_is_refused(studio: Studio
         assert get(studio, f"/run/{refused['id']}.pack", secret(studio))[0] == 404
 
 
-def test_the_language_server_answers_through_its_socket(studio: Studio, project: Path) -> None:
-    with opened(studio, "/ws/lsp") as language:
+def test_the_language_server_answers_through_its_socket(shared: Studio, project: Path) -> None:
+    with opened(shared, "/ws/lsp") as language:
         language.send('{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}')
         answer = json.loads(language.recv(timeout=PATIENCE))
         assert (answer["id"], "capabilities" in answer["result"]) == (1, True)
@@ -102,14 +110,14 @@ def test_the_language_server_answers_through_its_socket(studio: Studio, project:
         assert found["params"]["diagnostics"]
 
 
-def test_strangers_stay_outside(studio: Studio) -> None:
-    ours = secret(studio)
-    assert get(studio, "/", ours)[0] == 200
-    assert get(studio, "/", {})[0] == 401
-    assert get(studio, "/assets/index-1a2b3c.js", {})[0] == 401
-    assert get(studio, "/", {**ours, "Host": "evil.example"})[0] == 400
-    assert get(studio, "/", ours, "POST")[0] == 403
-    assert get(studio, "/assets/../index.html", ours)[0] == 404
+def test_strangers_stay_outside(shared: Studio) -> None:
+    ours = secret(shared)
+    assert get(shared, "/", ours)[0] == 200
+    assert get(shared, "/", {})[0] == 401
+    assert get(shared, "/assets/index-1a2b3c.js", {})[0] == 401
+    assert get(shared, "/", {**ours, "Host": "evil.example"})[0] == 400
+    assert get(shared, "/", ours, "POST")[0] == 403
+    assert get(shared, "/assets/../index.html", ours)[0] == 404
     for path in ("/ws/studio", "/ws/lsp"):
         for headers, status in (
             ({"Origin": "https://evil.example"}, 403),
@@ -118,19 +126,19 @@ def test_strangers_stay_outside(studio: Studio) -> None:
             ({"Host": "evil.example"}, 400),
         ):
             with pytest.raises(InvalidStatus) as refused:
-                opened(studio, path, **headers)
+                opened(shared, path, **headers)
             assert refused.value.response.status_code == status
 
 
-def test_the_page_has_a_nonce_of_its_own_each_time(studio: Studio) -> None:
-    ours = secret(studio)
-    first, second = (get(studio, "/", ours)[1].decode() for _ in range(2))
+def test_the_page_has_a_nonce_of_its_own_each_time(shared: Studio) -> None:
+    ours = secret(shared)
+    first, second = (get(shared, "/", ours)[1].decode() for _ in range(2))
     assert "__CSP_NONCE__" not in first
     assert first != second
 
 
-def test_a_message_beyond_all_measure_ends_its_own_socket_only(studio: Studio) -> None:
-    with opened(studio) as socket, page_of(studio) as other:
+def test_a_message_beyond_all_measure_ends_its_own_socket_only(shared: Studio) -> None:
+    with opened(shared) as socket, page_of(shared) as other:
         with contextlib.suppress(ConnectionClosed):  # sooner or later, as the buffers have it
             socket.send("x" * 20_000_000)
         with pytest.raises(ConnectionClosed):

@@ -1,6 +1,7 @@
 """One cursor through the run: views, table, plot, program and ghost show the same time, and rightly."""
 
 from math import degrees
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -8,7 +9,10 @@ import pytest
 from ropsim.flow import Event, Recording
 from ropsim.workbench import Project
 from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
-from support.studio_page import StudioPage
+from support.studio_page import TWO_FRAMES, StudioPage
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator
 
 #: What nobody sees in the views: a pose may be off by this much [m, rad].
 UNSEEN = 1e-3
@@ -64,19 +68,23 @@ def test_the_gripped_box_rides_and_ends_on_its_goal(
 def test_play_goes_on_to_the_end_and_stops_there(tab: StudioPage, first_run: Recording) -> None:
     tab.page.get_by_label("Speed", exact=True).select_option("8×")
     tab.page.get_by_role("button", name="Play", exact=True).click()
-    tab.page.wait_for_function("() => __ropsim.time() > 0")  # on busy cores nobody may see it play
+    # on busy cores nobody may see it play
+    tab.page.wait_for_function("end => __ropsim.time() === end", arg=first_run.duration)
     tab.page.get_by_role("button", name="Play", exact=True).wait_for()
-    assert tab.time() == first_run.duration
     tab.page.get_by_label("Speed", exact=True).select_option("1×")
 
 
-def test_pause_keeps_the_time(tab: StudioPage) -> None:
+def test_pause_keeps_the_time(tab: StudioPage, first_run: Recording) -> None:
+    speed = tab.page.get_by_label("Speed", exact=True)
+    speed.select_option("0.1×")  # the end is far, however late the second key comes
+    tab.view("Perspective").focus()
     tab.page.keyboard.press("Space")
-    tab.page.wait_for_function("() => __ropsim.time() > 0.1")
+    tab.page.wait_for_function("() => __ropsim.time() > 0")
     tab.page.keyboard.press("Space")
     stopped = tab.time()
-    tab.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    assert tab.time() == stopped
+    tab.page.evaluate(TWO_FRAMES)
+    assert tab.time() == stopped < first_run.duration
+    speed.select_option("1×")
 
 
 def test_buttons_and_arrow_keys_go_from_step_to_step(tab: StudioPage, first_run: Recording) -> None:
@@ -133,9 +141,8 @@ def test_brackets_choose_the_repeated_stretch_wherever_the_keyboard_is(
     tab.seek(0.75 * first_run.duration)
     tab.page.keyboard.press("]")
     repeat = tab.page.get_by_role("button", name="Repeat", exact=True)
-    assert repeat.get_attribute("aria-pressed") == "true"
-    repeat.click()
-    assert repeat.get_attribute("aria-pressed") == "false"
+    repeat.and_(tab.page.locator("[aria-pressed=true]")).click()
+    repeat.and_(tab.page.locator("[aria-pressed=false]")).wait_for()
 
 
 def test_a_result_leads_to_the_moment_and_line_where_it_arises(tab: StudioPage, first_run: Recording) -> None:
@@ -223,11 +230,16 @@ def test_the_table_is_searched_by_name_and_group(tab: StudioPage) -> None:
     panel = tab.panel("States")
     panel.get_by_label("Filter states").fill("tau")
     names = panel.get_by_role("rowheader")
-    names.first.wait_for()
-    assert names.all_text_contents() == [f"Joint {number} torque" for number in range(1, 7)]
+    torques = [f"Joint {number} torque" for number in range(1, 7)]
+    tab.until(lambda: names.all_text_contents() == torques)
     panel.get_by_label("Filter states").fill("no such state")
     panel.get_by_text("No matching state.").wait_for()
     panel.get_by_label("Filter states").fill("")
+
+
+def near(number: float, tolerance: float, text: str) -> bool:
+    """Return whether a text with a unit says a number; values beside names are written a little later."""
+    return abs(float(text.removesuffix("°/s")) - number) < tolerance
 
 
 def test_a_plot_shows_the_channel_that_was_chosen_at_the_cursor(
@@ -243,12 +255,37 @@ def test_a_plot_shows_the_channel_that_was_chosen_at_the_cursor(
     drawing = plot.get_by_role("img", name="Plot over time of Joint 3 speed")
     drawing.wait_for()
     speed = np.interp(time, first_run.time, first_run.channels["qd"].values[:, 2])
-    value = plot.locator(".plot-legend output").text_content() or ""
-    assert float(value.removesuffix("°/s")) == pytest.approx(degrees(speed), abs=0.5)
+    value = plot.locator(".plot-legend output", has_text="°/s")
+    tab.until(lambda: near(degrees(speed), 0.5, value.text_content() or ""))
+
+
+#: The time line of a plot is drawn on whole pixels: it may stand this far from its place [px].
+PIXEL = 1.0
+LINES_RIGHT = (
+    "([pixel, time]) => { const lines = __ropsim.plots();"
+    " return __ropsim.time() === time && lines.length > 0"
+    " && lines.every(one => one && one.inside && Math.abs(one.drawn - one.scale) <= pixel) }"
+)
+LINE_MOVED = "([from, by]) => Math.abs(__ropsim.plots()[0].drawn - from) > by"
+LINE_BACK = "([at, by]) => Math.abs(__ropsim.plots()[0].drawn - at) <= by"
+
+
+def plot_line_is_right(tab: StudioPage) -> None:
+    """Wait until the time line of each plot stands where the scale of the plot has the time."""
+    tab.page.wait_for_function(LINES_RIGHT, arg=[PIXEL, tab.time()])
+
+
+def plot_area(tab: StudioPage) -> "Locator":
+    """Return where the plot is drawn, once it is drawn for its size."""
+    over = tab.panel("Plot").locator(".u-over")
+    over.wait_for()
+    tab.page.evaluate(TWO_FRAMES)
+    plot_line_is_right(tab)
+    return over
 
 
 def test_a_click_into_a_plot_goes_to_that_time(tab: StudioPage, first_run: Recording) -> None:
-    over = tab.panel("Plot").locator(".u-over")
+    over = plot_area(tab)
     box = over.bounding_box()
     assert box is not None
     over.click(position={"x": 0.5 * box["width"], "y": 0.5 * box["height"]})
@@ -258,7 +295,7 @@ def test_a_click_into_a_plot_goes_to_that_time(tab: StudioPage, first_run: Recor
 def test_dragging_zooms_a_plot_and_a_double_click_shows_all_again(
     tab: StudioPage, first_run: Recording
 ) -> None:
-    over = tab.panel("Plot").locator(".u-over")
+    over = plot_area(tab)
     box = over.bounding_box()
     assert box is not None
     x, y, width = box["x"], box["y"] + box["height"] / 2, box["width"]
@@ -273,40 +310,25 @@ def test_dragging_zooms_a_plot_and_a_double_click_shows_all_again(
     assert tab.time() == pytest.approx(0.25 * first_run.duration, abs=0.02 * first_run.duration)
 
 
-#: The time line of a plot is drawn on whole pixels: it may stand this far from its place [px].
-PIXEL = 1.0
-LINES_RIGHT = (
-    "([pixel, time]) => { const lines = __ropsim.plots();"
-    " return __ropsim.time() === time && lines.length > 0"
-    " && lines.every(one => one && one.inside && Math.abs(one.drawn - one.scale) <= pixel) }"
-)
-
-
-def plot_line_is_right(tab: StudioPage) -> None:
-    """Wait until the time line of each plot stands where the scale of the plot has the time."""
-    tab.page.wait_for_function(LINES_RIGHT, arg=[PIXEL, tab.time()])
-
-
 def test_the_time_line_of_a_plot_is_right_after_zooms_and_other_colours(
     tab: StudioPage, first_run: Recording
 ) -> None:
     tab.seek(0.6 * first_run.duration)
-    over = tab.panel("Plot").locator(".u-over")
+    over = plot_area(tab)
     box = over.bounding_box()
     assert box is not None
     x, y, width = box["x"], box["y"] + box["height"] / 2, box["width"]
-    plot_line_is_right(tab)
     before = tab.page.evaluate("() => __ropsim.plots()[0].drawn")
     tab.page.mouse.move(x + 0.5 * width, y)
     tab.page.mouse.down()
     tab.page.mouse.move(x + 0.75 * width, y, steps=4)
     tab.page.mouse.up()
+    tab.page.wait_for_function(LINE_MOVED, arg=[before, 0.1 * width])
     plot_line_is_right(tab)
-    zoomed = tab.page.evaluate("() => __ropsim.plots()[0].drawn")
-    assert abs(zoomed - before) > 0.1 * width
     for scheme in ("dark", "light"):
         tab.page.emulate_media(color_scheme=scheme)
+        tab.page.wait_for_function("to => document.documentElement.dataset.theme === to", arg=scheme)
         plot_line_is_right(tab)
     tab.panel("Plot").get_by_role("button", name="Whole run").click()
+    tab.page.wait_for_function(LINE_BACK, arg=[before, PIXEL])
     plot_line_is_right(tab)
-    assert tab.page.evaluate("() => __ropsim.plots()[0].drawn") == pytest.approx(before, abs=PIXEL)

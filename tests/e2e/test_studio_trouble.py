@@ -12,7 +12,9 @@ from ropsim.flow import Recording
 from ropsim.workbench import Project
 from support.arm_poses import body_poses, joints_at, worst_apart
 from support.browser import FLAGS, Pages, chromium
+from support.patience import PATIENCE
 from support.small_disk import fill, small_disk
+from support.studio_client import journalled
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -44,10 +46,6 @@ def folder(tmp_path: Path) -> Path:
 
 def program(folder: Path) -> Path:
     return folder / "programs" / "main.task"
-
-
-def journalled(home: Path, text: str) -> bool:
-    return any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json"))
 
 
 def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
@@ -82,10 +80,10 @@ def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
 
 
 def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
-    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
+    start_studio: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:
     studio = start_studio(folder)
-    page = StudioPage.opened(open_page, studio.url, expected=GONE)
+    page = StudioPage.opened(open_undrawn, studio.url, expected=GONE)
     studio.kill()
     page.page.get_by_role("alert").get_by_text("Connection lost").wait_for()
     page.append(2, "  # typed alone")
@@ -105,25 +103,27 @@ def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
     assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
 
 
-def test_a_closed_tab_loses_no_text(start_studio: Start, open_page: Pages, folder: Path) -> None:
+def test_a_closed_tab_loses_no_text(start_studio: Start, open_undrawn: Pages, folder: Path) -> None:
     studio = start_studio(folder)
-    page = StudioPage.opened(open_page, studio.url)
+    page = StudioPage.opened(open_undrawn, studio.url)
     page.page.on("dialog", lambda dialog: dialog.accept())
     page.append(2, "  # last words")
     with page.page.expect_event("close"):
         page.page.close(run_before_unload=True)
-    again = StudioPage.opened(open_page, studio.url)
+    again = StudioPage.opened(open_undrawn, studio.url)
+    again.page.locator(".cm-line", has_text="# last words").wait_for()
     assert again.line(2).text_content() == "units mm, deg, s  # last words"
     again.page.get_by_role("img", name="not saved").wait_for()
 
 
 def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
-    start_studio: Start, open_page: Pages, folder: Path
+    start_studio: Start, open_undrawn: Pages, folder: Path
 ) -> None:
-    first = StudioPage.opened(open_page, start_studio(folder).url)
-    second = StudioPage(open_page(first.page.url, beside=first.page))
+    first = StudioPage.opened(open_undrawn, start_studio(folder).url)
+    second = StudioPage(open_undrawn(first.page.url, beside=first.page))
     banner = second.page.locator(".banner", has_text="Another tab edits this project")
     banner.wait_for()
+    second.page.locator(".cm-content[aria-readonly]").wait_for()
     second.line(2).click()
     second.page.keyboard.type("x")
     assert second.line(2).text_content() == "units mm, deg, s"
@@ -134,6 +134,7 @@ def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
     first.page.locator(".banner", has_text="Another tab edits this project").wait_for()
     second.append(2, " and the second")
     first.page.locator(".cm-line", has_text="# of the first and the second").wait_for()
+    first.page.locator(".cm-content[aria-readonly]").wait_for()
     first.line(3).click()
     first.page.keyboard.type("x")
     assert first.line(3).text_content() == ""
@@ -164,8 +165,8 @@ def test_a_cell_that_breaks_keeps_its_last_good_picture(
     page.document("cell.toml")
     page.append(1, "\n[robot")
     page.page.locator(".stage-badges", has_text="cell.toml has errors").wait_for()
+    page.page.wait_for_function("() => __ropsim.state().stale")  # the cell is drawn apart from the run
     assert page.poses() == before
-    assert page.state()["stale"]
 
 
 def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
@@ -185,7 +186,9 @@ def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
 def test_without_webgl_numbers_plots_and_editor_work(
     browser: "Browser", start_studio: Start, folder: Path, first_run: Recording
 ) -> None:
-    bare = browser.browser_type.launch(executable_path=chromium(), args=list(NO_WEBGL))
+    bare = browser.browser_type.launch(
+        executable_path=chromium(), args=list(NO_WEBGL), timeout=1e3 * PATIENCE
+    )
     pages = Pages(bare)
     try:
         page = StudioPage.opened(pages, start_studio(folder).url)
@@ -206,12 +209,12 @@ def test_without_webgl_numbers_plots_and_editor_work(
 
 
 def test_files_with_code_are_listed_until_the_folder_is_trusted(
-    start_studio: Start, open_page: Pages, folder: Path
+    start_studio: Start, open_undrawn: Pages, folder: Path
 ) -> None:
     (folder / "controllers").mkdir()
     (folder / "controllers" / "mine.py").write_text("raise SystemExit\n", "utf-8")
     studio = start_studio(folder)
-    page = StudioPage.opened(open_page, studio.url)
+    page = StudioPage.opened(open_undrawn, studio.url)
     banner = page.page.locator(".banner.warning", has_text="until you trust this folder")
     banner.get_by_text("Files with code").click()
     banner.get_by_text("controllers/mine.py").wait_for()
@@ -227,12 +230,12 @@ def test_files_with_code_are_listed_until_the_folder_is_trusted(
 
 
 def test_a_full_disk_is_said_and_the_text_stays(
-    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
+    start_studio: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:
     with small_disk(tmp_path / "disk") as disk:
         cell = Path(shutil.copytree(folder, disk / "cell"))
         before = program(cell).read_bytes()
-        page = StudioPage.opened(open_page, start_studio(cell).url)
+        page = StudioPage.opened(open_undrawn, start_studio(cell).url)
         fill(disk)
         page.append(2, "  # does not fit")
         page.page.keyboard.press("Control+s")
@@ -247,11 +250,12 @@ def test_a_full_disk_is_said_and_the_text_stays(
 
 
 def test_a_removed_project_folder_is_said_and_the_texts_stay(
-    start_studio: Start, open_page: Pages, folder: Path, tmp_path: Path
+    start_studio: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:
-    page = StudioPage.opened(open_page, start_studio(folder).url)
+    page = StudioPage.opened(open_undrawn, start_studio(folder).url)
     shown, before = page.state()["shown"], program(folder).read_text("utf-8")
-    shutil.rmtree(folder)
+    # at once: a folder that goes piece by piece may be seen with some of its texts
+    shutil.rmtree(folder.rename(tmp_path / "removed"))
     page.page.locator(".notice", has_text="is gone; all its texts are kept here").wait_for()
     page.until(lambda: journalled(tmp_path / "home", "pick_up"))
     page.append(2, "  # typed without a folder")

@@ -120,7 +120,7 @@ def test_a_click_selects_and_f_fits_what_is_selected(tab: StudioPage) -> None:
     view, point = tab.view("Top"), box_top(tab)
     tab.page.mouse.click(*spot(tab, view, "top", point))
     chosen = tab.panel("Cell").get_by_role("button", name="box", exact=True)
-    assert chosen.get_attribute("aria-pressed") == "true"
+    chosen.and_(tab.page.locator("[aria-pressed=true]")).wait_for()
     view.focus()
     tab.page.keyboard.press("f")
     tab.drawn()
@@ -132,7 +132,7 @@ def test_a_click_selects_and_f_fits_what_is_selected(tab: StudioPage) -> None:
     x, y = tab.projected("top", point)
     assert abs(x / size["width"] - 0.5) > 0.05
     chosen.click()
-    assert chosen.get_attribute("aria-pressed") == "false"
+    chosen.and_(tab.page.locator("[aria-pressed=false]")).wait_for()
 
 
 def test_the_direction_is_chosen_from_a_list(tab: StudioPage) -> None:
@@ -147,12 +147,12 @@ def test_the_direction_is_chosen_from_a_list(tab: StudioPage) -> None:
 def test_the_number_of_views_is_chosen_and_undone(tab: StudioPage, layout: str, count: int) -> None:
     views = tab.page.locator(".stage-surface:visible")
     tab.page.get_by_label("Number of views").select_option(layout)
-    assert views.count() == count
+    tab.until(lambda: views.count() == count)
     tab.drawn()
     tab.view("Perspective").focus()
     tab.page.keyboard.press("Control+z")
-    assert tab.page.get_by_label("Number of views").input_value() == "4"
-    assert views.count() == 4
+    tab.until(lambda: tab.page.get_by_label("Number of views").input_value() == "4")
+    tab.until(lambda: views.count() == 4)
 
 
 def test_cameras_and_panels_are_as_they_were_after_loading_the_page_again(tab: StudioPage) -> None:

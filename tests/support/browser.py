@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from support.patience import PATIENCE
-from support.studio_process import Studio
+from support.studio_process import Studio, own_port
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, BrowserContext, Error, Page
@@ -38,6 +38,12 @@ FLAGS = (
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 """The shell without windows first: it takes a quarter less of the processor."""
 VIEWPORT = {"width": 1280, "height": 800}
+UNDRAWN = (
+    "const get = HTMLCanvasElement.prototype.getContext;"
+    "HTMLCanvasElement.prototype.getContext = function (kind, ...rest)"
+    " { return kind.startsWith('webgl') ? null : get.call(this, kind, ...rest) }"
+)
+"""Takes the 3-D graphics away: half the work of a page where the processor draws."""
 
 
 def chromium() -> str | None:
@@ -54,8 +60,9 @@ def browser() -> Iterator["Browser"]:
     path = chromium()
     if path is None:
         pytest.skip("no Chromium: install it (apt-get install chromium) or set CHROMIUM=/path/to/it")
+    playwright.expect.set_options(timeout=1e3 * PATIENCE)
     with playwright.sync_playwright() as driver:
-        one = driver.chromium.launch(executable_path=path, args=list(FLAGS))
+        one = driver.chromium.launch(executable_path=path, args=list(FLAGS), timeout=1e3 * PATIENCE)
         yield one
         one.close()
 
@@ -68,9 +75,15 @@ def uncaught(error: "Error") -> str:
 class Pages:
     """Opens pages and remembers what they complained about."""
 
-    def __init__(self, browser: "Browser") -> None:
-        """Begin without any page."""
+    def __init__(self, browser: "Browser", script: str = "") -> None:
+        """Begin without any page.
+
+        Args:
+            browser: where pages are opened.
+            script: runs in each page before its own scripts.
+        """
         self._browser = browser
+        self._script = script
         self._contexts: list[BrowserContext] = []
         self._expected: list[str] = []
         self._complaints: list[str] = []
@@ -111,6 +124,8 @@ class Pages:
     def _profile(self, options: dict[str, Any]) -> "BrowserContext":
         context = self._browser.new_context(**{"viewport": VIEWPORT, "reduced_motion": "reduce", **options})
         context.set_default_timeout(1e3 * PATIENCE)
+        if self._script:
+            context.add_init_script(self._script)
         context.on("console", lambda message: self._console(message.type, message.text))
         context.on("weberror", lambda error: self._complaints.append(uncaught(error.error)))
         self._contexts.append(context)
@@ -134,12 +149,26 @@ def open_page(browser: "Browser") -> Iterator[Pages]:
 
 
 @pytest.fixture
+def open_undrawn(browser: "Browser") -> Iterator[Pages]:
+    """Return the same for tests that are not about the picture: no 3-D graphics, where the views say so."""
+    pages = Pages(browser, UNDRAWN)
+    yield pages
+    try:
+        assert pages.unexpected() == [], "the page complained"
+    finally:
+        pages.close()
+
+
+@pytest.fixture
 def start_studio(tmp_path: Path) -> Iterator[Callable[..., Studio]]:
-    """Return a function `(project folder, port=0) -> Studio`; all of them are ended after the test."""
+    """Return a function `(project folder) -> Studio`; all of them are ended after the test.
+
+    The first one has a port of its own, where the next ones of its project are found again.
+    """
     running: list[Studio] = []
 
-    def start(folder: Path, port: int = 0) -> Studio:
-        running.append(Studio(folder, tmp_path / "home", port))
+    def start(folder: Path) -> Studio:
+        running.append(Studio(folder, tmp_path / "home", 0 if running else own_port()))
         return running[-1]
 
     yield start
@@ -147,11 +176,21 @@ def start_studio(tmp_path: Path) -> Iterator[Callable[..., Studio]]:
         one.end()
 
 
-def axe(page: "Page") -> list[str]:
-    """Return the violations of the accessibility rules on a page: rule, why, where."""
+def axe(page: "Page", within: str | None = None, rules: Sequence[str] = ()) -> list[str]:
+    """Return the violations of the accessibility rules on a page: rule, why, where.
+
+    Args:
+        page: to look at.
+        within: selector of the part to look at; the whole page without one.
+        rules: by name; all that count by default without any.
+    """
     source = files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8")
     page.evaluate(f"{source}\n;0")
-    result = page.evaluate("() => axe.run(document, { resultTypes: ['violations'] })")
+    result = page.evaluate(
+        "([within, rules]) => axe.run(within ?? document,"
+        " { resultTypes: ['violations'], ...(rules.length ? { runOnly: { type: 'rule', values: rules } } : {}) })",
+        [within, list(rules)],
+    )
     return [
         f"{one['id']}: {one['help']}: {', '.join(' '.join(node['target']) for node in one['nodes'])}"
         for one in result["violations"]
@@ -162,13 +201,14 @@ def axe(page: "Page") -> list[str]:
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Tell what a page of the studio showed when its test failed."""
+    """Tell what a page of the studio showed when its test failed, and that a shared one has been spoilt."""
     report = yield
     if report.failed and call.when == "call" and isinstance(item, pytest.Function):
         from support.studio_page import StudioPage
 
         for name, value in item.funcargs.items():
             if isinstance(value, StudioPage):
+                value.spoiled = True
                 report.sections.append((f"the page `{name}`", _told(value)))
     return report
 

@@ -45,6 +45,15 @@ def live(page: "Page", seconds: float) -> Live:
     return Live(*rates, sorted(found["ages"]))
 
 
+def largest_frame(page: "Page", frames: int) -> int:
+    """Run the program live until so many states have come, and return the bytes of the largest."""
+    page.evaluate("() => { __probe.reset(); __ropsim.command('live.start') }")
+    page.wait_for_function("count => __probe.frames >= count", arg=frames)
+    largest: int = page.evaluate("() => __probe.largest")
+    edited(page, lambda: page.evaluate("() => __ropsim.command('live.stop')"))
+    return largest
+
+
 def key_presses(page: "Page", count: int) -> list[float]:
     """Return the times from a key of a live run to its stamp by the simulator [ms], growing.
 

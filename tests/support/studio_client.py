@@ -24,7 +24,7 @@ def command(home: Path) -> tuple[str, ...]:
 
 def secret(studio: Studio) -> dict[str, str]:
     """Return the cookie that the first address gives."""
-    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port, timeout=PATIENCE)) as connection:
         connection.request("GET", studio.url.split(str(studio.port), 1)[1])
         answer = connection.getresponse()
         answer.read()
@@ -33,7 +33,7 @@ def secret(studio: Studio) -> dict[str, str]:
 
 
 def get(studio: Studio, path: str, headers: dict[str, str], method: str = "GET") -> tuple[int, bytes]:
-    with closing(http.client.HTTPConnection("127.0.0.1", studio.port)) as connection:
+    with closing(http.client.HTTPConnection("127.0.0.1", studio.port, timeout=PATIENCE)) as connection:
         connection.request(method, path, headers=headers)
         answer = connection.getresponse()
         return answer.status, answer.read()
@@ -49,6 +49,8 @@ def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientCo
         max_size=None,
         compression=None,
         proxy=None,
+        open_timeout=PATIENCE,
+        ping_interval=None,  # a busy machine is no broken line
     )
 
 
@@ -86,7 +88,13 @@ def page_of(studio: Studio) -> Iterator[Page]:
 
 def wait_for_journal(home: Path, text: str) -> None:
     """Wait until a journal below a folder holds a text."""
-    until(
-        lambda: any(text in one.read_text("utf-8") for one in home.rglob("journal/*.json")),
-        f"{text!r} in a journal",
-    )
+    until(lambda: journalled(home, text), f"{text!r} in a journal")
+
+
+def journalled(home: Path, text: str) -> bool:
+    """Return whether a journal below a folder holds a text."""
+    for one in home.rglob("journal/*.json"):
+        with contextlib.suppress(FileNotFoundError):  # nothing is left to be kept
+            if text in one.read_text("utf-8"):
+                return True
+    return False

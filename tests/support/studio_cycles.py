@@ -1,7 +1,7 @@
 """Edit, simulate, look at the run, again and again; and what the processes of the studio hold meanwhile."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -41,7 +41,7 @@ def program(cycle: int) -> str:
     return f"program main\nunits mm, deg, s\nwait {1 + cycle / 100}\nmov pick_up above {60 + cycle % 9} mm\n"
 
 
-def cycles(studio: Studio, count: int) -> Iterator[dict[int, Holding]]:
+def cycles(studio: Studio, count: int) -> Generator[dict[int, Holding]]:
     """Do cycles and return what the processes hold after each.
 
     A cycle is an edit in the page and in the language server, its run, and fetching the run; every tenth is a

@@ -29,9 +29,22 @@ def opened(open_page: Pages, studio: Studio, **context: Any) -> "Page":
     return page
 
 
+def drawn_in(page: "Page", frames: int) -> int:
+    """Return how often a page draws while the browser shows so many frames."""
+    drawn: int = page.evaluate(DRAWN_IN, frames)
+    return drawn
+
+
 def calm(page: "Page") -> None:
     """Wait until the picture is up to date."""
     page.wait_for_function(DRAWN)
+
+
+DRAWN_IN = """async frames => {
+    const before = __ropsim.stats().frames
+    for (let k = 0; k < frames; k++) await new Promise(requestAnimationFrame)
+    return __ropsim.stats().frames - before
+}"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,18 +84,18 @@ class Playing:
     software: bool
 
 
-def playing(page: "Page") -> Playing:
-    """Play the run and return how it went."""
+def playing(page: "Page", frames: int = FULL) -> Playing:
+    """Play the run for a number of frames and return how it went."""
     page.evaluate("() => { __ropsim.seek(0); __ropsim.command('timeline.play') }")
     metrics, begun = Metrics(page), _counts(page)
-    page.wait_for_function("count => __ropsim.stats().frames >= count", arg=begun[0] + FULL)
+    page.wait_for_function("count => __ropsim.stats().frames >= count", arg=begun[0] + frames)
     ended, busy = _counts(page), metrics["TaskDuration"]
     stats = page.evaluate("() => __ropsim.stats()")
     page.evaluate("() => __ropsim.command('timeline.play')")
     calm(page)
-    frames, seconds = ended[0] - begun[0], (ended[1] - begun[1]) / 1e3
-    work = (stats["p50"], stats["p95"], 1e3 * busy / frames)
-    return Playing(frames / seconds, *work, stats["triangles"], stats["calls"], stats["software"])
+    drawn, seconds = ended[0] - begun[0], (ended[1] - begun[1]) / 1e3
+    work = (stats["p50"], stats["p95"], 1e3 * busy / drawn)
+    return Playing(drawn / seconds, *work, stats["triangles"], stats["calls"], stats["software"])
 
 
 @dataclass(frozen=True, slots=True)

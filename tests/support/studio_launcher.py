@@ -1,11 +1,14 @@
 """`ropsim …` as a process of its own, with a tiny page in place of the built ones.
 
-Arguments: folder to write the page to, then those of ropsim.
+Arguments: folder to write the page to, then those of ropsim. The environment may lower the number of language
+servers: each is a process.
 """
 
+import os
 import sys
 from pathlib import Path
 
+MOST_LANGUAGE_SERVERS = "TEST_MOST_LANGUAGE_SERVERS"
 INDEX = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta property="csp-nonce" nonce="__CSP_NONCE__">
 <title>ropsim studio</title></head><body></body></html>
@@ -23,8 +26,10 @@ def make_pages(folder: Path) -> Path:
 def main() -> int:
     """Run the command line with the page."""
     from ropsim.cli.main import main as command_line
-    from ropsim.studio import pages
+    from ropsim.studio import pages, sockets
 
+    if most := os.environ.get(MOST_LANGUAGE_SERVERS):
+        sockets.MOST_LANGUAGE_SERVERS = int(most)
     folder = make_pages(Path(sys.argv[1]))
     pages.pages_folder = lambda: folder
     return command_line(sys.argv[2:])

@@ -1,7 +1,6 @@
 """The studio's page as its users handle it, and the few numbers it tells about what it shows."""
 
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Mapping
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -11,10 +10,15 @@ from support.patience import PATIENCE
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
-NEWER = (
-    "shown => { const now = __ropsim.state();"
-    " return now.shown > shown && now.runState === 'done' && !now.stale }"
+#: A run has come after the `shown`-th, and it is one of the texts as they stand.
+NEWER = "shown => { const now = __ropsim.state(); return now.shown > shown && now.current }"
+#: The texts are these, and the server has nothing more to say about them.
+TEXTS = (
+    "texts => __ropsim.state().settled"
+    " && Object.entries(texts).every(([name, text]) => __ropsim.text(name) === text)"
 )
+#: The editor holds a text and takes what is typed.
+WRITABLE = ".cm-content[aria-label]:not([aria-readonly])"
 TELLING = {
     "text": ".cm-line",
     "mark": ".cm-lintRange",
@@ -23,9 +27,16 @@ TELLING = {
     "pill": ".pill",
     "banner": ".banners",
 }
-LOOK = 5.0
+LOOK = 2.0
 """How long a pointer rests before it points anew [s]."""
 DRAWN = "() => __ropsim.stats().pending === 0"
+#: Whatever has another size hears of it after a frame, and asks for the next one to draw in.
+TWO_FRAMES = "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+#: Panels as the page keeps them, but for the one that has the keyboard.
+PANELS = (
+    "() => { const kept = Object.entries(localStorage).find(([name]) => name.endsWith(' panels 1'));"
+    " return kept ? JSON.stringify({ ...JSON.parse(kept[1]), activeGroup: null }) : null }"
+)
 
 
 class StudioPage:
@@ -34,6 +45,8 @@ class StudioPage:
     def __init__(self, page: "Page") -> None:
         """Take a page that is being loaded."""
         self.page = page
+        self.spoiled = False
+        self._panels: object = None
 
     @classmethod
     def opened(cls, pages: Pages, url: str, **options: Any) -> "StudioPage":
@@ -67,20 +80,38 @@ class StudioPage:
         self.page.wait_for_selector("body[data-ready]", state="attached")
         self.take_over()
         self.page.wait_for_function(NEWER, arg=0)
-        self.editor().wait_for()
+        self.writable()
+        self.drawn()
 
     def renew(self) -> None:
         """Load the page anew, with nothing kept of what was done in it; the tab stays the one that edits."""
-        self.page.evaluate("() => localStorage.clear()")
+        # What the page keeps until it is gone goes, too.
+        self.page.evaluate("() => addEventListener('pagehide', () => localStorage.clear())")
         self.page.reload()
         self.ready()
 
     def rest(self) -> None:
         """Leave nothing of the test before: time 0, views and panels as at the start, no second arm."""
-        for command in ("jog.stop", "view.ghost", "view.reset", "view.home"):
+        if self.spoiled:
+            self.renew()
+            self.spoiled = False
+        self.page.mouse.move(5, 5)
+        for command in ("jog.stop", "view.ghost"):
             self.page.evaluate("command => __ropsim.command(command)", command)
+        if self._panels is None or self.page.evaluate(PANELS) != self._panels:
+            # Panels are made anew, with an editor and its language server: only where that is needed.
+            self.page.evaluate("() => __ropsim.command('view.reset')")
+            self.drawn()
+            self._panels = self.page.evaluate(PANELS)
+        self.page.evaluate("() => __ropsim.command('view.home')")
         self.seek(0.0)
+        self.writable()
         self.drawn()
+
+    def hear_nothing(self) -> None:
+        """Put away all notices."""
+        self.page.evaluate("() => document.querySelectorAll('.notice button').forEach(one => one.click())")
+        self.page.locator(".notice").first.wait_for(state="detached")
 
     # ---- what the page tells ----
 
@@ -122,7 +153,8 @@ class StudioPage:
     # ---- what the user does ----
 
     def drawn(self) -> None:
-        """Wait until every view is up to date."""
+        """Wait until every view has its place and is up to date."""
+        self.page.evaluate(TWO_FRAMES)
         self.page.wait_for_function(DRAWN)
 
     def command(self, title: str) -> None:
@@ -167,6 +199,11 @@ class StudioPage:
         self.page.mouse.move(5, 5)  # away from words that would explain themselves over the tabs
         tabs = self.page.get_by_role("tablist", name="Texts of the project")
         tabs.get_by_role("tab", name=name).click()
+        self.page.locator(f'.cm-content[aria-label*="{name}."]').wait_for()
+
+    def writable(self) -> None:
+        """Wait until the editor holds a text and takes what is typed."""
+        self.page.locator(WRITABLE).wait_for()
 
     def editor(self) -> "Locator":
         """Return the text that is being edited."""
@@ -182,44 +219,59 @@ class StudioPage:
 
     def write(self, text: str) -> None:
         """Put another text in the place of the whole one."""
+        self.writable()
         self.editor().focus()
         self.page.keyboard.press("Control+a")
         self.page.keyboard.insert_text(text)
 
     def append(self, number: int, text: str) -> None:
         """Type at the end of a line."""
+        self.writable()
         self.line(number).click()
         self.page.keyboard.press("End")
         self.page.keyboard.type(text)
 
     def insert(self, number: int, text: str) -> None:
         """Put text at the end of a line at once, which is one step of undo however slow the page is."""
+        self.writable()
         self.line(number).click()
         self.page.keyboard.press("End")
         self.page.keyboard.insert_text(text)
 
     def read_about(self, mark: "Locator", wanted: "Locator") -> None:
         """Point at a mark until something is read there: what is read closes when its mark changes."""
-        from playwright.sync_api import TimeoutError as NotInTime
+        self.point_at(mark, wanted.is_visible)
 
+    def point_at(self, mark: "Locator", seen: Callable[[], bool]) -> None:
+        """Point at a mark until something comes of it; nobody may listen yet, so that it is done again."""
         for _ in range(round(PATIENCE / LOOK)):
             self.page.mouse.move(5, 5)
             mark.hover()
-            with suppress(NotInTime):
-                return wanted.wait_for(timeout=1e3 * LOOK)
-        raise AssertionError("what was to be read has not come")
+            end = monotonic() + LOOK
+            while monotonic() < end:
+                if seen():
+                    return
+                self.page.evaluate(TWO_FRAMES)
+        raise AssertionError("nothing has come of pointing at it")
 
     def rerun(self, shown: int) -> None:
         """Wait for a good run after the one that was the `shown`-th."""
         self.page.wait_for_function(NEWER, arg=shown)
 
     def revert_all(self) -> None:
-        """Give up all texts that are not saved."""
-        for name in self.page.evaluate("() => __ropsim.state().unsaved"):
+        """Give up all texts that are not saved, and wait for the run of what the files have."""
+        for name in self.state()["unsaved"]:
+            # Once what was typed has been run, the next run can only be that of the file.
+            self.page.wait_for_function("() => __ropsim.state().settled")
             self.document(name.removeprefix("programs/"))
             self.page.evaluate("() => __ropsim.command('file.revert')")
-        self.page.wait_for_function("() => __ropsim.state().unsaved.length === 0")
-        self.page.wait_for_function(NEWER, arg=0)
+            self.page.wait_for_function(
+                "name => !__ropsim.state().unsaved.includes(name) && __ropsim.state().settled", arg=name
+            )
+
+    def has_texts(self, texts: Mapping[str, str]) -> None:
+        """Wait until the page has these texts by name and the run of them."""
+        self.page.wait_for_function(TEXTS, arg=dict(texts))
 
     # ---- for the report of a failed test ----
 

@@ -4,6 +4,7 @@ import contextlib
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -17,6 +18,20 @@ from support.patience import PATIENCE
 
 ROPSIM = (sys.executable, "-P", "-m", "ropsim")
 ADDRESS = re.compile(r"http://127\.0\.0\.1:(\d+)/\S*")
+
+
+OWN_PORTS = range(20_000, 32_000)
+"""Below those that systems give to whoever wants any port."""
+
+
+def own_port() -> int:
+    """Return a free port that nobody gets by chance, so that it is still free for the next studio."""
+    for step in range(len(OWN_PORTS)):
+        port = OWN_PORTS[(os.getpid() * 37 + step) % len(OWN_PORTS)]
+        with socket.socket() as one, contextlib.suppress(OSError):
+            one.bind(("127.0.0.1", port))
+            return port
+    raise AssertionError("every port is taken")
 
 
 class Studio:

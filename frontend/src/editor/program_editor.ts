@@ -18,6 +18,7 @@ import {
 import type { Problem } from '../studio/problems'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
+import { closesLateWords } from './late_words'
 import { LineEnds } from './line_ends'
 import type { LineInSight } from './line_in_sight'
 import { lineMarks, type MarkedLines, showMarks } from './marks'
@@ -222,6 +223,7 @@ export class ProgramEditor {
       codeFolding(),
       lintGutter(),
       staysOpen(),
+      closesLateWords(),
       history(),
       drawSelection(),
       highlightActiveLine(),

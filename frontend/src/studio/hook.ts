@@ -1,4 +1,5 @@
 /** `window.__ropsim`: what tests and curious people may ask the page. */
+import { isOfTexts } from './run_lines'
 import type { Studio } from './studio'
 
 type NamedPoses = Readonly<Record<string, readonly number[]>>
@@ -16,6 +17,8 @@ export interface StudioHook {
   /** Time lines of the plots, in the order in which they were opened. */
   readonly plots: () => readonly unknown[]
   readonly state: () => Readonly<Record<string, unknown>>
+  /** The newest text of a document. */
+  readonly text: (document: string) => string
   readonly command: (id: string) => boolean
   readonly ready: boolean
 }
@@ -49,6 +52,9 @@ export function installHook(studio: Studio): void {
     state: () => {
       const { status, stale, connection, shown, live, following, editing, ghost, documents } =
         store.getState()
+      const { history } = studio.desk.documents
+      const isOver = status !== null && status.state !== 'waiting' && status.state !== 'running'
+      const settled = isOver && isOfTexts(history.texts(status.versions), studio.desk.now())
       return {
         run: status?.id ?? 0,
         runState: status?.state ?? 'none',
@@ -63,11 +69,16 @@ export function installHook(studio: Studio): void {
         frames: runs.frames,
         latency: runs.latency,
         delivered: studio.desk.delivered,
+        /** What the newest run has come to is of the texts as they stand. */
+        settled,
+        /** That run is the one that is shown. */
+        current: settled && status.state === 'done' && status.id === runs.id && !stale,
         unsaved: documents.filter(one => one.unsaved).map(one => one.name),
         duration: studio.run?.duration ?? 0,
         recorded: studio.run?.live === false,
       }
     },
+    text: document => studio.text(document),
     command: id => studio.commands.run(id),
     get ready() {
       return document.body.dataset.ready !== undefined

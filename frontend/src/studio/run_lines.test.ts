@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { RunLines } from './run_lines'
+import { isOfTexts, RunLines } from './run_lines'
 
 const OLD = 'mov a\nmovs b\nmov c'
 
@@ -24,4 +24,14 @@ test('a line that is gone from the text has no place', () => {
 test('no line and a source that is no document have no place', () => {
   expect(linesOf(OLD).place('main.task', 0)).toBeNull()
   expect(linesOf(OLD).place('elsewhere.task', 1)).toBeNull()
+})
+
+test('texts of a moment are those of now while none has changed or is unknown', () => {
+  const now = new Map([
+    ['cell.toml', 'a'],
+    ['main.task', 'b'],
+  ])
+  expect(isOfTexts(new Map([...now, ['gone.task', 'c']]), now)).toBe(true)
+  expect(isOfTexts(new Map([...now, ['main.task', 'c']]), now)).toBe(false)
+  expect(isOfTexts(new Map([['cell.toml', 'a']]), now)).toBe(false)
 })

@@ -8,6 +8,11 @@ export type Texts = ReadonlyMap<string, string>
 
 export const NOW: Texts = new Map()
 
+/** Whether texts of a moment, as far as they are known, are those of another one. */
+export function isOfTexts(texts: Texts, others: Texts): boolean {
+  return [...others].every(([document, text]) => texts.get(document) === text)
+}
+
 export interface TextSource {
   /** The newest text of a document. */
   readonly text: (document: string) => string
