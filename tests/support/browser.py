@@ -186,10 +186,10 @@ def axe(page: "Page", within: str | None = None, rules: Sequence[str] = ()) -> l
     """
     source = files("axe_playwright_python").joinpath("axe.min.js").read_text("utf-8")
     page.evaluate(f"{source}\n;0")
+    only = {"runOnly": {"type": "rule", "values": list(rules)}} if rules else {}
     result = page.evaluate(
-        "([within, rules]) => axe.run(within ?? document,"
-        " { resultTypes: ['violations'], ...(rules.length ? { runOnly: { type: 'rule', values: rules } } : {}) })",
-        [within, list(rules)],
+        "([within, only]) => axe.run(within ?? document, { resultTypes: ['violations'], ...only })",
+        [within, only],
     )
     return [
         f"{one['id']}: {one['help']}: {', '.join(' '.join(node['target']) for node in one['nodes'])}"
