@@ -4,7 +4,7 @@
 VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
 DEMO = examples/palletizing
 # One worker per core, at most four; tests of a module stay together, in the order of tests/conftest.py.
-SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadgroup --no-loadscope-reorder
+SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
 help:
 	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'

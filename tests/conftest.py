@@ -15,18 +15,15 @@ settings.register_profile("suite", deadline=None, suppress_health_check=[HealthC
 settings.load_profile("suite")
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Sort by folder, tests with a browser behind all others; inside a folder the order stays.
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Sort by folder, modules with a browser behind all others; inside a module the order stays.
 
     From the first of them on, playwright keeps an event loop in the main thread, where others could not start
-    their own. For the same reason the two kinds of one module are two groups where workers run side by side;
-    otherwise a module stays together, because its tests share a server.
+    their own. Where workers run side by side a module stays together (`--dist loadfile`): its tests share a
+    server and a page.
     """
-    items.sort(key=lambda item: (_in_browser(item), _folder(item)))
-    if config.pluginmanager.hasplugin("xdist"):
-        for item in items:
-            kind = "browser " if _in_browser(item) else ""
-            item.add_marker(pytest.mark.xdist_group(f"{kind}{item.path.relative_to(HERE)}"))
+    in_browser = {item.path for item in items if _in_browser(item)}
+    items.sort(key=lambda item: (item.path in in_browser, _folder(item)))
 
 
 def _in_browser(item: pytest.Item) -> bool:

@@ -200,6 +200,8 @@ def test_a_squiggle_says_what_is_wrong_and_mends_it(fresh: StudioPage) -> None:
 def speaks(fresh: StudioPage) -> None:
     """Wait until the language server of the editor answers: a new one takes its time to stand."""
     fresh.read_about(fresh.line(CALL).get_by_text("Carry", exact=True), tooltip(fresh).first)
+    fresh.page.mouse.move(5, 5)
+    tooltip(fresh).first.wait_for(state="detached")
 
 
 def test_completion_offers_tasks_and_places_of_the_cell(fresh: StudioPage) -> None:

@@ -46,15 +46,14 @@ def shared(pages: Pages, project: Path, tmp_path_factory: pytest.TempPathFactory
 
 @pytest.fixture
 def keys(pages: Pages, shared: StudioPage) -> Iterator[StudioPage]:
-    """Return the page of the project with the panel of signals in front, and no live run."""
+    """Return the page of the project with the panel of signals in front, and no live run.
+
+    What was pressed in the test before stays recorded; a live run begins without it.
+    """
     shared.panel("Signals")
     yield shared
     shared.page.evaluate("() => __ropsim.command('live.stop')")
     over(shared)
-    shown = shared.state()["shown"]
-    if shared.page.evaluate("() => __ropsim.command('live.forget')"):
-        shared.rerun(shown)
-    shared.page.locator(".presses").wait_for(state="detached")
     assert pages.unexpected() == [], "the page complained"
 
 
@@ -101,6 +100,9 @@ def presses(signals: "Locator", name: str) -> list[tuple[float, float]]:
 
 
 def test_without_a_press_the_program_waits_in_vain(keys: StudioPage, project: Path) -> None:
+    shown = keys.state()["shown"]
+    if keys.page.evaluate("() => __ropsim.command('live.forget')"):
+        keys.rerun(shown)
     assert keys.state()["duration"] == pytest.approx(open_project(project).simulate().duration)
     assert keys.state()["duration"] > 60.0
 

@@ -1,7 +1,7 @@
 """What goes wrong around the studio is said in words, the rest goes on, and no typed text is lost."""
 
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from support.arm_poses import body_poses, joints_at, worst_apart
 from support.browser import FLAGS, Pages, chromium
 from support.patience import PATIENCE
 from support.small_disk import fill, small_disk
-from support.studio_client import journalled
+from support.studio_client import journalled, page_of
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -42,6 +42,17 @@ Start = Callable[..., Studio]
 def folder(tmp_path: Path) -> Path:
     """Return a copy of the example that the test may spoil."""
     return Path(shutil.copytree(EXAMPLE, tmp_path / "cell", ignore=shutil.ignore_patterns("out")))
+
+
+@pytest.fixture
+def lasting(first_studio: Studio) -> Iterator[Studio]:
+    """Return a studio that several tests share; texts that they leave unsaved are given up."""
+    yield first_studio
+    with page_of(first_studio) as page:
+        page.say(type="take_over")
+        for name in ("cell.toml", "programs/main.task"):
+            page.say(type="revert", document=name)
+            page.hear("documents")
 
 
 def program(folder: Path) -> Path:
@@ -103,23 +114,22 @@ def test_text_typed_without_a_server_can_be_kept_and_is_sent_to_the_next_one(
     assert page.line(2).text_content() == "units mm, deg, s  # typed alone"
 
 
-def test_a_closed_tab_loses_no_text(start_studio: Start, open_undrawn: Pages, folder: Path) -> None:
-    studio = start_studio(folder)
-    page = StudioPage.opened(open_undrawn, studio.url)
+def test_a_closed_tab_loses_no_text(lasting: Studio, open_undrawn: Pages) -> None:
+    page = StudioPage.opened(open_undrawn, lasting.url)
     page.page.on("dialog", lambda dialog: dialog.accept())
     page.append(2, "  # last words")
     with page.page.expect_event("close"):
         page.page.close(run_before_unload=True)
-    again = StudioPage.opened(open_undrawn, studio.url)
+    again = StudioPage.opened(open_undrawn, lasting.url)
     again.page.locator(".cm-line", has_text="# last words").wait_for()
     assert again.line(2).text_content() == "units mm, deg, s  # last words"
     again.page.get_by_role("img", name="not saved").wait_for()
 
 
 def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
-    start_studio: Start, open_undrawn: Pages, folder: Path
+    lasting: Studio, open_undrawn: Pages
 ) -> None:
-    first = StudioPage.opened(open_undrawn, start_studio(folder).url)
+    first = StudioPage.opened(open_undrawn, lasting.url)
     second = StudioPage(open_undrawn(first.page.url, beside=first.page))
     banner = second.page.locator(".banner", has_text="Another tab edits this project")
     banner.wait_for()
@@ -157,10 +167,8 @@ def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
     assert page.poses()["box"][:3] == pytest.approx([0.5, 0.3, 0.56], abs=UNSEEN)
 
 
-def test_a_cell_that_breaks_keeps_its_last_good_picture(
-    start_studio: Start, open_page: Pages, folder: Path
-) -> None:
-    page = StudioPage.opened(open_page, start_studio(folder).url)
+def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_page: Pages) -> None:
+    page = StudioPage.opened(open_page, lasting.url)
     before = page.poses()
     page.document("cell.toml")
     page.append(1, "\n[robot")

@@ -105,6 +105,7 @@ class StudioPage:
             self._panels = self.page.evaluate(PANELS)
         self.page.evaluate("() => __ropsim.command('view.home')")
         self.seek(0.0)
+        self.take_over()
         self.writable()
         self.drawn()
 
