@@ -203,13 +203,14 @@ def pytest_runtest_makereport(
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
     """Tell what a page of the studio showed when its test failed, and that a shared one has been spoilt."""
     report = yield
-    if report.failed and call.when == "call" and isinstance(item, pytest.Function):
+    if report.failed and isinstance(item, pytest.Function):
         from support.studio_page import StudioPage
 
         for name, value in item.funcargs.items():
             if isinstance(value, StudioPage):
                 value.spoiled = True
-                report.sections.append((f"the page `{name}`", _told(value)))
+                if call.when == "call":
+                    report.sections.append((f"the page `{name}`", _told(value)))
     return report
 
 
