@@ -136,7 +136,7 @@ def test_a_pose_out_of_reach_is_refused_in_words(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
     put(jog, "X", "3 m")
-    words = jog.locator(".jog-row.tcp", has_text="X").get_by_text("out of reach: the wrist would be")
+    words = jog.locator(".jog-row.tcp", has_text="X").get_by_text("out of reach: the wrist centre would be")
     words.wait_for()
     assert "mm too far away" in (words.text_content() or "")
     stands_at(tab, first_project, start)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.kinematics import IkOptions, Limits, posture
+from ropsim.kinematics import IkOptions, Limits, posture, solver_of
 from ropsim.model import RobotModel
 from ropsim.spatial import Array
 
@@ -81,19 +81,19 @@ def test_published_branches_reach_the_pose_and_have_the_published_names(row: int
     rounding = 10.0 * table["tolerance"]  # six angles, each rounded to six digits, act on at most 1 m
     np.testing.assert_allclose(pose.matrix(), kinematics.forward(_PUMA, _QN).matrix(), atol=rounding)
     found = posture(_PUMA, q)
-    assert found.shoulder.value[0] + found.elbow.value[0] + found.wrist.value[0] == table["names"][row]
-    assert found.index == row
+    assert "".join(word[0] for word in found.words) == table["names"][row]
+    assert solver_of(_PUMA).postures[row] == found
 
 
 def test_all_branches_are_solutions_when_limits_are_ignored() -> None:
     result = kinematics.inverse(_PUMA, kinematics.forward(_PUMA, _QN), IkOptions(limits=Limits.IGNORE))
     assert len(result.solutions) == 8
-    assert [posture.index for posture in result.postures] == list(range(8))
+    assert result.postures == solver_of(_PUMA).postures
 
 
 def test_exactly_three_branches_remain_within_the_limits() -> None:
     result = kinematics.inverse(_PUMA, kinematics.forward(_PUMA, _QN))
-    names = [f"{p.shoulder.value[0]}{p.elbow.value[0]}{p.wrist.value[0]}" for p in result.postures]
+    names = ["".join(word[0] for word in one.words) for one in result.postures]
     assert names == _TABLES["ik8_qn"]["within_limits"]
 
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim import kinematics, robots
-from ropsim.cli.numbers import shown
+from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
+from ropsim.cli.solver_words import remarks, solver_document
 from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
@@ -21,7 +22,7 @@ _ALL = IkOptions(limits=Limits.IGNORE)
 
 @dataclass(frozen=True, slots=True)
 class _Branch:
-    """One joint solution; joint coordinates `q` [rad], shape (n,)."""
+    """One joint solution; joint coordinates `q` [rad | m], shape (n,)."""
 
     q: Array
     posture: Posture
@@ -40,12 +41,15 @@ def ik(options: argparse.Namespace, output: Output) -> int:
         output.text("\n".join(_table(robot, [*inside, *beyond])))
     if not inside:
         output.text(_why_none(result))
+    for line in remarks(robot):
+        output.text(line)
     output.document(
         {
             "status": result.status.value,
             "solutions": result.solutions.tolist(),
             "postures": [str(one) for one in result.postures],
             "beyond_limits": [_entry(one) for one in beyond],
+            "solver": solver_document(robot),
         }
     )
     return 0 if inside else 1
@@ -59,11 +63,12 @@ def _beyond(robot: RobotModel, result: IkResult) -> Iterator[_Branch]:
 
 
 def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
-    names = [f"{joint.name} [°]" for joint in robot.joints]
+    shows = [display(joint.type) for joint in robot.joints]
+    names = [f"{joint.name} [{unit}]" for joint, (_, unit) in zip(robot.joints, shows, strict=True)]
     rows = [(*names, "posture", "beyond its limits" if any(one.beyond for one in branches) else "")]
     for one in branches:
-        angles = [f"{shown(math.degrees(angle), 3):.3f}" for angle in one.q]
-        rows.append((*angles, str(one.posture), ", ".join(_excess(joint) for joint in one.beyond)))
+        values = [f"{shown(q * scale, 3):.3f}" for q, (scale, _) in zip(one.q, shows, strict=True)]
+        rows.append((*values, str(one.posture), ", ".join(_excess(robot, joint) for joint in one.beyond)))
     longest = max(len(row[-2]) for row in rows)
     return [
         "  ".join(f"{cell:>{_WIDTH}}" for cell in row[:-2]) + f"   {row[-2]:{longest}}  {row[-1]}".rstrip()
@@ -71,18 +76,25 @@ def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
     ]
 
 
-def _excess(joint: LimitViolation) -> str:
-    return f"joint {joint.name} by {math.degrees(joint.excess):.1f}°"
+def _excess(robot: RobotModel, beyond: LimitViolation) -> str:
+    scale, unit = display(robot.joints[beyond.joint].type)
+    space = "" if unit == "°" else " "
+    return f"joint {beyond.name} by {beyond.excess * scale:.1f}{space}{unit}"
 
 
 def _why_none(result: IkResult) -> str:
-    reach = result.reach
-    if reach is None:
+    if result.shortfall is None:
         return "no solution inside the limits"
+    reach, miss = result.reach, result.shortfall.miss
+    if miss is not None:
+        missing = f"{miss.distance * 1e3:.1f} mm and {math.degrees(miss.angle):.1f}° are missing"
+        return f"no solution: {result.status.value}; {miss.why}, {missing}"
+    if reach is None:
+        return f"no solution: {result.status.value}"
     least, most = f"{reach.shortest * 1e3:.1f} mm", f"{reach.longest * 1e3:.1f} mm"
     allowed = f"at least {least}" if math.isinf(reach.longest) else f"{least} to {most}"
     distance = f"{reach.distance * 1e3:.1f} mm from axis {reach.axis}"
-    return f"no solution: out of reach; the wrist centre would be {distance}, possible is {allowed}"
+    return f"no solution: out of reach; the {reach.point} would be {distance}, possible is {allowed}"
 
 
 def _entry(branch: _Branch) -> dict[str, object]:
@@ -90,7 +102,7 @@ def _entry(branch: _Branch) -> dict[str, object]:
         "q": branch.q.tolist(),
         "posture": str(branch.posture),
         "exceeds": [
-            {"joint": one.name, "angle": one.angle, "limit": one.limit, "excess": one.excess}
+            {"joint": one.name, "value": one.value, "limit": one.limit, "excess": one.excess}
             for one in branch.beyond
         ],
     }

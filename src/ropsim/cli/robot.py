@@ -7,8 +7,9 @@ import textwrap
 import numpy as np
 
 from ropsim import kinematics, robots
-from ropsim.cli.numbers import shown
+from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
+from ropsim.cli.solver_words import solver_document, solver_lines
 from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.model import audit as audit_model
@@ -43,7 +44,9 @@ def list_(options: argparse.Namespace, output: Output) -> int:
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a model."""
     robot = robots.load(options.name)
-    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot)]
+    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot), ""]
+    for text in solver_lines(robot):
+        lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
     for one in robot.origins:
         text = f"  {one.kind:10} {one.parameters}: {one.source}"
@@ -57,6 +60,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
                 for joint in robot.joints
             ],
+            "inverse_kinematics": solver_document(robot),
             "origins": [[one.parameters, one.kind, one.source] for one in robot.origins],
         }
     )
@@ -90,7 +94,7 @@ def _joint_rows(robot: RobotModel) -> list[str]:
     """Return a table of the joints with its header: numbers aligned right below their titles."""
     rows = [("joint", "type", "lower", "upper", "speed", "acceleration", "torque or force")]
     for joint in robot.joints:
-        scale, unit = _display(joint.type)
+        scale, unit = display(joint.type)
         rows.append(
             (
                 joint.name,
@@ -116,9 +120,5 @@ def _effort(joint: Joint) -> str:
     return f"{joint.max_effort:.1f} {'N·m' if joint.type is JointType.REVOLUTE else 'N'}"
 
 
-def _display(kind: JointType) -> tuple[float, str]:
-    return (math.degrees(1.0), "°") if kind is JointType.REVOLUTE else (1e3, "mm")
-
-
 def _scales(robot: RobotModel) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    return np.array([_display(joint.type)[0] for joint in robot.joints])
+    return np.array([display(joint.type)[0] for joint in robot.joints])

@@ -80,8 +80,9 @@ class Signature:
         takes = tuple(_AXES.get(word, 0) for word in self.arguments)
 
         def call(*arguments: object) -> None:
-            result, said = ctypes.c_void_p(), ctypes.c_void_p()
-            flat: list[object] = [ctypes.addressof(result), ctypes.addressof(said)]
+            answers = _Answers()  # a result and what an exception says
+            address = ctypes.addressof(answers)
+            flat: list[object] = [address, address + _POINTER]
             for axes, argument in zip(takes, arguments, strict=True):
                 if axes:
                     flat += _placed(argument, axes)
@@ -101,12 +102,18 @@ _C_TYPES: dict[str, list[Any]] = {
 }
 
 
+_Start: Any = ctypes.c_char * 0
+"""What lies at the address of an array, whatever its length."""
+_POINTER = ctypes.sizeof(ctypes.c_void_p)
+_Answers = ctypes.c_void_p * 2
+
+
 def _placed(array: object, axes: int) -> tuple[int, ...]:
     """Return the address of an array and its lengths."""
     if not isinstance(array, np.ndarray) or array.dtype != _FLOAT64 or array.ndim != axes:
         raise TypeError(f"compiled code takes an array of float64 with {axes} axes here, not {array!r:.80}")
     if not array.flags.c_contiguous:
         raise TypeError("compiled code takes arrays without gaps between their numbers")
-    if array.flags.writeable and array.size:  # five times as fast as what follows
-        return (ctypes.addressof(ctypes.c_char.from_buffer(array.data)), *array.shape)
+    if array.flags.writeable:  # the quick way, which read-only arrays refuse
+        return (ctypes.addressof(_Start.from_buffer(array)), *array.shape)
     return (array.__array_interface__["data"][0], *array.shape)

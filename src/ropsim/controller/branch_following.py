@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.kinematics import IkOptions, Limits, inverse
+from ropsim.kinematics import IkOptions, Limits, inverse, inverse_path
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, record
 
@@ -58,6 +58,24 @@ class BranchFollower:
         if (np.abs(steps) <= self.swift).all():  # false for NaN
             return Follow(self._turned(q, q_start + np.cumsum(steps, axis=0)))
         return self._follow_poses(matrices, branches, q_start)
+
+    def follow_numerically(self, matrices: Array, q_start: Array) -> Follow:
+        """Return the joint coordinates that continue `q_start`, each found from the one before it.
+
+        For arms without closed form, whose branches have no names and may be missed.
+
+        Args:
+            matrices: X_BM along the path, shape (k, 4, 4).
+            q_start: joint coordinates one period before the first pose [rad | m], shape (n,).
+        """
+        q = inverse_path(self.robot, matrices, q_start)
+        steps = np.abs(np.diff(q, axis=0, prepend=q_start[None]))
+        broken = np.flatnonzero(~(steps.max(axis=1) < JUMP))  # true for NaN
+        if len(broken) == 0:
+            return Follow(q)
+        k = int(broken[0])
+        found = inverse(self.robot, Pose.from_matrix(matrices[k]), IkOptions(Limits.IGNORE, near=q_start))
+        return Follow(q[:k], complete=False, reachable=found.shortfall is None)
 
     def _follow_poses(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
         q = np.empty((len(matrices), len(q_start)))

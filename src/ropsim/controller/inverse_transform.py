@@ -1,7 +1,7 @@
 """The inverse transform: pose setpoints to joint samples on one branch of the inverse kinematics."""
 
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import field
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.kinematics import NoClosedFormError, forward_batch, inverse_batch
+from ropsim.kinematics import Method, forward_batch, inverse_batch, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, record
 
@@ -56,8 +56,8 @@ class StandardInverseTransform:
 
         Returns:
             the samples, with M510 and M514 as findings, or a refusal: M501 where the line leaves the reach,
-            M503 at a joint limit, M504 above a speed limit, M505 at a jump, M506 without a tool, M550 where
-            the arm has no closed form.
+            M503 at a joint limit, M504 above a speed limit, M505 at a jump, M506 without a tool, M530 where
+            an arm with few joints cannot take a pose of the line.
         """
         X_MT = self._work.tool_pose(move.modal, move.origin.span)
         if isinstance(X_MT, Diagnostic):
@@ -65,12 +65,12 @@ class StandardInverseTransform:
         if len(setpoints.matrices) == 0:
             return JointSamples(setpoints.period, np.empty((0, self.robot.n)))
         matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
-        try:
-            branches = inverse_batch(self.robot, matrices)
-        except NoClosedFormError as error:
-            return Refusal((replace(error.diagnostic, span=move.origin.span),))
         swift = self.robot.max_speeds * setpoints.period
-        found = BranchFollower(self.robot, self._range.revolute, swift).follow(matrices, branches, q_start)
+        follower = BranchFollower(self.robot, self._range.revolute, swift)
+        if solver_of(self.robot).method is Method.NUMERIC:
+            found = follower.follow_numerically(matrices, q_start)
+        else:
+            found = follower.follow(matrices, inverse_batch(self.robot, matrices), q_start)
         p_start = (forward_batch(self.robot, q_start[None])[0] @ X_MT.matrix())[:3, 3]
         line = Line(move, setpoints, p_start, q_start)
         refusals = limit_refusals(line, found.q, self.robot, self._range)

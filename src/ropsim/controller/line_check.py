@@ -6,10 +6,10 @@ import numpy as np
 
 from ropsim.controller.branch_following import Follow
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wording import coordinate, distance_words, figures, passes, rate
+from ropsim.controller.wording import coordinate, figures, passes, rate, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PoseSetpoints
-from ropsim.kinematics import inverse, jacobian
+from ropsim.kinematics import IkStatus, inverse, jacobian, singular_distances
 from ropsim.model import RobotModel
 from ropsim.motion import (
     ACCELERATION_LIMIT,
@@ -17,6 +17,7 @@ from ropsim.motion import (
     JUMP_ON_LINE,
     OTHER_JOINTS_AT_LINE_END,
     OUT_OF_REACH,
+    OUT_OF_TASK_SPACE,
     SPEED_LIMIT_ON_LINE,
 )
 from ropsim.spatial import Array, Pose, record
@@ -52,7 +53,7 @@ class Line:
 
 
 def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagnostic:
-    """Return M501 where the line leaves the reach of the arm, or M505 where the joints would have to jump.
+    """Return M501 or M530 where the line leaves the reach of the arm, or M505 where joints would jump.
 
     Args:
         line: the line.
@@ -66,14 +67,16 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
     span, label = line.move.origin.span, passes(line.move.origin)
     q = found.q[-1] if row else line.q_start
     if not found.reachable:
-        reach = inverse(robot, Pose.from_matrix(matrices[row])).reach
+        shortfall = inverse(robot, Pose.from_matrix(matrices[row])).shortfall
+        beside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+        left = "the poses that this arm can take" if beside else "the reach of the arm"
         x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
-        return OUT_OF_REACH.at(
+        return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
             span,
-            f"the line leaves the reach of the arm at {share:.0%} of the way, "
+            f"the line leaves {left} at {share:.0%} of the way, "
             f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
             label=label,
-            notes=(distance_words(reach),) if reach else (),
+            notes=(shortfall_words(shortfall),) if shortfall else (),
             hint="shift the line, or use PTP where the path does not matter",
             data=data,
         )
@@ -187,12 +190,12 @@ def _worst(ratios: Array) -> tuple[int, int]:
 
 
 def _singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
-    """Return in words which singularity of a six-axis arm is near, if one is.
+    """Return in words which singularity of an arm with spherical wrist is near, if one is.
 
     The direction in joint space that moves the tool least tells: without the first three joints it is the
     wrist; led by joint 1 the shoulder, else the elbow.
     """
-    if robot.n != 6:
+    if singular_distances(robot, q) is None:
         return ()
     _, values, directions = np.linalg.svd(jacobian(robot, q))
     if values[-1] > _NEAR_SINGULAR:

@@ -8,11 +8,11 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
-from ropsim.controller.target_refusals import out_of_range, out_of_reach, posture_change
+from ropsim.controller.target_refusals import numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
-from ropsim.kinematics import IkOptions, IkStatus, Limits, NoClosedFormError, forward_batch, inverse
+from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
 from ropsim.model import ControllerModel, RobotModel, Tool
 from ropsim.motion import (
     JointMotionLimits,
@@ -81,6 +81,7 @@ class StandardPathPlanner:
         findings = zone_findings(move)
         if isinstance(move.target, Pose) and move.origin.visit == 1:
             findings += self._work.frame_findings(move.modal, span)
+        findings += numeric_hint(move, self.robot)
         plan = self._plan_ptp if move.kind is MotionKind.PTP else self._plan_line
         trajectory: JointTrajectory | LineTrajectory | Refusal = plan(move, q_start, X_MT)
         if isinstance(trajectory, Refusal):
@@ -135,13 +136,10 @@ class StandardPathPlanner:
         return Refusal(problems) if problems else goal
 
     def _branches(self, move: MoveInstruction, X_BM: Pose, q_start: Array) -> Array | Refusal:
-        """Return all branches that reach X_BM, turned nearest to `q_start`, NaN where absent, (8, n)."""
-        try:
-            found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_start))
-        except NoClosedFormError as error:
-            return Refusal((replace(error.diagnostic, span=move.origin.span),))
-        if found.status is IkStatus.OUT_OF_REACH:
-            return Refusal((out_of_reach(move, X_BM, found.reach),))
+        """Return all branches that reach X_BM, turned nearest to `q_start`, NaN where absent, (b, n)."""
+        found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_start))
+        if found.shortfall:
+            return Refusal((out_of_reach(move, X_BM, found.shortfall),))
         return nearest_turns(found.branches, q_start, self._range)
 
     def _joint_limits(self, modal: ModalState) -> JointMotionLimits:

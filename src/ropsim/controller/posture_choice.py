@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from ropsim.kinematics import posture
+from ropsim.kinematics import posture, solver_of
 from ropsim.model import JointType, RobotModel
 from ropsim.motion import JointMotionLimits, durations
 from ropsim.spatial import Array, record
 
 _TURN = 2.0 * np.pi
-_SIDE = 1e-6  # [rad]; a step off a singularity that no drive notices
+_SIDE = 1e-6  # [rad | m]; a step off a singularity that no drive notices
 _LIMIT_SLACK = 1e-9  # [rad | m]; rounding of inverse kinematics at a coordinate that stands on its limit
 
 
@@ -33,9 +33,9 @@ class JointRange:
         return cls(robot.lower_limits, robot.upper_limits, revolute)
 
     def excess(self, q: Array) -> Array:
-        """Return how far each coordinate lies outside its limits [rad | m], 0 inside; shape of `q`."""
+        """Return how far each coordinate lies outside its limits [rad | m]: 0 inside, NaN for NaN."""
         beyond: Array = np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)
-        return np.where(beyond > _LIMIT_SLACK, beyond, 0.0)
+        return np.where(beyond <= _LIMIT_SLACK, 0.0, beyond)
 
 
 @record
@@ -82,7 +82,8 @@ def choose(
 
     Args:
         robot: the arm.
-        branches: of the target, with their turns, NaN where absent [rad], row `Posture.index`, shape (8, n).
+        branches: of the target, with their turns, NaN where absent [rad | m], rows as in the postures of the
+            arm's solver, shape (b, n).
         q_start: [rad], shape (n,).
         limits: of the joints.
         motion: speed, acceleration and jerk limits of the move.
@@ -101,4 +102,4 @@ def choose(
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
     """Return the rows of the postures of the start; a singular one has those on either side of it."""
     sides = (posture(robot, q_start + _SIDE), posture(robot, q_start - _SIDE))
-    return sorted({side.index for side in sides})
+    return [row for row, name in enumerate(solver_of(robot).postures) if name in sides]

@@ -3,43 +3,63 @@
 import numpy as np
 
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wording import coordinate, distance_words, figures, passes
+from ropsim.controller.wording import coordinate, figures, passes, shortfall_words
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction
-from ropsim.kinematics import Reach, posture
+from ropsim.flow import MotionKind, MoveInstruction
+from ropsim.kinematics import (
+    NO_CLOSED_FORM,
+    IkStatus,
+    Method,
+    Miss,
+    Reach,
+    Shortfall,
+    posture,
+    solver_of,
+)
 from ropsim.model import RobotModel
-from ropsim.motion import JOINT_OUT_OF_RANGE, OUT_OF_REACH, POSTURE_CHANGE
+from ropsim.motion import JOINT_OUT_OF_RANGE, OUT_OF_REACH, OUT_OF_TASK_SPACE, POSTURE_CHANGE
 from ropsim.spatial import Array, Pose
 
 
-def out_of_reach(move: MoveInstruction, X_BM: Pose, reach: Reach | None) -> Diagnostic:
-    """Return M501 for a command pose X_BM of the mechanical interface that no posture reaches.
+def out_of_reach(move: MoveInstruction, X_BM: Pose, shortfall: Shortfall) -> Diagnostic:
+    """Return M501 or M530 for a command pose X_BM of the mechanical interface that no posture reaches.
 
     Args:
         move: the instruction.
         X_BM: the pose.
-        reach: how far the wrist centre is and may be, where it is known.
+        shortfall: what is missing.
     """
     x, y, z = (1e3 * X_BM.position).tolist()
     place = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
-    data: dict[str, object] = {"position_m": tuple(X_BM.position.tolist()), "pass": move.origin.visit}
-    message = f"command pose is out of reach: {place}"
-    notes: tuple[str, ...] = ()
-    if reach is not None:
-        message, notes = f"command pose is out of reach: {distance_words(reach)}", (f"{place}",)
-        data |= {
-            "distance_m": reach.distance,
-            "shortest_m": reach.shortest,
-            "longest_m": reach.longest,
-        }
-    return OUT_OF_REACH.at(
+    data = {
+        "position_m": tuple(X_BM.position.tolist()),
+        "pass": move.origin.visit,
+        **_reach_data(shortfall.reach),
+        **_miss_data(shortfall.miss),
+    }
+    beside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+    what = "this arm cannot take the command pose" if beside else "command pose is out of reach"
+    why = shortfall_words(shortfall)
+    return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
         move.origin.span,
-        message,
+        f"{what}: {why or place}",
         label=passes(move.origin),
-        notes=notes,
-        hint="move the target or its frame, and look at the units of its coordinates",
+        notes=(place,) if why else (),
+        hint="give the pose the orientation that the arm has there, or use joint coordinates"
+        if beside
+        else "move the target or its frame, and look at the units of its coordinates",
         data=data,
     )
+
+
+def _reach_data(reach: Reach | None) -> dict[str, object]:
+    if reach is None:
+        return {}
+    return {"distance_m": reach.distance, "shortest_m": reach.shortest, "longest_m": reach.longest}
+
+
+def _miss_data(miss: Miss | None) -> dict[str, object]:
+    return {} if miss is None else {"missing_m": miss.distance, "missing_rad": miss.angle}
 
 
 def out_of_range(move: MoveInstruction, branches: Array, robot: RobotModel, limits: JointRange) -> Diagnostic:
@@ -49,7 +69,7 @@ def out_of_range(move: MoveInstruction, branches: Array, robot: RobotModel, limi
 
     Args:
         move: the instruction.
-        branches: of the pose, with their best turns, NaN where absent [rad | m], shape (8, n).
+        branches: of the pose, with their best turns, NaN where absent [rad | m], shape (b, n).
         robot: the arm.
         limits: of the joints.
     """
@@ -84,18 +104,24 @@ def posture_change(
     before, after = posture(robot, q_start), posture(robot, q_end)
     if move.origin.visit > 1 or before == after:
         return ()
-    changes = ", ".join(
-        f"{part} from {old.name.lower()} to {new.name.lower()}"
-        for part, old, new in (
-            ("shoulder", before.shoulder, after.shoulder),
-            ("elbow", before.elbow, after.elbow),
-            ("wrist", before.wrist, after.wrist),
-        )
-        if old is not new
-    )
+    words = zip(solver_of(robot).parts, before.words, after.words, strict=True)
+    changes = ", ".join(f"{part} from {old} to {new}" for part, old, new in words if old != new)
     finding = POSTURE_CHANGE.at(
         move.origin.span,
         f"the posture changes on the way: {changes}",
         hint="the posture of the start does not reach the target within the joint limits",
+    )
+    return (finding,)
+
+
+def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M550 for a move that an arm without closed form makes to a pose; at its first visit."""
+    posed = isinstance(move.target, Pose) or move.kind is not MotionKind.PTP
+    if move.origin.visit > 1 or not posed or solver_of(robot).method is Method.CLOSED_FORM:
+        return ()
+    finding = NO_CLOSED_FORM.at(
+        move.origin.span,
+        f"`{robot.name}` is solved numerically: further branches than those found may exist",
+        hint="where the posture matters, give the target in joint coordinates",
     )
     return (finding,)

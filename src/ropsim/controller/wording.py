@@ -3,7 +3,7 @@
 import math
 
 from ropsim.flow import Origin
-from ropsim.kinematics import Reach
+from ropsim.kinematics import Reach, Shortfall
 from ropsim.model import Joint, JointType
 
 
@@ -32,9 +32,21 @@ def figures(joint: Joint, value: float, limit: float, per: str = "") -> dict[str
     return {"joint": joint.name, f"value_{unit}": value, f"limit_{unit}": limit}
 
 
-def distance_words(reach: Reach) -> str:
-    """Return how far the wrist centre would be, and how far or near it may be."""
-    found = f"the wrist centre is {reach.distance * 1e3:.2f} mm from axis {reach.axis}"
+def shortfall_words(shortfall: Shortfall) -> str:
+    """Return what is missing for a pose; empty where it is not known."""
+    if shortfall.reach:
+        return _distance_words(shortfall.reach)
+    miss = shortfall.miss
+    if miss is None:
+        return ""
+    parts = [f"{miss.distance * 1e3:.2f} mm"] if miss.distance > 0.0 else []
+    parts += [f"{math.degrees(miss.angle):.2f}°"] if miss.angle > 0.0 else []
+    return f"{miss.why}; {' and '.join(parts)} from it to the pose" if parts else miss.why
+
+
+def _distance_words(reach: Reach) -> str:
+    """Return how far the point that decides would be, and how far or near it may be."""
+    found = f"the {reach.point} is {reach.distance * 1e3:.2f} mm from axis {reach.axis}"
     if reach.distance > reach.longest:
         return f"{found}, the arm reaches {reach.longest * 1e3:.2f} mm"
     return f"{found}, the arm cannot come nearer than {reach.shortest * 1e3:.2f} mm"

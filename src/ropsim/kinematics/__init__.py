@@ -1,8 +1,8 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
 from ropsim.kinematics.configurations import configurations as configurations
+from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError
-from ropsim.kinematics.diagnostics import NoClosedFormError as NoClosedFormError
 from ropsim.kinematics.diagnostics import NotFiniteError as NotFiniteError
 from ropsim.kinematics.forward import forward as forward
 from ropsim.kinematics.forward import forward_batch as forward_batch
@@ -11,22 +11,26 @@ from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
-from ropsim.kinematics.inverse import limit_violations as limit_violations
-from ropsim.kinematics.inverse import turned_to_limits as turned_to_limits
+from ropsim.kinematics.inverse import inverse_path as inverse_path
+from ropsim.kinematics.inverse import posture as posture
 from ropsim.kinematics.jacobian import jacobian as jacobian
 from ropsim.kinematics.jacobian import jacobian_at as jacobian_at
-from ropsim.kinematics.posture import POSTURES as POSTURES
-from ropsim.kinematics.posture import Elbow as Elbow
+from ropsim.kinematics.limits import limit_violations as limit_violations
+from ropsim.kinematics.limits import turned_to_limits as turned_to_limits
 from ropsim.kinematics.posture import Posture as Posture
-from ropsim.kinematics.posture import Shoulder as Shoulder
-from ropsim.kinematics.posture import Wrist as Wrist
-from ropsim.kinematics.posture import posture as posture
+from ropsim.kinematics.recognition import classes_missed as classes_missed
+from ropsim.kinematics.recognition import solver_of as solver_of
 from ropsim.kinematics.result import IkOptions as IkOptions
 from ropsim.kinematics.result import IkResult as IkResult
 from ropsim.kinematics.result import IkStatus as IkStatus
 from ropsim.kinematics.result import Limits as Limits
 from ropsim.kinematics.result import LimitViolation as LimitViolation
+from ropsim.kinematics.result import Miss as Miss
 from ropsim.kinematics.result import Reach as Reach
+from ropsim.kinematics.result import Shortfall as Shortfall
+from ropsim.kinematics.selection_kernel import TURN_VARIANTS as TURN_VARIANTS
 from ropsim.kinematics.singularity import SingularDistances as SingularDistances
 from ropsim.kinematics.singularity import singular_distances as singular_distances
-from ropsim.kinematics.wrist import has_closed_form as has_closed_form
+from ropsim.kinematics.solver import InverseSolver as InverseSolver
+from ropsim.kinematics.solver import Method as Method
+from ropsim.kinematics.solver import Snap as Snap

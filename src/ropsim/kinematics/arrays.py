@@ -20,6 +20,8 @@ class ChainArrays:
         slides: 1.0 for a prismatic joint, 0.0 for a revolute one, shape (n,).
         offset: added to each coordinate [rad | m], shape (n,).
         X_nM: mechanical interface in the last joint's frame as (R_nM, p_nM), shape (3, 4).
+        flat: all of it for kernels that take one array: for each joint R by rows, p, slides, offset, then
+            R_nM by rows and p_nM; shape (14·n + 12,).
     """
 
     R: Array
@@ -27,6 +29,7 @@ class ChainArrays:
     slides: Array
     offset: Array
     X_nM: Array
+    flat: Array
 
 
 @lru_cache(maxsize=64)
@@ -34,12 +37,16 @@ def chain_arrays(robot: RobotModel) -> ChainArrays:
     """Return the chain of a robot as arrays; computed once per model."""
     rotations, positions = placement_matrices(robot)
     R_nM, p_nM = interface_matrices(robot)
+    slides = [float(joint.type is JointType.PRISMATIC) for joint in robot.joints]
+    offset = [joint.offset for joint in robot.joints]
+    rows = np.column_stack((rotations.reshape(-1, 9), positions, slides, offset))
     return ChainArrays(
         R=frozen(rotations),
         p=frozen(positions),
-        slides=frozen([float(joint.type is JointType.PRISMATIC) for joint in robot.joints]),
-        offset=frozen([joint.offset for joint in robot.joints]),
+        slides=frozen(slides),
+        offset=frozen(offset),
         X_nM=frozen(np.column_stack((R_nM, p_nM))),
+        flat=frozen(np.concatenate((rows.ravel(), R_nM.ravel(), p_nM))),
     )
 
 

@@ -5,15 +5,24 @@ from ropsim.core import RopsimError, Severity, define
 NO_CLOSED_FORM = define(
     "M550",
     "no-closed-form",
-    Severity.ERROR,
-    "the arm is outside the class with closed-form inverse kinematics",
+    Severity.HINT,
+    "the arm has no closed-form inverse kinematics, poses are solved numerically",
     """
-Inverse kinematics is computed in closed form for arms with six revolute joints whose axes 2 and 3 are
-parallel and at right angles to axis 1 and whose axes 4, 5 and 6 meet in one point at right angles (a
-spherical wrist). Most six-axis industrial arms are built so. The message says which of these conditions
-the arm misses.
+Inverse kinematics is computed in closed form, with all its branches, for these classes of arms:
 
-Joint targets and everything that needs forward kinematics only still work for such an arm.
+* **spherical wrist**: six revolute joints, axes 2 and 3 parallel and at right angles to axis 1, axes 4, 5
+  and 6
+  meeting in one point at right angles; most six-axis industrial arms are built so;
+* **SCARA**: four joints with parallel axes, three that turn and one that slides;
+* **planar two-link**: two revolute joints with parallel axes.
+
+A model may deviate from its class by 0.001 rad and 0.01 mm, as rounded files do; the answers are then
+polished on the model itself. `ropsim robot show NAME` says which class an arm is in, or which condition of
+each class it misses.
+
+Any other arm is solved numerically from many starting points: each answer is checked like every other one,
+but there may be further ones that were not found, and they have no names such as `left-up-flip`. A move
+keeps to the answer nearest to where the arm stands.
 """,
 )
 
@@ -43,20 +52,6 @@ NaN or infinity among the joint coordinates or in a pose has no place in space. 
 that made the value: often a division by zero or the inverse cosine of a number beyond 1.
 """,
 )
-
-
-class NoClosedFormError(RopsimError):
-    """The arm is outside the class with closed-form inverse kinematics (M550)."""
-
-    def __init__(self, robot: str, reason: str) -> None:
-        super().__init__(
-            NO_CLOSED_FORM.at(
-                None,
-                f"no closed form for `{robot}`: {reason}",
-                hint="use joint targets, or an arm with parallel axes 2 and 3 and a spherical wrist",
-                data={"robot": robot, "reason": reason},
-            )
-        )
 
 
 class ArrayShapeError(RopsimError):

@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector
+from ropsim.kinematics.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 
@@ -58,7 +58,7 @@ def joint_frames(robot: RobotModel, q: npt.ArrayLike) -> Array:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    frames: Array = _frames(robot, joint_vector(robot, q)[np.newaxis])[0]
+    frames: Array = frames_of(chain_arrays(robot), joint_vector(robot, q)[np.newaxis])[0]
     return frames
 
 
@@ -68,11 +68,11 @@ def frames_batch(robot: RobotModel, Q: npt.ArrayLike) -> Array:
     Raises:
         ArrayShapeError: M551, Q has another shape.
     """
-    return _frames(robot, joint_rows(robot, Q))
+    return frames_of(chain_arrays(robot), joint_rows(robot, Q))
 
 
-def _frames(robot: RobotModel, rows: Array) -> Array:
-    chain = chain_arrays(robot)
+def frames_of(chain: ChainArrays, rows: Array) -> Array:
+    """Return the frames of all joints and of the interface for rows (k, n), shape (k, n + 1, 4, 4)."""
     count, n = rows.shape
     moved = rows + chain.offset
     angles, shifts = moved * (1.0 - chain.slides), moved * chain.slides

@@ -1,190 +1,175 @@
-"""Inverse kinematics: from a pose to all joint coordinates that reach it."""
+"""Inverse kinematics: from a pose to all joint coordinates that reach it. The one door for all arms."""
 
-from itertools import product
-from math import ceil, floor, hypot, inf, isnan, pi, remainder, sqrt
+from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import joint_vector, pose_rows
+from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
 from ropsim.kinematics.diagnostics import NotFiniteError
-from ropsim.kinematics.posture import POSTURES, Posture
-from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits, LimitViolation, Reach
-from ropsim.kinematics.wrist import WristArm, wrist_arm
-from ropsim.model import RobotModel
-from ropsim.spatial import Array, Pose
+from ropsim.kinematics.limits import limit_violations
+from ropsim.kinematics.polish import continued, polished
+from ropsim.kinematics.posture import Posture
+from ropsim.kinematics.recognition import solver_of
+from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
+from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
+from ropsim.kinematics.solver import InverseSolver
+from ropsim.model import JointType, RobotModel
+from ropsim.spatial import Array, Pose, frozen, record
 
-SAME = 1e-6
-"""Branches nearer than this [rad] coincide: rounding by 1e-16 moves a stretched elbow by 1e-8."""
-LIMIT_SLACK = 1e-9
-"""An angle this far beyond a limit [rad] is rounding and is moved to the limit."""
-TURN = 2.0 * pi
+NEIGHBOUR = 0.1
+"""A pose this near to that of `near` [m, rad] may be its neighbour on a path."""
+TURN = 2.0 * np.pi
+
+
+@record
+class _Desk:
+    """What a question about one arm needs.
+
+    Attributes:
+        solver: of the arm.
+        limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
+        rest: zeros, shape (n,).
+    """
+
+    solver: InverseSolver
+    limits: Array
+    rest: Array
 
 
 def inverse_batch(robot: RobotModel, T: npt.ArrayLike) -> Array:
     """Return all branches of many poses, limits ignored; compiled.
 
     Args:
-        robot: arm of the class with closed-form inverse kinematics.
+        robot: arm with n joints.
         T: poses X_BM of the mechanical interface as homogeneous matrices, shape (k, 4, 4).
 
     Returns:
-        Joint coordinates in (-π, π] [rad], shape (k, 8, 6); row `Posture.index` belongs to that posture,
-        rows of absent branches (and of matrices that are no poses) are NaN. Branches that coincide in a
-        singular pose fill both rows; a joint that the pose leaves free is 0.
+        Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, b, n); row i has the posture
+        `solver_of(robot).postures[i]`, rows of absent branches (and of matrices that are no poses) are NaN.
+        Branches that coincide in a singular pose fill both rows; a joint that the pose leaves free is 0.
 
     Raises:
-        NoClosedFormError: M550, the arm is outside the class.
         ArrayShapeError: M551, T has another shape.
     """
-    return _solve(wrist_arm(robot), pose_rows(T), np.zeros(6))
+    return solver_of(robot).branches(pose_rows(T), np.zeros(robot.n))
 
 
 def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> IkResult:
     """Return all joint coordinates that bring the mechanical interface to a pose.
 
-    Closed form after Pieper (1968): wrist centre, shoulder, elbow, then the wrist as Euler angles; every
-    branch is checked by forward kinematics to 1e-9 m and per entry of the rotation matrix.
+    The solver is that of the arm's class, see `solver_of`. Every answer reaches the pose to 1e-9 m and per
+    entry of the rotation matrix, by forward kinematics; for arms with fewer than six joints, what they
+    cannot choose of a pose may be off by `TASK_SLACK`.
 
     Args:
-        robot: arm of the class with closed-form inverse kinematics.
+        robot: arm with n joints.
         pose: X_BM; for a tool pose give `X_BT @ tool.X_MT.inverse()`.
         options: limits are respected where nothing is said.
 
     Raises:
-        NoClosedFormError: M550, the arm is outside the class.
-        ArrayShapeError: M551, `options.near` has another shape than (6,).
+        ArrayShapeError: M551, `options.near` has another shape than (n,).
         NotFiniteError: M552, the pose or `options.near` holds NaN or infinity.
     """
-    chosen = options or IkOptions()
-    arm = wrist_arm(robot)
-    if not np.isfinite(pose.position).all():
-        raise NotFiniteError("pose")
-    free = np.zeros(6) if chosen.near is None else joint_vector(robot, chosen.near)
-    branches = _solve(arm, pose.matrix()[np.newaxis], free)[0]
-    rows = _distinct(branches)
-    if not rows:
-        return _answer(IkStatus.OUT_OF_REACH, branches, reach=_reach(arm, pose))
-    if chosen.limits is Limits.IGNORE:
-        return _answer(IkStatus.FOUND, branches, [(row, branches[row], np.empty((0, 6))) for row in rows])
-    variants = [(row, _within(robot, branches[row])) for row in rows]
-    kept = [(row, found[0], found[1:]) for row, found in variants if len(found)]
-    if kept:
-        return _answer(IkStatus.FOUND, branches, kept)
-    outside = [limit_violations(robot, branches[row]) for row in rows]
+    from ropsim.kinematics.selection_kernel import select
+
+    desk = _desk(robot)
+    near = desk.rest if options is None or options.near is None else joint_vector(robot, options.near)
+    respected = options is None or options.limits is Limits.RESPECT
+    T = pose.matrix()
+    branches = desk.solver.branches(T[np.newaxis], near)[0]
+    if near is not desk.rest:
+        _keep(robot, desk, T, near, branches)
+    rows, n = branches.shape
+    found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
+    found[0] = 1.0 if respected else 0.0
+    select(branches, desk.limits, found)
+    marks = found[: 2 * rows + 2].tolist()
+    present, listed = int(marks[0]), int(marks[1])
+    names = desk.solver.postures
+    variants = found[2 * rows + 2 :].reshape(-1, n)
+    solutions = variants[:listed]
+    if listed:
+        postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
+        turns = _turns(variants[rows:], marks[3 : 3 + 2 * listed : 2])
+        return IkResult(IkStatus.FOUND, solutions, postures, turns, branches, names)
+    if not present:
+        if not np.isfinite(T).all():
+            raise NotFiniteError("pose")
+        shortfall = desk.solver.shortfall(T)
+        return IkResult(shortfall.status, solutions, (), (), branches, names, (), shortfall)
+    outside = [limit_violations(robot, q) for q in branches if q[0] == q[0]]
     nearest = min(outside, key=lambda violations: violations[0].excess)
-    return _answer(IkStatus.OUT_OF_LIMITS, branches, violations=nearest)
+    return IkResult(IkStatus.OUT_OF_LIMITS, solutions, (), (), branches, names, nearest)
+
+
+def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) -> Array:
+    """Return joint coordinates along a path, each found numerically from the one before it; for any arm.
+
+    Args:
+        robot: arm with n joints.
+        T: poses X_BM along the path, one a small step from the other, shape (k, 4, 4).
+        q_start: joint coordinates one step before the first pose [rad | m], shape (n,).
+
+    Returns:
+        Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
+        on that is not reached.
+
+    Raises:
+        ArrayShapeError: M551, T or `q_start` has another shape.
+        NotFiniteError: M552, `q_start` holds NaN or infinity.
+    """
+    return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
+
+
+def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
+    """Return the posture of a configuration, in the words of the arm's class.
+
+    Where two branches coincide the first of the two names is given.
+
+    Args:
+        robot: arm with n joints.
+        q: joint coordinates [rad | m], shape (n,).
+
+    Raises:
+        ArrayShapeError: M551, q has another shape.
+        NotFiniteError: M552, q holds NaN or infinity.
+    """
+    return solver_of(robot).posture(joint_vector(robot, q))
 
 
 def branch(result: IkResult, posture: Posture) -> Array | None:
-    """Return the joint coordinates [rad] of one posture, limits ignored, shape (n,); None where absent."""
-    row = result.branches[posture.index]
-    return None if np.isnan(row).any() else row
+    """Return the joint coordinates [rad | m] of a posture, limits ignored, shape (n,); None if absent."""
+    rows = [q for q, name in zip(result.branches, result.names, strict=True) if name == posture]
+    return next((q for q in rows if q[0] == q[0]), None)
 
 
-def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
-    """Return joint coordinates with each joint in the turn that is nearest to the middle of its range.
+def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:
+    """Return the further turns of each solution, of which there are `counts`."""
+    turns, first = [], 0
+    for count in map(int, counts):
+        turns.append(variants[first : first + count])
+        first += count
+    return tuple(turns)
 
-    Args:
-        robot: arm of turning joints.
-        q: joint coordinates [rad], shape (n,).
+
+def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array) -> None:
+    """Put the answer next to `near` into its row, where a singular pose lets the arm stay there.
+
+    Away from singularities it is one of the branches and nothing is done.
     """
-    centres = (robot.lower_limits + robot.upper_limits) / 2.0
-    angles = joint_vector(robot, q)
-    return np.asarray(angles + TURN * np.round((centres - angles) / TURN))
+    start = near[np.newaxis, np.newaxis]
+    q = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack, NEIGHBOUR)[0, 0]
+    if np.isnan(q[0]):
+        return
+    apart = branches - q
+    apart -= desk.limits[2] * (TURN * np.round(apart / TURN))
+    if not (np.abs(apart).max(axis=1) <= SAME).any():  # false for NaN
+        branches[desk.solver.postures.index(desk.solver.posture(q))] = q
 
 
-def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
-    """Return the joints that are outside their limits in every turn, worst first.
-
-    Args:
-        robot: arm of turning joints.
-        q: joint coordinates [rad], shape (n,), such as a row of `IkResult.branches`.
-    """
-    found = []
-    for index, (joint, angle) in enumerate(
-        zip(robot.joints, turned_to_limits(robot, q).tolist(), strict=True)
-    ):
-        limit = min(max(angle, joint.lower), joint.upper)
-        if abs(angle - limit) > LIMIT_SLACK:
-            found.append(LimitViolation(index, joint.name, angle, limit))
-    return tuple(sorted(found, key=lambda violation: -violation.excess))
-
-
-def _solve(arm: WristArm, T: Array, free: Array) -> Array:
-    from ropsim.kinematics.inverse_kernel import inverse_rows
-
-    out = np.full((len(T), 8, 6), np.nan)
-    inverse_rows(
-        arm.lengths,
-        arm.signs,
-        arm.zeros,
-        arm.front,
-        arm.X_J,
-        arm.X_M,
-        arm.R_F,
-        free,
-        T,
-        out,
-        np.empty((2, 3, 3)),
-        np.empty(6),
-    )
-    return out
-
-
-def _distinct(branches: Array) -> list[int]:
-    """Return the rows that hold a branch, each branch once."""
-    angles = branches.tolist()
-    rows: list[int] = []
-    for row, found in enumerate(angles):
-        if not isnan(found[0]) and not any(_coincide(found, angles[other]) for other in rows):
-            rows.append(row)
-    return rows
-
-
-def _coincide(one: list[float], other: list[float]) -> bool:
-    return all(abs(remainder(a - b, TURN)) <= SAME for a, b in zip(one, other, strict=True))
-
-
-def _within(robot: RobotModel, q: Array) -> Array:
-    """Return q turned by whole turns into the limits in all ways, the least turned first, shape (v, n)."""
-    columns = []
-    for joint, angle in zip(robot.joints, q.tolist(), strict=True):
-        fewest = ceil((joint.lower - LIMIT_SLACK - angle) / TURN)
-        most = floor((joint.upper + LIMIT_SLACK - angle) / TURN)
-        turns = sorted(range(fewest, most + 1), key=abs)
-        columns.append([min(max(angle + turn * TURN, joint.lower), joint.upper) for turn in turns])
-    return np.array(list(product(*columns)), dtype=np.float64).reshape(-1, robot.n)
-
-
-def _reach(arm: WristArm, pose: Pose) -> Reach:
-    p_BW = pose.position + pose.rotation() @ arm.X_M[:, 3]
-    x, y, z = (arm.X_J[:, :3].T @ (p_BW - arm.X_J[:, 3])).tolist()
-    a1, h, D, upper, fore = arm.lengths.tolist()
-    radius = hypot(x, y)
-    if radius < abs(D):
-        return Reach("1", radius, abs(D), inf)
-    ahead = sqrt(radius * radius - D * D)
-    shortest, longest = abs(upper - fore), upper + fore
-    distances = [hypot(side * ahead - a1, z - h) for side in (-1.0, 1.0)]
-    best = min(distances, key=lambda distance: max(distance - longest, shortest - distance))
-    return Reach("2", best, shortest, longest)
-
-
-def _answer(
-    status: IkStatus,
-    branches: Array,
-    kept: list[tuple[int, Array, Array]] | None = None,
-    violations: tuple[LimitViolation, ...] = (),
-    reach: Reach | None = None,
-) -> IkResult:
-    found = kept or []
-    return IkResult(
-        status=status,
-        solutions=np.array([q for _, q, _ in found]).reshape(-1, branches.shape[1]),
-        postures=tuple(POSTURES[row] for row, _, _ in found),
-        turns=tuple(turns for _, _, turns in found),
-        branches=branches,
-        violations=violations,
-        reach=reach,
-    )
+@lru_cache(maxsize=64)
+def _desk(robot: RobotModel) -> _Desk:
+    turning = [float(joint.type is JointType.REVOLUTE) for joint in robot.joints]
+    limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, np.array(turning))))
+    return _Desk(solver_of(robot), limits, frozen(np.zeros(robot.n)))

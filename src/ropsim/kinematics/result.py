@@ -19,6 +19,7 @@ class IkStatus(Enum):
 
     FOUND = "found"
     OUT_OF_REACH = "out of reach"
+    OUT_OF_TASK_SPACE = "out of task space"
     OUT_OF_LIMITS = "out of limits"
 
 
@@ -28,9 +29,9 @@ class IkOptions:
 
     Attributes:
         limits: whether solutions must lie within the joint limits.
-        near: joint coordinates [rad], shape (n,), that a singular pose may keep: where it leaves joint 1
-            (wrist centre on axis 1, no lateral offset) or joint 4 (axes 4 and 6 aligned) free, that joint
-            stays there. None stands for zeros.
+        near: joint coordinates [rad | m], shape (n,), that a singular pose may keep: joints that it leaves
+            free stay there. Of a redundant arm the solution nearest to them comes first. None stands for
+            zeros.
     """
 
     limits: Limits = Limits.RESPECT
@@ -48,36 +49,68 @@ class LimitViolation:
     Attributes:
         joint: index from 0.
         name: name of the joint.
-        angle: what the branch needs, in the turn nearest to the limits [rad].
-        limit: the limit that it passes [rad].
+        value: what the branch needs, in the turn nearest to the limits [rad | m].
+        limit: the limit that it passes [rad | m].
     """
 
     joint: int
     name: str
-    angle: float
+    value: float
     limit: float
 
     @property
     def excess(self) -> float:
-        """Return how far the angle lies beyond the limit [rad], positive."""
-        return abs(self.angle - self.limit)
+        """Return how far the value lies beyond the limit [rad | m], positive."""
+        return abs(self.value - self.limit)
 
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """How far the wrist centre is from a shoulder axis and how far it may be [m].
+    """How far a point of the arm would be from one of its axes and how far it may be [m].
 
     Attributes:
-        axis: `1` where the pose lies too near to axis 1 (inside the lateral offset), else `2`.
-        distance: of the wrist centre from that axis, for the better shoulder posture.
+        point: of the arm, such as `wrist centre`.
+        axis: the axis from which it is measured, such as `2`.
+        distance: that the pose asks for, in the better posture.
         shortest: least distance that the arm can fold to.
-        longest: largest distance; inf for axis 1.
+        longest: largest distance; inf where it has no bound.
     """
 
+    point: str
     axis: str
     distance: float
     shortest: float
     longest: float
+
+
+@dataclass(frozen=True, slots=True)
+class Miss:
+    """How far the best that the arm can do is from a pose.
+
+    Attributes:
+        why: what the arm lacks, as a sentence without full stop.
+        distance: between the two positions [m].
+        angle: between the two orientations [rad].
+    """
+
+    why: str
+    distance: float
+    angle: float
+
+
+@dataclass(frozen=True, slots=True)
+class Shortfall:
+    """Why no branch reaches a pose.
+
+    Attributes:
+        status: OUT_OF_REACH or OUT_OF_TASK_SPACE.
+        reach: the distance that cannot be had, where the class of the arm knows one.
+        miss: what stays between the arm and the pose, where that is known instead.
+    """
+
+    status: IkStatus
+    reach: Reach | None = None
+    miss: Miss | None = None
 
 
 @record
@@ -85,18 +118,20 @@ class IkResult:
     """All answers to one pose.
 
     Attributes:
-        status: FOUND; OUT_OF_REACH (no branch at all); OUT_OF_LIMITS (branches, but none within limits).
-        solutions: each branch once [rad], shape (m, n); within limits unless they were ignored, in the order
-            of `POSTURES`. An angle in (-π, π] where limits allow, else in the turn that they allow.
+        status: FOUND; OUT_OF_REACH (no branch at all); OUT_OF_TASK_SPACE (an arm with few joints cannot take
+            this position or orientation anywhere); OUT_OF_LIMITS (branches, but none within limits).
+        solutions: each branch once [rad | m], shape (m, n); within limits unless they were ignored, in the
+            order of `names`. An angle in (-π, π] where limits allow, else in the turn that they allow.
         postures: posture of each solution, m of them; branches that coincide are listed once, by the first
             name.
-        turns: for each solution its further variants with joints turned by ±2π inside the limits [rad],
-            m arrays of shape (t, n); empty where limits are ignored.
-        branches: all eight, limits ignored, row `Posture.index`, angles in (-π, π] [rad], shape (8, n);
-            NaN rows for absent branches; branches that coincide fill both rows.
+        turns: for each solution its further variants with revolute joints turned by ±2π inside the limits,
+            m arrays of shape (t, n), at most `TURN_VARIANTS`; empty where limits are ignored.
+        branches: all rows, limits ignored, angles in (-π, π] [rad | m], shape (b, n); NaN rows for absent
+            branches; branches that coincide fill both rows.
+        names: the posture of each row of `branches`, b of them.
         violations: with OUT_OF_LIMITS, the joints outside their limits in the branch that violates them
             least, worst first.
-        reach: with OUT_OF_REACH, the distance that cannot be reached.
+        shortfall: with OUT_OF_REACH and OUT_OF_TASK_SPACE, what is missing.
     """
 
     status: IkStatus
@@ -104,10 +139,16 @@ class IkResult:
     postures: tuple[Posture, ...]
     turns: tuple[Array, ...]
     branches: Array
+    names: tuple[Posture, ...]
     violations: tuple[LimitViolation, ...] = ()
-    reach: Reach | None = None
+    shortfall: Shortfall | None = None
+
+    @property
+    def reach(self) -> Reach | None:
+        """Return the distance that cannot be reached, where one is known."""
+        return self.shortfall.reach if self.shortfall else None
 
     @property
     def reaching(self) -> int:
-        """Return how many of the eight postures reach the pose, limits ignored."""
+        """Return how many of the rows reach the pose, limits ignored."""
         return int((self.branches[:, 0] == self.branches[:, 0]).sum())

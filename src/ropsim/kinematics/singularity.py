@@ -6,7 +6,8 @@ from math import asin, sin
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import joint_vector
-from ropsim.kinematics.wrist import wrist_arm
+from ropsim.kinematics.recognition import solver_of
+from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import RobotModel
 
 
@@ -28,17 +29,20 @@ class SingularDistances:
     wrist: float
 
 
-def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances:
-    """Return how far a configuration is from being singular.
+def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances | None:
+    """Return how far a configuration is from being singular; None for an arm without spherical wrist.
 
     Args:
-        robot: arm of the class with closed-form inverse kinematics.
+        robot: the arm.
         q: joint coordinates [rad], shape (6,).
 
     Raises:
-        NoClosedFormError: M550, the arm is outside the class.
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    ahead, elbow, wrist = wrist_arm(robot).turned(joint_vector(robot, q))
+    values = joint_vector(robot, q)
+    solver = solver_of(robot)
+    if not isinstance(solver, SphericalWristSolver):
+        return None
+    ahead, elbow, wrist = solver.arm.turned(values)
     return SingularDistances(abs(ahead), asin(abs(sin(elbow))), asin(abs(sin(wrist))))

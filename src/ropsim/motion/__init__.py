@@ -4,6 +4,7 @@ from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE
 from ropsim.motion.diagnostics import MOVE_TOO_LONG as MOVE_TOO_LONG
 from ropsim.motion.diagnostics import OUT_OF_REACH as OUT_OF_REACH
+from ropsim.motion.diagnostics import OUT_OF_TASK_SPACE as OUT_OF_TASK_SPACE
 from ropsim.motion.diagnostics import POSTURE_CHANGE as POSTURE_CHANGE
 from ropsim.motion.diagnostics import UNKNOWN_FRAME as UNKNOWN_FRAME
 from ropsim.motion.diagnostics import UNKNOWN_TOOL as UNKNOWN_TOOL

@@ -23,6 +23,22 @@ mov (2000, 0, 500)      -- M501 for an arm that reaches 0.9 m
 """,
 )
 
+OUT_OF_TASK_SPACE = define(
+    "M530",
+    "out-of-task-space",
+    Severity.ERROR,
+    "an arm with few joints cannot take the command pose, however near it is",
+    """
+A pose has six coordinates, three for the position and three for the orientation. An arm with fewer than six
+joints can choose fewer: a SCARA arm places its tool anywhere in its reach and turns it about the vertical,
+but cannot tilt it; a planar arm of two links moves in one plane, and its orientation there follows from the
+position. The message says how far the pose is from what the arm can take.
+
+**How to mend it.** Give the pose the orientation that the arm has (`ropsim robot fk` prints it), turn the
+tool or the task frame, or give the target in joint coordinates.
+""",
+)
+
 JOINT_OUT_OF_RANGE = define(
     "M502",
     "joint-out-of-range",

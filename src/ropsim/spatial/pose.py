@@ -62,20 +62,20 @@ class Pose:
 
     def matrix(self) -> Array:
         """Return the homogeneous matrix, shape (4, 4)."""
-        result = np.eye(4)
-        result[:3, :3] = self.rotation()
-        result[:3, 3] = self.position
-        return result
+        x_row, y_row, z_row = self._rotation_rows()
+        x, y, z = self.position.tolist()
+        return np.array([[*x_row, x], [*y_row, y], [*z_row, z], [0.0, 0.0, 0.0, 1.0]])
 
     def rotation(self) -> Array:
         """Return R_AB, shape (3, 3)."""
+        return np.array(self._rotation_rows())
+
+    def _rotation_rows(self) -> tuple[tuple[float, float, float], ...]:
         w, x, y, z = self.orientation.tolist()
-        return np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-            ]
+        return (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
         )
 
     def inverse(self) -> "Pose":

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,9 +11,10 @@ from ropsim import robots
 from ropsim.controller import Refusal, plan_move, standard_chain
 from ropsim.core import Severity
 from ropsim.flow import ModalState, MoveInstruction
-from ropsim.kinematics import inverse
+from ropsim.kinematics import forward, inverse
 from ropsim.model import Cell
 from ropsim.spatial import Pose
+from support.arms import random_arm
 from support.motion import (
     CELL,
     CHAIN,
@@ -165,10 +167,46 @@ def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
     assert planned(ptp(goal, visit=2), q_start).findings == ()
 
 
-def test_an_arm_without_closed_form_is_refused_for_poses_but_moves_to_joint_coordinates() -> None:
-    arm = robots.load("two_link")
-    chain = standard_chain(Cell("two", arm, CELL.controller))
-    found = refused(ptp(Pose()), np.zeros(2), chain)
-    assert (found.code, found.span) == ("M550", LINE)
-    assert refused(lin((0.3, 0.4)), np.zeros(2), chain).code == "M550"
-    assert planned(ptp((0.3, 0.4)), np.zeros(2), chain).q_end.tolist() == [0.3, 0.4]
+TWO_LINK = robots.load("two_link")
+TWO_LINK_CHAIN = standard_chain(Cell("two", TWO_LINK, CELL.controller))
+
+
+def test_an_arm_of_two_joints_is_told_which_poses_it_cannot_take() -> None:
+    found = refused(ptp(Pose(np.array([1.2, 0.0, 0.5]))), np.zeros(2), TWO_LINK_CHAIN)
+    assert (found.code, found.span) == ("M530", LINE)
+    assert "the arm moves its tool in one plane only; 90.00° from it to the pose" in found.message
+    assert found.data["missing_rad"] == pytest.approx(np.pi / 2.0)
+    far = replace(forward(TWO_LINK, [0.3, 0.4]), position=np.array([1.5, 0.0, 1.5]))
+    found = refused(ptp(far), np.zeros(2), TWO_LINK_CHAIN)
+    assert found.code == "M501"
+    assert "the mechanical interface is 2121.32 mm from axis 1, the arm reaches 2000.00 mm" in found.message
+
+
+def test_an_arm_of_two_joints_moves_to_joint_coordinates_and_to_poses_that_it_has() -> None:
+    for goal in ((0.3, 0.4), (0.9, -0.4)):
+        assert planned(ptp(goal), np.zeros(2), TWO_LINK_CHAIN).q_end.tolist() == list(goal)
+        move = planned(ptp(forward(TWO_LINK, goal)), np.array([0.2, 0.1]), TWO_LINK_CHAIN)
+        np.testing.assert_allclose(move.q_end, goal, atol=1e-9)
+        assert [one.code for one in move.findings] == []
+
+
+def test_a_line_that_an_arm_of_two_joints_cannot_follow_is_refused_where_it_leaves_its_poses() -> None:
+    found = refused(lin((0.3, 0.4)), np.zeros(2), TWO_LINK_CHAIN)
+    assert found.code in {"M501", "M530"}
+    assert "of the way" in found.message
+
+
+def test_an_arm_without_closed_form_moves_to_poses_and_on_lines_with_a_hint() -> None:
+    arm = random_arm(3, "RRRRRR")
+    chain = standard_chain(Cell("free", arm, CELL.controller))
+    q_start, goal = np.array([0.3, -0.4, 0.5, 0.2, -0.6, 0.1]), np.array([0.35, -0.3, 0.45, 0.3, -0.5, 0.0])
+    for make in (ptp, lin):
+        move = planned(make(forward(arm, goal), visit=1), q_start, chain)
+        np.testing.assert_allclose(move.q_end, goal, atol=1e-6)
+        assert "M550" in [one.code for one in move.findings]
+        assert "M550" not in [one.code for one in planned(make(forward(arm, goal)), q_start, chain).findings]
+    assert planned(ptp(tuple(goal), visit=1), q_start, chain).findings == ()
+    far = replace(forward(arm, goal), position=np.array([9.0, 0.0, 0.0]))
+    found = refused(ptp(far), q_start, chain)
+    assert found.code == "M501"
+    assert "the nearest one was found numerically" in found.message

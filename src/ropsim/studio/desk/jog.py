@@ -7,10 +7,11 @@ import numpy as np
 from ropsim.kinematics import (
     IkOptions,
     IkStatus,
+    Method,
     forward,
-    has_closed_form,
     inverse,
     joint_frames,
+    solver_of,
 )
 from ropsim.model import Cell
 from ropsim.spatial import Array, Pose
@@ -27,22 +28,19 @@ class JoggedArm:
     Attributes:
         cell: the cell.
         index: places of its bodies in the scene.
-        solvable: whether its inverse kinematics has a closed form.
     """
 
     cell: Cell
     index: SceneIndex
-    solvable: bool
 
     @classmethod
     def of(cls, cell: Cell) -> "JoggedArm":
         """Return the arm of a cell."""
-        return cls(cell, SceneIndex.of(cell), has_closed_form(cell.robot))
+        return cls(cell, SceneIndex.of(cell))
 
     def warm(self) -> None:
         """Load the compiled kinematics."""
-        if self.solvable:
-            inverse(self.cell.robot, forward(self.cell.robot, self.cell.robot.home))
+        inverse(self.cell.robot, forward(self.cell.robot, self.cell.robot.home))
 
     def to_joints(self, job: JogJoints) -> JogReply | Failed:
         """Put the arm at joint coordinates; a joint stops at its limit."""
@@ -63,15 +61,14 @@ class JoggedArm:
             return Failed(wrong or self._no_tool(job.tool))
         here = np.array(job.q, dtype=np.float64)
         robot = self.cell.robot
-        if not self.solvable:
-            text = "this arm has no inverse kinematics in closed form: move its joints instead"
-            return self._reply(here, X_MT, [("error", text)])
         X_BM = self.cell.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:
             return self._reply(here, X_MT, refusal_words(robot, found))
         choice = nearest(robot, found, here)
         words: Words = [*choice.words, *limit_words(robot, choice.q, choice.q)]
+        if solver_of(robot).method is Method.NUMERIC:
+            words.append(("info", "found numerically, further branches may exist"))
         return self._reply(choice.q, X_MT, words)
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:

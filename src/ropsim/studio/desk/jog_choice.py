@@ -8,7 +8,7 @@ from ropsim.spatial import Array, record
 from ropsim.studio.desk.jog_words import Words
 
 STEP = 0.2
-"""Largest motion of a joint [rad] at which the arm may pass from one posture to another unasked."""
+"""Largest motion of a joint [rad | m] at which the arm may pass from one posture to another unasked."""
 
 
 @record
@@ -16,7 +16,7 @@ class Choice:
     """Where the arm goes.
 
     Attributes:
-        q: joint coordinates [rad], shape (n,).
+        q: joint coordinates [rad | m], shape (n,).
         words: what there is to say about it.
     """
 
@@ -30,9 +30,9 @@ def nearest(robot: RobotModel, found: IkResult, here: Array) -> Choice:
     The posture is kept, unless another one is so near that the arm just passes through a singularity.
 
     Args:
-        robot: arm of the class with closed-form inverse kinematics.
+        robot: the arm.
         found: at least one solution.
-        here: where the arm stands [rad], shape (n,).
+        here: where the arm stands [rad | m], shape (n,).
     """
     kept = posture(robot, here)
     variants = [

@@ -6,7 +6,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ropsim.kinematics import IkResult, has_closed_form, jacobian, singular_distances
+from ropsim.kinematics import IkResult, Shortfall, jacobian, singular_distances
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.spatial import Array
 
@@ -59,19 +59,14 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
 
 def refusal_words(robot: RobotModel, found: IkResult) -> Words:
     """Return why a pose cannot be had: out of reach, or which limits its nearest branch breaks."""
-    if found.reach is not None:
-        reach = found.reach
-        if reach.distance > reach.longest:
-            beyond, how = reach.distance - reach.longest, "too far away"
-        else:
-            beyond, how = reach.shortest - reach.distance, f"too near to axis {reach.axis}"
-        return [("error", f"out of reach: the wrist would be {beyond * 1e3:.1f} mm {how}")]
+    if found.shortfall is not None:
+        return [("error", _shortfall_text(found.shortfall))]
     words: Words = []
     for one in found.violations:
         joint = robot.joints[one.joint]
-        side = "upper" if one.angle > one.limit else "lower"
+        side = "upper" if one.value > one.limit else "lower"
         text = (
-            f"joint {joint.name} would have to go to {shown(joint, one.angle)}, "
+            f"joint {joint.name} would have to go to {shown(joint, one.value)}, "
             f"{shown(joint, one.excess)} beyond its {side} limit {shown(joint, one.limit)}"
         )
         words.append(("error", text))
@@ -80,9 +75,9 @@ def refusal_words(robot: RobotModel, found: IkResult) -> Words:
 
 def singularity_words(robot: RobotModel, q: Array) -> Words:
     """Return which singularities are near, with how far."""
-    if not has_closed_form(robot):
-        return _general_words(robot, q)
     left = singular_distances(robot, q)
+    if left is None:
+        return _general_words(robot, q)
     angle, length = f"{degrees(left.wrist):.1f}°", f"{left.shoulder * 1e3:.0f} mm"
     bend = f"{degrees(left.elbow):.1f}°"
     return [
@@ -109,6 +104,20 @@ def shown(joint: Joint, value: float) -> str:
     if joint.type is JointType.REVOLUTE:
         return f"{round(degrees(value), 1):g}°"
     return f"{round(value * 1e3, 1):g} mm"
+
+
+def _shortfall_text(shortfall: Shortfall) -> str:
+    reach, miss = shortfall.reach, shortfall.miss
+    if reach is not None:
+        if reach.distance > reach.longest:
+            beyond, how = reach.distance - reach.longest, "too far away"
+        else:
+            beyond, how = reach.shortest - reach.distance, f"too near to axis {reach.axis}"
+        return f"out of reach: the {reach.point} would be {beyond * 1e3:.1f} mm {how}"
+    if miss is None:
+        return shortfall.status.value
+    missing = f"{miss.distance * 1e3:.1f} mm and {degrees(miss.angle):.1f}° are missing"
+    return f"{shortfall.status.value}: {miss.why}; {missing}"
 
 
 def _near(left: float, bounds: tuple[float, float], text: str) -> Iterable[tuple[str, str]]:

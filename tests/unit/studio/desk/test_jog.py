@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ropsim import robots
-from ropsim.kinematics import forward, posture
-from ropsim.kinematics.wrist import wrist_arm
+from ropsim.kinematics import forward, posture, solver_of
+from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import Cell, Tool
 from ropsim.spatial import Pose, frozen
 from ropsim.studio.desk.jog import JoggedArm
@@ -27,7 +27,9 @@ CELL = Cell(
 )
 ARM = JoggedArm.of(CELL)
 BENT = (0.1, 1.2, -2.8, 0.2, 0.5, 0.3)
-STRETCHED = -float(wrist_arm(PUMA).zeros[2])
+SOLVER = solver_of(PUMA)
+assert isinstance(SOLVER, SphericalWristSolver)
+STRETCHED = -float(SOLVER.arm.zeros[2])
 STEPS = st.tuples(*[st.floats(-0.03, 0.03)] * 6)
 
 

@@ -1,0 +1,43 @@
+"""Joint limits seen from a branch: in which turn it comes nearest to them, and what it exceeds."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.kinematics.arrays import joint_vector
+from ropsim.kinematics.result import LimitViolation
+from ropsim.kinematics.selection_kernel import LIMIT_SLACK
+from ropsim.model import JointType, RobotModel
+from ropsim.spatial import Array
+
+TURN = 2.0 * np.pi
+
+
+def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
+    """Return joint coordinates with each revolute joint in the turn nearest to the middle of its range.
+
+    Args:
+        robot: arm with n joints.
+        q: joint coordinates [rad | m], shape (n,).
+    """
+    values = joint_vector(robot, q)
+    with np.errstate(invalid="ignore"):  # a joint without limits has no middle
+        centres = np.nan_to_num((robot.lower_limits + robot.upper_limits) / 2.0, posinf=0.0, neginf=0.0)
+    turns = np.array([TURN if joint.type is JointType.REVOLUTE else 0.0 for joint in robot.joints])
+    return np.asarray(values + turns * np.round((centres - values) / TURN))
+
+
+def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
+    """Return the joints that are outside their limits in every turn, worst first.
+
+    Args:
+        robot: arm with n joints.
+        q: joint coordinates [rad | m], shape (n,), such as a row of `IkResult.branches`.
+    """
+    found = []
+    for index, (joint, value) in enumerate(
+        zip(robot.joints, turned_to_limits(robot, q).tolist(), strict=True)
+    ):
+        limit = min(max(value, joint.lower), joint.upper)
+        if abs(value - limit) > LIMIT_SLACK:
+            found.append(LimitViolation(index, joint.name, value, limit))
+    return tuple(sorted(found, key=lambda violation: -violation.excess))

@@ -1,0 +1,72 @@
+"""Joint coordinates improved and checked on the arm itself, whatever its geometry."""
+
+from math import inf
+
+import numpy as np
+
+from ropsim.kinematics.arrays import ChainArrays
+from ropsim.spatial import Array
+
+POSE_SLACK = 1e-9
+"""Largest sum of the errors of an accepted row [m, entries of the rotation matrix]: the promised accuracy."""
+TASK_SLACK = 1e-5
+"""The same for arms with fewer than six joints, which cannot choose all coordinates of a pose: those that
+they cannot may be off by what people and files round, 0.01 mm or 0.0002°."""
+STEPS = 60
+"""Largest number of steps from a start to an answer."""
+
+
+def checked(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
+    """Return Q with NaN in the rows that do not reach their pose; arguments as in `polished`."""
+    return _run(chain, T, Q, (0.0, slack, 0.0, inf))
+
+
+def polished(
+    chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK, farthest: float = inf
+) -> Array:
+    """Return joint coordinates that reach their poses, near to those given.
+
+    Args:
+        chain: of the arm with n joints.
+        T: poses X_BM, shape (k, 4, 4).
+        Q: starts [rad | m], NaN rows are left alone, shape (k, m, n).
+        slack: largest sum of errors of an answer [m, entries of the rotation matrix].
+        farthest: starts that miss their pose by more than this are given up [m, rad].
+
+    Returns:
+        Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN where no answer was found.
+    """
+    return _run(chain, T, Q, (STEPS, slack, 0.0, farthest))
+
+
+def nearest_to(chain: ChainArrays, T: Array, Q: Array) -> Array:
+    """Return where the search from Q (k, m, n) for poses T (k, 4, 4) ends, pose reached or not."""
+    return _run(chain, T, Q, (STEPS, inf, 0.0, inf))
+
+
+def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
+    """Return joint coordinates along a path, each found from the one before it.
+
+    Args:
+        chain: of the arm with n joints.
+        T: poses X_BM along the path, shape (k, 4, 4).
+        q: joint coordinates one step before the first pose [rad | m], shape (n,).
+        slack: as in `polished`.
+
+    Returns:
+        Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
+        on that is not reached.
+    """
+    Q = np.empty((len(T), 1, len(q)))
+    Q[:1, 0] = q
+    return _run(chain, T, Q, (STEPS, slack, 1.0, inf))[:, 0]
+
+
+def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float, float]) -> Array:
+    from ropsim.kinematics.polish_kernel import polish_rows
+
+    n = len(chain.slides)
+    found = np.array(Q)
+    frames, room = np.empty((n + 1, 12)), np.empty((n + 10, max(n, 6)))
+    polish_rows(chain.flat, T, found, np.array(settings), frames, room)
+    return found

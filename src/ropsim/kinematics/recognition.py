@@ -1,0 +1,33 @@
+"""Recognition: which solver an arm has, by its geometry and nothing else."""
+
+from collections.abc import Callable
+from functools import lru_cache
+
+from ropsim.kinematics.solver import InverseSolver
+from ropsim.kinematics.solvers import planar_two_link, scara, spherical_wrist
+from ropsim.kinematics.solvers.numeric import numeric
+from ropsim.model import RobotModel
+
+CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
+    ("spherical wrist", spherical_wrist.recognise),
+    ("SCARA", scara.recognise),
+    ("planar two-link", planar_two_link.recognise),
+)
+"""The classes of arms with a closed form; each is asked for its solver or the condition that an arm
+misses."""
+
+
+@lru_cache(maxsize=64)
+def solver_of(robot: RobotModel) -> InverseSolver:
+    """Return the solver of an arm, that of the first class which recognises it, else the numeric one."""
+    for _, recognise in CLASSES:
+        found = recognise(robot)
+        if not isinstance(found, str):
+            return found
+    return numeric(robot)
+
+
+def classes_missed(robot: RobotModel) -> dict[str, str]:
+    """Return for each class with a closed form that an arm is not in, the condition that it misses."""
+    found = {name: recognise(robot) for name, recognise in CLASSES}
+    return {name: reason for name, reason in found.items() if isinstance(reason, str)}

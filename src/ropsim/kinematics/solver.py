@@ -1,0 +1,83 @@
+"""What stands behind the door of the inverse kinematics: one solver for each class of arms."""
+
+from dataclasses import dataclass
+from enum import Enum
+from math import hypot
+from typing import Protocol
+
+from ropsim.kinematics.posture import Posture
+from ropsim.kinematics.result import Shortfall
+from ropsim.spatial import Array
+
+
+class Method(Enum):
+    """How the joint coordinates of a pose are found."""
+
+    CLOSED_FORM = "closed form"
+    NUMERIC = "numeric"
+
+
+@dataclass(frozen=True, slots=True)
+class Snap:
+    """How far a model is from the exact geometry of its class.
+
+    The closed form solves the snapped arm; its answers are polished on the arm itself.
+
+    Attributes:
+        angle: largest angle by which an axis was turned [rad].
+        length: largest distance by which an axis was moved after that [m].
+    """
+
+    angle: float = 0.0
+    length: float = 0.0
+
+    @property
+    def size(self) -> float:
+        """Return one number for both, for arms of the size of a metre [rad, m]."""
+        return hypot(self.angle, self.length)
+
+
+class InverseSolver(Protocol):
+    """Inverse kinematics of one arm with n joints and m named branches."""
+
+    @property
+    def name(self) -> str:
+        """Return the class of the arm, such as `spherical wrist`."""
+
+    @property
+    def method(self) -> Method:
+        """Return whether all branches are found in closed form, or some of them numerically."""
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Return what each word of a posture is about, such as `("shoulder", "elbow", "wrist")`."""
+
+    @property
+    def postures(self) -> tuple[Posture, ...]:
+        """Return the names of the branches in the order of the rows of `branches`, m of them."""
+
+    @property
+    def snapped_by(self) -> Snap:
+        """Return how far the model is from the exact geometry of the class."""
+
+    @property
+    def slack(self) -> float:
+        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
+
+    def branches(self, T: Array, near: Array) -> Array:
+        """Return all branches of many poses, limits ignored.
+
+        Args:
+            T: poses X_BM of the mechanical interface, shape (k, 4, 4).
+            near: joint coordinates [rad | m] that a singular pose may keep, shape (n,).
+
+        Returns:
+            Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN rows where a branch is
+            absent. Each row reaches its pose, as forward kinematics of the arm itself has told.
+        """
+
+    def posture(self, q: Array) -> Posture:
+        """Return the posture of joint coordinates [rad | m], shape (n,)."""
+
+    def shortfall(self, X_BM: Array) -> Shortfall:
+        """Return why no branch reaches a pose, shape (4, 4)."""

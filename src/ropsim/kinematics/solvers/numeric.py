@@ -1,0 +1,118 @@
+"""Any other chain: joint coordinates found numerically, without a promise of all branches."""
+
+import numpy as np
+
+from ropsim.kinematics.arrays import ChainArrays, chain_arrays
+from ropsim.kinematics.configurations import configurations
+from ropsim.kinematics.forward import frames_of
+from ropsim.kinematics.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished
+from ropsim.kinematics.posture import Posture
+from ropsim.kinematics.result import IkStatus, Miss, Shortfall
+from ropsim.kinematics.solver import Method, Snap
+from ropsim.kinematics.solvers.axes import angle_of_turn
+from ropsim.model import RobotModel
+from ropsim.spatial import Array, frozen, record
+
+STARTS = 64
+"""Starts that fill the range of the joints evenly, beside the one that the caller is near to."""
+ROWS = 16
+"""Most answers that are given; six revolute joints have no more (Primrose 1986)."""
+SAME = 1e-6
+"""Answers nearer than this [rad | m] are one: near singularities rounding moves them by its square root."""
+TURN = 2.0 * np.pi
+
+
+@record
+class NumericSolver:
+    """Inverse kinematics without a closed form, by Levenberg–Marquardt from starts always the same.
+
+    Attributes:
+        chain: the arm.
+        starts: joint coordinates [rad | m], shape (s, n).
+    """
+
+    chain: ChainArrays
+    starts: Array
+
+    @property
+    def name(self) -> str:
+        """Return the class of the arm."""
+        return "numeric"
+
+    @property
+    def method(self) -> Method:
+        """Return how branches are found."""
+        return Method.NUMERIC
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Return what the words of a posture are about: there are none."""
+        return ()
+
+    @property
+    def postures(self) -> tuple[Posture, ...]:
+        """Return the names of the rows, which are all the one without words."""
+        return (Posture(),) * ROWS
+
+    @property
+    def slack(self) -> float:
+        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
+        return POSE_SLACK if len(self.chain.slides) >= 6 else TASK_SLACK
+
+    @property
+    def snapped_by(self) -> Snap:
+        """Return that nothing was snapped."""
+        return Snap()
+
+    def branches(self, T: Array, near: Array) -> Array:
+        """Return answers to many poses, those nearest to `near` first, shape (k, 16, n).
+
+        See `InverseSolver.branches`. The search starts at `near` and at all `starts`.
+        """
+        found = polished(self.chain, T, self._begin(len(T), near), self.slack)
+        out = np.full((len(T), ROWS, len(near)), np.nan)
+        for row, answers in zip(out, found, strict=True):
+            kept = self._distinct(answers[~np.isnan(answers[:, 0])], near)
+            row[: len(kept)] = kept
+        return out
+
+    def posture(self, q: Array) -> Posture:
+        """Return the posture without words: numerical answers have no names."""
+        del q
+        return Posture()
+
+    def shortfall(self, X_BM: Array) -> Shortfall:
+        """Return how far the nearest pose is that was found."""
+        n = len(self.chain.slides)
+        ends = nearest_to(self.chain, X_BM[np.newaxis], self._begin(1, np.zeros(n)))[0]
+        poses = frames_of(self.chain, ends)[:, -1]
+        distances = np.linalg.norm(poses[:, :3, 3] - X_BM[:3, 3], axis=1)
+        angles = np.array([angle_of_turn(pose, X_BM) for pose in poses])
+        best = int(np.argmin(np.hypot(distances, angles)))
+        few = f"{n} joint{'s' if n > 1 else ''} cannot take every pose, and the" if n < 6 else "the"
+        miss = Miss(f"{few} nearest one was found numerically", float(distances[best]), float(angles[best]))
+        return Shortfall(IkStatus.OUT_OF_REACH, miss=miss)
+
+    def _begin(self, count: int, near: Array) -> Array:
+        starts = np.concatenate((near[np.newaxis], self.starts))
+        return np.tile(starts, (count, 1, 1))
+
+    def _distinct(self, answers: Array, near: Array) -> Array:
+        """Return each of the answers (s, n) once, the nearest first, shape (d, n)."""
+        turns = TURN * (1.0 - self.chain.slides)
+        kept: list[Array] = []
+        apart = np.abs(_wrapped(answers - near, turns)).max(axis=1, initial=0.0)
+        for q in answers[np.argsort(apart, kind="stable")]:
+            if len(kept) < ROWS and all(np.abs(_wrapped(q - other, turns)).max() > SAME for other in kept):
+                kept.append(q)
+        return np.array(kept).reshape(-1, len(near))
+
+
+def numeric(robot: RobotModel) -> NumericSolver:
+    """Return the numeric solver of an arm, whatever it is."""
+    return NumericSolver(chain_arrays(robot), frozen(configurations(robot, STARTS)))
+
+
+def _wrapped(difference: Array, turns: Array) -> Array:
+    whole: Array = np.round(difference / np.where(turns > 0.0, turns, 1.0))
+    return np.asarray(difference - turns * whole)

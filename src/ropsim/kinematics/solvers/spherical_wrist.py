@@ -1,0 +1,209 @@
+"""Arms with spherical wrist: eight branches in closed form, from lengths that are taken from the geometry.
+
+The class: six revolute joints, axes 2 and 3 parallel and perpendicular to axis 1, axes 4, 5, 6 meeting in
+one point with 4 ⟂ 5 ⟂ 6 (Pieper 1968). It covers the PUMA with its lateral offset and the usual industrial
+arms (the ortho-parallel basis with spherical wrist of Brandstötter, Angerer & Hofbaur 2014). Nothing is
+read from a DH table: the axes are taken in their places at coordinate zero.
+
+Frame J: placement of joint 1. Shoulder basis in J: e_z = axis 1, u = axis 2, e_x = e_z × u, so that
+positive turns about u raise e_x towards e_z. With θ1 = direction of e_x about axis 1, θ2 and θ23 =
+directions of the upper arm and of the forearm (axis 3 to wrist centre) in the plane (e_x, e_z), the wrist
+centre is in J at
+    Rz(θ1)·(x, -D, z),  x = a1 + L2·cos θ2 + L3·cos θ23,  z = h + L2·sin θ2 + L3·sin θ23.
+"""
+
+from math import hypot, inf, sin, sqrt
+
+import numpy as np
+
+from ropsim.kinematics.arrays import ChainArrays, chain_arrays
+from ropsim.kinematics.polish import POSE_SLACK, polished
+from ropsim.kinematics.posture import Posture
+from ropsim.kinematics.result import IkStatus, Reach, Shortfall
+from ropsim.kinematics.solver import Method, Snap
+from ropsim.kinematics.solvers.axes import (
+    ANGLE_SLACK,
+    LENGTH_SLACK,
+    ZeroFrames,
+    across,
+    along,
+    angle_between,
+    distance,
+    snap,
+)
+from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, WRIST_SLACK
+from ropsim.kinematics.solvers.wrist_arm import WristArm, wrist_arm
+from ropsim.model import JointType, RobotModel
+from ropsim.spatial import Array, record
+
+SHORTEST_LINK = 1e-6
+"""An upper arm or forearm shorter than this [m] cannot place the wrist."""
+TIE = 1e-9
+"""A singular configuration belongs to two branches; within this [m, rad] it is given the first one."""
+WIDER = 3.0
+"""The slacks of a snapped arm are so many times the error that its snap can make."""
+NEARBY = 0.02
+"""A pose this near to a singular one [rad, m] may be one, on an arm that was snapped."""
+
+POSTURES = tuple(
+    Posture((shoulder, elbow, wrist))
+    for shoulder in ("left", "right")
+    for elbow in ("up", "down")
+    for wrist in ("noflip", "flip")
+)
+"""The words are those of Paul & Zhang (1986) and of Corke's Robotics Toolbox.
+
+RIGHT: the wrist centre lies in front of the arm, LEFT: behind it. UP: the elbow is above the line from the
+shoulder to the wrist centre, DOWN: below. FLIP: joint 5 is turned in the positive sense, NOFLIP: in the
+negative one, counted from the posture in which axes 4 and 6 point the same way. Where two branches coincide
+(wrist centre abreast of axis 1, elbow stretched or folded, wrist straight) the first of the two names is
+given.
+"""
+
+
+@record
+class SphericalWristSolver:
+    """Inverse kinematics of an arm with spherical wrist.
+
+    Attributes:
+        arm: its lengths, angles and frames, after snapping.
+        chain: the arm as it is.
+        snapped_by: how far the two differ.
+        strict: `arm` for the kernel.
+        keeping: the same, with joints kept that a pose leaves free which is near to a singular one: other
+        starts
+            for where polishing those of `strict` ends nowhere.
+    """
+
+    arm: WristArm
+    chain: ChainArrays
+    snapped_by: Snap
+    strict: Array
+    keeping: Array
+
+    @property
+    def name(self) -> str:
+        """Return the class of the arm."""
+        return "spherical wrist"
+
+    @property
+    def method(self) -> Method:
+        """Return how branches are found."""
+        return Method.CLOSED_FORM
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Return what the words of a posture are about."""
+        return ("shoulder", "elbow", "wrist")
+
+    @property
+    def postures(self) -> tuple[Posture, ...]:
+        """Return the names of the eight rows: lun, luf … rdf."""
+        return POSTURES
+
+    @property
+    def slack(self) -> float:
+        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
+        return POSE_SLACK
+
+    def branches(self, T: Array, near: Array) -> Array:
+        """Return all branches of many poses, shape (k, 8, 6); see `InverseSolver.branches`."""
+        starts = self._rows(self.strict, T, near)
+        if self.snapped_by == Snap():
+            return starts
+        found = polished(self.chain, T, starts)
+        lost = np.isnan(found) & ~np.isnan(starts)
+        if lost.any():
+            kept = self._rows(self.keeping, T, near)
+            found = np.where(lost, polished(self.chain, T, np.where(lost, kept, np.nan)), found)
+        return found
+
+    def posture(self, q: Array) -> Posture:
+        """Return the posture of joint coordinates [rad], shape (6,)."""
+        ahead, elbow, wrist = self.arm.turned(q)
+        bend, flip = sin(elbow), sin(wrist)
+        above = -bend if ahead * self.arm.front > TIE else bend
+        shoulder = 4 if ahead * self.arm.front > TIE else 0
+        return POSTURES[shoulder + (0 if above * self.arm.front >= -TIE else 2) + (1 if flip > TIE else 0)]
+
+    def shortfall(self, X_BM: Array) -> Shortfall:
+        """Return how far the wrist centre would be from axis 1 or 2."""
+        arm = self.arm
+        p_BW = X_BM[:3, 3] + X_BM[:3, :3] @ arm.X_M[:, 3]
+        x, y, z = (arm.X_J[:, :3].T @ (p_BW - arm.X_J[:, 3])).tolist()
+        a1, h, D, upper, fore = arm.lengths.tolist()
+        radius = hypot(x, y)
+        if radius < abs(D):
+            reach = Reach("wrist centre", "1", radius, abs(D), inf)
+        else:
+            ahead = sqrt(radius * radius - D * D)
+            shortest, longest = abs(upper - fore), upper + fore
+            distances = [hypot(side * ahead - a1, z - h) for side in (-1.0, 1.0)]
+            best = min(distances, key=lambda one: max(one - longest, shortest - one))
+            reach = Reach("wrist centre", "2", best, shortest, longest)
+        return Shortfall(IkStatus.OUT_OF_REACH, reach)
+
+    def _rows(self, flat: Array, T: Array, near: Array) -> Array:
+        from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_rows
+
+        out, room = np.empty((len(T), 8, 6)), np.empty(30)
+        room[:6] = near
+        inverse_rows(flat, room, T, out)
+        return out
+
+
+def recognise(robot: RobotModel) -> SphericalWristSolver | str:
+    """Return the solver of an arm of the class, or the condition that another arm misses."""
+    if robot.n != 6:
+        return f"it has {robot.n} joints, the class has 6"
+    for joint in robot.joints:
+        if joint.type is not JointType.REVOLUTE:
+            return f"joint `{joint.name}` is prismatic"
+    chain = chain_arrays(robot)
+    frames = ZeroFrames.of(chain)
+    missed = _directions_missed(frames.axes)
+    if missed:
+        return missed
+    frames, angle = frames.snapped(_snapped_axes(frames.axes))
+    z4, z5 = frames.axes[3], frames.axes[4]
+    w = frames.p[3] + ((frames.p[4] - frames.p[3]) @ z4) * z4  # on axis 4, nearest to axis 5
+    length = distance(w, frames.p[3:], np.array([z4, z5, frames.axes[5]]))
+    if length > LENGTH_SLACK:
+        return "axes 4, 5 and 6 do not meet in one point"
+    arm = wrist_arm(chain, frames, w)
+    if min(arm.lengths[3], arm.lengths[4]) < SHORTEST_LINK:
+        return "the upper arm or the forearm has no length"
+    snapped_by = snap(angle, length)
+    flats = (_flat(arm, snapped_by, WRIST_SLACK, AXIS_SLACK), _flat(arm, snapped_by, NEARBY, NEARBY))
+    return SphericalWristSolver(arm, chain, snapped_by, *flats)
+
+
+def _flat(arm: WristArm, by: Snap, aligned: float, on_axis: float) -> Array:
+    """Return the arm for the kernel, with slacks for what its snap can hide."""
+    if by == Snap():
+        return arm.flat((POSE_SLACK, on_axis, aligned, REACH_SLACK, 0.0))
+    upper, fore = arm.lengths[3:].tolist()
+    beyond = WIDER * (by.angle * (upper + fore) + by.length) * (upper + fore) / (upper * fore)
+    return arm.flat((inf, on_axis, aligned, REACH_SLACK + beyond, beyond))
+
+
+def _directions_missed(axes: Array) -> str:
+    def crooked(one: int, other: int) -> bool:
+        return abs(float(axes[one] @ axes[other])) > ANGLE_SLACK
+
+    if crooked(0, 1):
+        return "axis 2 is not perpendicular to axis 1"
+    if angle_between(axes[1], along(axes[1], axes[2])) > ANGLE_SLACK:
+        return "axes 2 and 3 are not parallel"
+    if crooked(3, 4):
+        return "axis 5 is not perpendicular to axis 4"
+    if crooked(4, 5):
+        return "axis 6 is not perpendicular to axis 5"
+    return ""
+
+
+def _snapped_axes(axes: Array) -> Array:
+    """Return axes that are exactly perpendicular and parallel where the class asks for it, shape (6, 3)."""
+    z2 = across(axes[1], axes[0])
+    z5 = across(axes[4], axes[3])
+    return np.array([axes[0], z2, along(axes[2], z2), axes[3], z5, across(axes[5], z5)])
