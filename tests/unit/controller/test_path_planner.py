@@ -9,10 +9,12 @@ import pytest
 
 from ropsim import robots
 from ropsim.controller import Refusal, plan_move, standard_chain
+from ropsim.controller.posture_choice import JointRange, choose
 from ropsim.core import Severity
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, inverse
 from ropsim.model import Cell
+from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Pose
 from support.arms import random_arm
 from support.motion import (
@@ -29,6 +31,7 @@ from support.motion import (
     refused,
     shifted,
 )
+from support.scara import scara
 
 FAR = Pose(np.array([2.0, 0.0, 0.5]), np.array([0.0, 0.0, 1.0, 0.0]))
 BEHIND = Pose(np.array([-0.3, -0.15, -0.1]), np.array([0.0, 0.0, 1.0, 0.0]))  # reached beyond the limits
@@ -210,3 +213,55 @@ def test_an_arm_without_closed_form_moves_to_poses_and_on_lines_with_a_hint() ->
     found = refused(ptp(far), q_start, chain)
     assert found.code == "M501"
     assert "the nearest one was found numerically" in found.message
+
+
+SCARA = scara()
+SCARA_CHAIN = standard_chain(Cell("cobra", SCARA, CELL.controller))
+SCARA_START = np.array([0.3, 0.8, 0.05, 0.2])
+
+
+def test_a_scara_moves_to_poses_and_on_lines() -> None:
+    goal = np.array([-0.2, 1.0, 0.12, 0.4])
+    for make in (ptp, lin):
+        move = planned(make(forward(SCARA, goal), visit=1), SCARA_START, SCARA_CHAIN)
+        np.testing.assert_allclose(move.q_end, goal, atol=1e-8)
+        assert [one.code for one in move.findings if one.code == "M550"] == []
+
+
+def test_the_limit_of_a_slide_is_told_in_millimetres() -> None:
+    found = refused(ptp(forward(SCARA, [0.3, 0.8, 0.3, 0.2])), SCARA_START, SCARA_CHAIN)
+    assert found.code == "M502"
+    assert "needs joint `3` at 300.0 mm, the limit is 210.0 mm" in found.message
+    assert found.data["limit_m"] == 0.21
+
+
+def test_a_scara_keeps_its_elbow_where_its_limits_let_it() -> None:
+    """A right arm reaches what a left one does with joint 1 turned by -62° more; -105° is its limit."""
+    kept = planned(ptp(forward(SCARA, [0.5, -1.2, 0.05, 0.2]), visit=1), SCARA_START, SCARA_CHAIN)
+    assert kept.q_end[1] == pytest.approx(1.2)
+    assert kept.findings == ()
+    changed = planned(ptp(forward(SCARA, [-1.0, -1.2, 0.05, 0.2]), visit=1), SCARA_START, SCARA_CHAIN)
+    assert changed.q_end[1] == pytest.approx(-1.2)
+    assert "elbow from right to left" in changed.findings[0].message
+
+
+def test_a_tilted_target_of_a_scara_is_refused_with_its_tilt() -> None:
+    level = forward(SCARA, [0.3, 0.8, 0.1, 0.2])
+    tilted = level @ Pose(orientation=np.array([np.cos(0.1), np.sin(0.1), 0.0, 0.0]))
+    found = refused(ptp(tilted), SCARA_START, SCARA_CHAIN)
+    assert found.code == "M530"
+    assert "the arm cannot tilt its tool; 11.46° from it to the pose" in found.message
+    assert refused(lin(tilted), SCARA_START, SCARA_CHAIN).code == "M530"
+
+
+def test_absent_branches_are_no_choice_within_the_limits() -> None:
+    q_start = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 0.3])
+    branches = np.full((8, 6), np.nan)
+    branches[0] = [0.1, 1.0, -2.0, 0.3, 0.5, 0.2]
+    limits = JointRange.of(PUMA)
+    motion = JointMotionLimits(PUMA.max_speeds, PUMA.max_accelerations, PUMA.max_jerks)
+    choice = choose(PUMA, branches, q_start, limits, motion)
+    assert choice is not None
+    np.testing.assert_array_equal(choice.q, branches[0])
+    assert not choice.keeps_posture
+    assert choose(PUMA, np.full((8, 6), np.nan), q_start, limits, motion) is None

@@ -32,9 +32,8 @@ def planar_rows(arm: Array, near: Array, T: Array, out: Array) -> None:
             for j in range(out.shape[2]):
                 out[k, row, j] = nan
         x, y, z = _point(arm, X)
-        psi = 0.0
+        psi = _turn(arm, X)
         if third >= 0:
-            psi = _turn(arm, X)
             c, s = cos(psi), sin(psi)
             x -= c * arm[OFFSET] - s * arm[OFFSET + 1]
             y -= s * arm[OFFSET] + c * arm[OFFSET + 1]
@@ -48,6 +47,8 @@ def planar_rows(arm: Array, near: Array, T: Array, out: Array) -> None:
             side = s_bend if row == 0 else -s_bend
             along, over, bend = L1 + L2 * c_bend, L2 * side, atan2(side, c_bend)
             theta = near[first] + arm[ZEROS]
+            if third < 0:  # the turn of a folded two-link arm tells what its place does not
+                theta = psi - bend - arm[ZEROS + 2]
             if span > beyond * beyond * L1 * L2:
                 theta = atan2(y * along - x * over, x * along + y * over)
             _write(arm, out[k, row], 0, first, theta)

@@ -1,0 +1,74 @@
+"""What `ropsim robot show` and `ropsim robot ik` say of arms that are solved in different ways."""
+
+import json
+
+import pytest
+
+from ropsim import robots
+from ropsim.cli.main import main
+from ropsim.kinematics import forward
+from ropsim.model import RobotModel
+from support.arms import random_arm
+from support.published_arms import published_arm
+from support.scara import scara
+
+ARMS = {"cobra": scara(), "free": random_arm(3, "RRRRRR"), "kr120": published_arm("kr120_r2700_2")}
+
+
+@pytest.fixture(autouse=True)
+def shelf(monkeypatch: pytest.MonkeyPatch) -> None:
+    built_in = robots.load
+
+    def load(name: str) -> RobotModel:
+        return ARMS[name] if name in ARMS else built_in(name)
+
+    monkeypatch.setattr(robots, "load", load)
+
+
+def said(words: str, capsys: pytest.CaptureFixture[str]) -> str:
+    main(words.split())
+    return " ".join(capsys.readouterr().out.split())
+
+
+def test_the_class_of_an_arm_is_named_with_its_branches(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "inverse kinematics: SCARA, closed form, 2 branches" in said("robot show cobra", capsys)
+    assert "inverse kinematics: spherical wrist, closed form, 8 branches" in said(
+        "robot show puma560", capsys
+    )
+
+
+def test_an_arm_off_its_class_says_by_how_much(capsys: pytest.CaptureFixture[str]) -> None:
+    remark = "is off the exact class (spherical wrist) by 0.00021° and 0.00066 mm"
+    assert remark in said("robot show kr120", capsys)
+    assert remark in said("robot ik kr120 1500 100 1200 0 90 0", capsys)
+    main(["robot", "show", "kr120", "--json"])
+    solver = json.loads(capsys.readouterr().out)["inverse_kinematics"]
+    assert solver["snapped_by"]["angle"] == pytest.approx(1.5708 - 1.5707963267948966, rel=0.1)
+    assert len(solver["postures"]) == 8
+
+
+def test_an_arm_without_closed_form_says_so_and_why(capsys: pytest.CaptureFixture[str]) -> None:
+    shown = said("robot show free", capsys)
+    assert "inverse kinematics: numeric; further branches than those found may exist" in shown
+    assert "not spherical wrist: axis 2 is not perpendicular to axis 1" in shown
+    x, y, z = 1e3 * forward(ARMS["free"], [0.0] * 6).position
+    found = said(f"robot ik free {x} {y} {z} 0 0 0", capsys)
+    assert "found numerically; further branches may exist" in found
+    main(["robot", "ik", "free", "9000", "0", "0", "0", "0", "0", "--json"])
+    answer = json.loads(capsys.readouterr().out)
+    assert (answer["status"], answer["solver"]["method"]) == ("out of reach", "numeric")
+
+
+def test_sliding_joints_are_in_millimetres(capsys: pytest.CaptureFixture[str]) -> None:
+    table = said("robot ik cobra 400 100 337 180 0 0", capsys)
+    assert "1 [°] 2 [°] 3 [mm] 4 [°] posture" in table
+    assert table.count(" 50.000 ") == 2
+    beyond = said("robot ik cobra 400 100 137 180 0 0", capsys)
+    assert beyond.count("joint 3 by 40.0 mm") == 2
+
+
+def test_a_tilt_that_an_arm_cannot_have_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    words = said("robot ik cobra 400 100 337 170 0 0", capsys)
+    assert (
+        words == "no solution: out of task space; the arm cannot tilt its tool, 0.0 mm and 10.0° are missing"
+    )
