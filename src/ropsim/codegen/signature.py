@@ -112,8 +112,9 @@ def _placed(array: object, axes: int) -> tuple[int, ...]:
     """Return the address of an array and its lengths."""
     if not isinstance(array, np.ndarray) or array.dtype != _FLOAT64 or array.ndim != axes:
         raise TypeError(f"compiled code takes an array of float64 with {axes} axes here, not {array!r:.80}")
-    if not array.flags.c_contiguous:
-        raise TypeError("compiled code takes arrays without gaps between their numbers")
-    if array.flags.writeable:  # the quick way, which read-only arrays refuse
+    flags = array.flags
+    if flags.carray:  # and can be written to: the quick way, which read-only arrays refuse
         return (ctypes.addressof(_Start.from_buffer(array)), *array.shape)
+    if not flags.c_contiguous:
+        raise TypeError("compiled code takes arrays without gaps between their numbers")
     return (array.__array_interface__["data"][0], *array.shape)

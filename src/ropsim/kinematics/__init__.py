@@ -11,12 +11,12 @@ from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
-from ropsim.kinematics.inverse import inverse_path as inverse_path
 from ropsim.kinematics.inverse import posture as posture
 from ropsim.kinematics.jacobian import jacobian as jacobian
 from ropsim.kinematics.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.limits import limit_violations as limit_violations
 from ropsim.kinematics.limits import turned_to_limits as turned_to_limits
+from ropsim.kinematics.path import inverse_path as inverse_path
 from ropsim.kinematics.posture import Posture as Posture
 from ropsim.kinematics.recognition import classes_missed as classes_missed
 from ropsim.kinematics.recognition import solver_of as solver_of

@@ -11,8 +11,7 @@ NO_CLOSED_FORM = define(
 Inverse kinematics is computed in closed form, with all its branches, for these classes of arms:
 
 * **spherical wrist**: six revolute joints, axes 2 and 3 parallel and at right angles to axis 1, axes 4, 5
-  and 6
-  meeting in one point at right angles; most six-axis industrial arms are built so;
+  and 6 meeting in one point at right angles; most six-axis industrial arms are built so;
 * **SCARA**: four joints with parallel axes, three that turn and one that slides;
 * **planar two-link**: two revolute joints with parallel axes.
 

@@ -5,10 +5,11 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.kinematics import selection_kernel
 from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.limits import limit_violations
-from ropsim.kinematics.polish import continued, polished
+from ropsim.kinematics.polish import polished
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
@@ -71,8 +72,6 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
         ArrayShapeError: M551, `options.near` has another shape than (n,).
         NotFiniteError: M552, the pose or `options.near` holds NaN or infinity.
     """
-    from ropsim.kinematics.selection_kernel import select
-
     desk = _desk(robot)
     near = desk.rest if options is None or options.near is None else joint_vector(robot, options.near)
     respected = options is None or options.limits is Limits.RESPECT
@@ -83,12 +82,12 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     rows, n = branches.shape
     found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
     found[0] = 1.0 if respected else 0.0
-    select(branches, desk.limits, found)
+    selection_kernel.select(branches, desk.limits, found)
     marks = found[: 2 * rows + 2].tolist()
     present, listed = int(marks[0]), int(marks[1])
     names = desk.solver.postures
     variants = found[2 * rows + 2 :].reshape(-1, n)
-    solutions = variants[:listed]
+    solutions = variants[:listed].copy()  # not a view, which would keep all of `found`
     if listed:
         postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
         turns = _turns(variants[rows:], marks[3 : 3 + 2 * listed : 2])
@@ -101,25 +100,6 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     outside = [limit_violations(robot, q) for q in branches if q[0] == q[0]]
     nearest = min(outside, key=lambda violations: violations[0].excess)
     return IkResult(IkStatus.OUT_OF_LIMITS, solutions, (), (), branches, names, nearest)
-
-
-def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) -> Array:
-    """Return joint coordinates along a path, each found numerically from the one before it; for any arm.
-
-    Args:
-        robot: arm with n joints.
-        T: poses X_BM along the path, one a small step from the other, shape (k, 4, 4).
-        q_start: joint coordinates one step before the first pose [rad | m], shape (n,).
-
-    Returns:
-        Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
-        on that is not reached.
-
-    Raises:
-        ArrayShapeError: M551, T or `q_start` has another shape.
-        NotFiniteError: M552, `q_start` holds NaN or infinity.
-    """
-    return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
 
 
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
@@ -146,9 +126,10 @@ def branch(result: IkResult, posture: Posture) -> Array | None:
 
 def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:
     """Return the further turns of each solution, of which there are `counts`."""
+    none = variants[:0].copy()
     turns, first = [], 0
     for count in map(int, counts):
-        turns.append(variants[first : first + count])
+        turns.append(variants[first : first + count].copy() if count else none)
         first += count
     return tuple(turns)
 

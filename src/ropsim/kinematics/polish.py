@@ -4,6 +4,7 @@ from math import inf
 
 import numpy as np
 
+from ropsim.kinematics import polish_kernel
 from ropsim.kinematics.arrays import ChainArrays
 from ropsim.spatial import Array
 
@@ -63,10 +64,8 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
 
 
 def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float, float]) -> Array:
-    from ropsim.kinematics.polish_kernel import polish_rows
-
     n = len(chain.slides)
     found = np.array(Q)
     frames, room = np.empty((n + 1, 12)), np.empty((n + 10, max(n, 6)))
-    polish_rows(chain.flat, T, found, np.array(settings), frames, room)
+    polish_kernel.polish_rows(chain.flat, T, found, np.array(settings), frames, room)
     return found

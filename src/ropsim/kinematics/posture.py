@@ -8,8 +8,7 @@ class Posture:
     """The name of a branch, in the words of the arm's class; `InverseSolver.parts` says what about.
 
     Attributes:
-        words: such as `("left", "up", "noflip")`; empty where branches are found numerically and have no
-        names.
+        words: such as `("left", "up", "noflip")`; none where branches are found numerically.
     """
 
     words: tuple[str, ...] = ()

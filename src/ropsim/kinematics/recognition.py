@@ -13,8 +13,7 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
 )
-"""The classes of arms with a closed form; each is asked for its solver or the condition that an arm
-misses."""
+"""The classes of arms with a closed form; each returns its solver, or the condition that an arm misses."""
 
 
 @lru_cache(maxsize=64)

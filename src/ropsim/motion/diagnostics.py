@@ -11,8 +11,8 @@ OUT_OF_REACH = define(
 No set of joint coordinates, whatever its limits, brings the tool to the command pose: the point lies outside
 the reach of the arm, or too near to its base.
 
-The position of the *wrist* decides, not that of the tool: a long tool pointing towards the base brings the
-wrist closer, one pointing away moves it out.
+Where an arm has a *wrist*, its position decides, not that of the tool: a long tool pointing towards the base
+brings the wrist closer, one pointing away moves it out.
 
 **How to mend it.** Move the target or its task frame, turn the tool, or move the base of the robot. Look at
 the units first: `x = 700` in a file that is read in centimetres is seven metres.

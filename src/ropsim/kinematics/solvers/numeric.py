@@ -1,5 +1,7 @@
 """Any other chain: joint coordinates found numerically, without a promise of all branches."""
 
+from typing import ClassVar
+
 import numpy as np
 
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
@@ -34,35 +36,16 @@ class NumericSolver:
     chain: ChainArrays
     starts: Array
 
-    @property
-    def name(self) -> str:
-        """Return the class of the arm."""
-        return "numeric"
-
-    @property
-    def method(self) -> Method:
-        """Return how branches are found."""
-        return Method.NUMERIC
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return what the words of a posture are about: there are none."""
-        return ()
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the rows, which are all the one without words."""
-        return (Posture(),) * ROWS
+    name: ClassVar[str] = "numeric"
+    method: ClassVar[Method] = Method.NUMERIC
+    parts: ClassVar[tuple[str, ...]] = ()
+    postures: ClassVar[tuple[Posture, ...]] = (Posture(),) * ROWS
+    snapped_by: ClassVar[Snap] = Snap()
 
     @property
     def slack(self) -> float:
         """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
         return POSE_SLACK if len(self.chain.slides) >= 6 else TASK_SLACK
-
-    @property
-    def snapped_by(self) -> Snap:
-        """Return that nothing was snapped."""
-        return Snap()
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return answers to many poses, those nearest to `near` first, shape (k, 16, n).

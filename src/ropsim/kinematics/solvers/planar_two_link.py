@@ -6,6 +6,7 @@ pose; a pose is reached where the others are what they then must be (Craig, Intr
 """
 
 from math import hypot, sin
+from typing import ClassVar
 
 import numpy as np
 
@@ -47,25 +48,10 @@ class PlanarTwoLinkSolver:
     snapped_by: Snap
     slack: float
 
-    @property
-    def name(self) -> str:
-        """Return the class of the arm."""
-        return "planar two-link"
-
-    @property
-    def method(self) -> Method:
-        """Return how branches are found."""
-        return Method.CLOSED_FORM
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return what the word of a posture is about."""
-        return ("elbow",)
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the two rows."""
-        return POSTURES
+    name: ClassVar[str] = "planar two-link"
+    method: ClassVar[Method] = Method.CLOSED_FORM
+    parts: ClassVar[tuple[str, ...]] = ("elbow",)
+    postures: ClassVar[tuple[Posture, ...]] = POSTURES
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return the branches of many poses, shape (k, 2, 2); see `InverseSolver.branches`."""

@@ -6,6 +6,7 @@ rotation only turns it, so that two links in a plane remain (Craig, Introduction
 """
 
 from math import hypot, sin
+from typing import ClassVar
 
 import numpy as np
 
@@ -47,25 +48,10 @@ class ScaraSolver:
     snapped_by: Snap
     slack: float
 
-    @property
-    def name(self) -> str:
-        """Return the class of the arm."""
-        return "SCARA"
-
-    @property
-    def method(self) -> Method:
-        """Return how branches are found."""
-        return Method.CLOSED_FORM
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return what the word of a posture is about."""
-        return ("elbow",)
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the two rows."""
-        return POSTURES
+    name: ClassVar[str] = "SCARA"
+    method: ClassVar[Method] = Method.CLOSED_FORM
+    parts: ClassVar[tuple[str, ...]] = ("elbow",)
+    postures: ClassVar[tuple[Posture, ...]] = POSTURES
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return both branches of many poses, shape (k, 2, 4); see `InverseSolver.branches`."""

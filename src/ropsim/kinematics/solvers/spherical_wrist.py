@@ -13,6 +13,7 @@ centre is in J at
 """
 
 from math import hypot, inf, sin, sqrt
+from typing import ClassVar
 
 import numpy as np
 
@@ -21,18 +22,10 @@ from ropsim.kinematics.polish import POSE_SLACK, polished
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
-from ropsim.kinematics.solvers.axes import (
-    ANGLE_SLACK,
-    LENGTH_SLACK,
-    ZeroFrames,
-    across,
-    along,
-    angle_between,
-    distance,
-    snap,
-)
+from ropsim.kinematics.solvers import spherical_wrist_kernel as kernel
+from ropsim.kinematics.solvers.axes import LENGTH_SLACK, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, WRIST_SLACK
-from ropsim.kinematics.solvers.wrist_arm import WristArm, wrist_arm
+from ropsim.kinematics.solvers.wrist_arm import WristArm, directions_missed, snapped_axes, wrist_arm
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
 
@@ -70,9 +63,8 @@ class SphericalWristSolver:
         chain: the arm as it is.
         snapped_by: how far the two differ.
         strict: `arm` for the kernel.
-        keeping: the same, with joints kept that a pose leaves free which is near to a singular one: other
-        starts
-            for where polishing those of `strict` ends nowhere.
+        keeping: the same, but that a pose near to a singular one counts as singular and its free joints are
+            kept: other starts where polishing those of `strict` ends nowhere.
     """
 
     arm: WristArm
@@ -81,30 +73,11 @@ class SphericalWristSolver:
     strict: Array
     keeping: Array
 
-    @property
-    def name(self) -> str:
-        """Return the class of the arm."""
-        return "spherical wrist"
-
-    @property
-    def method(self) -> Method:
-        """Return how branches are found."""
-        return Method.CLOSED_FORM
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return what the words of a posture are about."""
-        return ("shoulder", "elbow", "wrist")
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the eight rows: lun, luf … rdf."""
-        return POSTURES
-
-    @property
-    def slack(self) -> float:
-        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
-        return POSE_SLACK
+    name: ClassVar[str] = "spherical wrist"
+    method: ClassVar[Method] = Method.CLOSED_FORM
+    parts: ClassVar[tuple[str, ...]] = ("shoulder", "elbow", "wrist")
+    postures: ClassVar[tuple[Posture, ...]] = POSTURES
+    slack: ClassVar[float] = POSE_SLACK
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return all branches of many poses, shape (k, 8, 6); see `InverseSolver.branches`."""
@@ -144,11 +117,9 @@ class SphericalWristSolver:
         return Shortfall(IkStatus.OUT_OF_REACH, reach)
 
     def _rows(self, flat: Array, T: Array, near: Array) -> Array:
-        from ropsim.kinematics.solvers.spherical_wrist_kernel import inverse_rows
-
         out, room = np.empty((len(T), 8, 6)), np.empty(30)
         room[:6] = near
-        inverse_rows(flat, room, T, out)
+        kernel.inverse_rows(flat, room, T, out)
         return out
 
 
@@ -161,10 +132,10 @@ def recognise(robot: RobotModel) -> SphericalWristSolver | str:
             return f"joint `{joint.name}` is prismatic"
     chain = chain_arrays(robot)
     frames = ZeroFrames.of(chain)
-    missed = _directions_missed(frames.axes)
+    missed = directions_missed(frames.axes)
     if missed:
         return missed
-    frames, angle = frames.snapped(_snapped_axes(frames.axes))
+    frames, angle = frames.snapped(snapped_axes(frames.axes))
     z4, z5 = frames.axes[3], frames.axes[4]
     w = frames.p[3] + ((frames.p[4] - frames.p[3]) @ z4) * z4  # on axis 4, nearest to axis 5
     length = distance(w, frames.p[3:], np.array([z4, z5, frames.axes[5]]))
@@ -185,25 +156,3 @@ def _flat(arm: WristArm, by: Snap, aligned: float, on_axis: float) -> Array:
     upper, fore = arm.lengths[3:].tolist()
     beyond = WIDER * (by.angle * (upper + fore) + by.length) * (upper + fore) / (upper * fore)
     return arm.flat((inf, on_axis, aligned, REACH_SLACK + beyond, beyond))
-
-
-def _directions_missed(axes: Array) -> str:
-    def crooked(one: int, other: int) -> bool:
-        return abs(float(axes[one] @ axes[other])) > ANGLE_SLACK
-
-    if crooked(0, 1):
-        return "axis 2 is not perpendicular to axis 1"
-    if angle_between(axes[1], along(axes[1], axes[2])) > ANGLE_SLACK:
-        return "axes 2 and 3 are not parallel"
-    if crooked(3, 4):
-        return "axis 5 is not perpendicular to axis 4"
-    if crooked(4, 5):
-        return "axis 6 is not perpendicular to axis 5"
-    return ""
-
-
-def _snapped_axes(axes: Array) -> Array:
-    """Return axes that are exactly perpendicular and parallel where the class asks for it, shape (6, 3)."""
-    z2 = across(axes[1], axes[0])
-    z5 = across(axes[4], axes[3])
-    return np.array([axes[0], z2, along(axes[2], z2), axes[3], z5, across(axes[5], z5)])

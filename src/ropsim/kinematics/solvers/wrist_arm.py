@@ -5,7 +5,14 @@ from math import atan2, cos, hypot
 import numpy as np
 
 from ropsim.kinematics.arrays import ChainArrays
-from ropsim.kinematics.solvers.axes import LENGTH_SLACK, ZeroFrames
+from ropsim.kinematics.solvers.axes import (
+    ANGLE_SLACK,
+    LENGTH_SLACK,
+    ZeroFrames,
+    across,
+    along,
+    angle_between,
+)
 from ropsim.spatial import Array, frozen, record
 
 
@@ -98,3 +105,27 @@ def _direction(vector: Array, e_x: Array) -> float:
 def _split(R: Array) -> tuple[float, float]:
     """Return (a, b) with R = Rz(a)·Rx(π/2)·Rz(b), for a rotation whose z is perpendicular to the old z."""
     return atan2(R[0, 2], -R[1, 2]), atan2(R[2, 0], R[2, 1])
+
+
+def directions_missed(axes: Array) -> str:
+    """Return the condition of the class that axes with these directions (6, 3) miss; empty for none."""
+
+    def crooked(one: int, other: int) -> bool:
+        return abs(float(axes[one] @ axes[other])) > ANGLE_SLACK
+
+    if crooked(0, 1):
+        return "axis 2 is not perpendicular to axis 1"
+    if angle_between(axes[1], along(axes[1], axes[2])) > ANGLE_SLACK:
+        return "axes 2 and 3 are not parallel"
+    if crooked(3, 4):
+        return "axis 5 is not perpendicular to axis 4"
+    if crooked(4, 5):
+        return "axis 6 is not perpendicular to axis 5"
+    return ""
+
+
+def snapped_axes(axes: Array) -> Array:
+    """Return axes that are exactly perpendicular and parallel where the class asks for it, shape (6, 3)."""
+    z2 = across(axes[1], axes[0])
+    z5 = across(axes[4], axes[3])
+    return np.array([axes[0], z2, along(axes[2], z2), axes[3], z5, across(axes[5], z5)])

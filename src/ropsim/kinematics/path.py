@@ -1,0 +1,28 @@
+"""Inverse kinematics along a path, one pose after the other."""
+
+import numpy.typing as npt
+
+from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
+from ropsim.kinematics.polish import continued
+from ropsim.kinematics.recognition import solver_of
+from ropsim.model import RobotModel
+from ropsim.spatial import Array
+
+
+def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) -> Array:
+    """Return joint coordinates along a path, each found numerically from the one before it; for any arm.
+
+    Args:
+        robot: arm with n joints.
+        T: poses X_BM along the path, one a small step from the other, shape (k, 4, 4).
+        q_start: joint coordinates one step before the first pose [rad | m], shape (n,).
+
+    Returns:
+        Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
+        on that is not reached.
+
+    Raises:
+        ArrayShapeError: M551, T or `q_start` has another shape.
+        NotFiniteError: M552, `q_start` holds NaN or infinity.
+    """
+    return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
