@@ -8,6 +8,7 @@ import numpy.typing as npt
 from ropsim.kinematics import selection_kernel
 from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
 from ropsim.kinematics.diagnostics import NotFiniteError
+from ropsim.kinematics.forward import forward_batch
 from ropsim.kinematics.limits import limit_violations
 from ropsim.kinematics.polish import polished
 from ropsim.kinematics.posture import Posture
@@ -19,7 +20,7 @@ from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, Pose, frozen, record
 
 NEIGHBOUR = 0.1
-"""A pose this near to that of `near` [m, rad] may be its neighbour on a path."""
+"""A pose this near to that of `near` [m, entries of the rotation matrix] may be its neighbour on a path."""
 TURN = 2.0 * np.pi
 
 
@@ -139,8 +140,10 @@ def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array
 
     Away from singularities it is one of the branches and nothing is done.
     """
+    if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
+        return
     start = near[np.newaxis, np.newaxis]
-    q = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack, NEIGHBOUR)[0, 0]
+    q = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
     if np.isnan(q[0]):
         return
     apart = branches - q

@@ -19,12 +19,10 @@ STEPS = 60
 
 def checked(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
     """Return Q with NaN in the rows that do not reach their pose; arguments as in `polished`."""
-    return _run(chain, T, Q, (0.0, slack, 0.0, inf))
+    return _run(chain, T, Q, (0.0, slack, 0.0))
 
 
-def polished(
-    chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK, farthest: float = inf
-) -> Array:
+def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
     """Return joint coordinates that reach their poses, near to those given.
 
     Args:
@@ -32,17 +30,16 @@ def polished(
         T: poses X_BM, shape (k, 4, 4).
         Q: starts [rad | m], NaN rows are left alone, shape (k, m, n).
         slack: largest sum of errors of an answer [m, entries of the rotation matrix].
-        farthest: starts that miss their pose by more than this are given up [m, rad].
 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN where no answer was found.
     """
-    return _run(chain, T, Q, (STEPS, slack, 0.0, farthest))
+    return _run(chain, T, Q, (STEPS, slack, 0.0))
 
 
 def nearest_to(chain: ChainArrays, T: Array, Q: Array) -> Array:
     """Return where the search from Q (k, m, n) for poses T (k, 4, 4) ends, pose reached or not."""
-    return _run(chain, T, Q, (STEPS, inf, 0.0, inf))
+    return _run(chain, T, Q, (STEPS, inf, 0.0))
 
 
 def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
@@ -60,10 +57,10 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
     """
     Q = np.empty((len(T), 1, len(q)))
     Q[:1, 0] = q
-    return _run(chain, T, Q, (STEPS, slack, 1.0, inf))[:, 0]
+    return _run(chain, T, Q, (STEPS, slack, 1.0))[:, 0]
 
 
-def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float, float]) -> Array:
+def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float]) -> Array:
     n = len(chain.slides)
     found = np.array(Q)
     frames, room = np.empty((n + 1, 12)), np.empty((n + 10, max(n, 6)))

@@ -28,8 +28,7 @@ def polish_rows(chain: Array, T: Array, Q: Array, settings: Array, frames: Array
         T: poses.
         Q: starts, NaN rows are left alone; answers with revolute coordinates in (-π, π] [rad | m].
         settings: number of steps, 0 to check the rows only; largest sum of the errors of an accepted row
-            [m, entries of the rotation matrix]; 1.0 where row j of pose k starts from row j of pose k - 1;
-            rows that start farther away than this from their pose are given up [m, rad].
+            [m, entries of the rotation matrix]; 1.0 where row j of pose k starts from row j of pose k - 1.
         frames: room to work in, shape (n + 1, 12).
         room: room to work in, shape (n + 10, max(n, 6)).
     """
@@ -42,8 +41,8 @@ def polish_rows(chain: Array, T: Array, Q: Array, settings: Array, frames: Array
                     Q[k, j, i] = Q[k - 1, j, i]
             if Q[k, j, 0] != Q[k, j, 0]:
                 continue
-            near = _descend(chain, T[k], Q[k, j], steps, settings[3], frames, room)
-            found = near and _entry_errors(frames[n], T[k]) <= slack
+            _descend(chain, T[k], Q[k, j], steps, frames, room)
+            found = _entry_errors(frames[n], T[k]) <= slack
             for i in range(n):
                 if not found:
                     Q[k, j, i] = float("nan")
@@ -51,10 +50,8 @@ def polish_rows(chain: Array, T: Array, Q: Array, settings: Array, frames: Array
                     Q[k, j, i] = _principal(Q[k, j, i])
 
 
-def _descend(
-    chain: Array, X: Array, q: Array, steps: int, farthest: float, frames: Array, room: Array
-) -> bool:
-    """Improve q (n,) in place; frames then belong to it. Return False where the start is too far away.
+def _descend(chain: Array, X: Array, q: Array, steps: int, frames: Array, room: Array) -> None:
+    """Improve q (n,) in place; frames then belong to it.
 
     Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, JᵀJ + λ·1 (n rows).
     """
@@ -62,8 +59,6 @@ def _descend(
     e, trial = room[6], room[8]
     _place(chain, q, frames)
     error = _error(frames[n], X, e)
-    if not error <= farthest:
-        return False
     mu, stalls = 1.0, 0
     for _ in range(steps):
         if error <= GOAL or stalls > STALLS:
@@ -90,7 +85,6 @@ def _descend(
             q[i] = trial[i]
         error = _error(frames[n], X, e)
     _place(chain, q, frames)
-    return True
 
 
 def _place(chain: Array, q: Array, frames: Array) -> None:

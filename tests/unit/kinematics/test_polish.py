@@ -39,12 +39,6 @@ def test_rows_without_a_start_stay_without_an_answer() -> None:
     assert not np.isnan(found[:, 0]).any()
 
 
-def test_starts_too_far_away_are_given_up() -> None:
-    near, far = polished(CHAIN, T[:1], (Q[:1] + 1e-3)[:, None], farthest=0.1), Q[:1] + 1.0
-    assert not np.isnan(near).any()
-    assert np.isnan(polished(CHAIN, T[:1], far[:, None], farthest=0.1)).all()
-
-
 def test_angles_are_within_half_a_turn_and_slides_are_not_turned() -> None:
     turned = Q + 2.0 * np.pi * np.array([1, -1, 0, 2, 0, -1])
     np.testing.assert_allclose(polished(CHAIN, T, turned[:, None])[:, 0], Q, rtol=0.0, atol=1e4 * ROUNDING)

@@ -40,7 +40,8 @@ class JoggedArm:
 
     def warm(self) -> None:
         """Load the compiled kinematics."""
-        inverse(self.cell.robot, forward(self.cell.robot, self.cell.robot.home))
+        robot = self.cell.robot
+        inverse(robot, forward(robot, robot.home), IkOptions(near=robot.home))
 
     def to_joints(self, job: JogJoints) -> JogReply | Failed:
         """Put the arm at joint coordinates; a joint stops at its limit."""
