@@ -78,7 +78,7 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     respected = options is None or options.limits is Limits.RESPECT
     T = pose.matrix()
     branches = desk.solver.branches(T[np.newaxis], near)[0]
-    if near is not desk.rest:
+    if near is not desk.rest and desk.solver.may_stay(near):
         _keep(robot, desk, T, near, branches)
     rows, n = branches.shape
     found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
@@ -138,7 +138,7 @@ def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:
 def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array) -> None:
     """Put the answer next to `near` into its row, where a singular pose lets the arm stay there.
 
-    Away from singularities it is one of the branches and nothing is done.
+    Away from singular poses it is one of the branches and nothing is done.
     """
     if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
         return

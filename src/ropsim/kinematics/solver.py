@@ -79,5 +79,11 @@ class InverseSolver(Protocol):
     def posture(self, q: Array) -> Posture:
         """Return the posture of joint coordinates [rad | m], shape (n,)."""
 
+    def may_stay(self, q: Array) -> bool:
+        """Return whether poses next to that of joint coordinates (n,) may leave some of them free.
+
+        That is near to singular configurations; `inverse` then looks for the answer next to where the arm is.
+        """
+
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return why no branch reaches a pose, shape (4, 4)."""

@@ -10,6 +10,8 @@ ANGLE_SLACK = 1e-3
 """Directions count as parallel or perpendicular within this [rad]: files write 90° as 1.57 or 1.5708."""
 LENGTH_SLACK = 1e-5
 """Axes count as meeting within this [m], once their directions are snapped: files are rounded to 0.01 mm."""
+NEAR_SINGULAR = 0.15
+"""Configurations this near to a singular one [m, rad] may have a singular pose in their neighbourhood."""
 EXACT = 1e-12
 """A model this near to its class [rad, m] needs no polishing: poses are promised to 1e-9."""
 

@@ -64,6 +64,11 @@ class NumericSolver:
         del q
         return Posture()
 
+    def may_stay(self, q: Array) -> bool:
+        """Return False: the search begins where the arm stands anyway."""
+        del q
+        return False
+
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found."""
         n = len(self.chain.slides)

@@ -16,7 +16,14 @@ from ropsim.kinematics.polish import TASK_SLACK, checked, polished
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Miss, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
-from ropsim.kinematics.solvers.axes import ANGLE_SLACK, ZeroFrames, angle_between, angle_of_turn, snap
+from ropsim.kinematics.solvers.axes import (
+    ANGLE_SLACK,
+    NEAR_SINGULAR,
+    ZeroFrames,
+    angle_between,
+    angle_of_turn,
+    snap,
+)
 from ropsim.kinematics.solvers.planar_arm import WIDER, PlanarArm, parallel, planar_arm, rows
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
@@ -61,6 +68,10 @@ class PlanarTwoLinkSolver:
     def posture(self, q: Array) -> Posture:
         """Return the posture of joint coordinates [rad], shape (2,)."""
         return POSTURES[0 if sin(self.arm.bend_at(q)) >= -TIE else 1]
+
+    def may_stay(self, q: Array) -> bool:
+        """Return whether the arm is nearly stretched or folded."""
+        return abs(sin(self.arm.bend_at(q))) < NEAR_SINGULAR
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the pose is out of the plane, out of reach, or turned against what can be had."""

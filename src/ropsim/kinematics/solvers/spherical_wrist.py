@@ -23,7 +23,7 @@ from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
 from ropsim.kinematics.solvers import spherical_wrist_kernel as kernel
-from ropsim.kinematics.solvers.axes import LENGTH_SLACK, ZeroFrames, distance, snap
+from ropsim.kinematics.solvers.axes import LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, WRIST_SLACK
 from ropsim.kinematics.solvers.wrist_arm import WristArm, directions_missed, snapped_axes, wrist_arm
 from ropsim.model import JointType, RobotModel
@@ -98,6 +98,11 @@ class SphericalWristSolver:
         above = -bend if ahead * self.arm.front > TIE else bend
         shoulder = 4 if ahead * self.arm.front > TIE else 0
         return POSTURES[shoulder + (0 if above * self.arm.front >= -TIE else 2) + (1 if flip > TIE else 0)]
+
+    def may_stay(self, q: Array) -> bool:
+        """Return whether joint coordinates (6,) are near to a singular configuration."""
+        ahead, elbow, wrist = self.arm.turned(q)
+        return min(abs(ahead), abs(sin(elbow)), abs(sin(wrist))) < NEAR_SINGULAR
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the wrist centre would be from axis 1 or 2."""

@@ -14,6 +14,7 @@ from ropsim.model import Cell, Tool
 from ropsim.spatial import Pose, frozen
 from ropsim.studio.desk.jog import JoggedArm
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp, PoseNumbers
+from support.arms import random_arm
 
 PUMA = robots.load("puma560")
 TOOL = Tool("probe", Pose(frozen([0.0, 0.05, 0.12])))
@@ -144,7 +145,7 @@ def test_a_pose_beyond_a_limit_is_told_with_the_joint_and_by_how_much() -> None:
     )
 
 
-def test_an_arm_without_closed_form_is_told_to_move_its_joints() -> None:
+def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others() -> None:
     robot = robots.load("two_link")
     arm = JoggedArm.of(Cell("c", robot, CELL.controller))
     stretched = arm.to_joints(JogJoints((0.3, 0.0), ""))
@@ -152,4 +153,19 @@ def test_an_arm_without_closed_form_is_told_to_move_its_joints() -> None:
     assert any("singularity" in text for _, text in stretched.words)
     refused = arm.to_pose(JogTcp((0.3, 0.5), "", (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)))
     assert isinstance(refused, JogReply)
-    assert refused.words[0][0] == "error"
+    assert (refused.q, refused.reached) == ((0.3, 0.5), False)
+    missing = "out of task space: the arm moves its tool in one plane only; 0.0 mm and 90.0° are missing"
+    assert refused.words[0] == ("error", missing)
+    reached = arm.to_pose(JogTcp((0.3, 0.5), "", forward(robot, (0.4, 0.6)).as_tuple()))
+    assert isinstance(reached, JogReply)
+    assert reached.q == pytest.approx((0.4, 0.6), abs=1e-8)
+
+
+def test_an_arm_without_closed_form_is_jogged_and_told_that_it_was_solved_numerically() -> None:
+    robot = random_arm(3, "RRRRRR")
+    arm = JoggedArm.of(Cell("c", robot, CELL.controller))
+    here, there = (0.3, -0.4, 0.5, 0.2, -0.6, 0.1), (0.32, -0.41, 0.52, 0.2, -0.58, 0.1)
+    reply = arm.to_pose(JogTcp(here, "", forward(robot, there).as_tuple()))
+    assert isinstance(reply, JogReply)
+    assert reply.q == pytest.approx(there, abs=1e-8)
+    assert ("info", "found numerically, further branches may exist") in reply.words
