@@ -55,3 +55,11 @@ def test_a_batch_of_matrices_gives_the_quaternions_back(tuples: list[PoseTuple])
     overlap = np.abs(np.sum(found * np.array([one[3:] for one in tuples]), axis=1))
     np.testing.assert_allclose(overlap, 1.0, atol=ROUNDING)
     assert (found[:, 0] >= 0.0).all()
+
+
+@settings(max_examples=100, derandomize=True)
+@given(poses())
+def test_an_identity_leaves_every_bit_of_a_pose(values: PoseTuple) -> None:
+    pose = Pose.from_tuple(values)
+    assert (Pose() @ pose).as_tuple() == (pose @ Pose()).as_tuple() == pose.as_tuple()
+    assert Pose().inverse().is_identity

@@ -53,7 +53,7 @@ class Block:
 def fixed_blocks(cell: Cell) -> list[Block]:
     """Return a box around every shape of the cell's objects, in the world."""
     return [
-        block_around(thing.name, cell.X_WB @ thing.X_BO @ shape.pose, shape)
+        block_around(thing.name, thing.X_WO @ shape.pose, shape)
         for thing in cell.objects
         for shape in thing.shapes
     ]

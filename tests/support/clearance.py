@@ -130,7 +130,7 @@ def _parts(
             if one.stay is Stay.CARRIED:
                 ways.append(_carried(parts[name], frames[:, -1], one.pose, when))
                 continue
-            places.append(_block(parts[name], cell.X_WB @ one.pose))
+            places.append(_block(parts[name], one.pose))
             if one.stay is Stay.RESTING:
                 resting.append((places[-1], when))
         carried += [(way, places) for way in ways]

@@ -17,7 +17,7 @@ from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.model import Cell, Rates
+from ropsim.model import Cell, Rates, in_base
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -74,15 +74,19 @@ SETPOINTS = (JointSamples, PoseSetpoints)
 
 
 def standard_chain(cell: Cell) -> MotionChain:
-    """Return the built-in entities for the robot, tools, frames and controller of a cell."""
+    """Return the built-in entities for the robot, tools, frames and controller of a cell.
+
+    This is the one place where the poses of the world become those of the controller, in the base frame.
+    """
     robot, tool = cell.robot, cell.default_tool
+    frames = in_base(cell.X_WB, cell.frames)
     return MotionChain(
-        StandardPathPlanner(robot, cell.controller, cell.tools, cell.frames, tool, robot.home),
+        StandardPathPlanner(robot, cell.controller, cell.tools, frames, tool, robot.home),
         StandardInterpolator(),
         StandardInverseTransform(robot, cell.tools, tool),
         SplineJointInterpolator(),
         cell.controller.rates,
-        WorkFrames(cell.tools, cell.frames, tool),
+        WorkFrames(cell.tools, frames, tool),
     )
 
 

@@ -9,7 +9,7 @@ from ropsim.language import Definition, Outline, Role, TaskForm
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Surroundings
-from ropsim.model import Cell, Signal
+from ropsim.model import Cell, Signal, in_base
 from ropsim.spatial import Pose, quaternion
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -46,9 +46,9 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
     cell = around.cell
     if cell is None:
         return
-    for name, pose in cell.locations.items():
+    for name, pose in in_base(cell.X_WB, cell.locations).items():
         yield Known(name, Role.LOCATION, pose_words(pose), "cell")
-    for name, pose in cell.frames.items():
+    for name, pose in in_base(cell.X_WB, cell.frames).items():
         yield Known(name, Role.FRAME, pose_words(pose), "cell")
     for name, tool in cell.tools.items():
         yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell")

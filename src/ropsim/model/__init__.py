@@ -2,6 +2,7 @@
 
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
+from ropsim.model.base_frame import in_base as in_base
 from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings

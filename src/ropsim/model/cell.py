@@ -62,8 +62,8 @@ class Part:
         name: unique.
         size: edges along its own x, y, z [m], shape (3,).
         mass: [kg].
-        X_BO: pose of the object frame (grasp point, top centre, z up) in the base frame; for a part
-            of a supply, the pose at the supply.
+        X_WO: pose of the object frame (grasp point, top centre, z up) in the world frame at time 0; for a
+            part of a supply, the pose at the supply.
         supply: name of the supply it comes from, empty for a part that lies there from the start.
         turn: place in the queue of its supply: it appears when the part before it has been taken away.
         colour: `#rrggbb`.
@@ -73,7 +73,7 @@ class Part:
     name: str
     size: Array
     mass: float
-    X_BO: Pose
+    X_WO: Pose
     supply: str = ""
     turn: int = 0
     colour: str = PART_COLOUR
@@ -89,12 +89,12 @@ class FixedObject:
 
     Attributes:
         name: unique among the objects.
-        X_BO: its frame in the base frame.
+        X_WO: its frame in the world frame.
         shapes: what it looks like, in its frame.
     """
 
     name: str
-    X_BO: Pose
+    X_WO: Pose
     shapes: tuple[Shape, ...]
 
 
@@ -104,7 +104,7 @@ class Sink:
 
     Attributes:
         name: unique.
-        position: centre in the base frame [m].
+        position: centre in the world frame [m].
         radius: [m].
     """
 
@@ -151,7 +151,9 @@ class ClassicSettings:
 
 @record
 class Cell:
-    """One robot and everything that its programs can name.
+    """One robot and everything that its programs can name; all poses are in the world frame W.
+
+    Programs and the controller work in the base frame B of the robot: `in_base` is the way there.
 
     Attributes:
         name: of the project.
@@ -160,8 +162,8 @@ class Cell:
         controller: its controller.
         tools: by name.
         default_tool: tool at program start, empty for none.
-        frames: task frames in the base frame, by name.
-        locations: named points in the base frame (tool poses X_BT), by name.
+        frames: task frames X_WK by name.
+        locations: named points (tool poses X_WT) by name.
         parts: what can be grasped.
         objects: what stands around.
         sinks: where parts leave.

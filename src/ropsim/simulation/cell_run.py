@@ -89,8 +89,8 @@ class CellRun:
         self.track("payload", self.payload.mass)
 
     def attained(self) -> Pose:
-        """Return the attained pose of the mechanical interface X_BM."""
-        return forward(self.cell.robot, self.plant.q)
+        """Return the attained pose of the mechanical interface X_WM."""
+        return self.cell.X_WB @ forward(self.cell.robot, self.plant.q)
 
     def follow(self, reference: JointReference) -> None:
         """Let the arm follow a reference to its end."""

@@ -28,7 +28,7 @@ class PartsState:
     """Where every part is.
 
     Attributes:
-        resting: pose X_BO of each part that lies in the cell, by name.
+        resting: pose X_WO of each part that lies in the cell, by name.
         queued: names of parts still waiting in their supply.
         grasp: the part in the gripper, or None.
         left: names of parts that have left the cell, in order.
@@ -42,22 +42,22 @@ class PartsState:
 
 def initial_parts(cell: Cell) -> PartsState:
     """Return the parts at time 0: of every supply only the first one is there."""
-    resting = {part.name: part.X_BO for part in cell.parts if part.turn == 0}
+    resting = {part.name: part.X_WO for part in cell.parts if part.turn == 0}
     queued = frozenset(part.name for part in cell.parts if part.turn > 0)
     return PartsState(MappingProxyType(resting), queued)
 
 
-def close_on(state: PartsState, cell: Cell, tool: Tool, X_BM: Pose) -> PartsState:
+def close_on(state: PartsState, cell: Cell, tool: Tool, X_WM: Pose) -> PartsState:
     """Return the state after the fingers have closed: the nearest part within the capture is held.
 
     Args:
         state: before.
         cell: the cell.
         tool: the tool that closes; it must have a gripper.
-        X_BM: attained pose of the mechanical interface.
+        X_WM: attained pose of the mechanical interface.
     """
     capture = tool.gripper.capture if tool.gripper else 0.0
-    tcp = (X_BM @ tool.X_MT).position
+    tcp = (X_WM @ tool.X_MT).position
     distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in state.resting.items()}
     near = [name for name, distance in distances.items() if distance <= capture]
     if state.grasp is not None or not near:
@@ -70,25 +70,25 @@ def close_on(state: PartsState, cell: Cell, tool: Tool, X_BM: Pose) -> PartsStat
     ]
     for successor in following:
         if successor.name in state.queued:
-            resting[successor.name] = successor.X_BO
+            resting[successor.name] = successor.X_WO
     return replace(
         state,
         resting=MappingProxyType(resting),
         queued=state.queued - {successor.name for successor in following},
-        grasp=Grasp(part, X_BM.inverse() @ state.resting[name]),
+        grasp=Grasp(part, X_WM.inverse() @ state.resting[name]),
     )
 
 
-def release(state: PartsState, cell: Cell, X_BM: Pose) -> PartsState:
+def release(state: PartsState, cell: Cell, X_WM: Pose) -> PartsState:
     """Return the state after the fingers have opened: the part stays where it is, or leaves by a sink."""
     if state.grasp is None:
         return state
-    X_BO = X_BM @ state.grasp.X_MO
+    X_WO = X_WM @ state.grasp.X_MO
     name = state.grasp.part.name
     for sink in cell.sinks:
-        if float(np.linalg.norm(X_BO.position - np.array(sink.position))) <= sink.radius:
+        if float(np.linalg.norm(X_WO.position - np.array(sink.position))) <= sink.radius:
             return replace(state, grasp=None, left=(*state.left, name))
-    return replace(state, resting=MappingProxyType({**state.resting, name: X_BO}), grasp=None)
+    return replace(state, resting=MappingProxyType({**state.resting, name: X_WO}), grasp=None)
 
 
 def payload(state: PartsState, tool: Tool | None) -> Payload:

@@ -11,6 +11,8 @@ from ropsim.spatial.record import record
 
 Array = npt.NDArray[np.float64]
 
+_IDENTITY: quaternion.PoseTuple = (0.0, 0.0, 0.0, *quaternion.IDENTITY)
+
 
 def frozen(values: npt.ArrayLike) -> Array:
     """Return a read-only float64 copy, its rows in order and without gaps."""
@@ -78,12 +80,21 @@ class Pose:
             (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
         )
 
+    @property
+    def is_identity(self) -> bool:
+        """Return whether the two frames are one, to the last bit."""
+        return self.as_tuple() == _IDENTITY
+
     def inverse(self) -> "Pose":
         """Return X_BA."""
         return Pose.from_tuple(quaternion.invert(self.as_tuple()))
 
     def __matmul__(self, other: "Pose") -> "Pose":
-        """Return X_AC = X_AB @ X_BC."""
+        """Return X_AC = X_AB @ X_BC; an identity leaves every bit of the other pose as it is."""
+        if self.is_identity:
+            return other
+        if other.is_identity:
+            return self
         return Pose.from_tuple(quaternion.compose(self.as_tuple(), other.as_tuple()))
 
     def __eq__(self, other: object) -> bool:

@@ -53,7 +53,7 @@ def _link_columns(recording: Recording, cell: Cell, times: Array, body: Body) ->
 def _placement(one: Placement, cell: Cell, index: SceneIndex) -> dict[str, object]:
     """Return a placement relative to the last link, or in W."""
     carried = one.stay is Stay.CARRIED
-    pose = cell.robot.X_nM @ one.pose if carried else cell.X_WB @ one.pose
+    pose = cell.robot.X_nM @ one.pose if carried else one.pose
     return {
         "time": one.time,
         "parent": index.links[-1] if carried else WORLD,

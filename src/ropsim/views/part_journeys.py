@@ -28,7 +28,7 @@ class Placement:
     Attributes:
         time: [s].
         stay: how it is there.
-        pose: X_MO while carried, else X_BO.
+        pose: X_MO while carried, else X_WO.
     """
 
     time: float
@@ -55,25 +55,27 @@ def part_journeys(recording: Recording, cell: Cell) -> dict[str, tuple[Placement
         if event.kind not in {"grip", "release"} or not isinstance(name, str) or name not in parts:
             continue
         time = round(event.time + event.duration, DECIMALS)
-        X_BM, journey = attained(recording, cell, time), journeys[name]
+        X_WM, journey = attained(recording, cell, time), journeys[name]
         carried = journey[-1].stay is Stay.CARRIED
         if event.kind == "grip" and not carried:
-            journey.append(Placement(time, Stay.CARRIED, X_BM.inverse() @ journey[-1].pose))
+            journey.append(Placement(time, Stay.CARRIED, X_WM.inverse() @ journey[-1].pose))
             _supply(journeys, cell, parts[name], time)
         elif event.kind == "release" and carried:
             stay = Stay.LEFT if event is ends.get(name) else Stay.RESTING
-            journey.append(Placement(time, stay, X_BM @ journey[-1].pose))
+            journey.append(Placement(time, stay, X_WM @ journey[-1].pose))
     return {name: tuple(journey) for name, journey in journeys.items()}
 
 
 def attained(recording: Recording, cell: Cell, time: float) -> Pose:
-    """Return the attained pose X_BM of the mechanical interface at a time, linear between two rows."""
+    """Return the attained pose X_WM of the mechanical interface at a time, linear between two rows."""
     rows = recording.channels["q"].values
-    return forward(cell.robot, np.array([np.interp(time, recording.time, column) for column in rows.T]))
+    return cell.X_WB @ forward(
+        cell.robot, np.array([np.interp(time, recording.time, column) for column in rows.T])
+    )
 
 
 def _at_start(part: Part) -> Placement:
-    return Placement(0.0, Stay.RESTING if part.turn == 0 else Stay.WAITING, part.X_BO)
+    return Placement(0.0, Stay.RESTING if part.turn == 0 else Stay.WAITING, part.X_WO)
 
 
 def _ends(recording: Recording) -> dict[str, Event]:
@@ -93,4 +95,4 @@ def _supply(journeys: dict[str, list[Placement]], cell: Cell, taken: Part, time:
         if taken.supply and part.supply == taken.supply and part.turn == taken.turn + 1:
             journey = journeys[part.name]
             if journey[-1].stay is Stay.WAITING:
-                journey.append(Placement(time, Stay.RESTING, part.X_BO))
+                journey.append(Placement(time, Stay.RESTING, part.X_WO))

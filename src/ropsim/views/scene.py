@@ -82,8 +82,8 @@ def _frames(cell: Cell) -> list[dict[str, object]]:
     marks = [
         ("world", "world", WORLD, Pose()),
         ("base", "base", WORLD, cell.X_WB),
-        *((name, "frame", WORLD, cell.X_WB @ X_BK) for name, X_BK in cell.frames.items()),
-        *((name, "location", WORLD, cell.X_WB @ X_BT) for name, X_BT in cell.locations.items()),
+        *((name, "frame", WORLD, X_WK) for name, X_WK in cell.frames.items()),
+        *((name, "location", WORLD, X_WT) for name, X_WT in cell.locations.items()),
         ("tcp", "tcp", cell.robot.n, X_nT),
     ]
     return [

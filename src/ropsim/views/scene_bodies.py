@@ -84,9 +84,9 @@ def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
             )
             for name, tool in cell.tools.items()
         ),
-        *(SceneBody(thing.name, "object", WORLD, X_WB @ thing.X_BO, thing.shapes) for thing in cell.objects),
+        *(SceneBody(thing.name, "object", WORLD, thing.X_WO, thing.shapes) for thing in cell.objects),
         *(
-            SceneBody(part.name, "part", WORLD, X_WB @ part.X_BO, (part_shape(part),), part.turn == 0)
+            SceneBody(part.name, "part", WORLD, part.X_WO, (part_shape(part),), part.turn == 0)
             for part in cell.parts
         ),
     )

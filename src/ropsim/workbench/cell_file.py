@@ -9,7 +9,7 @@ from ropsim.spatial import Pose
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_fixed_objects import read_objects
 from ropsim.workbench.cell_objects import read_parts, read_sinks
-from ropsim.workbench.cell_poses import Surroundings, read_frames, read_locations
+from ropsim.workbench.cell_poses import read_frames, read_locations
 from ropsim.workbench.cell_robot import read_base, read_robot
 from ropsim.workbench.cell_signals import read_signals
 from ropsim.workbench.cell_tools import read_tools
@@ -24,7 +24,7 @@ _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
 def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
-    """Return the work cell that a cell file describes, everything in SI units and the base frame.
+    """Return the work cell that a cell file describes, everything in SI units and the world frame.
 
     Args:
         text: content of `cell.toml`; any text is allowed.
@@ -51,14 +51,13 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     root.require("robot")
     robot_table = root.table("robot")
     X_WB = read_base(robot_table, units)
-    around = Surroundings(units, X_WB.inverse())
     tools = read_tools(root.named("tools"), units)
     default_tool = robot_table.reference("tool", tools, "tool")
-    frames = read_frames(root.named("frames"), around)
-    locations = read_locations(root.named("locations"), frames, around)
-    parts = read_parts(root.tables("parts"), root.tables("supplies"), around)
-    objects = read_objects(root.tables("objects"), around)
-    sinks = read_sinks(root.tables("sinks"), around)
+    frames = read_frames(root.named("frames"), units)
+    locations = read_locations(root.named("locations"), frames, units)
+    parts = read_parts(root.tables("parts"), root.tables("supplies"), units)
+    objects = read_objects(root.tables("objects"), units)
+    sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
     robot = read_robot(robot_table, root.table("controller"), X_WB, units)

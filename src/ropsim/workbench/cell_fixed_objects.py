@@ -4,26 +4,27 @@ from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_objects import report_doubles
-from ropsim.workbench.cell_poses import Surroundings, read_pose
+from ropsim.workbench.cell_poses import read_pose
 from ropsim.workbench.cell_shapes import Look, read_look, read_shapes
+from ropsim.workbench.quantity import Units
 from ropsim.workbench.toml_checks import TomlTable
 
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
-def read_objects(tables: tuple[TomlTable, ...], around: Surroundings) -> tuple[FixedObject, ...]:
+def read_objects(tables: tuple[TomlTable, ...], units: Units) -> tuple[FixedObject, ...]:
     """Return the objects in the order of the file."""
-    objects = tuple(_object(table, around) for table in tables)
+    objects = tuple(_object(table, units) for table in tables)
     if tables:
         spans = ((thing.name, table.value_span("name")) for table, thing in zip(tables, objects, strict=True))
         report_doubles(tables[0].findings, spans)
     return objects
 
 
-def _object(table: TomlTable, around: Surroundings) -> FixedObject:
+def _object(table: TomlTable, units: Units) -> FixedObject:
     table.require("name", "position")
     name = table.text("name", "")
-    X_WO = read_pose(table, around.units)
+    X_WO = read_pose(table, units)
     look = read_look(table, Look())
     short = "size" in table
     if short and "shapes" in table:
@@ -31,12 +32,12 @@ def _object(table: TomlTable, around: Surroundings) -> FixedObject:
         table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("shapes"), message, "keep one of them")
     if not short:
         table.require("shapes")
-    shapes = _block(table, around, look) if short else read_shapes(table, around.units, look)
+    shapes = _block(table, units, look) if short else read_shapes(table, units, look)
     table.finish()
-    return FixedObject(name, around.in_base(X_WO), shapes)
+    return FixedObject(name, X_WO, shapes)
 
 
-def _block(table: TomlTable, around: Surroundings, look: Look) -> tuple[Shape, ...]:
+def _block(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:
     """Return the box of the key `size`, below its position as parts are."""
-    x, y, z = table.numbers("size", 3, around.units.extent, (_SMALL_EDGE,) * 3)
+    x, y, z = table.numbers("size", 3, units.extent, (_SMALL_EDGE,) * 3)
     return (look.shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0]))),)

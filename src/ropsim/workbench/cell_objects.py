@@ -8,7 +8,7 @@ from ropsim.core import Span
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
-from ropsim.workbench.cell_poses import ORIGIN, Surroundings, read_pose
+from ropsim.workbench.cell_poses import ORIGIN, read_pose
 from ropsim.workbench.cell_shapes import read_colour, read_material
 from ropsim.workbench.quantity import MASS, Units
 from ropsim.workbench.toml_checks import Findings, TomlTable
@@ -18,24 +18,23 @@ _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
 def read_parts(
-    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], around: Surroundings
+    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], units: Units
 ) -> tuple[Part, ...]:
     """Return single parts, then the parts of grids and supplies, in the order of the file."""
-    made = [_parts_of(table, around) for table in parts] + [_supply(table, around) for table in supplies]
+    made = [_parts_of(table, units) for table in parts] + [_supply(table, units) for table in supplies]
     tables = (*parts, *supplies)
     if tables:
         report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)))
     return tuple(part for group in made for part in group)
 
 
-def read_sinks(tables: tuple[TomlTable, ...], around: Surroundings) -> tuple[Sink, ...]:
+def read_sinks(tables: tuple[TomlTable, ...], units: Units) -> tuple[Sink, ...]:
     """Return the places where released parts leave the cell."""
     sinks = []
     for table in tables:
         table.require("name", "position", "radius")
-        centre = Pose(frozen(table.numbers("position", 3, around.units.position, ORIGIN)))
-        x, y, z = around.in_base(centre).position.tolist()
-        radius = table.number("radius", around.units.extent, _SMALL_EDGE)
+        x, y, z = table.numbers("position", 3, units.position, ORIGIN)
+        radius = table.number("radius", units.extent, _SMALL_EDGE)
         sinks.append(Sink(table.text("name", ""), (x, y, z), radius))
         table.finish()
     if tables:
@@ -44,33 +43,33 @@ def read_sinks(tables: tuple[TomlTable, ...], around: Surroundings) -> tuple[Sin
     return tuple(sinks)
 
 
-def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
+def _parts_of(table: TomlTable, units: Units) -> list[Part]:
     table.require("name", "size", "mass", "position")
     name = table.text("name", "")
-    size, mass = _body(table, around.units)
+    size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
-    X_WO = read_pose(table, around.units)
-    shifts = _grid(table.table("grid"), around.units) if "grid" in table else None
+    X_WO = read_pose(table, units)
+    shifts = _grid(table.table("grid"), units) if "grid" in table else None
     table.finish()
     if shifts is None:
-        return [Part(name, size, mass, around.in_base(X_WO), colour=colour, material=material)]
-    poses = (around.in_base(Pose(X_WO.position + shift, X_WO.orientation)) for shift in shifts)
+        return [Part(name, size, mass, X_WO, colour=colour, material=material)]
+    poses = (Pose(X_WO.position + shift, X_WO.orientation) for shift in shifts)
     return [
         Part(f"{name}_{k}", size, mass, pose, colour=colour, material=material)
         for k, pose in enumerate(poses, start=1)
     ]
 
 
-def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
+def _supply(table: TomlTable, units: Units) -> list[Part]:
     table.require("name", "size", "mass", "position", "count")
     name = table.text("name", "")
-    size, mass = _body(table, around.units)
+    size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
-    X_BO = around.in_base(read_pose(table, around.units))
+    X_WO = read_pose(table, units)
     count = table.integer("count", 1, _MOST_PARTS, 1)
     table.finish()
     return [
-        Part(f"{name}_{turn + 1}", size, mass, X_BO, name, turn, colour, material) for turn in range(count)
+        Part(f"{name}_{turn + 1}", size, mass, X_WO, name, turn, colour, material) for turn in range(count)
     ]
 
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from ropsim.spatial import Pose, quaternion
 from ropsim.workbench import cell_diagnostics as kinds
@@ -16,52 +15,35 @@ TOOL_DOWN: quaternion.Quaternion = (0.0, 1.0, 0.0, 0.0)
 _UNIT_LENGTH_TOLERANCE = 0.01  # lets three written decimals pass, refuses a missing or swapped number
 
 
-@dataclass(frozen=True, slots=True)
-class Surroundings:
-    """What readers of objects need to know about the whole file.
-
-    Attributes:
-        units: units of the file.
-        X_BW: world frame in the base frame.
-    """
-
-    units: Units
-    X_BW: Pose
-
-    def in_base(self, X_WA: Pose) -> Pose:
-        """Return X_BA."""
-        return self.X_BW @ X_WA
-
-
 def read_pose(table: TomlTable, units: Units) -> Pose:
     """Return the pose that `position` and `rpy` or `quaternion` give; each is optional."""
     return _pose(table, units, _orientation(table, units, quaternion.IDENTITY, ("rpy", "quaternion")))
 
 
 def read_locations(
-    tables: Mapping[str, TomlTable], frames: Mapping[str, Pose], around: Surroundings
+    tables: Mapping[str, TomlTable], frames: Mapping[str, Pose], units: Units
 ) -> dict[str, Pose]:
-    """Return the named tool poses X_BT; a location may be given in one of `frames` (X_BK by name)."""
-    return {name: _location(table, frames, around) for name, table in tables.items()}
+    """Return the named tool poses X_WT; a location may be given in one of `frames` (X_WK by name)."""
+    return {name: _location(table, frames, units) for name, table in tables.items()}
 
 
-def read_frames(tables: Mapping[str, TomlTable], around: Surroundings) -> dict[str, Pose]:
-    """Return the task frames X_BK by name."""
+def read_frames(tables: Mapping[str, TomlTable], units: Units) -> dict[str, Pose]:
+    """Return the task frames X_WK by name."""
     frames = {}
     for name, table in tables.items():
         table.require("position")
-        frames[name] = around.in_base(read_pose(table, around.units))
+        frames[name] = read_pose(table, units)
         table.finish()
     return frames
 
 
-def _location(table: TomlTable, frames: Mapping[str, Pose], around: Surroundings) -> Pose:
+def _location(table: TomlTable, frames: Mapping[str, Pose], units: Units) -> Pose:
     table.require("position")
     frame = table.reference("frame", frames, "frame")
     down = TOOL_DOWN if table.flag("down", default=True) else quaternion.IDENTITY
-    local = _pose(table, around.units, _orientation(table, around.units, down, ("rpy", "quaternion", "down")))
+    local = _pose(table, units, _orientation(table, units, down, ("rpy", "quaternion", "down")))
     table.finish()
-    return frames[frame] @ local if frame else around.in_base(local)
+    return frames[frame] @ local if frame else local
 
 
 def _pose(table: TomlTable, units: Units, orientation: quaternion.Quaternion) -> Pose:

@@ -1,19 +1,22 @@
 """What programs can name in a cell, for the compiler."""
 
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import Cell
+from ropsim.model import Cell, in_base
 from ropsim.program import SignalUse, ValueType
 
 
 def environment_of(cell: Cell | None) -> Environment:
-    """Return frames, tools, locations and signals of a cell as the compiler's environment."""
+    """Return frames, tools, locations and signals of a cell as the compiler's environment.
+
+    Programs give poses in the base frame B of their robot, so frames are X_BK and locations X_BT here.
+    """
     if cell is None:
         return NO_SIGNATURES
     return Environment(
-        frames={name: pose.as_tuple() for name, pose in cell.frames.items()},
+        frames={name: pose.as_tuple() for name, pose in in_base(cell.X_WB, cell.frames).items()},
         tools={name: tool.X_MT.as_tuple() for name, tool in cell.tools.items()},
         default_tool=cell.default_tool,
-        locations={name: pose.as_tuple() for name, pose in cell.locations.items()},
+        locations={name: pose.as_tuple() for name, pose in in_base(cell.X_WB, cell.locations).items()},
         signals={
             name: SignalUse(name, signal.is_input, ValueType.REAL if signal.analog else ValueType.BOOL)
             for name, signal in cell.signals.items()

@@ -148,3 +148,21 @@ def test_an_arm_without_drives_can_be_run_kinematically(cell: Cell) -> None:
     assert codes(bare) == []
     np.testing.assert_array_equal(bare.channels["q"].values, driven.channels["q"].values)
     assert bare.events == driven.events
+
+
+def test_a_cell_that_is_moved_as_a_whole_makes_the_same_run(cell: Cell) -> None:
+    """The program speaks in the base frame: nothing of the run tells where in the world the base stands."""
+    moved = Pose(np.array([1.5, -0.7, 0.4]), np.array([0.8, 0.0, 0.0, 0.6]))
+    (box,) = cell.parts
+    here = replace(cell, frames={"k": Pose(np.array([0.45, 0.0, 0.3]))})
+    there = replace(
+        here,
+        X_WB=moved,
+        parts=(replace(box, X_WO=moved @ box.X_WO),),
+        frames={name: moved @ pose for name, pose in here.frames.items()},
+    )
+    lines = ("mov (450, -150, 100)", "close", "mov (0, 0, 20) in k", "open", "mov home")
+    one, other = ran(here, *lines), ran(there, *lines)
+    assert codes(one) == codes(other) == []
+    for name in ("q", "attained_position", "payload", "gripper"):
+        np.testing.assert_allclose(one.channels[name].values, other.channels[name].values, atol=NEAR)

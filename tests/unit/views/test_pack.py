@@ -100,7 +100,7 @@ def test_parts_end_where_the_simulation_has_them(shown: Shown) -> None:
         gone = part.name in end.queued or part.name in end.left
         assert shown.pack.visible(part.name, duration) == (not gone)
         if part.name in end.resting:
-            X_WO = shown.cell.X_WB @ end.resting[part.name]
+            X_WO = end.resting[part.name]
             error = shown.pack.pose(part.name, duration).position - X_WO.position
             assert np.max(np.abs(error)) < RESTING
 
@@ -114,10 +114,7 @@ def test_supplies_show_one_part_at_a_time(shown: Shown) -> None:
                 part.name
                 for part in waiting
                 if pack_.visible(part.name, float(time))
-                and np.linalg.norm(
-                    pack_.pose(part.name, float(time)).position - (shown.cell.X_WB @ part.X_BO).position
-                )
-                < 1e-9
+                and np.linalg.norm(pack_.pose(part.name, float(time)).position - part.X_WO.position) < 1e-9
             ]
             assert len(at_supply) <= 1
 
@@ -142,7 +139,7 @@ def test_the_36_boxes_end_on_the_pallet() -> None:
     shown = show("palletizing")
     pallet, end = shown.cell.frames["pallet"], shown.recording.duration
     boxes = np.array([shown.pack.pose(f"box_{k}", end).position for k in range(1, 37)])
-    local = (boxes - (shown.cell.X_WB @ pallet).position) @ (shown.cell.X_WB @ pallet).rotation()
+    local = (boxes - pallet.position) @ pallet.rotation()
     slots = np.array([[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)])
     nearest = np.linalg.norm(local[:, None] - slots[None], axis=2)
     assert np.max(np.min(nearest, axis=1)) < 1e-3

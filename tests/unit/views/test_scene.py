@@ -60,7 +60,7 @@ CELL = Cell(
         Part("first", frozen([0.06, 0.05, 0.04]), 0.1, Pose(frozen([0.5, 0.1, 0.3])), "supply", 0, "#112233"),
         Part("second", frozen([0.06, 0.05, 0.04]), 0.1, Pose(frozen([0.5, 0.1, 0.3])), "supply", 1),
     ),
-    objects=(FixedObject("shelf", Pose(frozen([0.7, 0.0, 0.0])), tuple(Shape(solid) for solid in SOLIDS)),),
+    objects=(FixedObject("shelf", Pose(frozen([0.7, 0.0, 0.5])), tuple(Shape(solid) for solid in SOLIDS)),),
     signals={"ready": Signal("ready", is_input=True, initial=1.0)},
 )
 BODIES: list[Any] = scene(CELL)["bodies"]  # type: ignore[assignment]
@@ -144,7 +144,7 @@ def test_a_part_is_a_box_below_its_grasp_point_and_waits_unseen_in_its_supply() 
     assert (shape["size"], shape["colour"]) == ([0.06, 0.05, 0.04], "#112233")
     assert shape["pose"][:3] == [0.0, 0.0, -0.02]
     assert (first["visible"], second["visible"]) == (True, False)
-    expected = TURNED @ CELL.parts[0].X_BO
+    expected = CELL.parts[0].X_WO
     assert matrix(first["pose"]) == pytest.approx(expected.matrix(), abs=ROUNDING)
 
 
@@ -152,8 +152,8 @@ def test_frames_are_marked_in_the_world_and_the_tcp_on_the_last_link() -> None:
     marks: Any = {mark["kind"]: mark for mark in scene(CELL)["frames"]}  # type: ignore[attr-defined]
     assert marks["world"]["pose"] == list(Pose().as_tuple())
     assert matrix(marks["base"]["pose"]) == pytest.approx(TURNED.matrix(), abs=ROUNDING)
-    for kind, X_BK in (("frame", CELL.frames["table"]), ("location", CELL.locations["here"])):
-        assert matrix(marks[kind]["pose"]) == pytest.approx((TURNED @ X_BK).matrix(), abs=ROUNDING)
+    for kind, X_WK in (("frame", CELL.frames["table"]), ("location", CELL.locations["here"])):
+        assert matrix(marks[kind]["pose"]) == pytest.approx(X_WK.matrix(), abs=ROUNDING)
     assert marks["tcp"]["parent"] == SceneIndex.of(CELL).links[-1]
     assert marks["tcp"]["pose"][:3] == pytest.approx([0.0, 0.0, 0.2], abs=ROUNDING)
 

@@ -66,7 +66,7 @@ def test_a_quaternion_may_replace_rpy() -> None:
     )
 
 
-def test_the_file_speaks_of_the_world_and_the_cell_of_the_base_frame() -> None:
+def test_file_and_cell_speak_of_the_world_wherever_the_base_stands() -> None:
     text = (
         "base = { position = [100, 0, 0], rpy = [0, 0, 90] }\n"
         "[frames.f]\nposition = [100, 200, 300]\n"
@@ -76,10 +76,10 @@ def test_the_file_speaks_of_the_world_and_the_cell_of_the_base_frame() -> None:
     )
     cell = cell_of(text)
     assert np.allclose(cell.X_WB.position, [0.1, 0, 0], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(cell.frames["f"].position, [0.2, 0, 0.3], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(cell.locations["l"].position, [0, 0.1, 0], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(cell.sinks[0].position, [0.05, 0, 0], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(cell.parts[0].X_BO.position, [0, -0.01, 0], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.frames["f"].position, [0.1, 0.2, 0.3], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.locations["l"].position, [0, 0, 0], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.sinks[0].position, [0.1, 0.05, 0], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.parts[0].X_WO.position, [0.11, 0, 0], rtol=0, atol=POSE_TOLERANCE)
 
 
 def test_a_tilted_base_turns_gravity_and_an_upright_one_leaves_the_model_alone() -> None:
@@ -136,8 +136,8 @@ def test_a_grid_makes_parts_that_run_along_the_first_direction_first() -> None:
     )
     parts = cell_of(text).parts
     assert [part.name for part in parts] == [f"box_{k}" for k in range(1, 7)]
-    assert np.allclose(parts[1].X_BO.position, [0.47, 0, 0.04], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(parts[5].X_BO.position, [0.47, 0.16, 0.042], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(parts[1].X_WO.position, [0.47, 0, 0.04], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(parts[5].X_WO.position, [0.47, 0.16, 0.042], rtol=0, atol=POSE_TOLERANCE)
     assert all(part.supply == "" for part in parts)
 
 
@@ -149,7 +149,7 @@ def test_a_supply_makes_a_queue_of_parts_at_one_place() -> None:
         ("infeed_2", "infeed", 1),
         ("infeed_3", "infeed", 2),
     ]
-    assert len({part.X_BO for part in parts}) == 1
+    assert len({part.X_WO for part in parts}) == 1
 
 
 def test_signals_have_direction_channel_sort_and_history() -> None:

@@ -55,7 +55,7 @@ def places(cell: Cell, parts: PartsState) -> Mapping[str, Place]:
         if parts.grasp is not None and parts.grasp.part.name == part.name:
             found[part.name] = Place(link, cell.robot.X_nM @ parts.grasp.X_MO, visible=True)
         elif part.name in parts.resting:
-            found[part.name] = Place(WORLD, cell.X_WB @ parts.resting[part.name], visible=True)
+            found[part.name] = Place(WORLD, parts.resting[part.name], visible=True)
         else:
-            found[part.name] = Place(WORLD, cell.X_WB @ part.X_BO, visible=False)
+            found[part.name] = Place(WORLD, part.X_WO, visible=False)
     return found
