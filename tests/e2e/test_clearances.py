@@ -29,7 +29,7 @@ def run_of(name: str) -> tuple[Cell, Recording]:
 
 def raised(cell: Cell, name: str, height: float) -> Cell:
     up = Pose(np.array([0.0, 0.0, height]))
-    objects = [replace(one, X_WO=up @ one.X_WO) if one.name == name else one for one in cell.objects]
+    objects = [replace(one, X_PO=up @ one.X_PO) if one.name == name else one for one in cell.objects]
     return replace(cell, objects=tuple(objects))
 
 

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.model import Box, Cell, Cylinder, Prism, Revolve, Shape, Sphere
+from ropsim.kinematics import body_poses
+from ropsim.model import BodyKind, Box, Cell, Cylinder, Prism, Revolve, Shape, Sphere, body_tree
 from ropsim.spatial import Array, Pose
 
 
@@ -52,8 +53,10 @@ class Block:
 
 def fixed_blocks(cell: Cell) -> list[Block]:
     """Return a box around every shape of the cell's objects, in the world."""
+    tree = body_tree(cell)
+    poses = body_poses(tree, {}, tree.names(BodyKind.OBJECT))
     return [
-        block_around(thing.name, thing.X_WO @ shape.pose, shape)
+        block_around(thing.name, Pose.from_matrix(poses[thing.name][0]) @ shape.pose, shape)
         for thing in cell.objects
         for shape in thing.shapes
     ]

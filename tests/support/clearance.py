@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.flow import Recording
-from ropsim.kinematics import frames_batch
-from ropsim.model import Cell, Part
+from ropsim.kinematics import body_poses
+from ropsim.model import ROBOT, BodyKind, Cell, Part, body_tree, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.views.part_journeys import Stay, part_journeys
 from ropsim.views.scene_tool import grip_width, tool_shapes
@@ -57,7 +57,10 @@ def nearest(cell: Cell, recording: Recording, keep: Clearances) -> list[tuple[Ne
     rows = np.unique(np.searchsorted(recording.time, np.arange(0.0, recording.duration, PERIOD)))
     rows = np.append(rows[rows < len(recording.time) - 1], len(recording.time) - 1)
     time = recording.time[rows]
-    frames = cell.X_WB.matrix() @ frames_batch(cell.robot, recording.channels["q"].values[rows])
+    tree = body_tree(cell)
+    arm = (*tree.names(BodyKind.LINK), tool_body(cell.default_tool))
+    poses = body_poses(tree, {ROBOT: recording.channels["q"].values[rows]}, arm)
+    frames = np.stack([poses[name] for name in arm], axis=1)
     fixed, base = fixed_blocks(cell), base_blocks(cell)
     resting, carried = _parts(cell, recording, time, frames)
     tcp = frames[:, -1] @ cell.tools[cell.default_tool].X_MT.matrix()

@@ -1,5 +1,6 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
+from ropsim.kinematics.body_poses import body_poses as body_poses
 from ropsim.kinematics.configurations import configurations as configurations
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError

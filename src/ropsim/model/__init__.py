@@ -3,6 +3,12 @@
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.base_frame import in_base as in_base
+from ropsim.model.body import WORLD as WORLD
+from ropsim.model.body import Body as Body
+from ropsim.model.body import BodyKind as BodyKind
+from ropsim.model.body import Mover as Mover
+from ropsim.model.body_tree import BodyTree as BodyTree
+from ropsim.model.body_tree import carrier as carrier
 from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
@@ -12,6 +18,13 @@ from ropsim.model.cell import Part as Part
 from ropsim.model.cell import Signal as Signal
 from ropsim.model.cell import Sink as Sink
 from ropsim.model.cell import Tool as Tool
+from ropsim.model.cell_bodies import BASE as BASE
+from ropsim.model.cell_bodies import ROBOT as ROBOT
+from ropsim.model.cell_bodies import body_tree as body_tree
+from ropsim.model.cell_bodies import link_name as link_name
+from ropsim.model.cell_bodies import part_shape as part_shape
+from ropsim.model.cell_bodies import start_of as start_of
+from ropsim.model.cell_bodies import tool_body as tool_body
 from ropsim.model.controller import GAIN_NAMES as GAIN_NAMES
 from ropsim.model.controller import CascadedGains as CascadedGains
 from ropsim.model.controller import ControllerKind as ControllerKind

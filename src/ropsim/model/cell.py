@@ -88,14 +88,16 @@ class FixedObject:
     """A thing of the cell that never moves; it is drawn and nothing else.
 
     Attributes:
-        name: unique among the objects.
-        X_WO: its frame in the world frame.
+        name: unique among the bodies of the cell.
+        X_PO: its frame in that of its parent; in the world frame without one.
         shapes: what it looks like, in its frame.
+        parent: name of the object that it hangs on, empty for none.
     """
 
     name: str
-    X_WO: Pose
+    X_PO: Pose
     shapes: tuple[Shape, ...]
+    parent: str = ""
 
 
 @dataclass(frozen=True, slots=True)

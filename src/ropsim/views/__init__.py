@@ -25,7 +25,6 @@ from ropsim.views.path_summary import PathMove as PathMove
 from ropsim.views.path_summary import PathSummary as PathSummary
 from ropsim.views.result import result_figures as result_figures
 from ropsim.views.scene import scene as scene
-from ropsim.views.scene_bodies import SceneIndex as SceneIndex
 from ropsim.views.scene_shapes import MeshSource as MeshSource
 from ropsim.views.scene_shapes import plain_pose as plain_pose
 from ropsim.views.style import Style as Style

@@ -11,7 +11,7 @@ import numpy as np
 from ropsim.model import Cell, Mesh
 from ropsim.spatial import Array, Pose
 from ropsim.views.scene_arm import reach
-from ropsim.views.scene_bodies import WORLD, SceneBody, scene_bodies
+from ropsim.views.scene_bodies import NO_BODY, SceneBody, scene_bodies
 from ropsim.views.scene_shapes import MeshSource, corners, plain_pose, plain_shape
 
 VERSION = 1
@@ -26,7 +26,7 @@ def scene(cell: Cell, meshes: Mapping[Mesh, MeshSource] = NO_MESHES) -> dict[str
         meshes: where the page finds each mesh of the cell; one that is not there is drawn as missing.
 
     Returns:
-        `version`, `project`, `robot`, `bodies` in the order that `SceneIndex` tells, `frames`, `signals`,
+        `version`, `project`, `robot`, `bodies` in the order of the body tree, `frames`, `signals`,
         `base` (X_WB) and `extent`.
     """
     bodies = scene_bodies(cell)
@@ -68,7 +68,7 @@ def _robot(cell: Cell) -> dict[str, object]:
 def _body(body: SceneBody, meshes: Mapping[Mesh, MeshSource]) -> dict[str, object]:
     return {
         "name": body.name,
-        "kind": body.kind,
+        "kind": body.kind.value,
         "parent": body.parent,
         "pose": plain_pose(body.pose),
         "shapes": [plain_shape(shape, meshes) for shape in body.shapes],
@@ -80,10 +80,10 @@ def _frames(cell: Cell) -> list[dict[str, object]]:
     tool = cell.tools.get(cell.default_tool)
     X_nT = cell.robot.X_nM @ tool.X_MT if tool else cell.robot.X_nM
     marks = [
-        ("world", "world", WORLD, Pose()),
-        ("base", "base", WORLD, cell.X_WB),
-        *((name, "frame", WORLD, X_WK) for name, X_WK in cell.frames.items()),
-        *((name, "location", WORLD, X_WT) for name, X_WT in cell.locations.items()),
+        ("world", "world", NO_BODY, Pose()),
+        ("base", "base", NO_BODY, cell.X_WB),
+        *((name, "frame", NO_BODY, X_WK) for name, X_WK in cell.frames.items()),
+        *((name, "location", NO_BODY, X_WT) for name, X_WT in cell.locations.items()),
         ("tcp", "tcp", cell.robot.n, X_nT),
     ]
     return [
@@ -111,7 +111,7 @@ def _extent(
 def _corners_in_world(bodies: tuple[SceneBody, ...], meshes: Mapping[Mesh, MeshSource]) -> list[Array]:
     placed = []
     for body in bodies:
-        X_WF = body.pose if body.parent == WORLD else bodies[body.parent].pose @ body.pose
+        X_WF = body.pose if body.parent == NO_BODY else bodies[body.parent].pose @ body.pose
         rotation = X_WF.rotation().T
         placed += [corners(shape, meshes) @ rotation + X_WF.position for shape in body.shapes]
     return placed

@@ -1,48 +1,15 @@
-"""The bodies of a scene in their order: base, links, tools, objects, parts."""
+"""The bodies of a scene in the order of the body tree, as they are drawn at the start of a run."""
 
 from dataclasses import dataclass
 
-from ropsim.kinematics import joint_frames
-from ropsim.model import Box, Cell, Part, Shape
-from ropsim.spatial import Array, Pose, frozen
+from ropsim.kinematics import body_poses
+from ropsim.model import BASE, Body, BodyKind, Cell, Shape, body_tree, link_name, start_of, tool_body
+from ropsim.spatial import Pose
 from ropsim.views.scene_arm import base_shapes, link_shapes
 from ropsim.views.scene_tool import grip_width, tool_shapes
 
-WORLD = -1
-"""Parent of what is fixed on no body."""
-
-
-@dataclass(frozen=True, slots=True)
-class SceneIndex:
-    """Places of the bodies in the list `bodies` of a scene.
-
-    Attributes:
-        base: the part of the robot that stands still.
-        links: of link 1 to n.
-        tools: by name of the tool.
-        objects: by name of the fixed object.
-        parts: by name of the part.
-        count: number of bodies.
-    """
-
-    base: int
-    links: tuple[int, ...]
-    tools: dict[str, int]
-    objects: dict[str, int]
-    parts: dict[str, int]
-    count: int
-
-    @classmethod
-    def of(cls, cell: Cell) -> "SceneIndex":
-        """Return the places of the bodies of a cell."""
-        links = tuple(range(1, cell.robot.n + 1))
-        first = cell.robot.n + 1
-        tools = {name: first + k for k, name in enumerate(cell.tools)}
-        first += len(tools)
-        objects = {thing.name: first + k for k, thing in enumerate(cell.objects)}
-        first += len(cell.objects)
-        parts = {part.name: first + k for k, part in enumerate(cell.parts)}
-        return cls(0, links, tools, objects, parts, first + len(cell.parts))
+NO_BODY = -1
+"""Place of the parent of what is fixed on no moving body: its pose is in the world frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,15 +18,15 @@ class SceneBody:
 
     Attributes:
         name: `base`, `link1`, `tool:NAME`, or the name of an object or part.
-        kind: `base`, `link`, `tool`, `object` or `part`.
-        parent: place of the body that it is fixed on, `WORLD` for none.
+        kind: what it is.
+        parent: place of the link that carries a tool, `NO_BODY` for all others.
         pose: in the frame of the parent, or in the world frame.
         shapes: in its own frame; that of a link is the frame of its joint.
         visible: False for a tool that is not mounted and for a part that waits in its supply.
     """
 
     name: str
-    kind: str
+    kind: BodyKind
     parent: int
     pose: Pose
     shapes: tuple[Shape, ...]
@@ -67,37 +34,26 @@ class SceneBody:
 
 
 def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
-    """Return the bodies of a cell, in the order that `SceneIndex` tells."""
-    robot, X_WB = cell.robot, cell.X_WB
-    last = robot.n  # place of the last link
-    frames = joint_frames(robot, start_of(cell))[: robot.n]
-    width = grip_width(cell)
-    return (
-        SceneBody("base", "base", WORLD, X_WB, base_shapes(robot)),
-        *(
-            SceneBody(f"link{i}", "link", WORLD, X_WB @ Pose.from_matrix(frame), link_shapes(robot, i))
-            for i, frame in enumerate(frames, start=1)
-        ),
-        *(
-            SceneBody(
-                f"tool:{name}", "tool", last, robot.X_nM, tool_shapes(tool, width), name == cell.default_tool
-            )
-            for name, tool in cell.tools.items()
-        ),
-        *(SceneBody(thing.name, "object", WORLD, thing.X_WO, thing.shapes) for thing in cell.objects),
-        *(
-            SceneBody(part.name, "part", WORLD, part.X_WO, (part_shape(part),), part.turn == 0)
-            for part in cell.parts
-        ),
-    )
+    """Return the bodies of a cell, in the order of its body tree."""
+    tree = body_tree(cell)
+    places = tree.places()
+    start = {name: q[None] for name, q in start_of(cell).items()}
+    poses, looks = body_poses(tree, start), _looks(cell)
+
+    def drawn(body: Body) -> SceneBody:
+        shapes = looks.get(body.name, body.shapes)
+        if body.kind is BodyKind.TOOL:
+            return SceneBody(body.name, body.kind, places[body.parent], body.X_PB, shapes, body.visible)
+        stands = body.mover is None and not body.parent
+        pose = body.X_PB if stands else Pose.from_matrix(poses[body.name][0])
+        return SceneBody(body.name, body.kind, NO_BODY, pose, shapes, body.visible)
+
+    return tuple(drawn(body) for body in tree.bodies)
 
 
-def start_of(cell: Cell) -> Array:
-    """Return the joint coordinates at which the arm stands at time 0 [rad | m], shape (n,)."""
-    return cell.start if len(cell.start) else cell.robot.home
-
-
-def part_shape(part: Part) -> Shape:
-    """Return the box of a part in its object frame, whose origin is the centre of the top face."""
-    x, y, z = part.size.tolist()
-    return Shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0])), part.colour, material=part.material)
+def _looks(cell: Cell) -> dict[str, tuple[Shape, ...]]:
+    """Return how arm and tools are drawn, by name of their bodies: by their own shapes, else by stand-ins."""
+    robot, width = cell.robot, grip_width(cell)
+    links = {link_name(number): link_shapes(robot, number) for number in range(1, robot.n + 1)}
+    tools = {tool_body(name): tool_shapes(tool, width) for name, tool in cell.tools.items()}
+    return {BASE: base_shapes(robot), **links, **tools}

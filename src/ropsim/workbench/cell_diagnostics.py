@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X801 to X817."""
+"""The kinds of mistakes in cell files, X801 to X818."""
 
 from ropsim.core import Severity, define
 
@@ -121,10 +121,10 @@ UNKNOWN_CELL_NAME = define(
     "X809",
     "unknown-cell-name",
     Severity.ERROR,
-    "the cell file speaks of a tool or frame that it does not define",
+    "the cell file speaks of a tool, frame or object that it does not define",
     """
-A tool in `[robot]`, or a frame in a location or in `[classic]`, is not defined in the same file. Define it,
-or mend the name; names are case-sensitive.
+A tool in `[robot]`, a frame in a location or in `[classic]`, or the `parent` of an object is not defined in
+the same file. Define it, or mend the name; names are case-sensitive.
 
 ```toml
 [robot]
@@ -143,9 +143,10 @@ DUPLICATE_CELL_NAME = define(
     Severity.ERROR,
     "two things in the cell share a name or a channel",
     """
-Parts need names of their own, because reports and recordings speak of them by name; so do sinks. A grid and
-a supply make the names `name_1`, `name_2` and so on, which may meet the name of another part. Two signals
-of one direction and sort cannot share a channel number.
+Parts and fixed objects need names of their own, because reports and recordings speak of them by name; so do
+sinks. A grid and a supply make the names `name_1`, `name_2` and so on, which may meet the name of another
+part. `base`, `link1` to `linkN` and `tool:NAME` are the bodies of the robot. Two signals of one direction and
+sort cannot share a channel number.
 """,
 )
 
@@ -240,5 +241,30 @@ CHANGES_OF_OUTPUT = define(
     """
 `changes` describes what the world does to an input. Outputs change when the program sets them; remove
 `changes`, or make the signal an `input`.
+""",
+)
+
+OBJECTS_IN_A_RING = define(
+    "X818",
+    "objects-in-a-ring",
+    Severity.ERROR,
+    "fixed objects hang on each other in a ring",
+    """
+The key `parent` of an object names the object in whose frame its pose is given. Going from parent to parent
+must come to an object without one, whose pose is in the world; here it comes back to where it began, so no
+object of the ring has a place.
+
+```toml
+[[objects]]
+name = "table"
+position = [500, 0, 700]
+size = [800, 600, 30]
+
+[[objects]]
+name = "fixture"
+parent = "table"               # the table must not hang on the fixture in turn
+position = [100, 0, 0]
+size = [80, 80, 40]
+```
 """,
 )

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import Cell, ClassicSettings
+from ropsim.model import Cell, ClassicSettings, link_name, tool_body
 from ropsim.spatial import Pose
 from ropsim.workbench import cell_diagnostics as kinds
 from ropsim.workbench.cell_fixed_objects import read_objects
@@ -20,6 +20,7 @@ from ropsim.workbench.toml_text import toml_values
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
 _KEY = re.compile(r"'([^']*)'")
+_OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
 _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
@@ -55,12 +56,15 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     default_tool = robot_table.reference("tool", tools, "tool")
     frames = read_frames(root.named("frames"), units)
     locations = read_locations(root.named("locations"), frames, units)
-    parts = read_parts(root.tables("parts"), root.tables("supplies"), units)
-    objects = read_objects(root.tables("objects"), units)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
     robot = read_robot(robot_table, root.table("controller"), X_WB, units)
+    bodies = {link_name(number): _OF_ROBOT for number in range(robot.model.n + 1)} if robot else {}
+    taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
+    objects = read_objects(root.tables("objects"), taken, units)
+    taken |= {thing.name: "an object of this cell has it" for thing in objects}
+    parts = read_parts(root.tables("parts"), root.tables("supplies"), taken, units)
     head = root.table("cell")
     name, program = head.text("name", folder_name), head.text("program", "main")
     head.finish()

@@ -1,6 +1,7 @@
 """The parts, supplies and sinks of a cell file."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,13 +19,20 @@ _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
 def read_parts(
-    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], units: Units
+    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], taken: Mapping[str, str], units: Units
 ) -> tuple[Part, ...]:
-    """Return single parts, then the parts of grids and supplies, in the order of the file."""
+    """Return single parts, then the parts of grids and supplies, in the order of the file.
+
+    Args:
+        parts: the tables `[[parts]]`.
+        supplies: the tables `[[supplies]]`.
+        taken: who has them, for names that no part may have.
+        units: of the file.
+    """
     made = [_parts_of(table, units) for table in parts] + [_supply(table, units) for table in supplies]
     tables = (*parts, *supplies)
     if tables:
-        report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)))
+        report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)), taken)
     return tuple(part for group in made for part in group)
 
 
@@ -114,13 +122,21 @@ def _named_spans(groups: Iterable[tuple[TomlTable, list[Part]]]) -> Iterator[tup
             yield part.name, span
 
 
-def report_doubles(findings: Findings, named: Iterable[tuple[str, Span]]) -> None:
-    """Note each name that occurs again; empty names have been reported as missing."""
+def report_doubles(
+    findings: Findings, named: Iterable[tuple[str, Span]], taken: Mapping[str, str] = MappingProxyType({})
+) -> None:
+    """Note each name that occurs again or that something else has; empty names have been reported as missing.
+
+    Args:
+        findings: get the notes.
+        named: names with the places where they are given.
+        taken: who has them, for names that are in use elsewhere.
+    """
     seen: dict[str, Span] = {}
     reported = {""}
     for name, span in named:
-        if name in seen and name not in reported:
-            hint = f"the other one stands in line {seen[name].line}"
+        if (name in seen or name in taken) and name not in reported:
+            hint = taken.get(name) or f"the other one stands in line {seen[name].line}"
             findings.add(kinds.DUPLICATE_CELL_NAME, span, f"the name `{name}` is taken", hint)
             reported.add(name)
         seen.setdefault(name, span)

@@ -12,10 +12,10 @@ import pytest
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, Recording
 from ropsim.kinematics import forward_batch
-from ropsim.model import Cell
+from ropsim.model import Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.cell_run import CellRun
-from ropsim.views import SceneIndex, pack, result_figures, scene, summarize
+from ropsim.views import pack, result_figures, scene, summarize
 from ropsim.views.pack import sample_times
 from ropsim.workbench import open_project
 from ropsim.workbench.project import Project
@@ -132,7 +132,7 @@ def test_bodies_are_those_of_the_scene(shown: Shown) -> None:
     assert isinstance(described, list)
     names = [entry["name"] for entry in shown.pack.header["bodies"]]
     assert names == [body["name"] for body in described]
-    assert len(names) == SceneIndex.of(shown.cell).count
+    assert names == [body.name for body in body_tree(shown.cell).bodies]
 
 
 def test_the_36_boxes_end_on_the_pallet() -> None:

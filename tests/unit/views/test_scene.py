@@ -1,4 +1,4 @@
-"""The scene description: what the page expects, in the order that the index tells, all in the world frame."""
+"""The scene description: what the page expects, in the order of the body tree, all in the world frame."""
 
 import json
 import re
@@ -26,9 +26,10 @@ from ropsim.model import (
     Signal,
     Sphere,
     Tool,
+    body_tree,
 )
 from ropsim.spatial import Pose, frozen
-from ropsim.views import MeshSource, SceneIndex, scene
+from ropsim.views import MeshSource, scene
 
 ROUNDING = 1e-12
 TYPES = (Path(__file__).parents[3] / "frontend" / "src" / "scene" / "description.ts").read_text("utf-8")
@@ -64,6 +65,7 @@ CELL = Cell(
     signals={"ready": Signal("ready", is_input=True, initial=1.0)},
 )
 BODIES: list[Any] = scene(CELL)["bodies"]  # type: ignore[assignment]
+PLACES = body_tree(CELL).places()
 
 
 def matrix(values: list[float]) -> Any:
@@ -98,26 +100,16 @@ def test_a_scene_is_strict_json_and_comes_back_the_same() -> None:
     assert json.loads(json.dumps(document, allow_nan=False)) == document
 
 
-def test_the_index_tells_the_place_of_every_body() -> None:
-    index = SceneIndex.of(CELL)
-    names = [body["name"] for body in BODIES]
-    assert names[index.base] == "base"
-    assert [names[place] for place in index.links] == [f"link{i}" for i in range(1, 7)]
-    assert {name: names[place] for name, place in index.tools.items()} == {
-        "jaws": "tool:jaws",
-        "pen": "tool:pen",
-    }
-    assert [names[place] for place in index.objects.values()] == ["shelf"]
-    assert {name: names[place] for name, place in index.parts.items()} == {
-        "first": "first",
-        "second": "second",
-    }
-    assert index.count == len(BODIES)
+def test_the_bodies_come_in_the_order_of_the_body_tree() -> None:
+    links = [f"link{i}" for i in range(1, 7)]
+    assert list(PLACES) == ["base", *links, "tool:jaws", "tool:pen", "shelf", "first", "second"]
+    assert [body["name"] for body in BODIES] == list(PLACES)
+    assert [body["kind"] for body in BODIES] == [body.kind for body in body_tree(CELL).bodies]
 
 
 def test_links_stand_in_the_world_where_the_kinematics_has_them() -> None:
     frames = joint_frames(ARM, ARM.home)
-    for place, frame in zip(SceneIndex.of(CELL).links, frames, strict=False):
+    for place, frame in zip(range(1, 7), frames, strict=False):
         assert BODIES[place]["parent"] == -1
         assert matrix(BODIES[place]["pose"]) == pytest.approx(TURNED.matrix() @ frame, abs=ROUNDING)
 
@@ -130,16 +122,14 @@ def test_the_start_of_the_cell_moves_the_links() -> None:
 
 
 def test_tools_ride_on_the_last_link_and_only_the_mounted_one_is_seen() -> None:
-    index = SceneIndex.of(CELL)
-    jaws, pen = BODIES[index.tools["jaws"]], BODIES[index.tools["pen"]]
-    assert (jaws["parent"], pen["parent"]) == (index.links[-1], index.links[-1])
+    jaws, pen = BODIES[PLACES["tool:jaws"]], BODIES[PLACES["tool:pen"]]
+    assert (jaws["parent"], pen["parent"]) == (PLACES["link6"], PLACES["link6"])
     assert (jaws["visible"], pen["visible"]) == (True, False)
     assert jaws["pose"] == pytest.approx(list(ARM.X_nM.as_tuple()), abs=ROUNDING)
 
 
 def test_a_part_is_a_box_below_its_grasp_point_and_waits_unseen_in_its_supply() -> None:
-    index = SceneIndex.of(CELL)
-    first, second = BODIES[index.parts["first"]], BODIES[index.parts["second"]]
+    first, second = BODIES[PLACES["first"]], BODIES[PLACES["second"]]
     (shape,) = first["shapes"]
     assert (shape["size"], shape["colour"]) == ([0.06, 0.05, 0.04], "#112233")
     assert shape["pose"][:3] == [0.0, 0.0, -0.02]
@@ -154,19 +144,19 @@ def test_frames_are_marked_in_the_world_and_the_tcp_on_the_last_link() -> None:
     assert matrix(marks["base"]["pose"]) == pytest.approx(TURNED.matrix(), abs=ROUNDING)
     for kind, X_WK in (("frame", CELL.frames["table"]), ("location", CELL.locations["here"])):
         assert matrix(marks[kind]["pose"]) == pytest.approx(X_WK.matrix(), abs=ROUNDING)
-    assert marks["tcp"]["parent"] == SceneIndex.of(CELL).links[-1]
+    assert marks["tcp"]["parent"] == PLACES["link6"]
     assert marks["tcp"]["pose"][:3] == pytest.approx([0.0, 0.0, 0.2], abs=ROUNDING)
 
 
 def test_a_mesh_that_nobody_has_read_says_so() -> None:
-    shelf = BODIES[SceneIndex.of(CELL).objects["shelf"]]
+    shelf = BODIES[PLACES["shelf"]]
     assert (shelf["shapes"][-1]["mesh"], shelf["shapes"][-1]["missing"]) == ("", "the file has not been read")
 
 
 def test_a_mesh_is_given_by_its_address_and_widens_the_extent() -> None:
     source = MeshSource("ab12", "", (0.0, 0.0, 0.0), (0.0, 0.0, 9.0))
     document: Any = scene(CELL, {MESH: source})
-    shelf = document["bodies"][SceneIndex.of(CELL).objects["shelf"]]
+    shelf = document["bodies"][PLACES["shelf"]]
     assert (shelf["shapes"][-1]["mesh"], shelf["shapes"][-1]["missing"]) == ("ab12", "")
     assert document["extent"]["max"][2] == pytest.approx(9.5)
 

@@ -119,13 +119,13 @@ def test_the_short_form_is_a_box_below_its_position() -> None:
     (shape,) = thing.shapes
     assert shape.solid == Box((0.1, 0.2, 0.05))
     assert shape.pose.position == pytest.approx([0.0, 0.0, -0.025])
-    assert thing.X_WO.position == pytest.approx([0.1, 0.2, 0.3])
+    assert thing.X_PO.position == pytest.approx([0.1, 0.2, 0.3])
 
 
 def test_objects_stay_in_the_world_wherever_the_base_stands() -> None:
     text = OBJECT.replace(ROBOT, ROBOT + "base = { position = [100, 0, 0], rpy = [0, 0, 90] }\n")
     (thing,) = cell_of(text + "size = [1, 1, 1]\n").objects
-    assert thing.X_WO.position == pytest.approx([0.1, 0.2, 0.3])
+    assert thing.X_PO.position == pytest.approx([0.1, 0.2, 0.3])
 
 
 def test_tools_have_shapes_and_parts_have_colours() -> None:

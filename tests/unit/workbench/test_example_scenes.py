@@ -25,7 +25,7 @@ def rests(cell: Cell, bottom: Array) -> bool:
         for shape in thing.shapes:
             if isinstance(shape.solid, Box):
                 half = np.array(shape.solid.size) / 2.0
-                x, y, z = ((thing.X_WO @ shape.pose).inverse() @ Pose(bottom)).position
+                x, y, z = ((thing.X_PO @ shape.pose).inverse() @ Pose(bottom)).position
                 if abs(x) <= half[0] and abs(y) <= half[1] and abs(z - half[2]) <= CONTACT:
                     return True
     return False
@@ -62,7 +62,7 @@ def test_the_pins_of_fig5_stand_in_their_magazine() -> None:
     (magazine,) = [thing for thing in cell.objects if thing.name == "magazine"]
     (shape,) = magazine.shapes
     assert isinstance(shape.solid, Box)
-    centre = (magazine.X_WO @ shape.pose).position
+    centre = (magazine.X_PO @ shape.pose).position
     for part in cell.parts:
         bottom = part.X_WO.position - np.array([0.0, 0.0, part.size[2]])
         assert (np.abs(bottom - centre) < np.array(shape.solid.size) / 2.0).all()
@@ -79,5 +79,5 @@ def test_nothing_is_drawn_below_the_floor(name: str) -> None:
     for thing in cell.objects:
         for shape in thing.shapes:
             if isinstance(shape.solid, Box):
-                bottom = (thing.X_WO @ shape.pose).position[2] - shape.solid.size[2] / 2.0
+                bottom = (thing.X_PO @ shape.pose).position[2] - shape.solid.size[2] / 2.0
                 assert bottom > -CONTACT

@@ -8,17 +8,16 @@ from ropsim.kinematics import (
     IkOptions,
     IkStatus,
     Method,
+    body_poses,
     forward,
     inverse,
-    joint_frames,
     solver_of,
 )
-from ropsim.model import Cell
+from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree, link_name
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog_choice import nearest
 from ropsim.studio.desk.jog_words import Words, limit_words, refusal_words, singularity_words, worst_first
 from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
-from ropsim.views import SceneIndex
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,16 +26,16 @@ class JoggedArm:
 
     Attributes:
         cell: the cell.
-        index: places of its bodies in the scene.
+        tree: its bodies.
     """
 
     cell: Cell
-    index: SceneIndex
+    tree: BodyTree
 
     @classmethod
     def of(cls, cell: Cell) -> "JoggedArm":
         """Return the arm of a cell."""
-        return cls(cell, SceneIndex.of(cell))
+        return cls(cell, body_tree(cell))
 
     def warm(self) -> None:
         """Load the compiled kinematics."""
@@ -73,14 +72,15 @@ class JoggedArm:
         return self._reply(choice.q, X_MT, words)
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:
-        robot, X_WB = self.cell.robot, self.cell.X_WB
-        frames = joint_frames(robot, q)
-        poses = [X_WB @ Pose.from_matrix(frame) for frame in frames]
-        links = zip(self.index.links, poses[:-1], strict=True)
-        bodies = ((self.index.base, X_WB.as_tuple()), *((place, pose.as_tuple()) for place, pose in links))
+        robot, places = self.cell.robot, self.tree.places()
+        moving = self.tree.names(BodyKind.BASE, BodyKind.LINK)
+        found = body_poses(self.tree, {ROBOT: q[None]}, moving)
+        poses = {name: Pose.from_matrix(matrix[0]) for name, matrix in found.items()}
+        bodies = tuple((places[name], pose.as_tuple()) for name, pose in poses.items())
+        X_WT = poses[link_name(robot.n)] @ robot.X_nM @ X_MT
         all_words = worst_first([*words, *singularity_words(robot, q)])
         reached = all(level != "error" for level, _ in words)
-        return JogReply(tuple(q.tolist()), (poses[-1] @ X_MT).as_tuple(), bodies, reached, all_words)
+        return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words)
 
     def _tool(self, name: str) -> Pose | None:
         """Return X_MT of a tool; without a name that of the cell's default tool."""

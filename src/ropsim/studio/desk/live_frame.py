@@ -4,11 +4,12 @@ import struct
 
 import numpy as np
 
-from ropsim.kinematics import frames_batch
+from ropsim.kinematics import body_poses
+from ropsim.model import ROBOT, BodyKind, body_tree
 from ropsim.simulation import RunView, live_sample
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.studio.jobs import LiveFrame, LiveMessage
-from ropsim.views import SceneIndex, group_of
+from ropsim.views import group_of
 
 HEADER = struct.Struct("<2sBBIddHHI")
 """Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""
@@ -25,7 +26,8 @@ class Frames:
 
     def __init__(self, run: RunView) -> None:
         self._sent = 0
-        self._links = SceneIndex.of(run.cell).links
+        self._tree = body_tree(run.cell)
+        self._links = self._tree.names(BodyKind.LINK)
         self._layout = live_sample(run, 0.0)
 
     def layout(self) -> LiveMessage:
@@ -41,7 +43,9 @@ class Frames:
             for name, channel in self._layout.items()
             for column in channel.columns or ("",)
         ]
-        return LiveMessage({"type": "layout", "channels": columns, "bodies": list(self._links)})
+        places = self._tree.places()
+        bodies = [places[name] for name in self._links]
+        return LiveMessage({"type": "layout", "channels": columns, "bodies": bodies})
 
     def frame(self, run: RunView, time: float, wall: float) -> LiveFrame:
         """Return the state at a time.
@@ -53,14 +57,13 @@ class Frames:
         """
         sample = live_sample(run, time)
         values = np.concatenate([sample[name].values.ravel() for name in self._layout]).astype("<f4")
-        bodies = self._poses(run, sample["q"].values).astype("<f4")
+        bodies = self._poses(sample["q"].values).astype("<f4")
         self._sent += 1
         counts = (len(values), len(bodies), 0)
         header = HEADER.pack(b"RS", VERSION, STATE, self._sent % 2**32, time, wall * 1e3, *counts)
         return LiveFrame(header + values.tobytes() + bodies.tobytes())
 
-    def _poses(self, run: RunView, q: Array) -> Array:
+    def _poses(self, q: Array) -> Array:
         """Return position and quaternion of every link in W, shape (n, 7)."""
-        robot = run.cell.robot
-        frames = run.cell.X_WB.matrix() @ frames_batch(robot, q)[0, : robot.n]
+        frames = np.concatenate(list(body_poses(self._tree, {ROBOT: q}, self._links).values()))
         return np.hstack((frames[:, :3, 3], quaternions_from_matrices(frames[:, :3, :3])))

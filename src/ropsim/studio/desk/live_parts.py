@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ropsim.model import Cell
+from ropsim.model import Cell, body_tree, link_name
 from ropsim.simulation import PartsState
 from ropsim.spatial import Pose
 from ropsim.studio.jobs import LiveMessage
-from ropsim.views import SceneIndex, plain_pose
+from ropsim.views import plain_pose
 
 WORLD = -1
 
@@ -30,26 +30,26 @@ def placed(cell: Cell, before: PartsState, after: PartsState, time: float) -> li
         after: parts as they are.
         time: when that came to be [s].
     """
-    old, new, index = places(cell, before), places(cell, after), SceneIndex.of(cell)
+    old, new, index = places(cell, before), places(cell, after), body_tree(cell).places()
     return [
         LiveMessage(
             {
                 "type": "placed",
                 "time": time,
-                "body": body,
+                "body": index[name],
                 "parent": new[name].parent,
                 "pose": plain_pose(new[name].pose),
                 "visible": new[name].visible,
             }
         )
-        for name, body in index.parts.items()
+        for name in new
         if new[name] != old[name]
     ]
 
 
 def places(cell: Cell, parts: PartsState) -> Mapping[str, Place]:
     """Return the place of every part by name; a part in its supply or gone keeps the pose of its supply."""
-    link = SceneIndex.of(cell).links[-1]
+    link = body_tree(cell).places()[link_name(cell.robot.n)]
     found: dict[str, Place] = {}
     for part in cell.parts:
         if parts.grasp is not None and parts.grasp.part.name == part.name:

@@ -1,0 +1,55 @@
+"""A body: what moves, or stands still, as one rigid thing."""
+
+from enum import StrEnum
+
+from ropsim.model.geometry import Shape
+from ropsim.spatial import Pose, record
+
+WORLD = ""
+"""Parent of a body that hangs on nothing but the world."""
+
+
+class BodyKind(StrEnum):
+    """What a body is in its cell."""
+
+    BASE = "base"
+    LINK = "link"
+    TOOL = "tool"
+    OBJECT = "object"
+    PART = "part"
+
+
+@record
+class Mover:
+    """The joint that moves a body against its parent.
+
+    Attributes:
+        mechanism: name of the mechanism that the joint belongs to.
+        joint: its number, from 0.
+    """
+
+    mechanism: str
+    joint: int
+
+
+@record
+class Body:
+    """A rigid body where it hangs at time 0.
+
+    Attributes:
+        name: unique in the cell.
+        kind: what it is.
+        parent: name of the body that it hangs on, `WORLD` for none.
+        X_PB: its frame in that of the parent; of a moved body at joint coordinate 0.
+        shapes: what it looks like, in its own frame; without any, views draw a stand-in for arms and tools.
+        mover: what moves it against its parent; None where it stands still there.
+        visible: False for a tool that is not mounted and for a part that waits in its supply.
+    """
+
+    name: str
+    kind: BodyKind
+    parent: str
+    X_PB: Pose
+    shapes: tuple[Shape, ...] = ()
+    mover: Mover | None = None
+    visible: bool = True

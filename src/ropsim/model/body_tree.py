@@ -1,0 +1,48 @@
+"""The body tree of a cell: which body hangs on which, and which joint moves it."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+from ropsim.model.body import WORLD, Body, BodyKind
+from ropsim.model.robot import RobotModel
+from ropsim.spatial import record
+
+
+@record
+class BodyTree:
+    """All bodies of a cell at time 0.
+
+    Attributes:
+        bodies: in the order in which a scene lists them; a parent may come after its child.
+        mechanisms: the arms whose joints move bodies, by name.
+    """
+
+    bodies: tuple[Body, ...]
+    mechanisms: Mapping[str, RobotModel] = field(default_factory=dict)
+
+    def by_name(self) -> dict[str, Body]:
+        """Return the bodies by name."""
+        return {body.name: body for body in self.bodies}
+
+    def places(self) -> dict[str, int]:
+        """Return the place of each body in `bodies`, by name."""
+        return {body.name: place for place, body in enumerate(self.bodies)}
+
+    def names(self, *kinds: BodyKind) -> tuple[str, ...]:
+        """Return the names of the bodies of some kinds, in order."""
+        return tuple(body.name for body in self.bodies if body.kind in kinds)
+
+
+def carrier(bodies: Mapping[str, Body], parents: Mapping[str, str], name: str) -> str:
+    """Return the body nearest to a body that a joint moves, itself included; `WORLD` where none does.
+
+    Bodies with one carrier keep their places to each other, however the joints move.
+
+    Args:
+        bodies: by name.
+        parents: what bodies hang on that no longer hang where `bodies` has them, by name.
+        name: of a body, or `WORLD`.
+    """
+    while name != WORLD and bodies[name].mover is None:
+        name = parents.get(name, bodies[name].parent)
+    return name
