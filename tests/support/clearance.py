@@ -5,11 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.flow import Recording
+from ropsim.flow import Placement, Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import ROBOT, BodyKind, Cell, Part, body_tree, tool_body
 from ropsim.spatial import Array, Pose
-from ropsim.views.part_journeys import Stay, part_journeys
 from ropsim.views.scene_tool import grip_width, tool_shapes
 from support.arm_capsules import PUMA_CAPSULES, Block, base_blocks, block_around, fixed_blocks
 from support.separation import FAR, Mask, Track, least_gap
@@ -123,21 +122,32 @@ def _parts(
 ) -> tuple[list[tuple[Block, Mask]], list[tuple[Track, list[Block]]]]:
     """Return where parts lie and when; how they are carried, with the places where that begins and ends."""
     parts = {part.name: part for part in cell.parts}
+    journeys: dict[str, list[Placement]] = {name: [] for name in parts}
+    for one in recording.placements:
+        if one.body in parts:
+            journeys[one.body].append(one)
+    hand = tool_body(cell.default_tool)
     resting, carried = [], []
-    for name, journey in part_journeys(recording, cell).items():
+    for name, journey in journeys.items():
         places: list[Block] = []
         ways: list[Track] = []
         until = [*(one.time for one in journey[1:]), np.inf]
         for one, end in zip(journey, until, strict=True):
             when = (time >= one.time) & (time < end)
-            if one.stay is Stay.CARRIED:
-                ways.append(_carried(parts[name], frames[:, -1], one.pose, when))
+            if one.parent == hand:
+                ways.append(_carried(parts[name], frames[:, -1], one.X_PB, when))
                 continue
-            places.append(_block(parts[name], one.pose))
-            if one.stay is Stay.RESTING:
+            places.append(_block(parts[name], _in_world(cell, one)))
+            if one.visible:
                 resting.append((places[-1], when))
         carried += [(way, places) for way in ways]
     return resting, carried
+
+
+def _in_world(cell: Cell, one: Placement) -> Pose:
+    """Return the pose of a part that lies on nothing that moves, in the world."""
+    found = body_poses(body_tree(cell), {}, [one.body], {one.body: (one.parent, one.X_PB)})
+    return Pose.from_matrix(found[one.body][0])
 
 
 def _carried(part: Part, interface: Array, X_MO: Pose, when: Mask) -> Track:

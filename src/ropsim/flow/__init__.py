@@ -11,6 +11,7 @@ from ropsim.flow.instructions import OutputInstruction as OutputInstruction
 from ropsim.flow.instructions import SyncInstruction as SyncInstruction
 from ropsim.flow.instructions import WaitInstruction as WaitInstruction
 from ropsim.flow.modal import ModalState as ModalState
+from ropsim.flow.placement import Placement as Placement
 from ropsim.flow.recording import Channel as Channel
 from ropsim.flow.recording import Event as Event
 from ropsim.flow.recording import Recording as Recording

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ropsim.core import Diagnostic, Severity, Span
+from ropsim.flow.placement import Placement
 from ropsim.spatial import Array, record
 
 if TYPE_CHECKING:
@@ -62,6 +63,8 @@ class Recording:
         findings: diagnostics of the run.
         duration: simulated time [s].
         header: program, robot, options and versions; plain values.
+        placements: where each body hung at the start, and every change since, in order of time; none in
+            recordings of older versions.
     """
 
     time: Array
@@ -70,6 +73,7 @@ class Recording:
     findings: tuple[Diagnostic, ...]
     duration: float
     header: Mapping[str, object] = field(default_factory=dict)
+    placements: tuple[Placement, ...] = ()
 
     @property
     def ok(self) -> bool:

@@ -3,7 +3,6 @@
 from ropsim.simulation.inputs import InputChange as InputChange
 from ropsim.simulation.live_sample import live_sample as live_sample
 from ropsim.simulation.move_span import MoveSpan as MoveSpan
-from ropsim.simulation.parts import PartsState as PartsState
 from ropsim.simulation.recorder import Recorder as Recorder
 from ropsim.simulation.run import run as run
 from ropsim.simulation.run_options import Fidelity as Fidelity

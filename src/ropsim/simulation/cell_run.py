@@ -5,14 +5,16 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain, ScriptedSensors
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, JointReference, Origin
+from ropsim.flow import Event, JointReference, Origin, Placement
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload, Tool
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.inputs import InputChange, signal_track
 from ropsim.simulation.move_span import MoveSpan
-from ropsim.simulation.parts import PartsState, payload
+from ropsim.simulation.parts import payload
+from ropsim.simulation.placements import Placements, changes
 from ropsim.simulation.plant import Plant
+from ropsim.simulation.scenery import Scenery
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import NobodyWatches, Watch
 from ropsim.spatial import Array, Pose
@@ -31,6 +33,7 @@ class CellRun:
         plant: joint controller, drives and arm, advanced by references.
         sensors: channels of the cell.
         q_command: command coordinates reached so far, shape (n,).
+        scenery: what stays as it is while parts are moved.
         parts: where the parts are.
         tool: tool in force.
         payload: tool and grasped part as one body; one object as long as it does not change.
@@ -40,6 +43,7 @@ class CellRun:
         moves: moves done.
         events: what happened.
         findings: what was found.
+        placements: where each body hung at the start, and every change since.
         tracks: piecewise constant channels by name.
         activations: times of the tasks.
         waiting: whether the last instruction did nothing but wait for the ones before it.
@@ -53,7 +57,8 @@ class CellRun:
     plant: Plant
     sensors: ScriptedSensors
     q_command: Array
-    parts: PartsState
+    scenery: Scenery
+    parts: Placements
     tool: Tool | None
     payload: Payload
     progress: Callable[[str], None]
@@ -63,6 +68,7 @@ class CellRun:
     moves: list[MoveSpan] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
+    placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
     waiting: bool = False
@@ -80,12 +86,13 @@ class CellRun:
         """Return the simulated time [s]."""
         return self.tick / self.cell.controller.rates.control_hz
 
-    def take(self, tool: Tool | None, parts: PartsState) -> None:
+    def take(self, tool: Tool | None, parts: Placements) -> None:
         """Let `tool` be in force and the parts be where `parts` says; the payload follows."""
         if tool is self.tool and parts is self.parts:
             return
+        self.placements += changes(self.time, self.parts, parts, self.scenery.fixed)
         self.tool, self.parts = tool, parts
-        self.payload = payload(parts, tool)
+        self.payload = payload(parts, self.scenery.parts, tool)
         self.track("payload", self.payload.mass)
 
     def attained(self) -> Pose:

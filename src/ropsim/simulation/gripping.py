@@ -16,18 +16,18 @@ def grip(state: CellRun, instruction: GripInstruction) -> None:
     if tool is None or tool.gripper is None:
         state.findings.append(_cannot_grasp(instruction, tool))
         return
-    held = state.parts.grasp
+    held = state.parts.held
     if instruction.action is GripAction.CLOSE:
         state.stand(round(tool.gripper.close_time * hz))
         state.take(state.tool, close_on(state.parts, state.cell, tool, state.attained()))
-        part = state.parts.grasp.part.name if state.parts.grasp else ""
+        part = state.parts.held
         if not part:
             state.findings.append(_nothing_grasped(instruction, tool))
         kind, text = "grip", f"close on {part}" if part else "close on nothing"
     else:
         state.stand(round(tool.gripper.open_time * hz))
         state.take(state.tool, release(state.parts, state.cell, state.attained()))
-        part = held.part.name if held else ""
+        part = held
         kind, text = "release", f"release {part}" if part else "open"
     state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
     state.note(kind, text, instruction.origin, since, part=part)

@@ -1,54 +1,27 @@
-"""Parts in the cell: which lie where, which one the gripper holds, what that does to the payload."""
+"""Parts in the cell: what a gripper takes and leaves, and what that does to the payload."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
 
-from ropsim.model import Cell, Part, Payload, Tool, box, combine
+from ropsim.model import WORLD, Cell, Part, Payload, Tool, box, combine, tool_body
+from ropsim.simulation.placements import Placements, Seat
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
-class Grasp:
-    """The part in the gripper.
-
-    Attributes:
-        part: which one.
-        X_MO: its frame in the mechanical interface frame.
-    """
-
-    part: Part
-    X_MO: Pose
-
-
-@dataclass(frozen=True, slots=True)
-class PartsState:
-    """Where every part is.
-
-    Attributes:
-        resting: pose X_WO of each part that lies in the cell, by name.
-        queued: names of parts still waiting in their supply.
-        grasp: the part in the gripper, or None.
-        left: names of parts that have left the cell, in order.
-    """
-
-    resting: Mapping[str, Pose] = field(default_factory=lambda: MappingProxyType({}))
-    queued: frozenset[str] = frozenset()
-    grasp: Grasp | None = None
-    left: tuple[str, ...] = ()
-
-
-def initial_parts(cell: Cell) -> PartsState:
+def initial_parts(cell: Cell) -> Placements:
     """Return the parts at time 0: of every supply only the first one is there."""
-    resting = {part.name: part.X_WO for part in cell.parts if part.turn == 0}
+    seats = {part.name: Seat(WORLD, WORLD, part.X_WO) for part in cell.parts if part.turn == 0}
     queued = frozenset(part.name for part in cell.parts if part.turn > 0)
-    return PartsState(MappingProxyType(resting), queued)
+    return Placements(MappingProxyType(seats), queued)
 
 
-def close_on(state: PartsState, cell: Cell, tool: Tool, X_WM: Pose) -> PartsState:
-    """Return the state after the fingers have closed: the nearest part within the capture is held.
+def close_on(state: Placements, cell: Cell, tool: Tool, X_WM: Pose) -> Placements:
+    """Return the placements after the fingers have closed: the nearest part within the capture is held.
+
+    It hangs on the tool now; what lies on it comes along.
 
     Args:
         state: before.
@@ -58,51 +31,58 @@ def close_on(state: PartsState, cell: Cell, tool: Tool, X_WM: Pose) -> PartsStat
     """
     capture = tool.gripper.capture if tool.gripper else 0.0
     tcp = (X_WM @ tool.X_MT).position
-    distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in state.resting.items()}
+    resting = state.resting
+    distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in resting.items()}
     near = [name for name, distance in distances.items() if distance <= capture]
-    if state.grasp is not None or not near:
+    if state.held or not near:
         return state
     name = min(near, key=lambda candidate: (distances[candidate], candidate))
-    part = _part(cell, name)
-    resting = {key: pose for key, pose in state.resting.items() if key != name}
-    following = [
-        other for other in cell.parts if other.supply == part.supply != "" and other.turn == part.turn + 1
-    ]
-    for successor in following:
-        if successor.name in state.queued:
-            resting[successor.name] = successor.X_WO
-    return replace(
-        state,
-        resting=MappingProxyType(resting),
-        queued=state.queued - {successor.name for successor in following},
-        grasp=Grasp(part, X_WM.inverse() @ state.resting[name]),
-    )
+    hand, X_MW = tool_body(tool.name), X_WM.inverse()
+    lifted = {
+        one: replace(state.seats[one], rides=hand, pose=X_MW @ resting[one]) for one in state.family(name)
+    }
+    lifted[name] = replace(lifted[name], parent=hand)
+    supplied = _successors(state, cell, name)
+    return replace(state.with_seats({**lifted, **supplied}), queued=state.queued - set(supplied))
 
 
-def release(state: PartsState, cell: Cell, X_WM: Pose) -> PartsState:
-    """Return the state after the fingers have opened: the part stays where it is, or leaves by a sink."""
-    if state.grasp is None:
+def release(state: Placements, cell: Cell, X_WM: Pose) -> Placements:
+    """Return the placements after the fingers have opened: the part stays where it is or leaves by a sink."""
+    name = state.held
+    if not name:
         return state
-    X_WO = X_WM @ state.grasp.X_MO
-    name = state.grasp.part.name
+    poses = {one: X_WM @ X_MO for one, X_MO in state.carried.items()}
     for sink in cell.sinks:
-        if float(np.linalg.norm(X_WO.position - np.array(sink.position))) <= sink.radius:
-            return replace(state, grasp=None, left=(*state.left, name))
-    return replace(state, resting=MappingProxyType({**state.resting, name: X_WO}), grasp=None)
+        if float(np.linalg.norm(poses[name].position - np.array(sink.position))) <= sink.radius:
+            return state.without(poses)
+    left = {one: replace(state.seats[one], rides=WORLD, pose=pose) for one, pose in poses.items()}
+    left[name] = replace(left[name], parent=WORLD)
+    return state.with_seats(left)
 
 
-def payload(state: PartsState, tool: Tool | None) -> Payload:
-    """Return the one rigid body that tool and grasped part form at the mechanical interface."""
+def payload(state: Placements, parts: Mapping[str, Part], tool: Tool | None) -> Payload:
+    """Return the one rigid body that tool and carried parts form at the mechanical interface.
+
+    Args:
+        state: where the parts are.
+        parts: of the cell, by name.
+        tool: that is mounted, None for none.
+    """
     bodies: tuple[Payload, ...] = ()
     if tool is not None:
         bodies += (Payload(tool.mass, tool.com, tool.inertia),)
-    if state.grasp is not None:
-        part, X_MO = state.grasp.part, state.grasp.X_MO
-        R_MO = X_MO.rotation()
+    for name, X_MO in state.carried.items():
+        part, R_MO = parts[name], X_MO.rotation()
         centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -part.size[2] / 2.0])
         bodies += (box(part.mass, part.size, centre, R_MO),)
     return combine(bodies)
 
 
-def _part(cell: Cell, name: str) -> Part:
-    return next(part for part in cell.parts if part.name == name)
+def _successors(state: Placements, cell: Cell, taken: str) -> dict[str, Seat]:
+    """Return the seat of the part that appears in a supply when the one before it is taken."""
+    supplies = {(part.supply, part.turn) for part in cell.parts if part.name == taken and part.supply}
+    return {
+        part.name: Seat(WORLD, WORLD, part.X_WO)
+        for part in cell.parts
+        if part.name in state.queued and (part.supply, part.turn - 1) in supplies
+    }

@@ -49,7 +49,8 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
         *verdicts(state.cell, time, channels, program.source),
         *settling_findings(events, state.time, program.source),
     )
-    return Recording(time, channels, tuple(events), findings, state.time, header(state, program, options))
+    about = header(state, program, options)
+    return Recording(time, channels, tuple(events), findings, state.time, about, tuple(state.placements))
 
 
 def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str, object]:

@@ -6,8 +6,10 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.parts import initial_parts, payload
+from ropsim.simulation.placements import at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import Fidelity, RunOptions
+from ropsim.simulation.scenery import scenery_of
 from ropsim.simulation.servo_plant import ServoPlant
 from ropsim.spatial import Array, frozen
 
@@ -17,9 +19,9 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     inputs, findings = usable_inputs(cell, options.inputs)
     cell = with_inputs(cell, inputs)
     q: Array = cell.start if len(cell.start) else cell.robot.home
-    parts = initial_parts(cell)
+    scenery, parts = scenery_of(cell), initial_parts(cell)
     tool = cell.tools.get(cell.default_tool)
-    load = payload(parts, tool)
+    load = payload(parts, scenery.parts, tool)
     sensors = ScriptedSensors(cell.signals)
     state = CellRun(
         cell=cell,
@@ -27,6 +29,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         plant=_plant(cell, q, load, options, options.sensors or sensors),
         sensors=sensors,
         q_command=frozen(q),
+        scenery=scenery,
         parts=parts,
         tool=tool,
         payload=load,
@@ -34,6 +37,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         last_tick=round(options.longest * cell.controller.rates.control_hz),
         watch=options.watch,
         findings=list(findings),
+        placements=list(at_start(scenery.tree, parts, scenery.fixed)),
         inputs=list(inputs),
     )
     state.track("line", 0.0)

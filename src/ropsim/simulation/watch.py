@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
-from ropsim.flow import Event
+from ropsim.flow import Event, Placement
 from ropsim.model import Cell, Tool
 from ropsim.simulation.move_span import MoveSpan
-from ropsim.simulation.parts import PartsState
 from ropsim.simulation.plant import Plant
+from ropsim.simulation.scenery import Scenery
 from ropsim.simulation.track import Track
 
 
@@ -35,8 +35,13 @@ class RunView(Protocol):
         ...
 
     @property
-    def parts(self) -> PartsState:
-        """Return where the parts are."""
+    def scenery(self) -> Scenery:
+        """Return what stays as it is while parts are moved."""
+        ...
+
+    @property
+    def placements(self) -> Sequence[Placement]:
+        """Return where each body hung at the start, and every change since."""
         ...
 
     @property

@@ -27,6 +27,7 @@ from ropsim.views.result import result_figures as result_figures
 from ropsim.views.scene import scene as scene
 from ropsim.views.scene_shapes import MeshSource as MeshSource
 from ropsim.views.scene_shapes import plain_pose as plain_pose
+from ropsim.views.shown_placements import ShownPlacements as ShownPlacements
 from ropsim.views.style import Style as Style
 from ropsim.views.summary import Summary as Summary
 from ropsim.views.summary import summarize as summarize

@@ -1,14 +1,14 @@
 """Bodies of a pack: links have world poses, parts ride on what carries them, all else stays in place."""
 
+from collections import defaultdict
+
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree, link_name
+from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.views.pack_channels import QUATERNION_STEP, continuous, resampled
 from ropsim.views.pack_columns import Body, Code, smooth
-from ropsim.views.part_journeys import Placement, Stay, part_journeys
-from ropsim.views.scene_bodies import NO_BODY
-from ropsim.views.scene_shapes import plain_pose
+from ropsim.views.shown_placements import ShownPlacements
 
 POSITION_STEP = 1e-5
 """Coarsest rounding of a body's position [m]."""
@@ -28,8 +28,7 @@ def packed_bodies(recording: Recording, cell: Cell, times: Array, body: Body) ->
     entries: list[dict[str, object]] = [{"name": one.name, "track": "fixed"} for one in tree.bodies]
     for name, columns in _link_columns(recording, tree, times, body).items():
         entries[places[name]] |= {"track": "poses", "columns": columns}
-    for name, journey in part_journeys(recording, cell).items():
-        placements = [_placement(one, cell, places) for one in journey]
+    for name, placements in _placements(recording, tree).items():
         entries[places[name]] |= {"track": "placed", "placements": placements}
     return entries
 
@@ -48,13 +47,12 @@ def _link_columns(recording: Recording, tree: BodyTree, times: Array, body: Body
     return found
 
 
-def _placement(one: Placement, cell: Cell, places: dict[str, int]) -> dict[str, object]:
-    """Return a placement relative to the last link, or in W."""
-    carried = one.stay is Stay.CARRIED
-    pose = cell.robot.X_nM @ one.pose if carried else one.pose
-    return {
-        "time": one.time,
-        "parent": places[link_name(cell.robot.n)] if carried else NO_BODY,
-        "pose": plain_pose(pose),
-        "visible": one.stay in {Stay.CARRIED, Stay.RESTING},
-    }
+def _placements(recording: Recording, tree: BodyTree) -> dict[str, list[dict[str, object]]]:
+    """Return the placements of every part that the recording tells of, by name."""
+    shown, parts = ShownPlacements(tree), set(tree.names(BodyKind.PART))
+    found: dict[str, list[dict[str, object]]] = defaultdict(list)
+    for placement in recording.placements:
+        for name, told in shown.take(placement):
+            if name in parts:
+                found[name].append(told)
+    return found

@@ -124,6 +124,20 @@ The file is missing, is no JSON, or an entry lacks one of the three keys.
 """,
 )
 
+NO_PLACEMENTS = define(
+    "X879",
+    "recording-without-placements",
+    Severity.HINT,
+    "a recording of an older ropsim does not tell where parts were",
+    """
+Recordings of the first format hold channels, events and findings, but not which body each part hung on and
+when. All of that is read; a view of such a recording shows every part where the cell file has it at the
+start.
+
+To see the parts move, make the recording again with `ropsim run … --record FILE`.
+""",
+)
+
 
 class RecordingFileError(RopsimError):
     """A recording cannot be written or read; nothing half-written is left and nothing half-read returned."""

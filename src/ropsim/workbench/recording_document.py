@@ -5,12 +5,14 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, Event, Placement, Recording
+from ropsim.spatial import Pose, PoseError, frozen
 from ropsim.workbench.diagnostic_json import diagnostic_entry, span_entry
 from ropsim.workbench.plain_values import tagged, untagged
 
 FORMAT = "ropsim-recording"
-VERSION = 1
+VERSION = 2
+"""Written; version 1 had no placements."""
 
 Entry = Mapping[str, object]
 T = TypeVar("T")
@@ -38,6 +40,7 @@ class Document:
     channels: Mapping[str, ChannelFacts]
     events: tuple[Event, ...]
     findings: tuple[Diagnostic, ...]
+    placements: tuple[Placement, ...]
 
 
 def document(recording: Recording) -> dict[str, object]:
@@ -54,6 +57,7 @@ def document(recording: Recording) -> dict[str, object]:
         "channels": {name: _channel_entry(channel) for name, channel in recording.channels.items()},
         "events": [_event_entry(event) for event in recording.events],
         "findings": [diagnostic_entry(finding, tagged) for finding in recording.findings],
+        "placements": [_placement_entry(placement) for placement in recording.placements],
     }
 
 
@@ -71,6 +75,7 @@ def read_document(plain: object) -> Document:
         channels={name: _channel(_mapping(facts, name)) for name, facts in channels.items()},
         events=tuple(_event(_mapping(event, "event")) for event in _get(entry, "events", list)),
         findings=tuple(_finding(_mapping(finding, "finding")) for finding in _get(entry, "findings", list)),
+        placements=_placements(entry),
     )
 
 
@@ -87,6 +92,32 @@ def _event_entry(event: Event) -> dict[str, object]:
         "duration": tagged(event.duration),
         "data": tagged(dict(event.data)),
     }
+
+
+def _placement_entry(placement: Placement) -> dict[str, object]:
+    return {
+        "time": tagged(placement.time),
+        "body": placement.body,
+        "parent": placement.parent,
+        "pose": [tagged(number) for number in placement.X_PB.as_tuple()],
+        "visible": placement.visible,
+    }
+
+
+def _placements(entry: Entry) -> tuple[Placement, ...]:
+    if entry.get("version") == 1:
+        return ()
+    return tuple(_placement(_mapping(one, "placement")) for one in _get(entry, "placements", list))
+
+
+def _placement(entry: Entry) -> Placement:
+    numbers = [_number({"pose": value}, "pose") for value in _get(entry, "pose", list)]
+    try:
+        X_PB = Pose(frozen(numbers[:3]), frozen(numbers[3:]))
+    except PoseError as error:
+        raise DocumentError(f"`pose` is none: {error.diagnostic.message}") from error
+    body, parent = _get(entry, "body", str), _get(entry, "parent", str)
+    return Placement(_number(entry, "time"), body, parent, X_PB, _get(entry, "visible", bool))
 
 
 def _channel(entry: Entry) -> ChannelFacts:

@@ -14,6 +14,7 @@ from ropsim.workbench.recording_diagnostics import (
     CONTENT,
     DAMAGED,
     FOREIGN,
+    NO_PLACEMENTS,
     NOT_PLAIN,
     NOT_WRITTEN,
     TOO_LARGE,
@@ -29,6 +30,9 @@ __all__ = ["RecordingFileError", "read", "recording_bytes", "write"]
 HEADER = "header"
 TIME = "time"
 CHANNEL = "channel/"
+
+_WITHOUT_PLACEMENTS = 1
+"""Version of the first format."""
 
 FILE_LIMIT = 4 << 30
 """Largest file that is read [bytes]."""
@@ -109,7 +113,10 @@ def _recording(arrays: dict[str, npz.AnyArray], path: Path) -> Recording:
         }
     except DocumentError as error:
         raise _error(CONTENT, path, str(error), _AGAIN) from error
-    return Recording(time, channels, facts.events, facts.findings, facts.duration, facts.header)
+    findings = facts.findings
+    if plain["version"] == _WITHOUT_PLACEMENTS:
+        findings = (*findings, NO_PLACEMENTS.at(None, f"recording `{path}` does not tell where parts were"))
+    return Recording(time, channels, facts.events, findings, facts.duration, facts.header, facts.placements)
 
 
 def _channel(name: str, values: Array, facts: ChannelFacts, time: Array) -> Channel:
@@ -134,10 +141,9 @@ def _header(arrays: dict[str, npz.AnyArray], path: Path) -> dict[str, object]:
     if not isinstance(plain, dict) or plain.get("format") != FORMAT:
         raise _error(FOREIGN, path, f"its header is not one of format `{FORMAT}`", _AGAIN)
     version = plain.get("version")
-    if version != KNOWN_VERSION:
-        raise _error(
-            VERSION, path, f"format version {str(version)[:20]}, known is {KNOWN_VERSION}", "update ropsim"
-        )
+    if version not in (_WITHOUT_PLACEMENTS, KNOWN_VERSION) or isinstance(version, bool):
+        found = f"format version {str(version)[:20]}, known are {_WITHOUT_PLACEMENTS} and {KNOWN_VERSION}"
+        raise _error(VERSION, path, found, "update ropsim")
     return plain
 
 

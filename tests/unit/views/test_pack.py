@@ -159,7 +159,9 @@ def test_a_minute_takes_little_room() -> None:
 def test_a_part_that_leaves_by_a_sink_is_seen_no_more() -> None:
     project = open_project(EXAMPLES / "first_cell")
     recording = project.simulate(None, RunOptions(Fidelity.KINEMATIC))
-    gone = replace(recording, header={**recording.header, "parts_left": ["box"]})
+    *others, last = recording.placements
+    assert (last.body, last.parent) == ("box", "")
+    gone = replace(recording, placements=(*others, replace(last, visible=False)))
     shown = read_pack(pack_of(project, gone))
     release = next(event for event in recording.events if event.kind == "release")
     assert shown.visible("box", release.time)

@@ -8,10 +8,19 @@ import numpy as np
 import pytest
 
 from ropsim.core import Diagnostic, Label, Severity, TextEdit
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, Event, Placement, Recording
+from ropsim.spatial import Pose
 from ropsim.workbench import npz
 from ropsim.workbench.recording_file import RecordingFileError, read, recording_bytes, write
 from support.recordings import SOURCE, empty_recording, pick_and_place, two_findings
+
+PLACEMENTS = (
+    Placement(0.0, "box", "", Pose(np.array([0.1, 0.2, 0.3]))),
+    Placement(
+        0.1 + 0.2, "box", "tool:jaws", Pose(np.array([0.0, 0.0, 1 / 3]), np.array([0.8, 0.6, 0.0, 0.0]))
+    ),
+    Placement(1.5, "box", "", Pose(), visible=False),
+)
 
 
 def sample() -> Recording:
@@ -31,7 +40,7 @@ def sample() -> Recording:
     )
     event = Event(0.5, "output", "lamp", None, 0.0, {"value": True, "level": float("-inf")})
     recording = pick_and_place(1, 20.0, (*two_findings(), finding))
-    return replace(recording, events=(*recording.events, event))
+    return replace(recording, events=(*recording.events, event), placements=PLACEMENTS)
 
 
 def assert_equal(one: Recording, other: Recording) -> None:
@@ -49,6 +58,7 @@ def assert_equal(one: Recording, other: Recording) -> None:
     assert one.findings == other.findings
     assert [finding.data for finding in one.findings] == [finding.data for finding in other.findings]
     assert (one.duration, one.header) == (other.duration, other.header)
+    assert one.placements == other.placements
 
 
 def code_of(path: Path) -> str:
@@ -189,13 +199,30 @@ def test_archive_that_announces_more_than_the_limit_is_told(
 
 
 def test_newer_format_is_told(tmp_path: Path) -> None:
-    (tmp_path / "run.npz").write_bytes(changed({"version": 2}))
+    (tmp_path / "run.npz").write_bytes(changed({"version": 3}))
     assert code_of(tmp_path / "run.npz") == "X873"
+
+
+def test_the_first_format_is_read_and_says_that_it_does_not_know_where_parts_were(tmp_path: Path) -> None:
+    arrays = npz.unpack(changed({"version": 1}))
+    plain = json.loads(arrays["header"].tobytes())
+    del plain["placements"]
+    arrays["header"] = np.frombuffer(json.dumps(plain).encode(), np.uint8)
+    (tmp_path / "run.npz").write_bytes(npz.pack(arrays))
+    old = read(tmp_path / "run.npz")
+    assert old.placements == ()
+    assert [found.code for found in old.findings[len(sample().findings) :]] == ["X879"]
+    assert_equal(replace(sample(), placements=()), replace(old, findings=old.findings[:-1]))
 
 
 @pytest.mark.parametrize(
     "header",
     [
+        {"placements": None},
+        {"placements": [{"time": 0, "body": "a", "parent": "", "visible": True}]},
+        {"placements": [{"time": 0, "body": "a", "parent": "", "pose": [0, 0, 0], "visible": True}]},
+        {"placements": [{"time": 0, "body": "a", "parent": "", "pose": [0] * 7, "visible": True}]},
+        {"placements": [{"time": 0, "body": "a", "parent": 1, "pose": [0, 0, 0, 1, 0, 0, 0], "visible": 1}]},
         {"events": 3},
         {"events": [{"time": "x"}]},
         {"findings": [{"severity": "fatal"}]},

@@ -5,13 +5,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ropsim.flow import Event
-from ropsim.simulation import PartsState, RunView
+from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live_frame import Frames
 from ropsim.studio.desk.live_keys import Keys, Stamp
-from ropsim.studio.desk.live_parts import placed
 from ropsim.studio.jobs import LiveControl, LiveMessage, LiveSpeed, Order, SetSignal
+from ropsim.views import ShownPlacements
 
 FRAME = 1.0 / 60.0
 """Time between two frames [s of the wall clock]."""
@@ -35,7 +35,8 @@ class LivePace:
         day: returns the time of day [s], for the frames.
         frames: made when the run starts.
         keys: stamps key presses.
-        parts: as they were told last.
+        placed: turns placements into what the page is told; made when the run starts.
+        told: how many placements have been looked at.
         news: messages on parts and of the program whose time has not come yet.
         heard: how many events have been looked at for messages of the program.
         shown: when the last frame was due [s of the wall clock].
@@ -49,7 +50,8 @@ class LivePace:
     day: Callable[[], float]
     frames: Frames | None = None
     keys: Keys | None = None
-    parts: PartsState | None = None
+    placed: ShownPlacements | None = None
+    told: int = 0
     news: deque[tuple[float, LiveMessage]] = field(default_factory=deque)
     heard: int = 0
     shown: float = float("-inf")
@@ -62,9 +64,7 @@ class LivePace:
             Cancelled: the run was given up.
         """
         self._begin(run)
-        if self.parts is not None and run.parts is not self.parts:
-            self.news += [(run.time, one) for one in placed(run.cell, self.parts, run.parts, run.time)]
-            self.parts = run.parts
+        self.news += [(run.time, message) for message in self._moved(run)]
         self.news += [(one.time, printed(one)) for one in run.events[self.heard :] if one.kind == "message"]
         self.heard = len(run.events)
         self.clock.extend(run.time)
@@ -96,9 +96,23 @@ class LivePace:
         if self.frames is None:
             self.keys = Keys(run.cell)
             self.frames = Frames(run)
-            self.parts = run.parts
+            self.placed = ShownPlacements(run.scenery.tree)
             self.line.report(self.frames.layout())
             self._tell_state()
+
+    def _moved(self, run: RunView) -> list[LiveMessage]:
+        """Return a message for each body that has another place since the last look."""
+        if self.placed is None:
+            return []
+        known, placed = len(self.placed.places), self.placed
+        news = [
+            LiveMessage({"type": "placed", "body": placed.places[name], **told})
+            for number, placement in enumerate(run.placements[self.told :], start=self.told)
+            for name, told in placed.take(placement)
+            if number >= known  # the first ones, one for each body, are what the scene shows
+        ]
+        self.told = len(run.placements)
+        return news
 
     def _show_until(self, run: RunView, until: float) -> None:
         nap = 0.0

@@ -1,0 +1,117 @@
+"""Where the parts of a running cell are: on what each one hangs, and with what it moves."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from ropsim.flow import Placement
+from ropsim.model import WORLD, BodyTree
+from ropsim.spatial import Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Seat:
+    """Where one part is.
+
+    The pose is kept in the frame of the body that moves the part, so that no bit of it changes while the part
+    stays where it is, on whatever it hangs.
+
+    Attributes:
+        parent: name of the body that it hangs on, `WORLD` for none.
+        rides: name of the tool with which it moves, because the tool holds it or what it hangs on; `WORLD`
+            while it rests.
+        pose: X_WO while it rests, else X_MO in the frame of that tool, which is the mechanical interface.
+    """
+
+    parent: str
+    rides: str
+    pose: Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Placements:
+    """Where every part is.
+
+    Attributes:
+        seats: of each part that is there, by name.
+        queued: names of parts still waiting in their supply.
+        left: pose X_WO at which each part has left the cell, by name, in order.
+    """
+
+    seats: Mapping[str, Seat] = field(default_factory=lambda: MappingProxyType({}))
+    queued: frozenset[str] = frozenset()
+    left: Mapping[str, Pose] = field(default_factory=lambda: MappingProxyType({}))
+
+    @property
+    def held(self) -> str:
+        """Return the name of the part in the gripper, empty for none."""
+        return next((name for name, seat in self.seats.items() if seat.parent == seat.rides != WORLD), "")
+
+    @property
+    def resting(self) -> dict[str, Pose]:
+        """Return the pose X_WO of each part that lies in the cell, by name."""
+        return {name: seat.pose for name, seat in self.seats.items() if seat.rides == WORLD}
+
+    @property
+    def carried(self) -> dict[str, Pose]:
+        """Return the pose X_MO of the part in the gripper and of all that rides on it, by name."""
+        return {name: seat.pose for name, seat in self.seats.items() if seat.rides != WORLD}
+
+    def family(self, name: str) -> tuple[str, ...]:
+        """Return the names of a part and of all parts that hang on it, directly or not; itself first."""
+        found = [name]
+        for one in found:
+            found += [other for other, seat in self.seats.items() if seat.parent == one]
+        return tuple(found)
+
+    def with_seats(self, seats: Mapping[str, Seat]) -> "Placements":
+        """Return these placements with other seats for some parts."""
+        return replace(self, seats=MappingProxyType({**self.seats, **seats}))
+
+    def without(self, gone: Mapping[str, Pose]) -> "Placements":
+        """Return these placements after some parts have left the cell at their poses X_WO."""
+        seats = {name: seat for name, seat in self.seats.items() if name not in gone}
+        return replace(self, seats=MappingProxyType(seats), left=MappingProxyType({**self.left, **gone}))
+
+
+def at_start(tree: BodyTree, placements: Placements, fixed: Mapping[str, Pose]) -> Iterator[Placement]:
+    """Yield where every body of a cell is at time 0, in the order of its tree.
+
+    Args:
+        tree: the bodies.
+        placements: of the parts.
+        fixed: poses X_WB of the bodies that never move, by name.
+    """
+    for body in tree.bodies:
+        if body.name in placements.seats:
+            yield _told(0.0, body.name, placements, fixed)
+        else:
+            yield Placement(0.0, body.name, body.parent, body.X_PB, body.visible)
+
+
+def changes(
+    time: float, before: Placements, after: Placements, fixed: Mapping[str, Pose]
+) -> Iterator[Placement]:
+    """Yield the placement of each part that hangs on something else now, has come or has left.
+
+    Args:
+        time: when that came to be [s].
+        before: where the parts were.
+        after: where they are.
+        fixed: poses X_WB of the bodies that never move, by name.
+    """
+    for name, X_WO in after.left.items():
+        if name not in before.left:
+            yield Placement(time, name, WORLD, X_WO, visible=False)
+    for name, seat in after.seats.items():
+        known = before.seats.get(name)
+        if known is None or known.parent != seat.parent:
+            yield _told(time, name, after, fixed)
+
+
+def _told(time: float, name: str, placements: Placements, fixed: Mapping[str, Pose]) -> Placement:
+    seat = placements.seats[name]
+    if seat.parent == seat.rides:
+        return Placement(time, name, seat.parent, seat.pose)
+    under = placements.seats[seat.parent].pose if seat.parent in placements.seats else fixed[seat.parent]
+    return Placement(time, name, seat.parent, under.inverse() @ seat.pose)
