@@ -1,5 +1,10 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
+from ropsim.kinematics.blocks import NO_BLOCKS as NO_BLOCKS
+from ropsim.kinematics.blocks import Blocks as Blocks
+from ropsim.kinematics.blocks import part_blocks as part_blocks
+from ropsim.kinematics.blocks import shape_blocks as shape_blocks
+from ropsim.kinematics.blocks import stacked as stacked
 from ropsim.kinematics.body_poses import body_poses as body_poses
 from ropsim.kinematics.configurations import configurations as configurations
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
@@ -9,6 +14,9 @@ from ropsim.kinematics.forward import forward as forward
 from ropsim.kinematics.forward import forward_batch as forward_batch
 from ropsim.kinematics.forward import frames_batch as frames_batch
 from ropsim.kinematics.forward import joint_frames as joint_frames
+from ropsim.kinematics.ground import Ground as Ground
+from ropsim.kinematics.ground import ground_of as ground_of
+from ropsim.kinematics.ground import parts_in_the_air as parts_in_the_air
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
@@ -35,3 +43,6 @@ from ropsim.kinematics.singularity import singular_distances as singular_distanc
 from ropsim.kinematics.solver import InverseSolver as InverseSolver
 from ropsim.kinematics.solver import Method as Method
 from ropsim.kinematics.solver import Snap as Snap
+from ropsim.kinematics.supports import Standing as Standing
+from ropsim.kinematics.supports import height_above as height_above
+from ropsim.kinematics.supports import standings as standings

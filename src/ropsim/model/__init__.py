@@ -17,6 +17,7 @@ from ropsim.model.cell import Gripper as Gripper
 from ropsim.model.cell import Part as Part
 from ropsim.model.cell import Signal as Signal
 from ropsim.model.cell import Sink as Sink
+from ropsim.model.cell import SupportLimits as SupportLimits
 from ropsim.model.cell import Tool as Tool
 from ropsim.model.cell_bodies import BASE as BASE
 from ropsim.model.cell_bodies import ROBOT as ROBOT

@@ -85,7 +85,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class FixedObject:
-    """A thing of the cell that never moves; it is drawn and nothing else.
+    """A thing of the cell that never moves; parts can lie on it.
 
     Attributes:
         name: unique among the bodies of the cell.
@@ -113,6 +113,19 @@ class Sink:
     name: str
     position: tuple[float, float, float]
     radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class SupportLimits:
+    """When a part lies on something, and when it is in it.
+
+    Attributes:
+        gap: greatest height of a part above its support [m].
+        depth: greatest depth of a released part in something else [m].
+    """
+
+    gap: float = 0.005
+    depth: float = 0.002
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +182,7 @@ class Cell:
         parts: what can be grasped.
         objects: what stands around.
         sinks: where parts leave.
+        supports: when a part lies on something.
         signals: by name.
         classic: settings for classic files.
         start: joint coordinates at time 0 [rad | m], shape (n,).
@@ -186,6 +200,7 @@ class Cell:
     parts: tuple[Part, ...] = ()
     objects: tuple[FixedObject, ...] = ()
     sinks: tuple[Sink, ...] = ()
+    supports: SupportLimits = SupportLimits()
     signals: Mapping[str, Signal] = field(default_factory=dict)
     classic: ClassicSettings = field(default_factory=ClassicSettings)
     start: Array = field(default_factory=lambda: frozen([]))

@@ -90,7 +90,7 @@ class CellRun:
         """Let `tool` be in force and the parts be where `parts` says; the payload follows."""
         if tool is self.tool and parts is self.parts:
             return
-        self.placements += changes(self.time, self.parts, parts, self.scenery.fixed)
+        self.placements += changes(self.time, self.parts, parts, self.scenery.ground.poses)
         self.tool, self.parts = tool, parts
         self.payload = payload(parts, self.scenery.parts, tool)
         self.track("payload", self.payload.mass)

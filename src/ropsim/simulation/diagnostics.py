@@ -140,7 +140,7 @@ or the gains of the joint controller are wrong.
 )
 
 COMMAND_SATURATED = define(
-    "S736",
+    "S740",
     "command-saturated",
     Severity.WARNING,
     "an ideal drive was at its largest torque or force",
@@ -160,5 +160,35 @@ VOLTAGE_SATURATED = define(
 The controller asked for more voltage than the amplifier has, for more than a twentieth of a second in all.
 While that lasts the arm does not follow its reference. Lower the speed or acceleration on the line that is
 named.
+""",
+)
+
+RELEASED_IN_THE_AIR = define(
+    "S736",
+    "released-in-the-air",
+    Severity.WARNING,
+    "a part was released where nothing carries it",
+    """
+When the gripper opened, no fixed object, no other part and no floor (z = 0 of the world) was below the part
+within `gap` of `[supports]` in the cell file, 5 mm where nothing is said. A real part would fall. Here it
+stays where it was released, so what the program does with it later may not hold.
+
+Set the part down lower, at the height of what carries it plus its own; or describe what carries it under
+`[[objects]]`. Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh.
+""",
+)
+
+RELEASED_INSIDE = define(
+    "S737",
+    "released-inside",
+    Severity.WARNING,
+    "a part was released in something else",
+    """
+When the gripper opened, the part reached deeper into a fixed object or another part than `depth` of
+`[supports]` in the cell file allows, 2 mm where nothing is said. A real part would have been pressed against
+it. The message says how much higher the part would be free.
+
+Boxes and upright cylinders are looked at as they are, all other shapes as the box around them: a part in the
+hollow of such a shape is found, too. Build the hollow of boxes then.
 """,
 )

@@ -6,6 +6,8 @@ from ropsim.model import Tool
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
 from ropsim.simulation.parts import close_on, release
+from ropsim.simulation.placements import Placements
+from ropsim.simulation.standing import release_findings, stood
 
 
 def grip(state: CellRun, instruction: GripInstruction) -> None:
@@ -19,18 +21,31 @@ def grip(state: CellRun, instruction: GripInstruction) -> None:
     held = state.parts.held
     if instruction.action is GripAction.CLOSE:
         state.stand(round(tool.gripper.close_time * hz))
-        state.take(state.tool, close_on(state.parts, state.cell, tool, state.attained()))
+        taken = close_on(state.parts, state.cell, tool, state.attained())
+        come = tuple(name for name in taken.seats if name not in state.parts.seats)
+        state.take(state.tool, stood(taken, come, state.scenery, state.cell.supports)[0] if come else taken)
         part = state.parts.held
         if not part:
             state.findings.append(_nothing_grasped(instruction, tool))
         kind, text = "grip", f"close on {part}" if part else "close on nothing"
     else:
         state.stand(round(tool.gripper.open_time * hz))
-        state.take(state.tool, release(state.parts, state.cell, state.attained()))
         part = held
+        state.take(state.tool, _put_down(state, part, instruction))
         kind, text = "release", f"release {part}" if part else "open"
     state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
     state.note(kind, text, instruction.origin, since, part=part)
+
+
+def _put_down(state: CellRun, part: str, instruction: GripInstruction) -> Placements:
+    """Return the placements after the part in the gripper is left, and note where that was wrong."""
+    left = release(state.parts, state.cell, state.attained())
+    if part not in left.seats:
+        return left
+    limits = state.cell.supports
+    left, found = stood(left, (part,), state.scenery, limits)
+    state.findings += release_findings(left, part, found[part], state.scenery, limits, instruction.origin)
+    return left
 
 
 def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:

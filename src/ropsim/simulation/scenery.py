@@ -3,9 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ropsim.kinematics import body_poses
-from ropsim.model import BodyKind, BodyTree, Cell, Part, body_tree
-from ropsim.spatial import Pose
+import numpy as np
+
+from ropsim.kinematics import Ground, ground_of
+from ropsim.model import BodyTree, Cell, Part, body_tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,17 +16,18 @@ class Scenery:
     Attributes:
         tree: the bodies at time 0.
         parts: of the cell, by name.
-        fixed: poses X_WB of the objects, by name.
+        ground: the fixed objects.
+        largest: greatest extent of a part [m].
     """
 
     tree: BodyTree
     parts: Mapping[str, Part]
-    fixed: Mapping[str, Pose]
+    ground: Ground
+    largest: float
 
 
 def scenery_of(cell: Cell) -> Scenery:
     """Return what stays as it is in a cell."""
     tree = body_tree(cell)
-    poses = body_poses(tree, {}, tree.names(BodyKind.OBJECT))
-    fixed = {name: Pose.from_matrix(matrices[0]) for name, matrices in poses.items()}
-    return Scenery(tree, {part.name: part for part in cell.parts}, fixed)
+    largest = max((float(np.linalg.norm(part.size)) for part in cell.parts), default=0.0)
+    return Scenery(tree, {part.name: part for part in cell.parts}, ground_of(cell, tree), largest)

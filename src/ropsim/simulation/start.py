@@ -11,6 +11,7 @@ from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import Fidelity, RunOptions
 from ropsim.simulation.scenery import scenery_of
 from ropsim.simulation.servo_plant import ServoPlant
+from ropsim.simulation.standing import stood
 from ropsim.spatial import Array, frozen
 
 
@@ -20,6 +21,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     cell = with_inputs(cell, inputs)
     q: Array = cell.start if len(cell.start) else cell.robot.home
     scenery, parts = scenery_of(cell), initial_parts(cell)
+    parts, _ = stood(parts, tuple(parts.seats), scenery, cell.supports)
     tool = cell.tools.get(cell.default_tool)
     load = payload(parts, scenery.parts, tool)
     sensors = ScriptedSensors(cell.signals)
@@ -37,7 +39,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         last_tick=round(options.longest * cell.controller.rates.control_hz),
         watch=options.watch,
         findings=list(findings),
-        placements=list(at_start(scenery.tree, parts, scenery.fixed)),
+        placements=list(at_start(scenery.tree, parts, scenery.ground.poses)),
         inputs=list(inputs),
     )
     state.track("line", 0.0)

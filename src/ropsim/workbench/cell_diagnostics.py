@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X801 to X818."""
+"""The kinds of mistakes in cell files, X801 to X819."""
 
 from ropsim.core import Severity, define
 
@@ -266,5 +266,27 @@ parent = "table"               # the table must not hang on the fixture in turn
 position = [100, 0, 0]
 size = [80, 80, 40]
 ```
+""",
+)
+
+PART_IN_THE_AIR = define(
+    "X819",
+    "part-in-the-air",
+    Severity.WARNING,
+    "a part lies on nothing when a run starts",
+    """
+No fixed object, no other part and no floor (z = 0 of the world) is below the part within `gap` of
+`[supports]`, 5 mm where nothing is said. A real part would not stay there. Most often its position is that of
+its centre instead of the centre of its top face, or what it lies on is missing under `[[objects]]`.
+
+```toml
+[[parts]]
+name = "box"
+size = [60, 60, 40]
+mass = 0.5
+position = [500, 0, 740]       # its top: 40 mm above a table of 700 mm
+```
+
+Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh.
 """,
 )

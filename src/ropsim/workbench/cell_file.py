@@ -12,6 +12,7 @@ from ropsim.workbench.cell_objects import read_parts, read_sinks
 from ropsim.workbench.cell_poses import read_frames, read_locations
 from ropsim.workbench.cell_robot import read_base, read_robot
 from ropsim.workbench.cell_signals import read_signals
+from ropsim.workbench.cell_supports import note_parts_in_the_air, read_supports
 from ropsim.workbench.cell_tools import read_tools
 from ropsim.workbench.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
 from ropsim.workbench.toml_checks import Findings, TomlTable
@@ -64,14 +65,15 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
     objects = read_objects(root.tables("objects"), taken, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
-    parts = read_parts(root.tables("parts"), root.tables("supplies"), taken, units)
+    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, units)
+    supports = read_supports(root.table("supports"), units)
     head = root.table("cell")
     name, program = head.text("name", folder_name), head.text("program", "main")
     head.finish()
     root.finish()
     if robot is None:
         return None
-    return Cell(
+    cell = Cell(
         name=name,
         robot=robot.model,
         controller=robot.controller,
@@ -80,14 +82,18 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         default_tool=default_tool,
         frames=frames,
         locations=locations,
-        parts=parts,
+        parts=tuple(part for group in groups for part in group.parts),
         objects=objects,
         sinks=sinks,
+        supports=supports,
         signals=signals,
         classic=classic,
         start=robot.start,
         program=program,
     )
+    if not any(found.is_error for found in root.findings.items):
+        note_parts_in_the_air(cell, groups)
+    return cell
 
 
 def _units(table: TomlTable) -> Units:

@@ -1,6 +1,7 @@
 """The parts, supplies and sinks of a cell file."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
@@ -18,10 +19,18 @@ _MOST_PARTS = 10_000
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
+@dataclass(frozen=True, slots=True)
+class PartGroup:
+    """The parts of one table of the file: a single one, a grid, or a supply."""
+
+    table: TomlTable
+    parts: tuple[Part, ...]
+
+
 def read_parts(
     parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], taken: Mapping[str, str], units: Units
-) -> tuple[Part, ...]:
-    """Return single parts, then the parts of grids and supplies, in the order of the file.
+) -> tuple[PartGroup, ...]:
+    """Return single parts and grids, then supplies, in the order of the file.
 
     Args:
         parts: the tables `[[parts]]`.
@@ -29,11 +38,13 @@ def read_parts(
         taken: who has them, for names that no part may have.
         units: of the file.
     """
-    made = [_parts_of(table, units) for table in parts] + [_supply(table, units) for table in supplies]
-    tables = (*parts, *supplies)
-    if tables:
-        report_doubles(tables[0].findings, _named_spans(zip(tables, made, strict=True)), taken)
-    return tuple(part for group in made for part in group)
+    groups = (
+        *(PartGroup(table, tuple(_parts_of(table, units))) for table in parts),
+        *(PartGroup(table, tuple(_supply(table, units))) for table in supplies),
+    )
+    if groups:
+        report_doubles(groups[0].table.findings, _named_spans(groups), taken)
+    return groups
 
 
 def read_sinks(tables: tuple[TomlTable, ...], units: Units) -> tuple[Sink, ...]:
@@ -115,10 +126,10 @@ def _items(table: TomlTable, key: str) -> list[object]:
     return []
 
 
-def _named_spans(groups: Iterable[tuple[TomlTable, list[Part]]]) -> Iterator[tuple[str, Span]]:
-    for table, parts in groups:
-        span = table.value_span("name")
-        for part in parts:
+def _named_spans(groups: Iterable[PartGroup]) -> Iterator[tuple[str, Span]]:
+    for group in groups:
+        span = group.table.value_span("name")
+        for part in group.parts:
             yield part.name, span
 
 

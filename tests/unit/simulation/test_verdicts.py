@@ -92,4 +92,4 @@ def test_an_ideal_drive_at_its_limit_counts_only_when_it_lasts() -> None:
     assert verdicts(cell, TIME, channels, "a.task") == ()
     channels["command"].values[20:35, 0] = -30.0
     (found,) = verdicts(cell, TIME, channels, "a.task")
-    assert (found.code, found.data["joint"], found.data["value"]) == ("S736", 2, pytest.approx(0.060))
+    assert (found.code, found.data["joint"], found.data["value"]) == ("S740", 2, pytest.approx(0.060))

@@ -160,7 +160,7 @@ def test_a_part_that_leaves_by_a_sink_is_seen_no_more() -> None:
     project = open_project(EXAMPLES / "first_cell")
     recording = project.simulate(None, RunOptions(Fidelity.KINEMATIC))
     *others, last = recording.placements
-    assert (last.body, last.parent) == ("box", "")
+    assert (last.body, last.parent) == ("box", "stand_right")
     gone = replace(recording, placements=(*others, replace(last, visible=False)))
     shown = read_pack(pack_of(project, gone))
     release = next(event for event in recording.events if event.kind == "release")

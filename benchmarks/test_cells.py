@@ -1,0 +1,55 @@
+"""Cells with thousands of parts: reading the file with all that is looked at in it, the start of a run."""
+
+from typing import Any
+
+from measuring import Measure
+
+from ropsim.core import SourceText
+from ropsim.model import Cell
+from ropsim.simulation.parts import initial_parts
+from ropsim.simulation.scenery import scenery_of
+from ropsim.simulation.standing import stood
+from ropsim.workbench import read_cell
+
+PARTS, ROW = 5000, 70
+ROBOT = '[robot]\nmodel = "puma560"\n'
+TABLE = ROBOT + '[[objects]]\nname = "table"\nposition = [0, 0, 700]\nsize = [9000, 9000, 50]\n'
+PART = '[[parts]]\nname = "p{k}"\nsize = [50, 50, 50]\nmass = 0.1\nposition = [{x}, {y}, {z}]\n'
+
+
+def crowded() -> SourceText:
+    """Return a cell file with 5,000 parts on a table, every other one on its neighbour."""
+    places = (
+        (60 * (k // 2 % ROW) - 2000, 60 * (k // 2 // ROW) - 2000, 750 + 50 * (k % 2)) for k in range(PARTS)
+    )
+    parts = (PART.format(k=k, x=x, y=y, z=z) for k, (x, y, z) in enumerate(places))
+    return SourceText("cell.toml", TABLE + "".join(parts))
+
+
+def cell_of(text: SourceText) -> Cell:
+    """Return the cell of a text without findings."""
+    cell, findings = read_cell(text, "crowded")
+    assert cell is not None
+    assert findings == ()
+    return cell
+
+
+def test_a_cell_of_5000_parts_opens(benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    text = crowded()
+    _, time_ = measure(lambda: cell_of(text))
+    measure.figure("s to open", time_.best, most=2.0)
+
+
+def test_5000_parts_find_their_supports(benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    cell = cell_of(crowded())
+
+    def start() -> int:
+        scenery, parts = scenery_of(cell), initial_parts(cell)
+        _, found = stood(parts, tuple(parts.seats), scenery, cell.supports)
+        return sum(one.on == "table" for one in found.values())
+
+    on_table, time_ = measure(start)
+    measure.figure("parts on the table", on_table, least=PARTS / 2, most=PARTS / 2)
+    measure.figure("s to find the supports", time_.best, most=1.0)

@@ -1,0 +1,160 @@
+"""Supports: what a part stands on, and what it is in.
+
+A part is looked at along vertical lines through its footprint. The gap on a line is the height of its lower
+end above the upper end of what is below. The floor is the plane z = 0 of the world.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.kinematics.blocks import Blocks, Rows
+from ropsim.model import WORLD
+from ropsim.spatial import Array
+
+LINES = 7
+"""Lines along each side of the footprint."""
+INSET = 0.002
+"""The outermost lines are so far within the footprint [m]: what touches a part at its side is not below."""
+TOUCH = 1e-9
+"""Up to this depth bodies touch: it is the rounding of poses [m]."""
+MOST_CELLS = 256
+"""What covers more cells of the grid than this is compared with every part."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """How a part stands.
+
+    Attributes:
+        on: name of the body that carries it, `WORLD` for the floor, None where nothing does.
+        inside: name of the body in which it is the deepest, empty for none.
+        depth: how much higher it would be free of that body [m]; 0 for none.
+    """
+
+    on: str | None
+    inside: str = ""
+    depth: float = 0.0
+
+
+def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
+    """Return how each part stands.
+
+    Args:
+        parts: one block for each part.
+        others: all that can carry; a part that is among them does not carry itself.
+        gap: greatest height above a support that counts as standing on it [m].
+    """
+    found = [_Found() for _ in parts.owners]
+    for rows, cols in _batches(*_near(parts, others, gap)):
+        least, depth = _gaps(parts, others, rows, cols)
+        for k, i in enumerate(rows.tolist()):
+            found[i].meet(others.owners[cols[k]], float(least[k]), float(depth[k]), gap)
+    heights = parts.reaches()[0][:, 2].tolist()
+    return [one.standing(height, gap) for one, height in zip(found, heights, strict=True)]
+
+
+def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
+    """Return the height of a part above what is next below it [m], and its name: `WORLD` for the floor."""
+    rows, cols = np.full(len(others.owners), row), np.arange(len(others.owners))
+    least, _ = _gaps(parts, others, rows, cols)
+    own = parts.owners[row]
+    near = [(float(one), name) for one, name in zip(least, others.owners, strict=True) if name != own]
+    floor = float(parts.reaches()[0][row, 2])
+    return min([*near, (floor, WORLD)], key=lambda one: (max(one[0], 0.0), one[1]))
+
+
+@dataclass(slots=True)
+class _Found:
+    """What has been found below one part so far."""
+
+    on: str | None = None
+    least: float = np.inf
+    inside: str = ""
+    depth: float = 0.0
+
+    def meet(self, name: str, least: float, depth: float, gap: float) -> None:
+        if least <= gap and abs(least) < self.least:
+            self.on, self.least = name, abs(least)
+        if depth > max(self.depth, TOUCH):
+            self.inside, self.depth = name, depth
+
+    def standing(self, height: float, gap: float) -> Standing:
+        on = WORLD if self.on is None and abs(height) <= gap else self.on
+        return Standing(on, self.inside, self.depth)
+
+
+def _gaps(parts: Blocks, others: Blocks, rows: Rows, cols: Rows) -> tuple[Array, Array]:
+    """Return for pairs of a part and something else the least gap [m] and the greatest depth [m], shape (p,).
+
+    The gap is infinite where the other is not below: it must begin lower than the part, as a whole and on the
+    line. The depth is 0 where they do not meet.
+    """
+    low, high = (edge[rows] for edge in parts.reaches())
+    lines = _lines(low[:, :2], high[:, :2])
+    bottom, upper = parts.spans(rows, lines)
+    beneath, top = others.spans(cols, lines)
+    gaps = bottom - top
+    lower = others.reaches()[0][cols, 2] < low[:, 2]
+    least = np.where((beneath < bottom) & lower[:, np.newaxis], gaps, np.inf)
+    depth = np.where((gaps < 0.0) & (upper > beneath), -gaps, 0.0)
+    return least.min(axis=1, initial=np.inf), depth.max(axis=1, initial=0.0)
+
+
+def _lines(low: Array, high: Array) -> Array:
+    """Return x and y of the lines through footprints with corners (k, 2) [m], shape (k, LINES², 2)."""
+    inset = np.minimum(INSET, 0.1 * (high - low))
+    share = np.linspace(0.0, 1.0, LINES)
+    along = (low + inset)[:, :, np.newaxis] + (high - low - 2.0 * inset)[:, :, np.newaxis] * share
+    grid = np.broadcast_arrays(along[:, 0, :, np.newaxis], along[:, 1, np.newaxis, :])
+    return np.stack(grid, axis=-1).reshape(len(low), LINES * LINES, 2)
+
+
+def _batches(rows: Rows, cols: Rows) -> Iterator[tuple[Rows, Rows]]:
+    """Yield pairs in handfuls, so that no array gets large."""
+    for first in range(0, len(rows), 2000):
+        yield rows[first : first + 2000], cols[first : first + 2000]
+
+
+def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
+    """Return the pairs (part, other) whose boxes along x, y, z meet or lie at most `gap` apart, by part.
+
+    Footprints are entered into a grid whose cells are as large as half of the parts, so that a part is only
+    compared with what is in its own cells.
+    """
+    low, high = parts.reaches()
+    low_others, high_others = others.reaches()
+    if not len(low) or not len(low_others):
+        return np.empty(0, np.intp), np.empty(0, np.intp)
+    cell = max(float(np.median(high[:, :2] - low[:, :2])), 1e-3)
+    count = np.floor(high_others[:, :2] / cell) - np.floor(low_others[:, :2] / cell) + 1.0
+    wide = np.prod(count, axis=1) > MOST_CELLS
+    slim = np.flatnonzero(~wide)
+    grid: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
+    for j, cells in zip(slim.tolist(), _cells(low_others[slim], high_others[slim], cell), strict=True):
+        for key in cells:
+            grid[key].append(j)
+    pairs = [
+        (i, j)
+        for i, cells in enumerate(_cells(low, high, cell))
+        for j in dict.fromkeys(j for key in cells for j in grid.get(key, ()))
+    ]
+    near = np.array(pairs, np.intp).reshape(-1, 2)
+    everywhere = np.flatnonzero(wide)
+    rows = np.concatenate([near[:, 0], np.repeat(np.arange(len(low)), len(everywhere))])
+    cols = np.concatenate([near[:, 1], np.tile(everywhere, len(low))])
+    meets = (low_others[cols] <= high[rows]).all(axis=1) & (high_others[cols, :2] >= low[rows, :2]).all(
+        axis=1
+    )
+    meets &= high_others[cols, 2] >= low[rows, 2] - gap
+    meets &= np.array(others.owners)[cols] != np.array(parts.owners)[rows]
+    return rows[meets], cols[meets]
+
+
+def _cells(low: Array, high: Array, cell: float) -> Iterator[list[tuple[int, int]]]:
+    """Yield the cells of the grid that each footprint with corners (k, 2) or (k, 3) meets."""
+    first, last = (np.floor(edge[:, :2] / cell).astype(np.int64).tolist() for edge in (low, high))
+    for (x0, y0), (x1, y1) in zip(first, last, strict=True):
+        yield [(x, y) for x in range(x0, x1 + 1) for y in range(y0, y1 + 1)]

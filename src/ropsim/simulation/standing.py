@@ -1,0 +1,99 @@
+"""On what parts stand that have come into the cell or have been released."""
+
+from collections.abc import Collection
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import Origin
+from ropsim.kinematics import Blocks, Standing, height_above, part_blocks, stacked, standings
+from ropsim.model import WORLD, SupportLimits
+from ropsim.simulation.diagnostics import RELEASED_IN_THE_AIR, RELEASED_INSIDE
+from ropsim.simulation.placements import Placements
+from ropsim.simulation.scenery import Scenery
+
+MANY = 20
+"""From so many parts on all others are looked at at once, instead of those in reach."""
+
+
+def stood(
+    state: Placements, names: Collection[str], scenery: Scenery, limits: SupportLimits
+) -> tuple[Placements, dict[str, Standing]]:
+    """Return placements in which some resting parts hang on what carries them, and how each one stands.
+
+    A part keeps its pose, however far it is above or in its support; what nothing carries hangs on the world.
+
+    Args:
+        state: where the parts are.
+        names: of parts that rest.
+        scenery: what stands still.
+        limits: what counts as standing on something.
+    """
+    blocks = part_blocks((scenery.parts[name], state.seats[name].pose) for name in names)
+    found = dict(zip(names, standings(blocks, _others(state, names, scenery), limits.gap), strict=True))
+    seats = {name: replace(state.seats[name], parent=one.on or WORLD) for name, one in found.items()}
+    return state.with_seats(seats), found
+
+
+def release_findings(
+    state: Placements, name: str, standing: Standing, scenery: Scenery, limits: SupportLimits, origin: Origin
+) -> list[Diagnostic]:
+    """Return what is wrong with the place where a part has been released; nothing where nobody can know.
+
+    Args:
+        state: after the release.
+        name: of the part.
+        standing: how it stands.
+        scenery: what stands still.
+        limits: what counts as standing on something, and as being in it.
+        origin: of the instruction.
+    """
+    if not scenery.ground.known:
+        return []
+    found = []
+    data: dict[str, object] = {"pass": origin.visit, "part": name}
+    label = f"pass {origin.visit}"
+    if standing.on is None:
+        block = part_blocks([(scenery.parts[name], state.seats[name].pose)])
+        height, below = height_above(block, 0, _others(state, [name], scenery))
+        what = f"`{below}`" if below else "the floor"
+        where = f"{abs(height) * 1e3:.1f} mm {'above' if height >= 0.0 else 'below'} {what}"
+        found.append(
+            RELEASED_IN_THE_AIR.at(
+                origin.span,
+                f"part `{name}` is released {where}, up to {limits.gap * 1e3:g} mm it lies on it",
+                label=label,
+                hint="set it down lower, or put what carries it into the cell file",
+                data={**data, "below": below, "height_m": height},
+            )
+        )
+    if standing.depth > limits.depth:
+        found.append(
+            RELEASED_INSIDE.at(
+                origin.span,
+                f"part `{name}` is released in `{standing.inside}`: it would be free "
+                f"{standing.depth * 1e3:.1f} mm higher, allowed are {limits.depth * 1e3:g} mm",
+                label=label,
+                hint="set it down higher or elsewhere; the depth allowed is `depth` in `[supports]`",
+                data={**data, "inside": standing.inside, "depth_m": standing.depth},
+            )
+        )
+    return found
+
+
+def _others(state: Placements, names: Collection[str], scenery: Scenery) -> Blocks:
+    """Return what can carry one of some parts: fixed objects, and resting parts within reach in plan."""
+    resting = {other: seat for other, seat in state.seats.items() if seat.rides == WORLD}
+    if len(names) < MANY:
+        family = {one for name in names for one in state.family(name)}
+        centres = np.array([resting[name].pose.position[:2] for name in names]).reshape(-1, 2)
+        reach = max((float(np.linalg.norm(scenery.parts[name].size)) for name in names), default=0.0)
+        resting = {
+            other: seat
+            for other, seat in resting.items()
+            if other not in family
+            and (np.hypot(*(centres - seat.pose.position[:2]).T) <= reach + scenery.largest).any()
+        }
+    parts = part_blocks((scenery.parts[other], seat.pose) for other, seat in resting.items())
+    return stacked([scenery.ground.blocks, parts])
