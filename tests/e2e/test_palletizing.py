@@ -1,5 +1,6 @@
 """The palletizing cell: 36 boxes from an infeed to a pallet, with true servo and arm dynamics."""
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -84,3 +85,20 @@ def test_the_kinematic_run_commands_the_same_path(recording: Recording) -> None:
     moves = [(event.span, event.data["travel"]) for event in recording.events if event.kind == "move"]
     assert moves == [(event.span, event.data["travel"]) for event in ideal.events if event.kind == "move"]
     assert ideal.duration <= recording.duration
+
+
+def test_the_boxes_are_at_their_destinations_where_the_cell_gives_them_some(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    shutil.copytree(CELL, folder)
+    text = (folder / "cell.toml").read_text("utf-8")
+    grid = "grid = { counts = [6, 6], step = [[75, 0, 0], [0, 75, 0]] }"
+    goal = f"count = 36\ndestination = {{ position = [412.5, -147.5, 600], {grid}, tolerance = 1 }}\n"
+    (folder / "cell.toml").write_text(text.replace("count = 36\n", goal), "utf-8")
+    run = ropsim.open(folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    assert run.header["destinations"] == {"wanted": 36, "reached": 36}
+    assert run.ok
+    shifted = goal.replace("412.5", "414.5")
+    (folder / "cell.toml").write_text(text.replace("count = 36\n", shifted), "utf-8")
+    failed = ropsim.open(folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    assert [found.code for found in failed.findings] == ["S738"] * 36
+    assert "2.0 mm away, allowed are 1 mm" in failed.findings[0].message

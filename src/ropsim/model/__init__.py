@@ -12,6 +12,7 @@ from ropsim.model.body_tree import carrier as carrier
 from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
+from ropsim.model.cell import Destination as Destination
 from ropsim.model.cell import FixedObject as FixedObject
 from ropsim.model.cell import Gripper as Gripper
 from ropsim.model.cell import Part as Part

@@ -55,6 +55,21 @@ class Tool:
 
 
 @record
+class Destination:
+    """Where a part is to be when a run ends.
+
+    Attributes:
+        X_WO: pose of its object frame in the world frame.
+        distance: greatest distance from there [m].
+        turn: greatest angle between the orientations [rad]; None where only the place counts.
+    """
+
+    X_WO: Pose
+    distance: float
+    turn: float | None
+
+
+@record
 class Part:
     """A box-shaped object that can be grasped.
 
@@ -68,6 +83,7 @@ class Part:
         turn: place in the queue of its supply: it appears when the part before it has been taken away.
         colour: `#rrggbb`.
         material: how its surface takes the light.
+        destination: where it is to be at the end, None where that is free.
     """
 
     name: str
@@ -78,6 +94,7 @@ class Part:
     turn: int = 0
     colour: str = PART_COLOUR
     material: Material = Material.PAINT
+    destination: Destination | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", frozen(self.size))

@@ -192,3 +192,18 @@ Boxes and upright cylinders are looked at as they are, all other shapes as the b
 hollow of such a shape is found, too. Build the hollow of boxes then.
 """,
 )
+
+NOT_AT_DESTINATION = define(
+    "S738",
+    "not-at-destination",
+    Severity.ERROR,
+    "a part is not where it was to be when the run ended",
+    """
+The cell file gives the part a `destination`. When the program had come to its end, the part was farther from
+there than `tolerance`, turned by more than `turn`, still in the gripper, still in its supply, or gone by a
+sink. The message says where it is and how much is missing.
+
+Often a grip that took nothing (S721) or a skipped move comes before; mend that first. Else compare the place
+in the program with the destination, which is that of the grasp point: the centre of the top of the part.
+""",
+)

@@ -10,6 +10,7 @@ from ropsim.flow import Channel, Event, MotionKind, Recording
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
+from ropsim.simulation.arrivals import Arrivals, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import joint_channels, pose_channels, track_channel
 from ropsim.simulation.inputs import InputChange, input_events, plain_inputs
@@ -44,12 +45,14 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
         ],
         key=lambda event: event.time,
     )
+    arrived = _arrivals(state)
     findings: tuple[Diagnostic, ...] = (
         *state.findings,
+        *arrived.findings,
         *verdicts(state.cell, time, channels, program.source),
         *settling_findings(events, state.time, program.source),
     )
-    about = header(state, program, options)
+    about = {**header(state, program, options), **_destinations(arrived)}
     return Recording(time, channels, tuple(events), findings, state.time, about, tuple(state.placements))
 
 
@@ -91,6 +94,19 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         },
         **({"inputs": given} if given else {}),
     }
+
+
+def _arrivals(state: CellRun) -> Arrivals:
+    """Return what became of the parts with a destination; a run that did not come to its end says nothing."""
+    if state.cut_short:
+        return Arrivals(0, ())
+    return arrivals(state.parts, state.scenery.parts, state.attained())
+
+
+def _destinations(arrived: Arrivals) -> dict[str, object]:
+    """Return the entry of the header on destinations; nothing where no part has one."""
+    reached = arrived.wanted - len(arrived.findings)
+    return {"destinations": {"wanted": arrived.wanted, "reached": reached}} if arrived.wanted else {}
 
 
 def inputs_taken(state: CellRun) -> list[InputChange]:

@@ -26,6 +26,7 @@ def key_figures(summary: Summary) -> str:
         ("in motion", percent(summary.share_in_motion), "of the cycle time"),
         ("moves", str(sum(summary.moves.values())), moves),
         ("gripper", str(summary.grips), f"grips, {summary.releases} releases"),
+        *_destinations_figure(summary),
         *_path_figure(summary),
         *_joint_figures(summary.joints),
     ]
@@ -45,6 +46,13 @@ def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
     longest = f"; longest {settling.longest:.3f} s{place}" if settling.longest > 0.0 else ""
     slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
     return [("settling", f"{seconds(settling.total)} s", share + longest + slow)]
+
+
+def _destinations_figure(summary: Summary) -> list[tuple[str, str, str]]:
+    if summary.destinations is None:
+        return []
+    count = f"{summary.destinations.reached} of {summary.destinations.wanted}"
+    return [("parts", count, "at their destination")]
 
 
 def _path_figure(summary: Summary) -> list[tuple[str, str, str]]:

@@ -1,5 +1,7 @@
 """The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind."""
 
+from dataclasses import asdict
+
 from ropsim.flow import Settling
 from ropsim.model import JointType
 from ropsim.views.channels import Peak
@@ -33,6 +35,7 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "errors": summary.error_count,
         "warnings": summary.warning_count,
         "moves": sum(summary.moves.values()),
+        "destinations": summary.destinations and asdict(summary.destinations),
     }
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Event, Recording, Settling, settling_of
 from ropsim.views.channels import invalid_samples, matrix
+from ropsim.views.destinations import Destinations, destinations
 from ropsim.views.findings import FindingGroup, group_findings
 from ropsim.views.header import RunHeader, run_header
 from ropsim.views.joint_summary import JointSummary, summarize_joints
@@ -45,6 +46,7 @@ class Summary:
         warning_count: number of warnings, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
         unchecked: what all this leaves open.
+        destinations: how many parts are at their destinations; None where no part has one.
     """
 
     header: RunHeader
@@ -64,6 +66,7 @@ class Summary:
     warning_count: int
     invalid_samples: int
     unchecked: Unchecked
+    destinations: Destinations | None = None
 
     @property
     def cycle_time_valid(self) -> bool:
@@ -107,6 +110,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         warning_count=severities.count(Severity.WARNING),
         invalid_samples=invalid_samples(recording),
         unchecked=unchecked(header, events),
+        destinations=destinations(recording),
     )
 
 

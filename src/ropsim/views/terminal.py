@@ -88,6 +88,7 @@ def _time(summary: Summary, style: Style) -> list[str]:
         f"in motion    {percent(summary.share_in_motion)} of the cycle time",
         *_settling(summary),
         f"moves        {moves}; {plural(summary.grips, 'grip')}, {plural(summary.releases, 'release')}",
+        *([f"parts        {summary.destinations.text}"] if summary.destinations else []),
     ]
 
 

@@ -7,6 +7,7 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell, ClassicSettings, link_name, tool_body
 from ropsim.spatial import Pose
 from ropsim.workbench import cell_diagnostics as kinds
+from ropsim.workbench.cell_destinations import Surroundings
 from ropsim.workbench.cell_fixed_objects import read_objects
 from ropsim.workbench.cell_objects import read_parts, read_sinks
 from ropsim.workbench.cell_poses import read_frames, read_locations
@@ -65,7 +66,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
     objects = read_objects(root.tables("objects"), taken, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
-    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, units)
+    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
     supports = read_supports(root.table("supports"), units)
     head = root.table("cell")
     name, program = head.text("name", folder_name), head.text("program", "main")

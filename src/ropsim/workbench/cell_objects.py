@@ -10,6 +10,8 @@ from ropsim.core import Span
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
+from ropsim.workbench.cell_destinations import Surroundings, read_destinations
+from ropsim.workbench.cell_grid import read_grid
 from ropsim.workbench.cell_poses import ORIGIN, read_pose
 from ropsim.workbench.cell_shapes import read_colour, read_material
 from ropsim.workbench.quantity import MASS, Units
@@ -28,7 +30,10 @@ class PartGroup:
 
 
 def read_parts(
-    parts: tuple[TomlTable, ...], supplies: tuple[TomlTable, ...], taken: Mapping[str, str], units: Units
+    parts: tuple[TomlTable, ...],
+    supplies: tuple[TomlTable, ...],
+    taken: Mapping[str, str],
+    around: Surroundings,
 ) -> tuple[PartGroup, ...]:
     """Return single parts and grids, then supplies, in the order of the file.
 
@@ -36,11 +41,11 @@ def read_parts(
         parts: the tables `[[parts]]`.
         supplies: the tables `[[supplies]]`.
         taken: who has them, for names that no part may have.
-        units: of the file.
+        around: what the rest of the file says.
     """
     groups = (
-        *(PartGroup(table, tuple(_parts_of(table, units))) for table in parts),
-        *(PartGroup(table, tuple(_supply(table, units))) for table in supplies),
+        *(PartGroup(table, tuple(_parts_of(table, around))) for table in parts),
+        *(PartGroup(table, tuple(_supply(table, around))) for table in supplies),
     )
     if groups:
         report_doubles(groups[0].table.findings, _named_spans(groups), taken)
@@ -62,68 +67,50 @@ def read_sinks(tables: tuple[TomlTable, ...], units: Units) -> tuple[Sink, ...]:
     return tuple(sinks)
 
 
-def _parts_of(table: TomlTable, units: Units) -> list[Part]:
+def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
+    units = around.units
     table.require("name", "size", "mass", "position")
     name = table.text("name", "")
     size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_WO = read_pose(table, units)
-    shifts = _grid(table.table("grid"), units) if "grid" in table else None
+    shifts = read_grid(table.table("grid"), units) if "grid" in table else [np.zeros(3)]
+    goals = read_destinations(table, around, shifts)
     table.finish()
-    if shifts is None:
-        return [Part(name, size, mass, X_WO, colour=colour, material=material)]
-    poses = (Pose(X_WO.position + shift, X_WO.orientation) for shift in shifts)
+    names = [f"{name}_{k}" for k in range(1, len(shifts) + 1)] if "grid" in table else [name]
     return [
-        Part(f"{name}_{k}", size, mass, pose, colour=colour, material=material)
-        for k, pose in enumerate(poses, start=1)
+        Part(
+            one,
+            size,
+            mass,
+            Pose(X_WO.position + shift, X_WO.orientation),
+            colour=colour,
+            material=material,
+            destination=goal,
+        )
+        for one, shift, goal in zip(names, shifts, goals, strict=True)
     ]
 
 
-def _supply(table: TomlTable, units: Units) -> list[Part]:
+def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
+    units = around.units
     table.require("name", "size", "mass", "position", "count")
     name = table.text("name", "")
     size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_WO = read_pose(table, units)
     count = table.integer("count", 1, _MOST_PARTS, 1)
+    goals = read_destinations(table, around, [np.zeros(3)] * count)
     table.finish()
     return [
-        Part(f"{name}_{turn + 1}", size, mass, X_WO, name, turn, colour, material) for turn in range(count)
+        Part(f"{name}_{turn + 1}", size, mass, X_WO, name, turn, colour, material, goal)
+        for turn, goal in enumerate(goals)
     ]
 
 
 def _body(table: TomlTable, units: Units) -> tuple[Array, float]:
     size = table.numbers("size", 3, units.extent, (_SMALL_EDGE,) * 3)
     return frozen(size), table.number("mass", MASS, 0.0)
-
-
-def _grid(table: TomlTable, units: Units) -> list[Array]:
-    """Return the shifts in world axes [m], shape (3,) each; the first direction runs fastest."""
-    table.require("counts", "step")
-    counts = _items(table, "counts")
-    nx, ny = (table.integer_at(("counts", k), counts[k], 1, 100, 1) for k in range(2)) if counts else (1, 1)
-    steps = _items(table, "step")
-    directions = [
-        np.array(table.numbers_at(("step", k), step, 3, units.position, ORIGIN))
-        for k, step in enumerate(steps)
-    ]
-    table.finish()
-    if len(directions) != 2:
-        return [np.zeros(3)]
-    return [i * directions[0] + j * directions[1] for j in range(ny) for i in range(nx)]
-
-
-def _items(table: TomlTable, key: str) -> list[object]:
-    """Return the two items of a list, or nothing."""
-    value = table.values.get(key, []) if key in table else []
-    if not isinstance(value, list):
-        table.wrong_type((key,), value, "a list of two")
-        return []
-    if len(value) == 2 or key not in table:
-        return value
-    message = f"`{table.name_of(key)}` has {len(value)} items, needed are 2"
-    table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span(key), message)
-    return []
 
 
 def _named_spans(groups: Iterable[PartGroup]) -> Iterator[tuple[str, Span]]:

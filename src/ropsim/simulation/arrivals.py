@@ -1,0 +1,81 @@
+"""Whether parts are at their destinations when a run ends."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.model import WORLD, Destination, Part
+from ropsim.simulation.diagnostics import NOT_AT_DESTINATION
+from ropsim.simulation.placements import Placements
+from ropsim.spatial import Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Arrivals:
+    """What became of the parts that have a destination.
+
+    Attributes:
+        wanted: how many have one.
+        findings: one for each that is not there.
+    """
+
+    wanted: int
+    findings: tuple[Diagnostic, ...]
+
+
+def arrivals(state: Placements, parts: Mapping[str, Part], X_WM: Pose) -> Arrivals:
+    """Return what became of the parts that have a destination.
+
+    Args:
+        state: where the parts are at the end.
+        parts: of the cell, by name.
+        X_WM: attained pose of the mechanical interface at the end.
+    """
+    wanted = [(name, part.destination) for name, part in parts.items() if part.destination]
+    found = [_finding(state, name, destination, X_WM) for name, destination in wanted]
+    return Arrivals(len(wanted), tuple(one for one in found if one is not None))
+
+
+def _finding(state: Placements, name: str, destination: Destination, X_WM: Pose) -> Diagnostic | None:
+    """Return what keeps a part from being at its destination, None where it is there."""
+    seat = state.seats.get(name)
+    if seat is None:
+        where = "has left the cell by a sink" if name in state.left else "still waits in its supply"
+        return _told(name, f"part `{name}` {where}, it was to be at {_place(destination.X_WO)}", {})
+    pose = seat.pose if seat.rides == WORLD else X_WM @ seat.pose
+    distance = float(np.linalg.norm(pose.position - destination.X_WO.position))
+    turn = _angle(pose, destination.X_WO)
+    held = ", still in the gripper," if seat.rides != WORLD else ""
+    data: dict[str, object] = {"distance_m": distance, "turn_rad": turn}
+    wrong = []
+    if distance > destination.distance:
+        wrong.append(f"{distance * 1e3:.1f} mm away, allowed are {destination.distance * 1e3:g} mm")
+    if destination.turn is not None and turn > destination.turn:
+        allowed = f"{math.degrees(destination.turn):g}°"
+        wrong.append(f"turned by {math.degrees(turn):.1f}°, allowed are {allowed}")
+    if not wrong and seat.rides == WORLD:
+        return None
+    why = " and ".join(wrong) or "not released"
+    message = (
+        f"part `{name}`{held} is at {_place(pose)}, its destination is {_place(destination.X_WO)}: {why}"
+    )
+    return _told(name, message, data)
+
+
+def _told(name: str, message: str, data: dict[str, object]) -> Diagnostic:
+    hint = "mend the program, or `destination` of the part in the cell file"
+    return NOT_AT_DESTINATION.at(None, message, hint=hint, data={"part": name, **data})
+
+
+def _angle(one: Pose, other: Pose) -> float:
+    """Return the angle between two orientations [rad]."""
+    between = one.inverse() @ other
+    return 2.0 * math.asin(min(1.0, float(np.linalg.norm(between.orientation[1:]))))
+
+
+def _place(pose: Pose) -> str:
+    x, y, z = (1e3 * pose.position).tolist()
+    return f"({x:.1f}, {y:.1f}, {z:.1f}) mm"
