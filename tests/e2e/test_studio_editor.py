@@ -251,7 +251,8 @@ def test_a_finding_of_the_run_leads_to_its_time(fresh: StudioPage, first_cell: P
     assert fresh.time() == pytest.approx(time, abs=0.005)
     active(fresh, "  close")
     fresh.seek(0.0)
-    fresh.page.get_by_role("button", name="Next finding").click()
+    for _ in ("the box is released in the air", "the gripper closes on nothing"):
+        fresh.page.get_by_role("button", name="Next finding").click()
     assert fresh.time() == pytest.approx(time, abs=0.005)
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
 from ropsim.workbench import cell_diagnostics as kinds
-from ropsim.workbench.cell_objects import report_doubles
+from ropsim.workbench.cell_objects import body_name, report_doubles
 from ropsim.workbench.cell_poses import read_pose
 from ropsim.workbench.cell_shapes import Look, read_look, read_shapes
 from ropsim.workbench.quantity import Units
@@ -36,7 +36,7 @@ def read_objects(
 
 def _object(table: TomlTable, names: Mapping[str, TomlTable], units: Units) -> FixedObject:
     table.require("name", "position")
-    name = table.text("name", "")
+    name = body_name(table)
     parent = table.reference("parent", names, "object")
     X_PO = read_pose(table, units)
     look = read_look(table, Look())
@@ -77,7 +77,7 @@ def _ring(parents: Mapping[str, str], name: str) -> tuple[str, ...]:
     way = [name]
     while (above := parents.get(way[-1], "")) and above not in way:
         way.append(above)
-    return tuple(way) if above == name else ()
+    return tuple(way) if above and above == name else ()
 
 
 def _block(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:

@@ -70,7 +70,7 @@ def read_sinks(tables: tuple[TomlTable, ...], units: Units) -> tuple[Sink, ...]:
 def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
     units = around.units
     table.require("name", "size", "mass", "position")
-    name = table.text("name", "")
+    name = body_name(table)
     size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_WO = read_pose(table, units)
@@ -95,7 +95,7 @@ def _parts_of(table: TomlTable, around: Surroundings) -> list[Part]:
 def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
     units = around.units
     table.require("name", "size", "mass", "position", "count")
-    name = table.text("name", "")
+    name = body_name(table)
     size, mass = _body(table, units)
     colour, material = read_colour(table, PART_COLOUR), read_material(table, Material.PAINT)
     X_WO = read_pose(table, units)
@@ -106,6 +106,15 @@ def _supply(table: TomlTable, around: Surroundings) -> list[Part]:
         Part(f"{name}_{turn + 1}", size, mass, X_WO, name, turn, colour, material, goal)
         for turn, goal in enumerate(goals)
     ]
+
+
+def body_name(table: TomlTable) -> str:
+    """Return the name of a body; an empty one is noted, since no name stands for the world."""
+    name = table.text("name", "")
+    if table.values.get("name") == "":
+        message = f"`{table.name_of('name')}` is empty"
+        table.findings.add(kinds.MISSING_CELL_KEY, table.value_span("name"), message, "give it a name")
+    return name
 
 
 def _body(table: TomlTable, units: Units) -> tuple[Array, float]:

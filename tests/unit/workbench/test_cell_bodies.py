@@ -57,6 +57,15 @@ def test_the_names_of_the_bodies_of_the_robot_are_taken(name: str, sort: str) ->
     assert "robot" in found.hint
 
 
+@pytest.mark.parametrize("text", [thing(""), PART.format(""), thing("") + thing("")])
+def test_a_body_needs_a_name_that_is_not_empty(text: str) -> None:
+    cell, findings = read(text)
+    assert cell is None
+    assert {(found.code, found.message.partition("name` ")[2]) for found in findings} == {
+        ("X803", "is empty")
+    }
+
+
 def test_a_part_cannot_have_the_name_of_an_object() -> None:
     cell, (found,) = read(thing("tray") + PART.format("tray"))
     assert cell is None
