@@ -147,3 +147,12 @@ def test_an_object_elsewhere_changes_nothing(places: list[tuple[float, float, fl
     far = thing(Box((1.0, 1.0, 1.0)), at(5.0, 5.0, 0.5), "far")
     here = stacked([TABLE, parts])
     assert standings(parts, stacked([far, here]), GAP) == standings(parts, here, GAP)
+
+
+def test_two_parts_that_cross_do_not_stand_on_each_other() -> None:
+    size = (0.2, 0.06, 0.01)
+    crossed = stacked(
+        [part(at(0.0, 0.0, 1.0, pitch), name, size) for name, pitch in (("a", 0.3), ("b", -0.3))]
+    )
+    one_, other = standings(crossed, crossed, 0.1)
+    assert not (one_.on == "b" and other.on == "a")
