@@ -12,6 +12,8 @@ from ropsim.dynamics.arm_functions import compiled as compiled
 from ropsim.dynamics.arm_functions import identifier as identifier
 from ropsim.dynamics.arm_functions import trace_forward as trace_forward
 from ropsim.dynamics.axis_inertia import axis_inertias as axis_inertias
+from ropsim.dynamics.axis_inertia import free_inertias as free_inertias
+from ropsim.dynamics.axis_inertia import mass_matrices as mass_matrices
 from ropsim.dynamics.diagnostics import JointCountError as JointCountError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError

@@ -1,8 +1,10 @@
 """The standard controller of an arm: cascaded loops, gains from its model by stated bandwidths."""
 
+from functools import lru_cache
+
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, steady_drive
+from ropsim.dynamics import axis_inertias, chain_of, free_inertias, steady_drive
 from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
@@ -21,6 +23,9 @@ ELECTRICAL_SHARE = 1.0 / 3.0
 
 CONTROL_SHARE = 1.0 / 5.0
 """Crossover of the speed loop [rad/s] over the control rate [Hz]: the held output costs about 6 degrees."""
+
+COUPLED_SHARE = 1.0 / 3.0
+"""The same where the other joints give way: their couplings make an axis lighter, which quickens its loop."""
 
 POSITION_SHARE = 0.3
 """Bandwidth of the position loop over that of the speed loop: no overshoot of the cascade."""
@@ -52,7 +57,7 @@ class LoopBandwidths:
 
 
 def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
-    """Return the bandwidths that motors and control rate of an arm allow.
+    """Return the bandwidths that motors, control rate and couplings of an arm allow.
 
     Raises:
         NoControllerError: X861, the arm has no drives.
@@ -60,7 +65,9 @@ def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
     if not robot.drives:
         raise NoControllerError(robot.name)
     poles = np.array([chain_of(drive).motor.pole(drive.motor) for drive in robot.drives])
-    speed = np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz)
+    design, free = _inertias(robot)
+    coupled = COUPLED_SHARE * rates.control_hz * free / design
+    speed = np.minimum(np.minimum(ELECTRICAL_SHARE * poles, CONTROL_SHARE * rates.control_hz), coupled)
     return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
 
 
@@ -79,8 +86,7 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
         NoControllerError: X861, the arm has no drives.
     """
     bandwidths = standard_bandwidths(robot, rates)
-    inertias = axis_inertias(robot, configurations(robot, SAMPLES))
-    inertia = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
+    inertia, _ = _inertias(robot)
     per_effort = np.array([steady_drive(drive, 0.0, 0.0, 1.0).command for drive in robot.drives])
     viscous = [drive.ratio**2 * drive.friction.viscous for drive in robot.drives]
     pairs = zip(robot.drives, viscous, strict=True)
@@ -95,6 +101,14 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
         ke=per_speed,
         ka=per_acceleration,
     )
+
+
+@lru_cache(maxsize=16)
+def _inertias(robot: RobotModel) -> tuple[Array, Array]:
+    """Return for which inertia each axis is designed, and the least that it has while the others are free."""
+    Q = configurations(robot, SAMPLES)
+    inertias = axis_inertias(robot, Q)
+    return np.sqrt(inertias.min(axis=0) * inertias.max(axis=0)), free_inertias(robot, Q).min(axis=0)
 
 
 def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:

@@ -8,8 +8,10 @@ import pytest
 
 import ropsim
 from ropsim import dynamics, robots
+from ropsim.dynamics import axis_inertias
 from ropsim.flow import Recording
-from ropsim.model import Cell, Drive, Rates, RobotModel, Tool
+from ropsim.kinematics import configurations
+from ropsim.model import Cell, Drive, Rates, RobotModel, Tool, ideal_drive
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Array, Pose
 from support.arms import drive, random_arm
@@ -92,7 +94,28 @@ def test_the_origin_of_the_gains_states_the_bandwidths() -> None:
 @pytest.mark.parametrize("make", [robots.standard_bandwidths, robots.standard_gains])
 def test_an_arm_without_drives_has_no_standard_gains(make: Callable[[RobotModel, Rates], object]) -> None:
     with pytest.raises(robots.NoControllerError, match="`two_link` has no drives"):
-        make(robots.load("two_link"), Rates())
+        make(replace(robots.load("two_link"), drives=()), Rates())
+
+
+def _ideal_two_link() -> RobotModel:
+    return replace(robots.load("two_link"), drives=(ideal_drive(), ideal_drive()))
+
+
+def test_the_gains_of_ideal_drives_follow_from_inertia_and_control_rate() -> None:
+    """Nothing but control rate and couplings limits the speed loop; a command is a torque."""
+    arm, rates = _ideal_two_link(), Rates(control_hz=500)
+    gains, bandwidths = robots.standard_gains(arm, rates), robots.standard_bandwidths(arm, rates)
+    inertia = axis_inertias(arm, configurations(arm, 512))
+    middle = np.sqrt(inertia.min(axis=0) * inertia.max(axis=0))
+    np.testing.assert_allclose(gains.ka, middle, rtol=1e-12)
+    np.testing.assert_allclose(gains.kv, bandwidths.speed * middle, rtol=1e-12)
+    assert gains.ke.tolist() == [0.0, 0.0]
+
+
+def test_an_axis_that_couplings_make_light_has_a_slower_loop() -> None:
+    """Stretched, joint 2 of the two-link arm moves 0.25 kg·m² alone and a tenth of it with joint 1 free."""
+    bandwidths = robots.standard_bandwidths(_ideal_two_link(), Rates(control_hz=1000))
+    assert bandwidths.speed[1] == pytest.approx(1000.0 / 3.0 * 0.1, rel=1e-3)
 
 
 # ---- runs ----

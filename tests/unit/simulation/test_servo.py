@@ -259,8 +259,8 @@ def test_the_step_of_the_standard_rates_costs_less_than_a_micrometre_at_a_metre(
 
 
 def test_an_arm_without_drives_is_refused() -> None:
-    with pytest.raises(NoDrivesError, match="`two_link` has 0 drives for 2 joints") as caught:
-        Servo.build(robots.load("two_link"), controller(2))
+    with pytest.raises(NoDrivesError, match="`random_RR` has 0 drives for 2 joints") as caught:
+        Servo.build(random_arm(1, "RR"), controller(2))
     assert caught.value.diagnostic.code == "S700"
 
 

@@ -68,7 +68,7 @@ def test_an_ideal_drive_needs_no_motor_data_for_a_controller_that_settles() -> N
     state = servo.initial_state(start)
     recorder = servo.recorder(state)
     state = servo.run(state, quintic(start, goal, 1000), NOTHING, recorder)
-    state = servo.run(state, standing(goal, 20), NOTHING, recorder)
+    state = servo.run(state, standing(goal, 600), NOTHING, recorder)
     assert (np.abs(state.q - goal) < model.in_position).all()
     np.testing.assert_allclose(recorder.channels()["tau"], recorder.channels()["command"], rtol=0, atol=0)
     assert "current" not in recorder.channels()

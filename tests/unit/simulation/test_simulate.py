@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim import robots
 from ropsim.codegen import Engine
 from ropsim.flow import JointReference
 from ropsim.model import Payload
@@ -81,7 +80,7 @@ def test_prismatic_joints_are_recorded_in_metres_and_newtons() -> None:
 
 def test_an_arm_without_drives_is_an_error() -> None:
     with pytest.raises(NoDrivesError, match="has 0 drives"):
-        simulate(robots.load("two_link"), controller(2), standing(np.zeros(2), 1))
+        simulate(random_arm(1, "RR"), controller(2), standing(np.zeros(2), 1))
 
 
 @pytest.mark.parametrize("options", [SimulationOptions(decimation=0), SimulationOptions(slice_ticks=-1)])
