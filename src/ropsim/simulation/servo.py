@@ -1,12 +1,11 @@
 """The servo-driven arm: joint controller, drives, gears, friction and rigid bodies, in compiled slices."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, StoppedError, default_engine, load
+from ropsim.codegen import Compiled, Engine, StoppedError, default_engine, load, pinned
 from ropsim.controller import CompiledLaw, LawInput, PythonLaw, compiled_half, failed, law_of, rehearse
 from ropsim.core import RopsimError
 from ropsim.dynamics import (
@@ -56,6 +55,7 @@ class Servo:
         control_hz: control ticks per second.
         plant_steps: integration steps per control tick.
         kernel: the compiled slice.
+        bench: what its calls share.
     """
 
     robot: RobotModel
@@ -65,6 +65,7 @@ class Servo:
     control_hz: int
     plant_steps: int
     kernel: Compiled
+    bench: "_Bench"
 
     @classmethod
     def build(
@@ -102,7 +103,8 @@ class Servo:
         kernel = _kernel(robot, inner, engine or default_engine(), law)
         layout = StateLayout.of(structure_of(robot).drives, inner.traits)
         rates = controller.rates
-        return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel)
+        bench = _Bench.of(kernel, inner, layout)
+        return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel, bench)
 
     @property
     def period(self) -> float:
@@ -182,7 +184,7 @@ class Servo:
             recorder,
         )
         if self.python_law is None:
-            self._advance(work, slice(0, reference.ticks), np.array(self.law.parameters))
+            self._advance(work, slice(0, reference.ticks), self.bench.parameters)
         else:
             self._follow_python_law(self.python_law, work)
         after = ServoState(state.tick + reference.ticks, work.values, self.layout)
@@ -190,17 +192,16 @@ class Servo:
             raise diverged(self.robot, after, self.control_hz)
         return after
 
-    def _advance(self, work: "_Work", rows: slice, parameters: Array) -> None:
+    def _advance(self, work: "_Work", rows: slice, parameters: object) -> None:
         """Run one slice over some rows of the reference."""
         q_ref, qd_ref, qdd_ref = (array[rows] for array in work.reference)
         tick = work.tick + rows.start
         recorder = work.recorder
         log, row = recorder.claim(tick, len(q_ref))
         plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
-        given = (parameters, _constants(self.robot, work.payload), _load(work.payload))
-        values, n = work.values, self.robot.n
+        values, room = work.values, self.bench.room
+        given = (parameters, *self.bench.of_payload(self.robot, self.kernel, work.payload))
         state = (values, self._pending(values), self._memory(values))
-        room = (np.zeros((7, n)), np.empty((5, self.layout.integrated)))
         try:
             self.kernel(*state, q_ref, qd_ref, qdd_ref, work.aux[rows], *given, log, *room, *plan)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
@@ -243,6 +244,35 @@ class Servo:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class _Bench:
+    """What the calls of a slice share; nothing of it lasts from one call to the next.
+
+    Attributes:
+        room: to work in.
+        parameters: of the law.
+        given: by payload, what the code of the plant and the law take for it.
+    """
+
+    room: tuple[object, object]
+    parameters: object
+    given: dict[Payload, tuple[object, object]]
+
+    @classmethod
+    def of(cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout) -> "_Bench":
+        room = (np.zeros((7, layout.n)), np.zeros((5, layout.integrated)))
+        first, second = (pinned(kernel, array) for array in room)
+        return cls((first, second), pinned(kernel, np.array(law.parameters)), {})
+
+    def of_payload(self, robot: RobotModel, kernel: Compiled, payload: Payload) -> tuple[object, object]:
+        """Return the constants of the plant, and tool and part as the law takes them."""
+        if payload not in self.given:
+            constants = plant_code(structure_of(robot)).constants(arm_numbers(robot, payload))
+            load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
+            self.given[payload] = (pinned(kernel, constants), pinned(kernel, load_))
+        return self.given[payload]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class _Work:
     """One call of `Servo.run`: state vector (written in place), tick, reference, signals, load, recorder."""
 
@@ -267,15 +297,3 @@ def _kernel(
         return load(name, functions, engine)
     except Exception as error:  # numba has a family of errors for code that it cannot compile
         raise failed(law, error) from error
-
-
-@lru_cache(maxsize=256)
-def _constants(robot: RobotModel, payload: Payload) -> Array:
-    """Return what the code of the plant makes of the numbers of an arm with a payload."""
-    return plant_code(structure_of(robot)).constants(arm_numbers(robot, payload))
-
-
-@lru_cache(maxsize=256)
-def _load(payload: Payload) -> Array:
-    """Return tool and part as a law takes them, shape (10,)."""
-    return np.array(barycentric(payload.mass, payload.com, payload.inertia))

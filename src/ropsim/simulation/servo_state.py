@@ -54,12 +54,14 @@ class StateLayout:
     Attributes:
         n: number of joints.
         drives: states of the drives, by name.
+        integrated: how many numbers the equations of motion have.
         delay: rows of n outputs on their way from the law to the amplifiers, the oldest first.
         law_rows: rows of n numbers that the law remembers.
     """
 
     n: int
     drives: tuple[Field, ...]
+    integrated: int
     delay: int
     law_rows: int
 
@@ -68,12 +70,9 @@ class StateLayout:
         """Return the layout of an arm with these drives under a law."""
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
-        return cls(n, fields(names, 2 * n), traits.delay, len(traits.state_names))
-
-    @property
-    def integrated(self) -> int:
-        """Return how many numbers the equations of motion have."""
-        return self.drives[-1].place.stop if self.drives else 2 * self.n
+        drives = fields(names, 2 * n)
+        integrated = drives[-1].place.stop if drives else 2 * n
+        return cls(n, drives, integrated, traits.delay, len(traits.state_names))
 
     @property
     def size(self) -> int:
@@ -98,12 +97,13 @@ class StateLayout:
     @property
     def pending(self) -> slice:
         """Return the place of the outputs of the law that do not act yet, by rows."""
-        return slice(self.output.stop, self.output.stop + self.delay * self.n)
+        first = self.integrated + self.n
+        return slice(first, first + self.delay * self.n)
 
     @property
     def law(self) -> slice:
         """Return the place of what the law remembers, by rows."""
-        return slice(self.pending.stop, self.size)
+        return slice(self.integrated + (1 + self.delay) * self.n, self.size)
 
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""
