@@ -2,7 +2,7 @@
 import { useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
 import type { HeldMove } from '../studio/hold'
-import { useTicks } from '../studio/hooks'
+import { useChanges, useTicks } from '../studio/hooks'
 import { words } from '../text/messages'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
@@ -37,6 +37,8 @@ export function JogPanel() {
   const lost = useStudioState(state => state.connection !== 'connected')
   const [typed, setTyped] = useState({ name: '', value: 0 })
   useTicks(15)
+  // A gesture may end when nothing moves any more: its way back is there all the same.
+  useChanges(studio.undo)
   if (!scene) return <p className="empty">{words.jog.waiting}</p>
   if (!jog.q) {
     return (
