@@ -5,6 +5,8 @@ import numpy.typing as npt
 
 from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
+from ropsim.dynamics.structure import arm_numbers, structure_of
+from ropsim.dynamics.traced_drives import drive_sides
 from ropsim.kinematics import NotFiniteError
 from ropsim.model import Payload, RobotModel
 from ropsim.spatial import Array, real_numbers
@@ -121,7 +123,7 @@ def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
     """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
 
     Args:
-        robot: the arm; without drives there is no friction.
+        robot: the arm; without drives there is no friction, and behind an elastic gear it acts on the motor.
         qd: joint speeds [rad/s | m/s], shape (n,).
 
     Raises:
@@ -129,13 +131,8 @@ def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
         NotFiniteError: an array holds NaN or infinity.
     """
     speeds = _array("qd", qd, robot.n)
-    result = np.zeros(robot.n)
-    for k, drive in enumerate(robot.drives):
-        model = drive.friction
-        limit = model.coulomb_positive if speeds[k] > 0.0 else model.coulomb_negative
-        coulomb = abs(limit) * np.tanh(speeds[k] / model.smoothing_speed)
-        result[k] = -(model.viscous * drive.ratio**2 * speeds[k] + abs(drive.ratio) * coulomb)
-    return result
+    against, _ = drive_sides(structure_of(robot), arm_numbers(robot))(speeds)
+    return 0.0 - against
 
 
 def _motion(

@@ -2,17 +2,16 @@
 
 import ast
 from collections.abc import Callable
-from functools import lru_cache
 from inspect import getsource
 
 import numpy as np
 
-from ropsim.codegen import Compiled, Engine, Formula, GivenCode, SourceFunction, Tracer, load
+from ropsim.codegen import Compiled, Engine, SourceFunction, load
 from ropsim.dynamics import chain_steps as steps
 from ropsim.dynamics.chain_loop import chain_accelerations, chain_mass_matrix, chain_torques
 from ropsim.dynamics.model_check import check_model
-from ropsim.dynamics.structure import BODY, ArmStructure, arm_numbers, structure_of, traced_numbers
-from ropsim.dynamics.traced_drives import joint_sides
+from ropsim.dynamics.structure import BODY, ArmStructure, arm_numbers, structure_of
+from ropsim.dynamics.traced_drives import drive_sides
 from ropsim.model import JointType, Payload, RobotModel
 from ropsim.spatial import Array
 
@@ -63,18 +62,6 @@ def chain_numbers(structure: ArmStructure, numbers: Array) -> Array:
     return np.concatenate([*found, rotation, origin])
 
 
-@lru_cache(maxsize=64)
-def sides_code(structure: ArmStructure) -> GivenCode:
-    """Return `sides(qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
-    tracer, n = Tracer(), structure.n
-    qd = tracer.variables("qd", n)
-    sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, qd)
-    sides = sides or [(tracer.constant(0.0),) * 2] * n
-    results = [(f"out[{k}]", friction) for k, (friction, _) in enumerate(sides)]
-    results += [(f"out[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
-    return GivenCode.of(Formula("sides", ("qd", "out"), results))
-
-
 class LongArmFunctions:
     """What `ArmFunctions` is for arms of more than `MOST_JOINTS` joints: the same functions.
 
@@ -92,8 +79,7 @@ class LongArmFunctions:
         self._n = robot.n
         self._engine = engine
         self._chain = chain_numbers(structure, numbers)
-        # one line for each joint: compiling them takes longer than many calls in plain Python
-        self._sides = sides_code(structure).bound("long_arm_sides", numbers, Engine.PYTHON)
+        self._sides = drive_sides(structure, numbers)
 
     def rigid_inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques of the rigid bodies only."""
@@ -102,23 +88,18 @@ class LongArmFunctions:
     def inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques with friction and motor inertia."""
         self.rigid_inverse(q, qd, qdd, wrench, tau)
-        friction, inertia = self._friction_and_inertia(qd)
+        friction, inertia = self._sides(qd)
         tau += inertia * qdd + friction
 
     def forward(self, q: Array, qd: Array, tau: Array, qdd: Array) -> None:
         """Enter the accelerations with friction and motor inertia."""
-        friction, inertia = self._friction_and_inertia(qd)
+        friction, inertia = self._sides(qd)
         self._code(ACCELERATIONS)(q, qd, tau - friction, inertia, self._chain, qdd)
 
     def mass_matrix(self, q: Array, M: Array) -> None:
         """Enter the mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
         self._code(MASS_MATRIX)(q, self._chain, M)
-        M[:: self._n + 1] += self._friction_and_inertia(np.zeros(self._n))[1]
+        M[:: self._n + 1] += self._sides(np.zeros(self._n))[1]
 
     def _code(self, functions: tuple[SourceFunction, ...]) -> Compiled:
         return load(functions[-1].name, functions, self._engine)
-
-    def _friction_and_inertia(self, qd: Array) -> tuple[Array, Array]:
-        out = np.empty(2 * self._n)
-        self._sides(qd, out)
-        return out[: self._n], np.ascontiguousarray(out[self._n :])

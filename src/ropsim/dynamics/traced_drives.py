@@ -1,10 +1,14 @@
 """The drives of an arm in its equations: what they bring to the joints, and the rates of their states."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 
-from ropsim.codegen import Scalar, Tracer
+import numpy as np
+
+from ropsim.codegen import Engine, Formula, GivenCode, Scalar, Tracer
 from ropsim.dynamics.drives import Carried
-from ropsim.dynamics.structure import ArmStructure
+from ropsim.dynamics.structure import ArmStructure, traced_numbers
+from ropsim.spatial import Array
 
 Side = tuple[Scalar, Scalar]
 """Friction and inertia at the joint."""
@@ -53,3 +57,35 @@ def joint_sides(
     rest = [zero] * structure.n
     states = [[zero] * len(chain.states) for chain in structure.drives]
     return sides_of(tracer, trace_drives(structure, numbers, (rest, qd), states, rest))
+
+
+@lru_cache(maxsize=64)
+def _sides_code(structure: ArmStructure) -> GivenCode:
+    """Return `sides(qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
+    tracer, n = Tracer(), structure.n
+    qd = tracer.variables("qd", n)
+    sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, qd)
+    sides = sides or [(tracer.constant(0.0),) * 2] * n
+    results = [(f"out[{k}]", friction) for k, (friction, _) in enumerate(sides)]
+    results += [(f"out[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
+    return GivenCode.of(Formula("sides", ("qd", "out"), results))
+
+
+def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array], tuple[Array, Array]]:
+    """Return the function from joint speeds to friction and inertia of the drives at the joints, (n,) each.
+
+    Friction has the sign of the motion [N·m | N]; inertia is in kg·m² | kg. The function is plain Python: it
+    has one line for each joint, and compiling them takes longer than many calls.
+
+    Args:
+        structure: of the arm.
+        numbers: as from `arm_numbers`.
+    """
+    code = _sides_code(structure).bound("drive_sides", numbers, Engine.PYTHON)
+
+    def sides(qd: Array) -> tuple[Array, Array]:
+        out = np.empty(2 * structure.n)
+        code(qd, out)
+        return out[: structure.n], out[structure.n :].copy()
+
+    return sides

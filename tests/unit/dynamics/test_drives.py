@@ -6,7 +6,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, mass_matrix, steady_drive
+from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, friction, mass_matrix, steady_drive
 from ropsim.dynamics.drives import command_limit
 from ropsim.model import (
     Drive,
@@ -66,6 +66,7 @@ def test_behind_an_elastic_gear_the_joint_feels_neither_rotor_nor_friction() -> 
         np.testing.assert_array_equal(mass_matrix(with_drive, q), mass_matrix(without, q))
         one, other = (forward_dynamics(robot, q, qd, tau) for robot in (with_drive, without))
         np.testing.assert_allclose(one, other, rtol=1e-13)
+        assert friction(with_drive, qd).tolist() == [0.0, 0.0]
 
 
 @pytest.mark.parametrize("one", [drive(), ideal_drive(), ideal_drive(3.0), ELASTIC])

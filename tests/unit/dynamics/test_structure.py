@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,14 +20,14 @@ PUMA = robots.load("puma560")
 Change = Callable[[RobotModel], RobotModel]
 
 
-def _link(robot: RobotModel, index: int, **changes: object) -> RobotModel:
+def _link(robot: RobotModel, index: int, **changes: Any) -> RobotModel:
     links = list(robot.links)
-    links[index] = replace(links[index], **changes)  # type: ignore[arg-type]  # fields by name
+    links[index] = replace(links[index], **changes)
     return replace(robot, links=tuple(links))
 
 
-def _drive(robot: RobotModel, **changes: object) -> RobotModel:
-    first = replace(robot.drives[0], **changes)  # type: ignore[arg-type]  # fields by name
+def _drive(robot: RobotModel, **changes: Any) -> RobotModel:
+    first = replace(robot.drives[0], **changes)
     return replace(robot, drives=(first, *robot.drives[1:]))
 
 

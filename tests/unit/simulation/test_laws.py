@@ -1,6 +1,7 @@
 """Laws of a user in the servo simulation: what they are given, say about themselves, and do wrong."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +20,8 @@ from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, 
 
 NOTHING = Payload()
 BOX = Payload(2.0, np.array([0.0, 0.01, 0.1]), np.diag([0.01, 0.02, 0.015]))
+HALF: Any = 0.5
+"""No number of ticks."""
 HEAD = "def law(par, state, ref, meas, load, aux, out):\n"
 
 
@@ -32,9 +35,9 @@ def _arm() -> RobotModel:
     return random_arm(3, "RR", (drive(), drive(ratio=-40.0)))
 
 
-def _servo(law: object, robot: RobotModel | None = None, engine: Engine = Engine.PYTHON) -> Servo:
+def _servo(law: Any, robot: RobotModel | None = None, engine: Engine = Engine.PYTHON) -> Servo:
     arm = robot or _arm()
-    return Servo.build(arm, controller(arm.n), law, engine)  # type: ignore[arg-type]  # wrong on purpose
+    return Servo.build(arm, controller(arm.n), law, engine)
 
 
 def _after(servo: Servo, ticks: int, payload: Payload = NOTHING, aux: Array | None = None) -> ServoState:
@@ -43,7 +46,7 @@ def _after(servo: Servo, ticks: int, payload: Payload = NOTHING, aux: Array | No
     return servo.run(start, reference, payload, servo.recorder(start), aux)
 
 
-def _found(law: object, robot: RobotModel | None = None) -> Diagnostic:
+def _found(law: Any, robot: RobotModel | None = None) -> Diagnostic:
     with pytest.raises(LawError) as caught:
         _servo(law, robot)
     return caught.value.diagnostic
@@ -173,7 +176,7 @@ def test_a_law_of_voltages_does_not_drive_a_motor_of_torques() -> None:
         (LawTraits(state_names=("a",), hold_row=-1), "names row -1"),
         (LawTraits(delay=-1), "has a delay of -1"),
         (LawTraits(delay=1001), "has a delay of 1001"),
-        (LawTraits(delay=0.5), "has a delay of 0.5"),  # type: ignore[arg-type]  # wrong on purpose
+        (LawTraits(delay=HALF), "has a delay of 0.5"),
     ],
 )
 def test_traits_that_cannot_be_are_refused(traits: LawTraits, told: str) -> None:
