@@ -20,7 +20,7 @@ from ropsim.dynamics.arm_functions import forward_code
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
-from ropsim.simulation.servo import Servo
+from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array
 
 CELL = Path(__file__).parents[1] / "examples" / "palletizing"

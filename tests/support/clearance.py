@@ -9,7 +9,7 @@ from ropsim.flow import Placement, Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import ROBOT, BodyKind, Cell, Part, body_tree, tool_body
 from ropsim.spatial import Array, Pose
-from ropsim.views.scene_tool import grip_width, tool_shapes
+from ropsim.views.scene.tool import grip_width, tool_shapes
 from support.arm_capsules import PUMA_CAPSULES, Block, base_blocks, block_around, fixed_blocks
 from support.separation import FAR, Mask, Track, least_gap
 

@@ -17,7 +17,7 @@ from ropsim.icr.program import ToolDefinition as ToolDefinition
 from ropsim.icr.program import Variable as Variable
 from ropsim.icr.reader import assemble as assemble
 from ropsim.icr.reader import read_text as read_text
-from ropsim.icr.rules_calls import unassigned as unassigned
+from ropsim.icr.rules.calls import unassigned as unassigned
 from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState
 from ropsim.icr.trace import Trace as Trace

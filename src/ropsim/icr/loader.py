@@ -14,7 +14,7 @@ from ropsim.icr.handlers import (
 )
 from ropsim.icr.operations import OPERATIONS
 from ropsim.icr.program import Procedure, Program, Step, source_place
-from ropsim.icr.rules_flow import stacks
+from ropsim.icr.rules.flow import stacks
 from ropsim.icr.site import Site
 from ropsim.icr.stack import Stack
 from ropsim.icr.types import Constant, rotation

@@ -6,9 +6,9 @@ from ropsim.core import Diagnostic, Span
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import VERSION, Procedure, Program, channel_fault, text_place
-from ropsim.icr.rules_calls import check_assignment, check_calls
-from ropsim.icr.rules_flow import check_reachability, check_stack
-from ropsim.icr.rules_operands import MAX_AXES, check_constant, check_operands
+from ropsim.icr.rules.calls import check_assignment, check_calls
+from ropsim.icr.rules.flow import check_reachability, check_stack
+from ropsim.icr.rules.operands import MAX_AXES, check_constant, check_operands
 from ropsim.icr.types import Constant, Type
 
 

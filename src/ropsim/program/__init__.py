@@ -16,8 +16,8 @@ from ropsim.program.expressions import MakeZyx as MakeZyx
 from ropsim.program.expressions import SignalValue as SignalValue
 from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
-from ropsim.program.lowering import lower as lower
-from ropsim.program.lowering import lower_with_findings as lower_with_findings
+from ropsim.program.lowering.lowering import lower as lower
+from ropsim.program.lowering.lowering import lower_with_findings as lower_with_findings
 from ropsim.program.program import Contract as Contract
 from ropsim.program.program import Local as Local
 from ropsim.program.program import Program as Program

@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.dynamics import Column, structure_of
 from ropsim.flow import Channel
 from ropsim.model import Joint, JointType, RobotModel
-from ropsim.simulation.servo_log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
+from ropsim.simulation.servo.log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
 from ropsim.spatial import Array, quaternions_from_matrices
 
 _ERROR = Column("q_error", "{q}", "reference minus attained joint coordinates")

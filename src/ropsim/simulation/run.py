@@ -31,7 +31,7 @@ from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
-from ropsim.simulation.servo_diagnostics import DivergedError, ServoArrayError
+from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.start import start_run
 from ropsim.simulation.world import SimulatedWorld
 

@@ -7,8 +7,8 @@ from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import JointReference, Recording
 from ropsim.model import ControllerModel, Payload, RobotModel
 from ropsim.simulation.channels import joint_channels
-from ropsim.simulation.servo import Servo
-from ropsim.simulation.servo_checks import check_option
+from ropsim.simulation.servo.checks import check_option
+from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array, record
 from ropsim.version import __version__
 

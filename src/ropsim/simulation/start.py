@@ -10,7 +10,7 @@ from ropsim.simulation.placements import at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import Fidelity, RunOptions
 from ropsim.simulation.scenery import scenery_of
-from ropsim.simulation.servo_plant import ServoPlant
+from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
 from ropsim.spatial import Array, frozen
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 from ropsim.flow import Placement
 from ropsim.model import WORLD, BodyTree, carrier
-from ropsim.views.scene_bodies import NO_BODY
-from ropsim.views.scene_shapes import plain_pose
+from ropsim.views.scene.bodies import NO_BODY
+from ropsim.views.scene.shapes import plain_pose
 
 
 class ShownPlacements:

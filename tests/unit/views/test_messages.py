@@ -3,7 +3,7 @@ from dataclasses import replace
 
 from ropsim.flow import Event, Recording
 from ropsim.views import html_report, messages, messages_text, summarize
-from ropsim.views.html_messages import SHOWN_MESSAGES
+from ropsim.views.html.messages import SHOWN_MESSAGES
 from support.recordings import SOURCE, pick_and_place
 
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass, field
 
 from ropsim.studio.desk.finished import Shelf
-from ropsim.studio.desk.jog import JoggedArm
+from ropsim.studio.desk.jog.jog import JoggedArm
 from ropsim.studio.desk.line import Line
-from ropsim.studio.desk.live import run_live
+from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
 from ropsim.studio.jobs import (

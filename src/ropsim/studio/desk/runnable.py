@@ -8,8 +8,8 @@ from ropsim import icr
 from ropsim.core import Diagnostic, RopsimError
 from ropsim.flow import Recording
 from ropsim.model import Cell
-from ropsim.studio.desk.findings import plain_findings
 from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
+from ropsim.views import plain_findings
 from ropsim.workbench import Project, open_overlaid
 from ropsim.workbench.inputs import inputs_of
 from ropsim.workbench.replay import pack_of

@@ -5,9 +5,8 @@ from pathlib import Path
 from typing import cast
 
 from ropsim.model import Cell
-from ropsim.studio.desk.findings import plain_findings
 from ropsim.studio.jobs import OpenScene, SceneReply
-from ropsim.views import scene
+from ropsim.views import plain_findings, scene
 from ropsim.workbench import MeshLibrary, ProjectError, load_meshes, open_overlaid
 from ropsim.workbench.plain_values import numeric
 

@@ -9,11 +9,11 @@ from ropsim.flow import Recording
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.content import content_of
-from ropsim.studio.desk.findings import plain_findings
 from ropsim.studio.desk.finished import FinishedRun, Shelf
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
 from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
+from ropsim.views import plain_findings
 from ropsim.workbench.inputs import with_inputs
 
 LISTEN = 0.05

@@ -1,0 +1,9 @@
+"""All operations: instructions that reach beyond the stack."""
+
+from ropsim.icr.operations.control import CONTROL
+from ropsim.icr.operations.io import IO
+from ropsim.icr.operations.modal import MODAL
+from ropsim.icr.operations.motion import MOTION
+
+OPERATIONS = CONTROL | MODAL | MOTION | IO
+"""Mnemonic -> operation."""

@@ -1,0 +1,60 @@
+"""Operations that change the modal state; every robot instruction carries a snapshot of it."""
+
+from dataclasses import replace
+
+from ropsim.icr.rules.operands import setting_fault
+from ropsim.icr.site import Operation, Site
+from ropsim.icr.state import Registers
+from ropsim.icr.traps import out_of_range
+from ropsim.icr.world import World
+
+_FIELDS = {
+    "SPD.PTP": "ptp_speed",
+    "SPD.LIN": "path_speed",
+    "SPD.ORI": "orientation_speed",
+    "ACC.PTP": "ptp_acceleration",
+    "ACC.LIN": "path_acceleration",
+    "ACC.ORI": "orientation_acceleration",
+    "JERK": "path_jerk",
+    "ZONE.DIST": "zone",
+}
+
+
+def _frame(registers: Registers, _world: World, site: Site) -> None:
+    name, pose = site.operand
+    registers.modal = replace(registers.modal, frame=name, X_BK=pose)
+
+
+def _tool(registers: Registers, _world: World, site: Site) -> None:
+    name, pose = site.operand
+    registers.modal = replace(registers.modal, tool=name, X_MT=pose)
+
+
+def _setting(registers: Registers, _world: World, site: Site) -> None:
+    value = registers.stack.pop()
+    if fault := setting_fault(site.mnemonic, value):
+        raise out_of_range(fault)
+    registers.modal = replace(registers.modal, **{_FIELDS[site.mnemonic]: value})
+
+
+def _zone_fine(registers: Registers, _world: World, _site: Site) -> None:
+    registers.modal = replace(registers.modal, zone=0.0)
+
+
+def _save(registers: Registers, _world: World, _site: Site) -> None:
+    registers.saved.append(registers.modal)
+
+
+def _restore(registers: Registers, _world: World, _site: Site) -> None:
+    registers.modal = registers.saved.pop()
+
+
+MODAL: dict[str, Operation] = {
+    "FRAME": _frame,
+    "TOOL": _tool,
+    **dict.fromkeys(_FIELDS, _setting),
+    "ZONE.FINE": _zone_fine,
+    "MODAL.SAVE": _save,
+    "MODAL.RESTORE": _restore,
+}
+"""Mnemonic -> operation."""

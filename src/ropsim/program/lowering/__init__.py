@@ -1,0 +1,1 @@
+"""From the structured program to ICR."""

@@ -1,0 +1,1 @@
+"""The servo loop: compiled slices of controller, drives and arm."""

@@ -1,0 +1,188 @@
+"""Checks at the door of the servo simulation, and the errors they raise."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.controller import LAW_DOES_NOT_FIT, CompiledLaw, LawError, LawTraits
+from ropsim.core import did_you_mean
+from ropsim.dynamics import chain_of, drive_fault
+from ropsim.flow import JointReference
+from ropsim.model import Cell, Rates, RobotModel
+from ropsim.simulation.servo.diagnostics import (
+    BAD_DRIVE,
+    BAD_OPTIONS,
+    BAD_REFERENCE,
+    DIVERGED,
+    NO_DRIVES,
+    DivergedError,
+    DriveDataError,
+    NoDrivesError,
+    OptionError,
+    ServoArrayError,
+)
+from ropsim.simulation.servo.state import ServoState
+from ropsim.spatial import Array, real_numbers
+
+MOST_DELAY = 1000
+"""Longest delay of a law [control ticks]."""
+
+
+def _no_drives(robot: RobotModel) -> NoDrivesError:
+    """Return the error of an arm without drives."""
+    message = (
+        f"model `{robot.name}` has {len(robot.drives)} drives for {robot.n} joints; each joint needs one"
+    )
+    hint = "take an arm with drive data, such as `puma560`, or run without dynamics"
+    return NoDrivesError(NO_DRIVES.at(None, message, hint=hint))
+
+
+def check_drives(robot: RobotModel) -> None:
+    """Make sure that every joint has a drive that can exist.
+
+    Raises:
+        NoDrivesError: drives are missing.
+        DriveDataError: a constant is impossible.
+    """
+    if len(robot.drives) != robot.n:
+        raise _no_drives(robot)
+    for joint, drive in zip(robot.joints, robot.drives, strict=True):
+        found = drive_fault(drive)
+        if found:
+            message = f"{found[0]} of the drive of joint `{joint.name}` {found[1]}"
+            raise DriveDataError(BAD_DRIVE.at(None, message, hint="look at the drive data of the model"))
+
+
+def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:
+    """Return the error of a state that is not finite."""
+    bad = np.flatnonzero(~np.isfinite(state.values))
+    joint = f" at joint `{robot.joints[int(bad[0]) % robot.n].name}`" if len(bad) else ""
+    time = state.tick / control_hz
+    message = f"the state is not finite any more{joint} at or after {time:.6g} s; all numbers must be finite"
+    hint = "look for a NaN in reference, payload or gains, or raise `plant_steps`"
+    return DivergedError(DIVERGED.at(None, message, hint=hint, data={"time_s": time}))
+
+
+def check_option(name: str, value: int) -> None:
+    """Make sure that a count is a whole number of at least 1.
+
+    Raises:
+        OptionError: it is not.
+    """
+    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+        message = f"`{name}` is `{value!r}`; allowed are whole numbers from 1"
+        raise OptionError(BAD_OPTIONS.at(None, message, hint=f"set `{name}` to 1 or more"))
+
+
+def check_rates(rates: Rates) -> None:
+    """Make sure that the rates of a controller are whole numbers of at least 1.
+
+    Raises:
+        OptionError: one is not.
+    """
+    check_option("control_hz", rates.control_hz)
+    check_option("plant_steps", rates.plant_steps)
+
+
+def check_law(law: CompiledLaw, robot: RobotModel) -> None:
+    """Make sure that a law fits the arm: its parameters, what it puts out, what it says about its state.
+
+    Raises:
+        ServoArrayError: its parameters do not.
+        LawError: what it says about itself does not.
+    """
+    misfit = _misfit(law.traits, robot)
+    if misfit:
+        hint = "look at the `traits` of the law"
+        raise LawError(LAW_DOES_NOT_FIT.at(None, f"law `{law.name}` {misfit}", hint=hint))
+    allowed = (len(law.parameter_names), robot.n)
+    if law.parameters.shape != allowed:
+        raise _bad_shape(f"parameters of law `{law.name}`", law.parameters.shape, str(allowed))
+    if not np.isfinite(law.parameters).all():
+        raise _not_finite(f"parameters of law `{law.name}`")
+
+
+def _misfit(traits: LawTraits, robot: RobotModel) -> str:
+    """Return what of the traits of a law does not go together with an arm, empty for nothing."""
+    for joint, drive in zip(robot.joints, robot.drives, strict=True):
+        takes = chain_of(drive).amplifier.kind
+        if traits.u_kind not in (None, takes):
+            return f"puts out {traits.u_kind}, but the drive of joint `{joint.name}` takes {takes}"
+    rows = len(traits.state_names)
+    if traits.hold_row is not None and not 0 <= traits.hold_row < rows:
+        return f"names row {traits.hold_row} as `hold_row`, but has {rows} rows of state"
+    if not isinstance(traits.delay, int) or not 0 <= traits.delay <= MOST_DELAY:
+        return f"has a delay of {traits.delay!r}; allowed are 0 to {MOST_DELAY} control ticks"
+    return ""
+
+
+def check_signals(law: CompiledLaw, cell: Cell) -> None:
+    """Make sure that the cell has the signals that a law reads.
+
+    Raises:
+        LawError: it does not.
+    """
+    for name in law.traits.aux:
+        if name not in cell.signals:
+            hint = did_you_mean(name, cell.signals) or "look at the signals in cell.toml"
+            message = f"law `{law.name}` reads signal `{name}`, which the cell does not have"
+            raise LawError(LAW_DOES_NOT_FIT.at(None, message, hint=hint))
+
+
+def check_aux(aux: Array | None, ticks: int, names: tuple[str, ...]) -> Array:
+    """Return the signals that a law reads, shape (ticks, a).
+
+    Raises:
+        ServoArrayError: they are missing or have another shape.
+    """
+    allowed = (ticks, len(names))
+    given = np.zeros((ticks, 0)) if aux is None else aux
+    if given.shape != allowed:
+        raise _bad_shape(
+            "array `aux`", given.shape, f"{allowed}, a column for each signal that the law reads"
+        )
+    return _plain(given)
+
+
+def check_vector(name: str, values: npt.ArrayLike, n: int) -> Array:
+    """Return a writable copy of an array of n finite numbers.
+
+    Raises:
+        ServoArrayError: it has another shape or a number is not finite.
+    """
+    array = real_numbers(values)
+    if array is None:
+        raise _not_finite(f"array `{name}`")
+    if array.shape != (n,):
+        raise _bad_shape(f"array `{name}`", array.shape, f"({n},)")
+    if not np.isfinite(array).all():
+        raise _not_finite(f"array `{name}`")
+    return np.array(array)
+
+
+def check_reference(reference: JointReference, n: int) -> tuple[Array, Array, Array]:
+    """Return q, qd and qdd as compiled code takes them: contiguous float64; copies only where needed.
+
+    Raises:
+        ServoArrayError: the arrays are not all of shape (ticks, n).
+    """
+    allowed = (reference.ticks, n)
+    for name, array in (("q", reference.q), ("qd", reference.qd), ("qdd", reference.qdd)):
+        if array.shape != allowed:
+            raise _bad_shape(f"array `reference.{name}`", array.shape, f"(ticks, {n}) for all three")
+    return _plain(reference.q), _plain(reference.qd), _plain(reference.qdd)
+
+
+def _plain(array: Array) -> Array:
+    if array.flags.carray and array.dtype == np.float64:
+        return array
+    return np.require(array, np.float64, ["C", "W"])
+
+
+def _bad_shape(what: str, shape: tuple[int, ...], allowed: str) -> ServoArrayError:
+    message = f"{what} has shape `{shape}`; allowed is `{allowed}`"
+    return ServoArrayError(BAD_REFERENCE.at(None, message, hint="give one number per joint"))
+
+
+def _not_finite(what: str) -> ServoArrayError:
+    message = f"{what} holds a number that is not finite; all must be finite"
+    return ServoArrayError(BAD_REFERENCE.at(None, message, hint="look for NaN or inf where it is computed"))

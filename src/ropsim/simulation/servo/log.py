@@ -1,0 +1,52 @@
+"""What a servo simulation records at a tick: the fields of a row of its log."""
+
+from dataclasses import dataclass
+
+from ropsim.dynamics import Column, DriveChain
+from ropsim.simulation.servo.state import Field, fields
+
+ARM_COLUMNS = (
+    Column("q", "{q}", "attained joint coordinates"),
+    Column("qd", "{q}/s", "attained joint speeds"),
+    Column("tau", "{tau}", "torque of the drive at the joint, before friction"),
+)
+REFERENCE_COLUMNS = (
+    Column("q_ref", "{q}", "joint references"),
+    Column("qd_ref", "{q}/s", "reference joint speeds"),
+)
+"""What every arm has."""
+
+
+@dataclass(frozen=True, slots=True)
+class LogLayout:
+    """The fields of a row: of the arm, of its drives and their amplifiers, and the reference.
+
+    Attributes:
+        fields: where each quantity stands.
+    """
+
+    fields: tuple[Field, ...]
+
+    @classmethod
+    def of(cls, chains: tuple[DriveChain, ...]) -> "LogLayout":
+        """Return the fields of an arm with these drives."""
+        arm, reference = ([column.name for column in columns] for columns in (ARM_COLUMNS, REFERENCE_COLUMNS))
+        drives = tuple(tuple(column.name for column in recorded(chain)) for chain in chains)
+        own = list(dict.fromkeys(name for names in drives for name in names))
+        order = [*arm, *own, *reference]
+        names = tuple(tuple(one for one in order if one not in own or one in names) for names in drives)
+        return cls(fields(names, 0) if chains else ())
+
+    @property
+    def width(self) -> int:
+        """Return the numbers in a row."""
+        return sum(len(field.axes) for field in self.fields)
+
+    def field(self, name: str) -> Field:
+        """Return the field of a quantity that every row has."""
+        return next(field for field in self.fields if field.name == name)
+
+
+def recorded(chain: DriveChain) -> tuple[Column, ...]:
+    """Return what is recorded of a drive: its states and what its amplifier puts out."""
+    return (*chain.states, chain.amplifier.output)

@@ -1,0 +1,76 @@
+"""The servo-driven arm as a plant: true drives and dynamics, in compiled slices."""
+
+import numpy as np
+
+from ropsim.controller import SensorInterface
+from ropsim.flow import JointReference
+from ropsim.model import Cell, Payload
+from ropsim.simulation.plant import constant
+from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.servo.checks import check_signals
+from ropsim.simulation.servo.recorder import Recorder
+from ropsim.simulation.servo.servo import Servo
+from ropsim.spatial import Array
+
+
+class ServoPlant:
+    """Follows references as drives, gears, friction and inertia allow.
+
+    Args:
+        cell: with the arm and its controller.
+        q: joint coordinates at time 0 [rad | m], shape (n,).
+        payload: body at the mechanical interface at time 0.
+        options: the joint controller and how densely to record.
+        sensors: delivers the signals that the law reads.
+
+    Raises:
+        LawError: C602, the law reads a signal that the cell does not have.
+    """
+
+    def __init__(
+        self, cell: Cell, q: Array, payload: Payload, options: RunOptions, sensors: SensorInterface
+    ) -> None:
+        self._servo = Servo.build(cell.robot, cell.controller, options.law)
+        self._sensors = sensors
+        if options.sensors is None:
+            check_signals(self._servo.law, cell)
+        self._state = self._servo.initial_state(q, payload)
+        record_ticks = options.record_ticks(self._servo.control_hz)
+        self._recorder = Recorder(cell.robot, self._state, record_ticks, options.most_rows)
+
+    @property
+    def q(self) -> Array:
+        """Return the attained joint coordinates [rad | m], shape (n,)."""
+        return self._state.q
+
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two recorded rows."""
+        return self._recorder.decimation
+
+    def follow(self, reference: JointReference, payload: Payload) -> None:
+        """Advance by one control tick per row of `reference`, in one compiled call."""
+        aux = self._signals(reference.ticks)
+        self._state = self._servo.run(self._state, reference, payload, self._recorder, aux)
+
+    def hold(self, q: Array, ticks: int, payload: Payload) -> None:
+        """Advance by `ticks` control ticks with a constant reference."""
+        self.follow(constant(q, ticks), payload)
+
+    def log(self) -> dict[str, Array]:
+        """Return the recorded channels, and their ticks as `tick`."""
+        return {"tick": self._recorder.ticks, **self._recorder.channels()}
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return the recorded channels at a tick, linear between two rows, shape (n,) each."""
+        return self._recorder.at(tick)
+
+    def _signals(self, ticks: int) -> Array:
+        """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid."""
+        names = self._servo.law.traits.aux
+        values = np.zeros((ticks, len(names)))
+        for column, name in enumerate(names):
+            for k in range(ticks):
+                sample = self._sensors.read(name, (self._state.tick + k) * self._servo.period)
+                values[k, column] = float(sample.value) if sample.valid else 0.0
+        return values

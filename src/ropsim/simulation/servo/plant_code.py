@@ -1,0 +1,192 @@
+"""Drives and arm as source: straight-line code, or loops over the joints of a long arm."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
+from ropsim.controller import LawTraits
+from ropsim.dynamics import (
+    ACCELERATIONS,
+    MOST_JOINTS,
+    ArmStructure,
+    Carried,
+    arm_numbers,
+    chain_numbers,
+    sides_of,
+    structure_of,
+    trace_arm,
+    trace_drives,
+    trace_forward,
+    traced_numbers,
+)
+from ropsim.model import RobotModel
+from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.servo.state import StateLayout
+from ropsim.spatial import Array
+
+
+@dataclass(frozen=True, slots=True)
+class LongPlantCode:
+    """What `GivenCode` is, for an arm that is too long for straight-line code.
+
+    Attributes:
+        structure: of the arm.
+        drives: the functions that are straight-line code all the same.
+    """
+
+    structure: ArmStructure
+    drives: GivenCode
+
+    @property
+    def functions(self) -> tuple[SourceFunction, ...]:
+        """Return the functions of the plant; each takes `constants` before its last argument."""
+        n, size = self.structure.n, StateLayout.of(self.structure.drives, LawTraits()).integrated
+        text = f"""\
+def derivative(x, u, constants, dx):
+    side = np.empty({size})
+    drives(x, u, constants, side)
+    for j in range({n}):
+        dx[j] = x[{n} + j]
+    net, inertia, chain = side[:{n}], side[{n}:{2 * n}], constants[{self.drives.count}:]
+    chain_accelerations(x[:{n}], x[{n}:{2 * n}], net, inertia, chain, dx[{n}:{2 * n}])
+    for j in range({2 * n}, {size}):
+        dx[j] = side[j]
+"""
+        derivative = SourceFunction("derivative", "void(f8[::1], f8[::1], f8[::1], f8[::1])", text)
+        return (*self.drives.functions, *ACCELERATIONS, derivative)
+
+    def constants(self, numbers: Array) -> Array:
+        """Return what the functions take for the numbers of an arm of this structure."""
+        return np.concatenate([self.drives.constants(numbers), chain_numbers(self.structure, numbers)])
+
+
+@dataclass(frozen=True, slots=True)
+class _Traced:
+    """The drives of an arm in one traced formula.
+
+    Attributes:
+        tracer: the graph.
+        layout: of the state.
+        x: integrated part of the state.
+        u: what the amplifiers put out.
+        outputs: what they put out for a command.
+        carried: what each drive brings to its joint.
+    """
+
+    tracer: Tracer
+    layout: StateLayout
+    x: list[Scalar]
+    u: list[Scalar]
+    outputs: list[Scalar]
+    carried: list[Carried]
+
+    @classmethod
+    def of(cls, tracer: Tracer, structure: ArmStructure) -> "_Traced":
+        n, chains = structure.n, structure.drives
+        layout = StateLayout.of(chains, LawTraits())
+        numbers = traced_numbers(tracer, structure).drives
+        x = tracer.variables("x", layout.integrated)
+        command, u = tracer.variables("command", n), tracer.variables("u", n)
+        outputs = [chain.amplified(numbers[k], command[k]) for k, chain in enumerate(chains)]
+        states = [[x[place] for place in layout.drive(k)] for k in range(n)]
+        carried = trace_drives(structure, numbers, (x[layout.q], x[layout.qd]), states, u)
+        return cls(tracer, layout, x, u, outputs, carried)
+
+    @property
+    def tau(self) -> list[Scalar]:
+        """Return the torques of the drives at the joints."""
+        return [one.effort for one in self.carried]
+
+    def rates(self, target: str) -> list[tuple[str, Scalar]]:
+        """Return the rates of the states of the drives."""
+        return [
+            (f"{target}[{place}]", rate)
+            for k, one in enumerate(self.carried)
+            for place, rate in zip(self.layout.drive(k), one.rates, strict=True)
+        ]
+
+
+@lru_cache(maxsize=64)
+def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode:
+    """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
+
+    `amplify(command, constants, u)` gives what the amplifiers put out; `derivative(x, u, constants, dx)` the
+    rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives at
+    the joints; `observe(x, u, constants, row)` a row of the log without the reference.
+    """
+    tracer = Tracer()
+    drives = _Traced.of(tracer, structure)
+    others = (
+        Formula("amplify", ("command", "u"), [(f"u[{k}]", one) for k, one in enumerate(drives.outputs)]),
+        Formula("efforts", ("x", "u", "tau"), [(f"tau[{k}]", one) for k, one in enumerate(drives.tau)]),
+        Formula("observe", ("x", "u", "row"), _row(structure, drives)),
+    )
+    if structure.n > MOST_JOINTS:
+        sides = Formula("drives", ("x", "u", "side"), _sides(drives))
+        return LongPlantCode(structure, GivenCode.of(*others, sides))
+    arm = trace_arm(tracer, structure, traced_numbers(tracer, structure), drives.x[drives.layout.q])
+    qd = drives.x[drives.layout.qd]
+    rates = [*qd, *trace_forward(arm, qd, drives.tau, sides_of(tracer, drives.carried))]
+    results = [*((f"dx[{k}]", rate) for k, rate in enumerate(rates)), *drives.rates("dx")]
+    return GivenCode.of(*others, Formula("derivative", ("x", "u", "dx"), results))
+
+
+def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:
+    """Enter everything but the reference into a row of the log.
+
+    Args:
+        robot: arm with drives.
+        x: integrated part of the state vector.
+        u: what the amplifiers put out.
+        row: of the log; written in place.
+    """
+    _evaluated(robot, "observe", x, u, row)
+
+
+def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
+    """Enter the torques of the drives at the joints into `tau`; arguments are those of `observe`."""
+    _evaluated(robot, "efforts", x, u, tau)
+
+
+def _evaluated(robot: RobotModel, name: str, x: Array, u: Array, result: Array) -> None:
+    """Evaluate a function of the plant once: plain Python is faster than compiling it."""
+    code = plant_code(structure_of(robot))
+    (source,) = (function for function in code.functions if function.name == name)
+    load(name, (source,), Engine.PYTHON)(x, u, _constants(robot), result)
+
+
+@lru_cache(maxsize=64)
+def _constants(robot: RobotModel) -> Array:
+    return plant_code(structure_of(robot)).constants(arm_numbers(robot))
+
+
+def _sides(drives: _Traced) -> list[tuple[str, Scalar]]:
+    """Return what moves the joints beside the links, the inertia of the drives there, and their rates."""
+    sides = sides_of(drives.tracer, drives.carried)
+    n = len(sides)
+    net = [
+        (f"side[{k}]", tau - friction)
+        for k, (tau, (friction, _)) in enumerate(zip(drives.tau, sides, strict=True))
+    ]
+    inertia = [(f"side[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
+    return [*net, *inertia, *drives.rates("side")]
+
+
+def _row(structure: ArmStructure, drives: _Traced) -> list[tuple[str, Scalar]]:
+    """Return what `observe` enters: everything but the reference."""
+    layout, x = drives.layout, drives.x
+    known = {"q": x[layout.q], "qd": x[layout.qd], "tau": drives.tau}
+    states = {field.name: field for field in layout.drives}
+    results = []
+    for field in LogLayout.of(structure.drives).fields:
+        for place, axis in enumerate(field.axes, field.first):
+            if field.name in known:
+                results.append((f"row[{place}]", known[field.name][axis]))
+            elif field.name in states:
+                state = states[field.name]
+                results.append((f"row[{place}]", x[state.first + state.axes.index(axis)]))
+            elif field.name == structure.drives[axis].amplifier.output.name:
+                results.append((f"row[{place}]", drives.u[axis]))
+    return results

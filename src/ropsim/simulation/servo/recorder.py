@@ -1,0 +1,81 @@
+"""The log of a servo simulation: a growing table that the compiled slice writes into."""
+
+import numpy as np
+
+from ropsim.dynamics import structure_of
+from ropsim.model import RobotModel
+from ropsim.simulation.row_log import MOST_ROWS, RowLog
+from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.servo.plant_code import observe
+from ropsim.simulation.servo.state import ServoState
+from ropsim.spatial import Array
+
+
+class Recorder:
+    """Collects a row at every control tick that is a multiple of the decimation, the start included.
+
+    A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz, beside
+    what the amplifiers put out until then and the reference for that time. The row of the start holds the
+    start itself as reference.
+
+    Args:
+        robot: the arm; it must have drives.
+        start: state at which the recording begins.
+        decimation: control ticks between two rows, at least 1.
+        most_rows: rows beyond which every second one is dropped and the decimation doubles.
+    """
+
+    def __init__(
+        self, robot: RobotModel, start: ServoState, decimation: int, most_rows: int = MOST_ROWS
+    ) -> None:
+        self._layout = LogLayout.of(structure_of(robot).drives)
+        self._log = RowLog(self._layout.width, start.tick, decimation, most_rows)
+        if self._log.first_tick == start.tick:
+            self._log.begin(self._first(robot, start))
+
+    @property
+    def decimation(self) -> int:
+        """Return the control ticks between two rows."""
+        return self._log.decimation
+
+    @property
+    def rows(self) -> int:
+        """Return the number of rows so far."""
+        return self._log.rows
+
+    @property
+    def ticks(self) -> Array:
+        """Return the tick of each row, shape (rows,)."""
+        return self._log.ticks
+
+    def claim(self, tick: int, ticks: int) -> tuple[Array, int]:
+        """Return the log and the row at which those of the next `ticks` ticks begin; they count from now on.
+
+        Args:
+            tick: tick at which they start.
+            ticks: how many.
+        """
+        return self._log.claim(tick, ticks)
+
+    def channels(self) -> dict[str, Array]:
+        """Return what was recorded by name: views of the log, a column for each joint that has the quantity.
+
+        `servo_log` lists the quantities; those of drives, such as `current`, are there for the joints whose
+        drives have them.
+        """
+        return self._named(self._log.table)
+
+    def at(self, tick: float) -> dict[str, Array]:
+        """Return what `channels` holds at a tick, linear between two rows: one number for each column."""
+        return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+
+    def _named(self, table: Array) -> dict[str, Array]:
+        return {field.name: table[:, field.place] for field in self._layout.fields}
+
+    def _first(self, robot: RobotModel, start: ServoState) -> Array:
+        """Return the row of the start."""
+        row = np.empty(self._layout.width)
+        row[self._layout.field("q_ref").place] = start.q
+        row[self._layout.field("qd_ref").place] = start.qd
+        observe(robot, start.values[: start.layout.integrated], start.output, row)
+        return row

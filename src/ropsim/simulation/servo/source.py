@@ -1,0 +1,90 @@
+"""The source of a servo slice: plant, law of the joint controller, and the loops around them."""
+
+from ropsim.codegen import Bounds, SourceFunction
+from ropsim.controller import CompiledLaw, LawTraits
+from ropsim.dynamics import ArmStructure
+from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.servo.state import StateLayout
+
+LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
+SLICE_SIGNATURE = (
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1],"
+    " f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
+)
+
+
+def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFunction, ...]:
+    """Return the functions of the slice module; `run_slice` is the last."""
+    return (
+        *plant_code(structure).functions,
+        SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
+    )
+
+
+def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
+    """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
+
+    A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
+    amplifiers put out over it. `values` is the state vector, `pending` and `memory` are parts of it by rows;
+    `frame` (7, n) and `stages` (5, m) are room to work in.
+    """
+    n = structure.n
+    size = StateLayout.of(structure.drives, traits).integrated
+    amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
+    log = LogLayout.of(structure.drives)
+    q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
+    return f"""\
+def run_slice(
+    values, pending, memory, q_ref, qd_ref, qdd_ref, aux, par, constants, load, log, frame, stages,
+    tick, decimation, log_row, plant_steps, period,
+):
+    x, u = values[:{size}], values[{size}:{size + n}]
+    ref, seen, out = frame[:3], frame[3:6], frame[6]
+    y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
+    h = period / plant_steps
+    half = 0.5 * h
+    sixth = h / 6.0
+    row = log_row
+    for k in range(q_ref.shape[0]):
+        for j in range({n}):
+            ref[0, j] = q_ref[k, j]
+            ref[1, j] = qd_ref[k, j]
+            ref[2, j] = qdd_ref[k, j]
+            seen[0, j] = x[j]
+            seen[1, j] = x[{n} + j]
+        efforts(x, u, constants, seen[2])
+        law(par, memory, ref, seen, load, aux[k], out)
+        {amplified}
+        for _ in range(plant_steps):
+            derivative(x, u, constants, k1)
+            for j in range({size}):
+                y[j] = x[j] + half * k1[j]
+            derivative(y, u, constants, k2)
+            for j in range({size}):
+                y[j] = x[j] + half * k2[j]
+            derivative(y, u, constants, k3)
+            for j in range({size}):
+                y[j] = x[j] + h * k3[j]
+            derivative(y, u, constants, k4)
+            for j in range({size}):
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
+        if (tick + k + 1) % decimation == 0:
+            observe(x, u, constants, log[row])
+            for j in range({n}):
+                log[row, {q_ref} + j] = ref[0, j]
+                log[row, {qd_ref} + j] = ref[1, j]
+            row += 1
+"""
+
+
+def _delayed(n: int, delay: int) -> str:
+    """Return the statements that let an output wait for `delay` control ticks."""
+    return f"""\
+amplify(pending[0], constants, u)
+        for d in range({delay - 1}):
+            for j in range({n}):
+                pending[d, j] = pending[d + 1, j]
+        for j in range({n}):
+            pending[{delay - 1}, j] = out[j]"""

@@ -1,0 +1,1 @@
+"""Live runs: paced by the clock, steered by keys."""

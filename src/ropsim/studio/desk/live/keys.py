@@ -1,0 +1,68 @@
+"""Key presses of a live run: each gets a time that the program has not looked at yet."""
+
+import math
+from dataclasses import dataclass, field
+
+from ropsim.core import Diagnostic, Severity, define, did_you_mean
+from ropsim.model import Cell
+
+NO_INPUT = define(
+    "U980",
+    "no-such-input",
+    Severity.WARNING,
+    "a key is bound to something that is no input of the cell",
+    """
+In a live run keys set inputs of the cell, which stand under `[signals]` in `cell.toml` with a line
+`input = NUMBER`. Outputs are set by the program alone. Bind the key to one of the inputs that are named.
+""",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Stamp:
+    """A change of an input with its control tick."""
+
+    signal: str
+    tick: int
+    value: float
+
+
+@dataclass(slots=True)
+class Keys:
+    """Gives key presses their times.
+
+    A press becomes part of the run at the next control tick of the clock that is shown, later than anything
+    the program has read and later than the press before on the same signal. A run that is given the same
+    changes at the same ticks reads the same values.
+
+    Attributes:
+        cell: whose inputs they are.
+        looked: control tick of the latest reading of the program, -1 before the first.
+        last: tick of the latest change by signal.
+    """
+
+    cell: Cell
+    looked: int = -1
+    last: dict[str, int] = field(default_factory=dict)
+
+    def stamp(self, name: str, value: float, now: float) -> Stamp | Diagnostic:
+        """Return the change that a press means, or why it means none.
+
+        Args:
+            name: of the signal.
+            value: of the key.
+            now: time on the clock that is shown [s].
+        """
+        signal = self.cell.signals.get(name)
+        if signal is None or not signal.is_input:
+            inputs = [one.name for one in self.cell.signals.values() if one.is_input]
+            known = ", ".join(f"`{one}`" for one in inputs) or "none"
+            message = f"`{name[:60]}` is no input of the cell, it has {known}"
+            return NO_INPUT.at(None, message, hint=did_you_mean(name, inputs))
+        if not math.isfinite(value):
+            return NO_INPUT.at(None, f"`{name}` cannot be set to {value}, needed is a number")
+        level = value if signal.analog else float(value != 0.0)
+        due = math.ceil(now * self.cell.controller.rates.control_hz - 1e-9)
+        tick = max(due, self.looked + 1, self.last.get(name, -1) + 1)
+        self.last[name] = tick
+        return Stamp(name, tick, level)

@@ -1,0 +1,62 @@
+"""Live runs: a program in real time whose inputs come from keys, exact to run again."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ropsim.simulation import RunOptions
+from ropsim.simulation import run as run_program
+from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.desk.finished import FinishedRun, Shelf
+from ropsim.studio.desk.line import Line
+from ropsim.studio.desk.live.watch import LivePace
+from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
+from ropsim.studio.jobs import LiveStart, RunReply
+
+LONGEST = 24 * 3600.0
+"""Simulated time after which a live run ends, and for which it may wait for a key [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clocks:
+    """Where a live run has its time from.
+
+    Attributes:
+        wall: returns a time that never goes back [s].
+        day: returns the time since 1970 [s].
+    """
+
+    wall: Callable[[], float] = time.monotonic
+    day: Callable[[], float] = time.time
+
+
+REAL = Clocks()
+
+
+def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | None = None) -> RunReply:
+    """Return the reply to a live run, with the inputs that it was given.
+
+    The program looks at its inputs at its own times. Each look is held until the clock that is shown has come
+    to that time; until then key presses are taken in, and each gets the next control tick of the clock. So
+    `Simulate` with the inputs of the reply makes the same recording, bit for bit.
+
+    Args:
+        job: folder, texts, program and speed.
+        line: orders in; layout, frames and messages out.
+        clocks: the time of the wall.
+        shelf: keeps the run.
+
+    Raises:
+        Cancelled: it was given up.
+    """
+
+    def run(ready: Runnable) -> RunReply:
+        clock = PacedClock(clocks.wall, job.speed)
+        pace = LivePace(ready.name, clock, line, clocks.wall, clocks.day)
+        options = RunOptions(longest=LONGEST, longest_wait=LONGEST, most_rows=MOST_ROWS, watch=pace)
+        recording = run_program(ready.cell, ready.code, options)
+        if shelf is not None:
+            shelf.run = FinishedRun(line.number, "", ready, recording)
+        return ready.finished(recording)
+
+    return run_job(job, run)

@@ -1,0 +1,196 @@
+"""A run at the pace of a clock: it is held where the clock has not come yet, and shown meanwhile."""
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from ropsim.flow import Event
+from ropsim.simulation import RunView
+from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.desk.line import Line
+from ropsim.studio.desk.live.frame import Frames
+from ropsim.studio.desk.live.keys import Keys, Stamp
+from ropsim.studio.jobs import LiveControl, LiveMessage, LiveSpeed, Order, SetSignal
+from ropsim.views import ShownPlacements
+
+FRAME = 1.0 / 60.0
+"""Time between two frames [s of the wall clock]."""
+
+LEAD = 0.1
+"""How long before the end of what is shown the next instruction is computed [s of the wall clock]."""
+
+LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
+"""How long the run waits at a time for orders [s of the wall clock]."""
+
+
+@dataclass(slots=True)
+class LivePace:
+    """Holds a run, shows it and gives it inputs (`ropsim.simulation.Watch`).
+
+    Attributes:
+        program: its name, for messages.
+        clock: the simulated time that is shown.
+        line: orders in, messages out.
+        wall: returns the time of the wall clock [s].
+        day: returns the time of day [s], for the frames.
+        frames: made when the run starts.
+        keys: stamps key presses.
+        placed: turns placements into what the page is told; made when the run starts.
+        told: how many placements have been looked at.
+        news: messages on parts and of the program whose time has not come yet.
+        heard: how many events have been looked at for messages of the program.
+        shown: when the last frame was due [s of the wall clock].
+        over: whether the run has been ended by hand.
+    """
+
+    program: str
+    clock: PacedClock
+    line: Line
+    wall: Callable[[], float]
+    day: Callable[[], float]
+    frames: Frames | None = None
+    keys: Keys | None = None
+    placed: ShownPlacements | None = None
+    told: int = 0
+    news: deque[tuple[float, LiveMessage]] = field(default_factory=deque)
+    heard: int = 0
+    shown: float = float("-inf")
+    over: bool = False
+
+    def advanced(self, run: RunView) -> None:
+        """Wait until what has been computed is nearly shown.
+
+        Raises:
+            Cancelled: the run was given up.
+        """
+        self._begin(run)
+        self.news += [(run.time, message) for message in self._moved(run)]
+        self.news += [(one.time, printed(one)) for one in run.events[self.heard :] if one.kind == "message"]
+        self.heard = len(run.events)
+        self.clock.extend(run.time)
+        self._show_until(run, run.time - LEAD * self.clock.speed)
+
+    def reading(self, run: RunView) -> None:
+        """Wait until the clock shows the time at which the program looks.
+
+        Raises:
+            Cancelled: the run was given up.
+        """
+        self._begin(run)
+        self.clock.extend(run.time)
+        self._show_until(run, run.time)
+        if self.keys is not None:
+            self.keys.looked = run.tick
+
+    def ended(self, run: RunView) -> None:
+        """Wait until all of the run has been shown.
+
+        Raises:
+            Cancelled: the run was given up.
+        """
+        self._begin(run)
+        self.clock.extend(run.time)
+        self._show_until(run, run.time)
+
+    def _begin(self, run: RunView) -> None:
+        if self.frames is None:
+            self.keys = Keys(run.cell)
+            self.frames = Frames(run)
+            self.placed = ShownPlacements(run.scenery.tree)
+            self.line.report(self.frames.layout())
+            self._tell_state()
+
+    def _moved(self, run: RunView) -> list[LiveMessage]:
+        """Return a message for each body that has another place since the last look."""
+        if self.placed is None:
+            return []
+        known, placed = len(self.placed.places), self.placed
+        news = [
+            LiveMessage({"type": "placed", "body": placed.places[name], **told})
+            for number, placement in enumerate(run.placements[self.told :], start=self.told)
+            for name, told in placed.take(placement)
+            if number >= known  # the first ones, one for each body, are what the scene shows
+        ]
+        self.told = len(run.placements)
+        return news
+
+    def _show_until(self, run: RunView, until: float) -> None:
+        nap = 0.0
+        while not self.over:
+            for order in self.line.orders(nap):
+                self._obey(run, order)
+            now = self.clock.now()
+            self._show(run, now)
+            if now >= until:
+                return
+            nap = self._nap(until)
+
+    def _nap(self, until: float) -> float:
+        if self.clock.paused:
+            return LONGEST_NAP
+        due = self.shown + FRAME - self.wall()
+        return min(max(min(due, self.clock.wait_for(until)), SHORTEST_NAP), LONGEST_NAP)
+
+    def _show(self, run: RunView, now: float) -> None:
+        while self.news and self.news[0][0] <= now:
+            self.line.report(self.news.popleft()[1])
+        wall = self.wall()
+        if self.frames is not None and wall >= self.shown + FRAME - SHORTEST_NAP and not self.clock.paused:
+            self.line.report(self.frames.frame(run, now, self.day()))
+            # frames keep their rhythm, unless the run has been held up
+            self.shown = self.shown + FRAME if wall < self.shown + 2.0 * FRAME else wall
+
+    def _obey(self, run: RunView, order: Order) -> None:
+        match order:
+            case LiveControl("stop"):
+                run.stop()
+                self.over = True
+            case LiveControl("pause"):
+                self._show(run, self.clock.now())
+                self.clock.pause()
+                self._tell_state()
+            case LiveControl("resume"):
+                self.clock.resume()
+                self._tell_state()
+            case LiveSpeed(speed):
+                self.clock.set_speed(speed)
+                self._tell_state()
+            case SetSignal(name, value) if self.keys is not None:
+                self._press(run, self.keys, SetSignal(name, value))
+            case _:
+                pass
+
+    def _press(self, run: RunView, keys: Keys, order: SetSignal) -> None:
+        stamp = keys.stamp(order.name, order.value, self.clock.now())
+        if isinstance(stamp, Stamp):
+            run.press(stamp.signal, stamp.tick, stamp.value)
+            time = stamp.tick / run.cell.controller.rates.control_hz
+            news = {"type": "stamped", "name": stamp.signal, "value": stamp.value, "time": time}
+        else:
+            news = {
+                "type": "notice",
+                "level": stamp.severity.value,
+                "code": stamp.code,
+                "text": stamp.message,
+                "hint": stamp.hint,
+            }
+        self.line.report(LiveMessage(news))
+
+    def _tell_state(self) -> None:
+        state = "paused" if self.clock.paused else "running"
+        news = {"type": "live", "state": state, "speed": self.clock.speed, "program": self.program}
+        self.line.report(LiveMessage(news))
+
+
+def printed(message: Event) -> LiveMessage:
+    """Return what the page is told of a message of the program."""
+    span = message.span
+    return LiveMessage(
+        {
+            "type": "printed",
+            "time": message.time,
+            "text": message.text,
+            "source": span.source if span is not None else "",
+            "line": span.line if span is not None else 0,
+        }
+    )

@@ -1,0 +1,161 @@
+"""The report of a run as one HTML page that needs nothing else: no network, no other file."""
+
+import base64
+import hashlib
+import math
+from collections.abc import Mapping
+
+from ropsim.core import SourceText
+from ropsim.flow import Recording
+from ropsim.views.cursor import SCRIPT
+from ropsim.views.definitions import DEFINITIONS
+from ropsim.views.figures import seconds
+from ropsim.views.html.cards import key_figures
+from ropsim.views.html.charts import active_lines, figures
+from ropsim.views.html.findings import findings_section, skipped_section
+from ropsim.views.html.messages import messages_section
+from ropsim.views.html.replay import (
+    NoReplay,
+    Replay,
+    inline_script,
+    inline_style,
+    replay_data,
+    replay_section,
+)
+from ropsim.views.html.tables import approach_table, joint_table, origin_table, path_table, task_table
+from ropsim.views.markup import text
+from ropsim.views.messages import messages
+from ropsim.views.summary import Summary
+from ropsim.views.theme import stylesheet
+from ropsim.views.verdict import Verdict, verdict
+
+SHOWN_LINE_CHANGES = 5000
+
+_SIGNS = {Verdict.GOOD: "✓", Verdict.DOUBTFUL: "!", Verdict.FAILED: "✕"}
+
+
+def html_report(
+    recording: Recording,
+    summary: Summary,
+    sources: Mapping[str, SourceText],
+    replay: Replay | NoReplay | None = None,
+) -> str:
+    """Return the page.
+
+    Args:
+        recording: of the run.
+        summary: its figures, from `summarize`.
+        sources: program texts by the names that spans use, for quoting; may be empty.
+        replay: of the run in 3-D, or why there is none; None says nothing about it.
+    """
+    name = summary.header.title
+    shown = replay if isinstance(replay, Replay) else None
+    body = [
+        _header(name, summary),
+        replay_section(replay),
+        key_figures(summary),
+        findings_section(summary, sources),
+        skipped_section(summary),
+        messages_section(messages(recording)),
+        _tables(summary, sources),
+        _charts(recording, summary),
+        _origins(summary),
+        _definitions(),
+        _footer(summary),
+    ]
+    scripts = [SCRIPT, inline_script(shown.script)] if shown else [SCRIPT]
+    style = stylesheet() + (inline_style(shown.style) if shown else "")
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f"<title>{text(name)} – run report</title>\n"
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{_policy(scripts)}">\n'
+        f"<style>\n{style}</style>\n</head>\n<body>\n<main>\n{''.join(body)}</main>\n"
+        f"{_reading(recording)}{replay_data(shown) if shown else ''}"
+        f"{''.join(f'<script>{script}</script>' for script in scripts)}\n</body>\n</html>\n"
+    )
+
+
+def _policy(scripts: list[str]) -> str:
+    """Return the content policy: these scripts and no others, pictures made by them, no network."""
+    digests = [base64.b64encode(hashlib.sha256(one.encode()).digest()).decode("ascii") for one in scripts]
+    allowed = " ".join(f"&#39;sha256-{digest}&#39;" for digest in digests)
+    return (
+        "default-src &#39;none&#39;; style-src &#39;unsafe-inline&#39;; img-src data: blob:; "
+        f"script-src {allowed}"
+    )
+
+
+def _header(name: str, summary: Summary) -> str:
+    state = verdict(summary)
+    robot = f'<p class="quiet">{text(summary.header.robot)}</p>' if summary.header.robot else ""
+    kinematic = (
+        "<p>Kinematic run: the arm follows its references exactly.</p>" if summary.header.is_kinematic else ""
+    )
+    left_open = text(summary.unchecked.text)
+    unchecked = f'<p class="unchecked">{left_open}</p>\n' if left_open else ""
+    return (
+        f"<header>\n<h1>{text(name)}</h1>\n{robot}{kinematic}"
+        f'<p class="verdict {state.kind.value}"><span aria-hidden="true">{_SIGNS[state.kind]} </span>'
+        f"{text(state.text)}</p>\n"
+        f"{unchecked}</header>\n"
+    )
+
+
+def _tables(summary: Summary, sources: Mapping[str, SourceText]) -> str:
+    parts = []
+    if summary.joints:
+        parts.append(
+            f"<section><h2>Joints</h2>\n{joint_table(summary.joints)}<h3>Limits</h3>\n"
+            f"{approach_table(summary.joints)}</section>\n"
+        )
+    if summary.tasks:
+        parts.append(f"<section><h2>Tasks</h2>\n{task_table(summary)}</section>\n")
+    if summary.path.moves:
+        parts.append(f"<section><h2>Straight moves</h2>\n{path_table(summary, sources)}</section>\n")
+    return "".join(parts)
+
+
+def _charts(recording: Recording, summary: Summary) -> str:
+    drawn = figures(recording, summary)
+    if not drawn:
+        return ""
+    how = "Point at a chart to read all values at one time, or focus it and use the arrow keys, Home and End."
+    return f'<section><h2>Charts</h2>\n<p class="quiet screen">{how}</p>\n{"".join(drawn)}</section>\n'
+
+
+def _origins(summary: Summary) -> str:
+    if not summary.header.estimated and not summary.header.origins:
+        return ""
+    entries = "".join(f"<li>{text(entry)}</li>" for entry in summary.header.estimated)
+    estimated = f"<p>Estimated, not from a published source:</p><ul>{entries}</ul>" if entries else ""
+    origins = origin_table(summary) if summary.header.origins else ""
+    return f"<section><h2>Where the numbers come from</h2>\n{estimated}{origins}</section>\n"
+
+
+def _definitions() -> str:
+    words = "".join(f"<dt>{word}</dt><dd>{meaning}</dd>\n" for word, meaning in DEFINITIONS.items())
+    return f'<section><h2>How the figures are defined</h2>\n<dl class="words">{words}</dl></section>\n'
+
+
+def _footer(summary: Summary) -> str:
+    header = summary.header
+    parts = [f"ropsim {header.version}".strip(), f"simulated {seconds(summary.duration)} s"]
+    if math.isfinite(header.control_hz):
+        parts.append(f"control {header.control_hz:g} Hz")
+    if math.isfinite(header.record_hz):
+        parts.append(f"recorded at {header.record_hz:g} Hz")
+    if header.icr_id:
+        parts.append(f"program id {header.icr_id}")
+    return f"<footer>{text(' · '.join(parts))}</footer>\n"
+
+
+def _reading(recording: Recording) -> str:
+    """Return the box of the time cursor, with the source line active at each time."""
+    starts, lines = active_lines(recording)
+    if len(starts) > SHOWN_LINE_CHANGES:
+        starts, lines = [], []
+    return (
+        f'<output id="reading" data-starts="{" ".join(f"{start:.4g}" for start in starts)}"'
+        f' data-lines="{" ".join(map(str, lines))}"></output>\n'
+    )

@@ -1,0 +1,1 @@
+"""A run as columns of numbers for the page: the pack."""

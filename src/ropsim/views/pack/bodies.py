@@ -1,0 +1,58 @@
+"""Bodies of a pack: links have world poses, parts ride on what carries them, all else stays in place."""
+
+from collections import defaultdict
+
+from ropsim.flow import Recording
+from ropsim.kinematics import body_poses
+from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree
+from ropsim.spatial import Array, quaternions_from_matrices
+from ropsim.views.pack.channels import QUATERNION_STEP, continuous, resampled
+from ropsim.views.pack.columns import Body, Code, smooth
+from ropsim.views.shown_placements import ShownPlacements
+
+POSITION_STEP = 1e-5
+"""Coarsest rounding of a body's position [m]."""
+
+
+def packed_bodies(recording: Recording, cell: Cell, times: Array, body: Body) -> list[dict[str, object]]:
+    """Return the entries of all bodies, in the order of the scene.
+
+    Args:
+        recording: of a run in this cell.
+        cell: as it was simulated.
+        times: of the samples [s], shape (n,).
+        body: gets the bytes of the columns.
+    """
+    tree = body_tree(cell)
+    places = tree.places()
+    entries: list[dict[str, object]] = [{"name": one.name, "track": "fixed"} for one in tree.bodies]
+    for name, columns in _link_columns(recording, tree, times, body).items():
+        entries[places[name]] |= {"track": "poses", "columns": columns}
+    for name, placements in _placements(recording, tree).items():
+        entries[places[name]] |= {"track": "placed", "placements": placements}
+    return entries
+
+
+def _link_columns(recording: Recording, tree: BodyTree, times: Array, body: Body) -> dict[str, list[Code]]:
+    """Return seven column codes for each link: its joint's frame in W."""
+    q = resampled(recording.channels["q"].values, recording, times)
+    poses = body_poses(tree, {ROBOT: q}, tree.names(BodyKind.LINK))
+    found = {}
+    for name, matrices in poses.items():
+        turned = continuous(quaternions_from_matrices(matrices[:, :3, :3]))
+        found[name] = [
+            *(smooth(column, POSITION_STEP, body) for column in matrices[:, :3, 3].T),
+            *(smooth(column, QUATERNION_STEP, body) for column in turned.T),
+        ]
+    return found
+
+
+def _placements(recording: Recording, tree: BodyTree) -> dict[str, list[dict[str, object]]]:
+    """Return the placements of every part that the recording tells of, by name."""
+    shown, parts = ShownPlacements(tree), set(tree.names(BodyKind.PART))
+    found: dict[str, list[dict[str, object]]] = defaultdict(list)
+    for placement in recording.placements:
+        for name, told in shown.take(placement):
+            if name in parts:
+                found[name].append(told)
+    return found

@@ -1,0 +1,85 @@
+"""Channels of a pack: every channel of the recording at the rate of the screen."""
+
+import numpy as np
+
+from ropsim.flow import Channel, Recording
+from ropsim.spatial import Array
+from ropsim.views.pack.columns import Body, Code, smooth
+from ropsim.views.pack.steps import is_held, steps
+
+QUATERNION_STEP = 2.0**-15
+
+_ARM = {"q", "qd", "tau", "q_ref", "qd_ref", "q_error"}
+_DRIVES = {"current", "voltage", "command", "motor_coordinate", "motor_speed"}
+_STEPS = (("rad/s", 1e-4), ("m/s", 1e-4), ("rad", 1e-6), ("m", 1e-6), ("N", 1e-3), ("A", 1e-3), ("V", 1e-3))
+"""Coarsest rounding by unit; `rad | m` counts as its first one. All are far below what a plot shows."""
+
+
+def packed_channels(recording: Recording, times: Array, body: Body) -> list[dict[str, object]]:
+    """Return the entries of all channels, in the order of the recording.
+
+    Args:
+        recording: of the run.
+        times: of the samples [s], shape (n,).
+        body: gets the bytes of the columns.
+    """
+    return [
+        {
+            "name": name,
+            "unit": channel.unit,
+            "description": channel.description,
+            "group": group_of(name),
+            "columns": _columns(name, channel, recording, times, body),
+        }
+        for name, channel in recording.channels.items()
+    ]
+
+
+def group_of(name: str) -> str:
+    """Return the group under which lists show a channel."""
+    if name in _ARM | _DRIVES:
+        return "joints"
+    if name.startswith("signal."):
+        return "signals"
+    return "tcp" if name.startswith(("attained_", "command_", "path_")) else "program"
+
+
+def resampled(values: Array, recording: Recording, times: Array) -> Array:
+    """Return columns (rows, k) at other times by linear interpolation, shape (n, k)."""
+    return np.stack([np.interp(times, recording.time, column) for column in values.T], axis=1)
+
+
+def continuous(quaternions: Array) -> Array:
+    """Return unit quaternions (n, 4) with signs such that neighbours are near: q and -q turn alike."""
+    turns = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
+    signs = np.cumprod(np.concatenate([[1.0], np.where(turns, -1.0, 1.0)]))
+    return np.asarray(quaternions * signs[:, None])
+
+
+def _columns(
+    name: str, channel: Channel, recording: Recording, times: Array, body: Body
+) -> list[dict[str, object]]:
+    values = channel.values.reshape(len(recording.time), -1)
+    names = channel.columns or (("",) if values.shape[1] == 1 else tuple(map(str, range(values.shape[1]))))
+    if is_held(name):
+        codes: list[Code] = [steps(column, recording) for column in values.T]
+    else:
+        if name.endswith("_orientation") and values.shape[1] == 4:
+            values = continuous(values)
+        values = resampled(values, recording, times)
+        codes = [smooth(column, _step(channel.unit), body) for column in values.T]
+    return [
+        {"name": label, **_extremes(column), "code": code}
+        for label, column, code in zip(names, values.T, codes, strict=True)
+    ]
+
+
+def _step(unit: str) -> float:
+    return next((step for start, step in _STEPS if unit.startswith(start)), QUATERNION_STEP)
+
+
+def _extremes(values: Array) -> dict[str, float | None]:
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return {"min": None, "max": None}
+    return {"min": float(known.min()), "max": float(known.max())}

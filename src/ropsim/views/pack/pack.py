@@ -1,0 +1,121 @@
+"""The pack of a run: everything that a page needs to show it at any time, small enough to send and to keep.
+
+docs/reference/pack.md describes it. Here are its plain header and the bytes of its columns; the workbench
+makes one file of them.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import Event, Recording
+from ropsim.model import Cell
+from ropsim.spatial import Array
+from ropsim.views.pack.bodies import packed_bodies
+from ropsim.views.pack.channels import packed_channels
+from ropsim.views.pack.columns import Body
+from ropsim.views.result import result_figures
+from ropsim.views.scene.shapes import plain_pose
+from ropsim.views.summary import Summary
+
+VERSION = 1
+RATE = 60
+"""Samples per second: as many as a screen shows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pack:
+    """A pack before it becomes a file.
+
+    Attributes:
+        header: plain values; numbers may be NaN or infinite in what the recording brought along.
+        body: bytes of the smooth columns.
+    """
+
+    header: dict[str, object]
+    body: bytes
+
+
+def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[Diagnostic] = ()) -> Pack:
+    """Return the pack of a run.
+
+    Args:
+        recording: of a run in this cell; it must have the channel `q`.
+        cell: as it was simulated.
+        summary: of the recording and these findings.
+        findings: of compiling, shown before those of the run.
+    """
+    body = Body()
+    times = sample_times(recording.duration)
+    about = recording.header
+    header: dict[str, object] = {
+        "version": VERSION,
+        "duration": recording.duration,
+        "rate": RATE,
+        "count": len(times),
+        "program": about.get("program", ""),
+        "source": about.get("source", ""),
+        "fidelity": about.get("fidelity", "dynamic"),
+        "project": cell.name,
+        "base": plain_pose(cell.X_WB),
+        "channels": packed_channels(recording, times, body),
+        "bodies": packed_bodies(recording, cell, times, body),
+        "events": [_event(event) for event in recording.events],
+        "findings": [
+            *(plain_finding(one) for one in findings),
+            *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
+        ],
+        "result": result_figures(summary),
+        "recording": dict(about),
+    }
+    return Pack(header, body.content())
+
+
+def sample_times(duration: float) -> Array:
+    """Return the times of the samples [s]: every 1/60 s, the last one at the end of the run."""
+    count = max(math.ceil(duration * RATE - 1e-9), 0)
+    return np.append(np.arange(count) / RATE, duration)
+
+
+def time_of(finding: Diagnostic, events: Iterable[Event]) -> float | None:
+    """Return when a finding arose [s]: its own time, else that of its line and pass; None for neither."""
+    known = finding.data.get("time_s")
+    if isinstance(known, (int, float)):
+        return float(known)
+    if finding.span is None:
+        return None
+    place = (finding.span.source, finding.span.line)
+    visit = finding.data.get("pass")
+    there = (event for event in events if event.span and (event.span.source, event.span.line) == place)
+    return next((one.time for one in there if visit in {None, one.data.get("visit")}), None)
+
+
+def _event(event: Event) -> dict[str, object]:
+    return {
+        "time": event.time,
+        "duration": event.duration,
+        "kind": event.kind,
+        "text": event.text,
+        "span": asdict(event.span) if event.span else None,
+        "data": dict(event.data),
+    }
+
+
+def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, object]:
+    """Return a finding as plain values, with the time [s] at which it arose; None where it has none."""
+    return {
+        "code": finding.code,
+        "severity": finding.severity.value,
+        "message": finding.message,
+        "hint": finding.hint,
+        "span": asdict(finding.span) if finding.span else None,
+        "time": time,
+    }
+
+
+def plain_findings(findings: Iterable[Diagnostic]) -> tuple[Mapping[str, object], ...]:
+    """Return findings without a time, as plain values."""
+    return tuple(plain_finding(one) for one in findings)

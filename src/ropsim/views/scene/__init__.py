@@ -1,0 +1,1 @@
+"""What a cell looks like: bodies with shapes, frames."""

@@ -1,0 +1,59 @@
+"""The bodies of a scene in the order of the body tree, as they are drawn at the start of a run."""
+
+from dataclasses import dataclass
+
+from ropsim.kinematics import body_poses
+from ropsim.model import BASE, Body, BodyKind, Cell, Shape, body_tree, link_name, start_of, tool_body
+from ropsim.spatial import Pose
+from ropsim.views.scene.arm import base_shapes, link_shapes
+from ropsim.views.scene.tool import grip_width, tool_shapes
+
+NO_BODY = -1
+"""Place of the parent of what is fixed on no moving body: its pose is in the world frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class SceneBody:
+    """One body at the start of a run.
+
+    Attributes:
+        name: `base`, `link1`, `tool:NAME`, or the name of an object or part.
+        kind: what it is.
+        parent: place of the link that carries a tool, `NO_BODY` for all others.
+        pose: in the frame of the parent, or in the world frame.
+        shapes: in its own frame; that of a link is the frame of its joint.
+        visible: False for a tool that is not mounted and for a part that waits in its supply.
+    """
+
+    name: str
+    kind: BodyKind
+    parent: int
+    pose: Pose
+    shapes: tuple[Shape, ...]
+    visible: bool = True
+
+
+def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
+    """Return the bodies of a cell, in the order of its body tree."""
+    tree = body_tree(cell)
+    places = tree.places()
+    start = {name: q[None] for name, q in start_of(cell).items()}
+    poses, looks = body_poses(tree, start), _looks(cell)
+
+    def drawn(body: Body) -> SceneBody:
+        shapes = looks.get(body.name, body.shapes)
+        if body.kind is BodyKind.TOOL:
+            return SceneBody(body.name, body.kind, places[body.parent], body.X_PB, shapes, body.visible)
+        stands = body.mover is None and not body.parent
+        pose = body.X_PB if stands else Pose.from_matrix(poses[body.name][0])
+        return SceneBody(body.name, body.kind, NO_BODY, pose, shapes, body.visible)
+
+    return tuple(drawn(body) for body in tree.bodies)
+
+
+def _looks(cell: Cell) -> dict[str, tuple[Shape, ...]]:
+    """Return how arm and tools are drawn, by name of their bodies: by their own shapes, else by stand-ins."""
+    robot, width = cell.robot, grip_width(cell)
+    links = {link_name(number): link_shapes(robot, number) for number in range(1, robot.n + 1)}
+    tools = {tool_body(name): tool_shapes(tool, width) for name, tool in cell.tools.items()}
+    return {BASE: base_shapes(robot), **links, **tools}

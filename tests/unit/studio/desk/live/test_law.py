@@ -1,0 +1,111 @@
+"""The law of live runs: whatever keys were pressed and when, the inputs give the same recording again."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ropsim.flow import Recording
+from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.desk.live.watch import LivePace
+from ropsim.studio.jobs import LiveControl, LiveSpeed, Order, SetSignal
+from ropsim.workbench import Project, open_overlaid
+from ropsim.workbench.inputs import inputs_of, with_inputs
+from support.live import KEYS, FakeLine, project
+
+
+@dataclass(frozen=True)
+class Played:
+    """A live run and what its line has heard."""
+
+    recording: Recording
+    line: FakeLine
+
+
+@pytest.fixture(scope="module")
+def keys(tmp_path_factory: pytest.TempPathFactory) -> Project:
+    return open_overlaid(project(tmp_path_factory.mktemp("keys"), KEYS), {})
+
+
+def play(opened: Project, line: FakeLine, speed: float, options: RunOptions) -> Played:
+    cell, code = opened.runnable(opened.program())
+    clock = PacedClock(line.now, speed)
+    pace = LivePace("main", clock, line, line.now, line.now)
+    return Played(run(cell, code, replace(options, watch=pace)), line)
+
+
+def again(opened: Project, recording: Recording, options: RunOptions) -> Recording:
+    cell, code = opened.runnable(opened.program())
+    return run(cell, code, with_inputs(options, inputs_of(recording)))
+
+
+def assert_same(one: Recording, other: Recording) -> None:
+    assert np.array_equal(one.time, other.time)
+    assert list(one.channels) == list(other.channels)
+    for name, channel in one.channels.items():
+        assert np.array_equal(channel.values, other.channels[name].values, equal_nan=True), name
+    assert one.events == other.events
+    assert one.findings == other.findings
+    assert (one.duration, one.header) == (other.duration, other.header)
+
+
+ORDERS: st.SearchStrategy[Order] = st.one_of(
+    st.builds(SetSignal, st.sampled_from(["start", "more"]), st.sampled_from([0.0, 1.0])),
+    st.builds(SetSignal, st.just("level"), st.floats(-5.0, 5.0)),
+    st.builds(LiveSpeed, st.floats(0.1, 8.0)),
+    st.builds(LiveControl, st.sampled_from(["pause", "resume"])),
+)
+
+
+@settings(max_examples=10)
+@given(
+    plan=st.lists(st.tuples(st.floats(0.0, 8.0), ORDERS), max_size=12),
+    speed=st.floats(0.1, 8.0),
+    work=st.sampled_from([0.0, 1e-4, 3e-3]),
+)
+def test_the_inputs_of_a_live_run_give_the_same_recording_again(
+    keys: Project, plan: list[tuple[float, Order]], speed: float, work: float
+) -> None:
+    after: list[tuple[float, Order]] = [
+        (9.0, LiveControl("resume")),
+        (9.0, LiveSpeed(8.0)),
+        (9.5, SetSignal("start", 1.0)),
+    ]
+    line = FakeLine([*plan, *after], work=work)
+    options = RunOptions(Fidelity.KINEMATIC)
+    played = play(keys, line, speed, options)
+    assert "S761" not in {found.code for found in played.recording.findings}
+    assert_same(played.recording, again(keys, played.recording, options))
+
+
+def test_the_law_holds_for_drives_and_dynamics(keys: Project) -> None:
+    plan = [
+        (1.7003, SetSignal("start", 1.0)),
+        (2.6501, SetSignal("more", 1.0)),
+        (2.9, SetSignal("level", 2.5)),
+        (3.05, SetSignal("start", 0.0)),
+    ]
+    played = play(keys, FakeLine(plan, work=2e-4), 1.0, RunOptions())
+    assert len(inputs_of(played.recording)) == 4
+    assert_same(played.recording, again(keys, played.recording, RunOptions()))
+
+
+def test_the_keys_decide_the_way_that_the_program_takes(keys: Project) -> None:
+    lines = []
+    for pressed in (3.0, 1.6):
+        line = FakeLine([(1.5, SetSignal("start", 1.0)), (pressed, SetSignal("more", 1.0))])
+        recording = play(keys, line, 1.0, RunOptions(Fidelity.KINEMATIC)).recording
+        lines.append([event.span.line for event in recording.events if event.kind == "move" and event.span])
+    assert lines == [[3, 7, 11, 7, 9], [3, 7, 9, 7, 9]]
+
+
+def test_a_change_is_stamped_on_the_next_tick_and_after_what_was_read(keys: Project) -> None:
+    line = FakeLine([(1.50037, SetSignal("start", 1.0)), (1.50038, SetSignal("start", 0.0))])
+    recording = play(keys, line, 1.0, RunOptions(Fidelity.KINEMATIC, longest=3.0)).recording
+    hz = 1000.0
+    ticks = [round(one.time * hz, 6) for one in inputs_of(recording)]
+    assert ticks == [1501.0, 1502.0]
+    assert [one["time"] for one in line.messages("stamped")] == [1.501, 1.502]
