@@ -29,7 +29,8 @@ def published_arm(name: str) -> RobotModel:
         before = before @ _frame(row)
     massless = Link(0.0, np.zeros(3), np.zeros((3, 3)))
     n = len(joints)
-    return RobotModel(name, name, tuple(joints), (massless,) * n, (), Pose.from_matrix(before), np.zeros(n))
+    X_nM = Pose.from_matrix(before)
+    return RobotModel(name, name, tuple(joints), (massless,) * n, (), np.zeros(n), X_nM=X_nM)
 
 
 def random_joints(robot: RobotModel, count: int, seed: int) -> Array:

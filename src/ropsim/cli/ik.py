@@ -63,8 +63,8 @@ def _beyond(robot: RobotModel, result: IkResult) -> Iterator[_Branch]:
 
 
 def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
-    shows = [display(joint.type) for joint in robot.joints]
-    names = [f"{joint.name} [{unit}]" for joint, (_, unit) in zip(robot.joints, shows, strict=True)]
+    shows = [display(joint.measure) for joint in robot.axis_joints]
+    names = [f"{joint.name} [{unit}]" for joint, (_, unit) in zip(robot.axis_joints, shows, strict=True)]
     rows = [(*names, "posture", "beyond its limits" if any(one.beyond for one in branches) else "")]
     for one in branches:
         values = [f"{shown(q * scale, 3):.3f}" for q, (scale, _) in zip(one.q, shows, strict=True)]
@@ -77,7 +77,7 @@ def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
 
 
 def _excess(robot: RobotModel, beyond: LimitViolation) -> str:
-    scale, unit = display(robot.joints[beyond.joint].type)
+    scale, unit = display(robot.axis_joints[beyond.joint].measure)
     space = "" if unit == "°" else " "
     return f"joint {beyond.name} by {beyond.excess * scale:.1f}{space}{unit}"
 

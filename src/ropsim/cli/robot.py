@@ -58,7 +58,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "title": robot.title,
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
-                for joint in robot.joints
+                for joint in robot.axis_joints
             ],
             "inverse_kinematics": solver_document(robot),
             "origins": [[one.parameters, one.kind, one.source] for one in robot.origins],
@@ -93,8 +93,8 @@ def fk(options: argparse.Namespace, output: Output) -> int:
 def _joint_rows(robot: RobotModel) -> list[str]:
     """Return a table of the joints with its header: numbers aligned right below their titles."""
     rows = [("joint", "type", "lower", "upper", "speed", "acceleration", "torque or force")]
-    for joint in robot.joints:
-        scale, unit = display(joint.type)
+    for joint in robot.axis_joints:
+        scale, unit = display(joint.measure)
         rows.append(
             (
                 joint.name,
@@ -117,8 +117,8 @@ def _cell(text: str, width: int, side: str) -> str:
 def _effort(joint: Joint) -> str:
     if not math.isfinite(joint.max_effort):
         return "unknown"
-    return f"{joint.max_effort:.1f} {'N·m' if joint.type is JointType.REVOLUTE else 'N'}"
+    return f"{joint.max_effort:.1f} {'N·m' if joint.measure is JointType.REVOLUTE else 'N'}"
 
 
 def _scales(robot: RobotModel) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    return np.array([display(joint.type)[0] for joint in robot.joints])
+    return np.array([display(joint.measure)[0] for joint in robot.axis_joints])

@@ -99,7 +99,7 @@ def limit_refusals(line: Line, q: Array, robot: RobotModel, limits: JointRange) 
     row = int(outside[0])
     index = int(np.argmax(excess[row]))
     furthest = float(q[int(np.argmax(excess[:, index])), index])
-    joint = robot.joints[index]
+    joint = robot.axis_joints[index]
     limit = joint.upper if q[row, index] > joint.upper else joint.lower
     share = line.share(row)
     finding = JOINT_LIMIT_ON_LINE.at(
@@ -125,7 +125,7 @@ def speed_refusals(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic,
     factor = float(speeds[row, index] / limits[index])
     if factor <= 1.0 + _RATE_SLACK:
         return ()
-    joint, speed = robot.joints[index], float(speeds[row, index])
+    joint, speed = robot.axis_joints[index], float(speeds[row, index])
     share = line.share(row)
     finding = SPEED_LIMIT_ON_LINE.at(
         line.move.origin.span,
@@ -150,7 +150,7 @@ def acceleration_findings(line: Line, q: Array, robot: RobotModel) -> tuple[Diag
     at_rest = np.concatenate((line.q_start[None], line.q_start[None], q, q[-1:]))
     accelerations = np.abs(np.diff(at_rest, 2, axis=0)) / line.setpoints.period**2
     row, index = _worst(accelerations / robot.max_accelerations)
-    joint, value = robot.joints[index], float(accelerations[row, index])
+    joint, value = robot.axis_joints[index], float(accelerations[row, index])
     if value <= joint.max_acceleration * (1.0 + _RATE_SLACK):
         return ()
     share = line.share(min(row, len(q) - 1))

@@ -67,7 +67,7 @@ def check_joints(
     outside = np.flatnonzero((q < lower - _LIMIT_SLACK) | (q > upper + _LIMIT_SLACK)).tolist()
     findings = []
     for index in outside:
-        joint, value = robot.joints[index], float(q[index])
+        joint, value = robot.axis_joints[index], float(q[index])
         limit = joint.upper if value > joint.upper else joint.lower
         findings.append(
             JOINT_OUT_OF_RANGE.at(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ropsim.kinematics import posture, solver_of
-from ropsim.model import JointType, RobotModel
+from ropsim.kinematics import posture, solver_of, turning_axes
+from ropsim.model import RobotModel
 from ropsim.motion import JointMotionLimits, durations
 from ropsim.spatial import Array, record
 
@@ -29,8 +29,7 @@ class JointRange:
     @classmethod
     def of(cls, robot: RobotModel) -> "JointRange":
         """Return the range of an arm."""
-        revolute = np.array([joint.type is JointType.REVOLUTE for joint in robot.joints], dtype=np.float64)
-        return cls(robot.lower_limits, robot.upper_limits, revolute)
+        return cls(robot.lower_limits, robot.upper_limits, turning_axes(robot))
 
     def excess(self, q: Array) -> Array:
         """Return how far each coordinate lies outside its limits [rad | m]: 0 inside, NaN for NaN."""

@@ -77,7 +77,7 @@ def out_of_range(move: MoveInstruction, branches: Array, robot: RobotModel, limi
     excess = limits.excess(turned)
     nearest = int(np.argmin(excess.max(axis=1)))
     index = int(np.argmax(excess[nearest]))
-    joint, value = robot.joints[index], float(turned[nearest, index])
+    joint, value = robot.axis_joints[index], float(turned[nearest, index])
     limit = joint.upper if value > joint.upper else joint.lower
     count = len(turned)
     reach = "one posture reaches" if count == 1 else f"{count} postures reach"

@@ -9,14 +9,14 @@ from ropsim.model import Joint, JointType
 
 def coordinate(joint: Joint, value: float) -> str:
     """Return a joint coordinate [rad | m] in degrees or millimetres, as people read it."""
-    if joint.type is JointType.REVOLUTE:
+    if joint.measure is JointType.REVOLUTE:
         return f"{math.degrees(value):.1f}°"
     return f"{value * 1e3:.1f} mm"
 
 
 def rate(joint: Joint, value: float, per: str) -> str:
     """Return a joint speed or acceleration in degrees or millimetres; `per` is `/s` or `/s²`."""
-    if joint.type is JointType.REVOLUTE:
+    if joint.measure is JointType.REVOLUTE:
         return f"{math.degrees(value):.1f}°{per}"
     return f"{value * 1e3:.1f} mm{per}"
 
@@ -28,7 +28,7 @@ def passes(origin: Origin) -> str:
 
 def figures(joint: Joint, value: float, limit: float, per: str = "") -> dict[str, object]:
     """Return name, value and limit of a joint for the data of a finding; the keys carry the unit."""
-    unit = ("rad" if joint.type is JointType.REVOLUTE else "m") + per
+    unit = ("rad" if joint.measure is JointType.REVOLUTE else "m") + per
     return {"joint": joint.name, f"value_{unit}": value, f"limit_{unit}": limit}
 
 

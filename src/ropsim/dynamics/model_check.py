@@ -30,18 +30,22 @@ def check_model(robot: RobotModel) -> None:
         owner = f"joint `{joint.name}` of arm `{robot.name}`"
         _check_finite(owner, [*joint.placement.as_tuple(), joint.offset, *link_parameters(link)])
         _check_symmetric(owner, link)
-    for joint, drive in zip(robot.joints, robot.drives, strict=bool(robot.drives)):
+    for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         _check_finite(f"drive of joint `{joint.name}` of arm `{robot.name}`", _drive_numbers(drive))
 
 
 def _check_counts(robot: RobotModel) -> None:
-    if robot.n < 1:
+    if not robot.joints:
         message = f"arm `{robot.name}` has no joints"
         raise JointCountError(WRONG_COUNT.at(None, message, hint="give it at least one joint"))
-    for what, count in (("links", len(robot.links)), ("drives", len(robot.drives) or robot.n)):
-        if count != robot.n:
-            message = f"arm `{robot.name}` has {count} {what} for {robot.n} joints"
-            raise JointCountError(WRONG_COUNT.at(None, message, hint=f"give one entry of {what} per joint"))
+    rows = (
+        ("links", len(robot.links), len(robot.joints), "joint"),
+        ("drives", len(robot.drives) or robot.n, robot.n, "joint"),
+    )
+    for what, count, allowed, of in rows:
+        if count != allowed:
+            message = f"arm `{robot.name}` has {count} {what} for {allowed} {of}s"
+            raise JointCountError(WRONG_COUNT.at(None, message, hint=f"give one entry of {what} per {of}"))
 
 
 def _check_symmetric(owner: str, link: Link) -> None:

@@ -1,5 +1,6 @@
 """Kinematics of serial arms: poses, Jacobians, all branches of the inverse, postures; no time, no forces."""
 
+from ropsim.kinematics.arrays import turning_axes as turning_axes
 from ropsim.kinematics.blocks import NO_BLOCKS as NO_BLOCKS
 from ropsim.kinematics.blocks import Blocks as Blocks
 from ropsim.kinematics.blocks import part_blocks as part_blocks

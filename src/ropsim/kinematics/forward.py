@@ -4,18 +4,19 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
-from ropsim.model import RobotModel
+from ropsim.kinematics.tree_arrays import TreeArrays, moved_steps, step_frames, tree_arrays
+from ropsim.model import BASE_LINK, Mechanism
 from ropsim.spatial import Array, Pose
 
 
-def forward(robot: RobotModel, q: npt.ArrayLike) -> Pose:
+def forward(robot: Mechanism, q: npt.ArrayLike) -> Pose:
     """Return the pose X_BM of the mechanical interface in the base frame.
 
     The TCP of a tool is `forward(robot, q) @ tool.X_MT`.
 
     Args:
-        robot: arm with n joints.
-        q: joint coordinates [rad | m], shape (n,).
+        robot: mechanism with n axes.
+        q: coordinates of the axes [rad | m], shape (n,).
 
     Raises:
         ArrayShapeError: M551, q has another shape.
@@ -24,67 +25,78 @@ def forward(robot: RobotModel, q: npt.ArrayLike) -> Pose:
     return Pose.from_matrix(joint_frames(robot, q)[-1])
 
 
-def forward_batch(robot: RobotModel, Q: npt.ArrayLike) -> Array:
+def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return X_BM of many configurations as homogeneous matrices, shape (k, 4, 4); compiled.
 
     Args:
-        robot: arm with n joints.
-        Q: joint coordinates [rad | m], shape (k, n); a row with NaN gives a matrix with NaN.
+        robot: mechanism with n axes.
+        Q: coordinates of the axes [rad | m], shape (k, n); a row with NaN gives a matrix with NaN.
 
     Raises:
         ArrayShapeError: M551, Q has another shape.
     """
     from ropsim.kinematics.forward_kernel import forward_rows
 
-    rows = joint_rows(robot, Q)
     chain = chain_arrays(robot)
+    rows = np.ascontiguousarray(chain.steps(joint_rows(robot, Q)))
     out = np.empty((len(rows), 4, 4))
     forward_rows(chain.R, chain.p, chain.slides, chain.offset, chain.X_nM, rows, out)
     return out
 
 
-def joint_frames(robot: RobotModel, q: npt.ArrayLike) -> Array:
-    """Return the frames of all joints, moved by q, and of the mechanical interface.
+def joint_frames(robot: Mechanism, q: npt.ArrayLike) -> Array:
+    """Return the frames of all links, moved by q, and of the mechanical interface.
 
     Args:
-        robot: arm with n joints.
-        q: joint coordinates [rad | m], shape (n,).
+        robot: mechanism with n axes.
+        q: coordinates of the axes [rad | m], shape (n,).
 
     Returns:
-        Homogeneous matrices in the base frame, shape (n + 1, 4, 4); row i has the axis of joint i + 1 as z,
-        the last row is X_BM.
+        Homogeneous matrices in the base frame, shape (links + 1, 4, 4); row i belongs to link i, from 0, and
+        has the axis of the joint that moves it as z; the last row is X_BM.
 
     Raises:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
+        MechanismError: the mechanism cannot be.
     """
-    frames: Array = frames_of(chain_arrays(robot), joint_vector(robot, q)[np.newaxis])[0]
+    frames: Array = _link_frames(tree_arrays(robot), joint_vector(robot, q)[np.newaxis])[0]
     return frames
 
 
-def frames_batch(robot: RobotModel, Q: npt.ArrayLike) -> Array:
-    """Return `joint_frames` of many configurations Q (k, n), shape (k, n + 1, 4, 4).
+def frames_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
+    """Return `joint_frames` of many configurations Q (k, n), shape (k, links + 1, 4, 4).
 
     Raises:
         ArrayShapeError: M551, Q has another shape.
+        MechanismError: the mechanism cannot be.
     """
-    return frames_of(chain_arrays(robot), joint_rows(robot, Q))
+    return _link_frames(tree_arrays(robot), joint_rows(robot, Q))
 
 
 def frames_of(chain: ChainArrays, rows: Array) -> Array:
-    """Return the frames of all joints and of the interface for rows (k, n), shape (k, n + 1, 4, 4)."""
-    count, n = rows.shape
-    moved = rows + chain.offset
-    angles, shifts = moved * (1.0 - chain.slides), moved * chain.slides
-    co, si = np.cos(angles)[..., np.newaxis], np.sin(angles)[..., np.newaxis]  # (k, n, 1)
-    x, y, z = chain.R[:, :, 0], chain.R[:, :, 1], chain.R[:, :, 2]  # (n, 3)
-    steps = np.zeros((count, n + 1, 4, 4))  # each joint frame in the one before it
-    steps[:, :, 3, 3] = 1.0
-    steps[:, :n, :3, 0] = x * co + y * si
-    steps[:, :n, :3, 1] = y * co - x * si
-    steps[:, :n, :3, 2] = z
-    steps[:, :n, :3, 3] = chain.p + z * shifts[..., np.newaxis]
-    steps[:, n, :3] = chain.X_nM
-    for i in range(1, n + 1):
+    """Return the frames of all steps to the interface, and its own, for axes at rows (k, n).
+
+    Returns:
+        Homogeneous matrices in the base frame, shape (k, m + 1, 4, 4).
+    """
+    moved = chain.steps(rows) + chain.offset
+    m = moved.shape[1]
+    steps = np.zeros((len(rows), m + 1, 4, 4))  # each frame in the one before it
+    steps[:, :m] = moved_steps(chain.R, chain.p, chain.slides, moved)
+    steps[:, m, :3], steps[:, m, 3, 3] = chain.X_nM, 1.0
+    for i in range(1, m + 1):
         steps[:, i] = steps[:, i - 1] @ steps[:, i]  # now in the base frame
     return steps
+
+
+def _link_frames(tree: TreeArrays, rows: Array) -> Array:
+    """Return the frames of all links and of the interface, shape (k, links + 1, 4, 4)."""
+    frames = step_frames(tree, rows)
+    links = np.empty((len(rows), len(tree.carriers) + 1, 4, 4))
+    for number, step in enumerate(tree.carriers):
+        links[:, number] = np.eye(4) if step == BASE_LINK else frames[:, step]
+    for number in tree.moved:
+        links[:, number] = links[:, number] @ tree.X_SL[number]
+    links[:, -1] = tree.X_LM if tree.interface == BASE_LINK else links[:, tree.interface] @ tree.X_LM
+    return links

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics import selection_kernel
-from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
+from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows, turning_axes
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.forward import forward_batch
 from ropsim.kinematics.limits import limit_violations
@@ -16,7 +16,7 @@ from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
 from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
 from ropsim.kinematics.solver import InverseSolver
-from ropsim.model import JointType, RobotModel
+from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, frozen, record
 
 NEIGHBOUR = 0.1
@@ -154,6 +154,5 @@ def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array
 
 @lru_cache(maxsize=64)
 def _desk(robot: RobotModel) -> _Desk:
-    turning = [float(joint.type is JointType.REVOLUTE) for joint in robot.joints]
-    limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, np.array(turning))))
+    limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
     return _Desk(solver_of(robot), limits, frozen(np.zeros(robot.n)))

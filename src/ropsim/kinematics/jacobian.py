@@ -3,21 +3,23 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.forward import joint_frames
-from ropsim.model import JointType, RobotModel
+from ropsim.kinematics.arrays import chain_arrays, joint_vector
+from ropsim.kinematics.forward import frames_of
+from ropsim.model import Mechanism
 from ropsim.spatial import Array, Pose
 
 
-def jacobian(robot: RobotModel, q: npt.ArrayLike) -> Array:
+def jacobian(robot: Mechanism, q: npt.ArrayLike) -> Array:
     """Return the Jacobian of the mechanical interface in the base frame.
 
     V = J(q)·q̇ with V = (velocity of the origin of M [m/s], angular velocity [rad/s]), both in base
     coordinates. Column i is (z_i × (p_M - p_i), z_i) for a revolute joint and (z_i, 0) for a prismatic one
-    (Whitney 1972).
+    (Whitney 1972). An axis that moves several joints by couplings has the sum of their columns, each times
+    its factor.
 
     Args:
-        robot: arm with n joints.
-        q: joint coordinates [rad | m], shape (n,).
+        robot: mechanism with n axes.
+        q: coordinates of the axes [rad | m], shape (n,).
 
     Returns:
         J, shape (6, n): rows 0 to 2 linear, 3 to 5 angular.
@@ -29,24 +31,26 @@ def jacobian(robot: RobotModel, q: npt.ArrayLike) -> Array:
     return jacobian_at(robot, q, Pose())
 
 
-def jacobian_at(robot: RobotModel, q: npt.ArrayLike, X_MT: Pose) -> Array:
+def jacobian_at(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> Array:
     """Return the Jacobian of the TCP of a tool in the base frame, shape (6, n); see `jacobian`.
 
     Args:
-        robot: arm with n joints.
-        q: joint coordinates [rad | m], shape (n,).
+        robot: mechanism with n axes.
+        q: coordinates of the axes [rad | m], shape (n,).
         X_MT: tool frame in the mechanical interface frame.
 
     Raises:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    frames = joint_frames(robot, q)
+    chain = chain_arrays(robot)
+    frames = frames_of(chain, joint_vector(robot, q)[np.newaxis])[0]
     X_BM = frames[-1]
     p_BT = X_BM[:3, :3] @ X_MT.position + X_BM[:3, 3]
-    axes = frames[:-1, :3, 2]  # (n, 3)
-    levers = p_BT - frames[:-1, :3, 3]  # (n, 3)
-    slides = np.array([[joint.type is JointType.PRISMATIC] for joint in robot.joints])  # (n, 1)
+    axes = frames[:-1, :3, 2]  # (m, 3)
+    levers = p_BT - frames[:-1, :3, 3]  # (m, 3)
+    slides = chain.slides[:, np.newaxis] > 0.0  # (m, 1)
     linear = np.where(slides, axes, np.cross(axes, levers))
     angular = np.where(slides, 0.0, axes)
-    return np.concatenate((linear, angular), axis=1).T
+    J = np.concatenate((linear, angular), axis=1).T  # of the steps
+    return J if chain.parallel else np.asarray(J @ chain.spread[:, :-1])

@@ -3,10 +3,10 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import joint_vector
+from ropsim.kinematics.arrays import joint_vector, turning_axes
 from ropsim.kinematics.result import LimitViolation
 from ropsim.kinematics.selection_kernel import LIMIT_SLACK
-from ropsim.model import JointType, RobotModel
+from ropsim.model import RobotModel
 from ropsim.spatial import Array
 
 TURN = 2.0 * np.pi
@@ -22,7 +22,7 @@ def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
     values = joint_vector(robot, q)
     with np.errstate(invalid="ignore"):  # a joint without limits has no middle
         centres = np.nan_to_num((robot.lower_limits + robot.upper_limits) / 2.0, posinf=0.0, neginf=0.0)
-    turns = np.array([TURN if joint.type is JointType.REVOLUTE else 0.0 for joint in robot.joints])
+    turns = TURN * turning_axes(robot)
     return np.asarray(values + turns * np.round((centres - values) / TURN))
 
 
@@ -35,7 +35,7 @@ def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolatio
     """
     found = []
     for index, (joint, value) in enumerate(
-        zip(robot.joints, turned_to_limits(robot, q).tolist(), strict=True)
+        zip(robot.axis_joints, turned_to_limits(robot, q).tolist(), strict=True)
     ):
         limit = min(max(value, joint.lower), joint.upper)
         if abs(value - limit) > LIMIT_SLACK:

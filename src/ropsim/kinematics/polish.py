@@ -26,7 +26,7 @@ def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) 
     """Return joint coordinates that reach their poses, near to those given.
 
     Args:
-        chain: of the arm with n joints.
+        chain: of the arm with n axes.
         T: poses X_BM, shape (k, 4, 4).
         Q: starts [rad | m], NaN rows are left alone, shape (k, m, n).
         slack: largest sum of errors of an answer [m, entries of the rotation matrix].
@@ -46,7 +46,7 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
     """Return joint coordinates along a path, each found from the one before it.
 
     Args:
-        chain: of the arm with n joints.
+        chain: of the arm with n axes.
         T: poses X_BM along the path, shape (k, 4, 4).
         q: joint coordinates one step before the first pose [rad | m], shape (n,).
         slack: as in `polished`.
@@ -61,8 +61,10 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
 
 
 def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float]) -> Array:
-    n = len(chain.slides)
+    m, n = len(chain.slides), chain.n
     found = np.array(Q)
-    frames, room = np.empty((n + 1, 12)), np.empty((n + 10, max(n, 6)))
-    polish_kernel.polish_rows(chain.flat, T, found, np.array(settings), frames, room)
+    frames, room, lanes = np.empty((m + 1, 12)), np.empty((n + 10, max(n, 6))), np.empty((7, m))
+    polish_kernel.polish_rows(
+        chain.flat, chain.spread, chain.turning, T, found, np.array(settings), frames, room, lanes
+    )
     return found

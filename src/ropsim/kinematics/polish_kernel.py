@@ -19,20 +19,36 @@ STALLS = 6
 """So many steps in a row that hardly help end the search."""
 
 
-@kernel("void(f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1])")
-def polish_rows(chain: Array, T: Array, Q: Array, settings: Array, frames: Array, room: Array) -> None:
-    """Bring every row of Q (k, m, n) to its pose X_BM in T (k, 4, 4), or make it NaN.
+@kernel(
+    "void(f8[::1], f8[:,::1], f8[::1], f8[:,:,::1], f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])"
+)
+def polish_rows(
+    chain: Array,
+    spread: Array,
+    turning: Array,
+    T: Array,
+    Q: Array,
+    settings: Array,
+    frames: Array,
+    room: Array,
+    lanes: Array,
+) -> None:
+    """Bring every row of Q (k, j, n) to its pose X_BM in T (k, 4, 4), or make it NaN.
 
     Args:
-        chain: `ChainArrays.flat` of the arm.
+        chain: `ChainArrays.flat` of the arm with m steps and n axes.
+        spread: `ChainArrays.spread`.
+        turning: `ChainArrays.turning`.
         T: poses.
-        Q: starts, NaN rows are left alone; answers with revolute coordinates in (-π, π] [rad | m].
+        Q: starts, NaN rows are left alone; answers with coordinates that turn in (-π, π] [rad | m].
         settings: number of steps, 0 to check the rows only; largest sum of the errors of an accepted row
             [m, entries of the rotation matrix]; 1.0 where row j of pose k starts from row j of pose k - 1.
-        frames: room to work in, shape (n + 1, 12).
+        frames: room to work in, shape (m + 1, 12).
         room: room to work in, shape (n + 10, max(n, 6)).
+        lanes: room to work in, shape (7, m).
     """
     n = Q.shape[2]
+    last = frames.shape[0] - 1
     steps, slack = int(settings[0]), settings[1]
     for k in range(Q.shape[0]):
         for j in range(Q.shape[1]):
@@ -41,37 +57,49 @@ def polish_rows(chain: Array, T: Array, Q: Array, settings: Array, frames: Array
                     Q[k, j, i] = Q[k - 1, j, i]
             if Q[k, j, 0] != Q[k, j, 0]:
                 continue
-            _descend(chain, T[k], Q[k, j], steps, frames, room)
-            found = _entry_errors(frames[n], T[k]) <= slack
+            _descend(chain, spread, T[k], Q[k, j], steps, frames, room, lanes)
+            found = _entry_errors(frames[last], T[k]) <= slack
             for i in range(n):
                 if not found:
                     Q[k, j, i] = float("nan")
-                elif steps > 0 and chain[14 * i + 12] == 0.0 and settings[2] == 0.0:
+                elif steps > 0 and turning[i] > 0.0 and settings[2] == 0.0:
                     Q[k, j, i] = _principal(Q[k, j, i])
 
 
-def _descend(chain: Array, X: Array, q: Array, steps: int, frames: Array, room: Array) -> None:
+def _descend(
+    chain: Array,
+    spread: Array,
+    X: Array,
+    q: Array,
+    steps: int,
+    frames: Array,
+    room: Array,
+    lanes: Array,
+) -> None:
     """Improve q (n,) in place; frames then belong to it.
 
-    Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, JᵀJ + λ·1 (n rows).
+    Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, JᵀJ + λ·1 (n rows). Rows of `lanes`:
+    the Jacobian of the steps (6 rows), and their coordinates.
     """
-    n = q.shape[0]
+    n, last = q.shape[0], frames.shape[0] - 1
     e, trial = room[6], room[8]
-    _place(chain, q, frames)
-    error = _error(frames[n], X, e)
+    _spread(spread, q, lanes[6])
+    _place(chain, lanes[6], frames)
+    error = _error(frames[last], X, e)
     mu, stalls = 1.0, 0
     for _ in range(steps):
         if error <= GOAL or stalls > STALLS:
             break
-        _jacobian(chain, frames, room)
+        _jacobian(chain, spread, frames, room, lanes)
         helped = False
         for _ in range(12):
             longest = _step(room, mu * error)
             scale = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0
             for i in range(n):
                 trial[i] = q[i] + scale * room[7, i]
-            _place(chain, trial, frames)
-            tried = _error(frames[n], X, room[9])
+            _spread(spread, trial, lanes[6])
+            _place(chain, lanes[6], frames)
+            tried = _error(frames[last], X, room[9])
             if tried < error:
                 helped = True
                 break
@@ -83,12 +111,26 @@ def _descend(chain: Array, X: Array, q: Array, steps: int, frames: Array, room: 
         mu *= 0.1
         for i in range(n):
             q[i] = trial[i]
-        error = _error(frames[n], X, e)
-    _place(chain, q, frames)
+        error = _error(frames[last], X, e)
+    _spread(spread, q, lanes[6])
+    _place(chain, lanes[6], frames)
+
+
+def _spread(spread: Array, q: Array, steps: Array) -> None:
+    """Write the coordinates of the steps (m,) for those of the axes, the first n numbers of q."""
+    n = spread.shape[1] - 1
+    for i in range(steps.shape[0]):
+        if spread.shape[0] == 0:
+            steps[i] = q[i]
+        else:
+            total = spread[i, n]
+            for j in range(n):
+                total += spread[i, j] * q[j]
+            steps[i] = total
 
 
 def _place(chain: Array, q: Array, frames: Array) -> None:
-    """Write the frames of all joints and of the interface, R by rows and p, to frames (n + 1, 12)."""
+    """Write the frames of all steps and of the interface, R by rows and p, to frames (m + 1, 12)."""
     n = frames.shape[0] - 1
     for i in range(n + 1):
         X, at = frames[i], 14 * i
@@ -142,11 +184,25 @@ def _error(M: Array, X: Array, e: Array) -> float:
     return sqrt(dx * dx + dy * dy + dz * dz + vx * vx + vy * vy + vz * vz)
 
 
-def _jacobian(chain: Array, frames: Array, J: Array) -> None:
-    """Write the Jacobian of the interface to the first six rows of J, as in `jacobian.py`."""
-    n = frames.shape[0] - 1
-    M = frames[n]
-    for i in range(n):
+def _jacobian(chain: Array, spread: Array, frames: Array, room: Array, lanes: Array) -> None:
+    """Write the Jacobian of the interface to the first six rows of `room`, as in `jacobian.py`."""
+    if spread.shape[0] == 0:
+        _columns(chain, frames, room)
+        return
+    _columns(chain, frames, lanes)
+    for i in range(room.shape[0] - 10):
+        for r in range(6):
+            total = 0.0
+            for k in range(spread.shape[0]):
+                total += lanes[r, k] * spread[k, i]
+            room[r, i] = total
+
+
+def _columns(chain: Array, frames: Array, J: Array) -> None:
+    """Write the Jacobian of the interface for the steps to the first six rows of J."""
+    m = frames.shape[0] - 1
+    M = frames[m]
+    for i in range(m):
         X = frames[i]
         ax, ay, az = X[2], X[5], X[8]
         if chain[14 * i + 12] > 0.0:

@@ -1,4 +1,4 @@
-"""Look a robot model over: what cannot be right, what is doubtful, what is only estimated."""
+"""Look a mechanism over: what cannot be right, what is doubtful, what is only estimated."""
 
 from collections.abc import Iterator
 from itertools import chain
@@ -8,7 +8,10 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.model import diagnostics as kinds
-from ropsim.model.robot import Joint, JointType, Link, RobotModel
+from ropsim.model.joint import Joint, JointType
+from ropsim.model.link import Link
+from ropsim.model.mechanism import Mechanism
+from ropsim.model.mechanism_check import mechanism_findings
 from ropsim.spatial import Array
 
 TRIANGLE_SLACK = 1e-9
@@ -24,16 +27,20 @@ def is_symmetric(inertia: Array) -> bool:
     return bool(np.allclose(inertia, inertia.T, rtol=0.0, atol=slack))
 
 
-def audit(robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return the findings about a robot model, in the order counts, joints, links, home, origins.
+def audit(robot: Mechanism) -> tuple[Diagnostic, ...]:
+    """Return the findings about a mechanism, in the order structure, joints, links, home, origins.
 
-    Errors are contradictions (reversed limits, negative masses, missing links); warnings are numbers that no
-    rigid body can have but that published sets contain (A + B < C); hints name massless links and estimates.
+    Errors are contradictions (reversed limits, negative masses, missing links, circles of couplings);
+    warnings are numbers that no rigid body can have but that published sets contain (A + B < C); hints name
+    massless links and estimates. A mechanism whose structure cannot be is looked at no further.
     """
+    structure = mechanism_findings(robot)
+    if structure:
+        return structure
     return tuple(
         chain(
-            _counts(robot),
-            chain.from_iterable(_joint_findings(joint) for joint in robot.joints),
+            chain.from_iterable(_joint_findings(joint) for joint in robot.axis_joints),
+            chain.from_iterable(_placement(joint) for joint in robot.joints),
             chain.from_iterable(_link_findings(str(i), link) for i, link in enumerate(robot.links, start=1)),
             _home(robot),
             _origins(robot),
@@ -41,20 +48,8 @@ def audit(robot: RobotModel) -> tuple[Diagnostic, ...]:
     )
 
 
-def _counts(robot: RobotModel) -> Iterator[Diagnostic]:
-    found = {"links": len(robot.links), "drives": len(robot.drives) or robot.n}
-    for what, count in found.items():
-        if count != robot.n:
-            yield kinds.COUNT_MISMATCH.at(
-                None,
-                f"`{robot.name}` has {count} {what} for {robot.n} joints",
-                hint=f"give one entry of {what} for each joint",
-                data={"found": count, "allowed": robot.n},
-            )
-
-
 def _joint_findings(joint: Joint) -> Iterator[Diagnostic]:
-    unit = "rad" if joint.type is JointType.REVOLUTE else "m"
+    unit = "m" if joint.type is JointType.PRISMATIC else "rad"
     if not joint.lower < joint.upper:
         yield kinds.REVERSED_LIMITS.at(
             None,
@@ -72,7 +67,10 @@ def _joint_findings(joint: Joint) -> Iterator[Diagnostic]:
                 hint="give the largest value that the joint may reach",
                 data={"found": value},
             )
-    if not all(map(isfinite, joint.placement.as_tuple())):
+
+
+def _placement(joint: Joint) -> Iterator[Diagnostic]:
+    if not all(map(isfinite, (*joint.placement.as_tuple(), joint.offset, joint.lead))):
         yield _not_finite(f"the placement of joint `{joint.name}`")
 
 
@@ -115,18 +113,10 @@ def _link_findings(name: str, link: Link) -> Iterator[Diagnostic]:
         )
 
 
-def _home(robot: RobotModel) -> Iterator[Diagnostic]:
-    if len(robot.home) != robot.n:
-        yield kinds.HOME_OUT_OF_RANGE.at(
-            None,
-            f"the home position has {len(robot.home)} coordinates for {robot.n} joints",
-            hint="give one coordinate for each joint",
-            data={"found": len(robot.home), "allowed": robot.n},
-        )
-        return
-    for joint, value in zip(robot.joints, robot.home.tolist(), strict=True):
+def _home(robot: Mechanism) -> Iterator[Diagnostic]:
+    for joint, value in zip(robot.axis_joints, robot.home.tolist(), strict=True):
         if not joint.lower <= value <= joint.upper:
-            unit = "rad" if joint.type is JointType.REVOLUTE else "m"
+            unit = "m" if joint.type is JointType.PRISMATIC else "rad"
             yield kinds.HOME_OUT_OF_RANGE.at(
                 None,
                 f"the home position has joint `{joint.name}` at {value:.4g} {unit}, allowed is "
@@ -136,7 +126,7 @@ def _home(robot: RobotModel) -> Iterator[Diagnostic]:
             )
 
 
-def _origins(robot: RobotModel) -> Iterator[Diagnostic]:
+def _origins(robot: Mechanism) -> Iterator[Diagnostic]:
     for origin in robot.origins:
         if origin.kind == "estimated":
             yield kinds.ESTIMATED_PARAMETERS.at(

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from ropsim.model.body import WORLD, Body, BodyKind
-from ropsim.model.robot import RobotModel
+from ropsim.model.mechanism import Mechanism
 from ropsim.spatial import record
 
 
@@ -14,11 +14,11 @@ class BodyTree:
 
     Attributes:
         bodies: in the order in which a scene lists them; a parent may come after its child.
-        mechanisms: the arms whose joints move bodies, by name.
+        mechanisms: the mechanisms whose joints move bodies, by name.
     """
 
     bodies: tuple[Body, ...]
-    mechanisms: Mapping[str, RobotModel] = field(default_factory=dict)
+    mechanisms: Mapping[str, Mechanism] = field(default_factory=dict)
 
     def by_name(self) -> dict[str, Body]:
         """Return the bodies by name."""

@@ -50,11 +50,13 @@ def _robot(cell: Cell) -> Iterator[Body]:
     for k, joint in enumerate(robot.joints):
         shapes = robot.links[k].shapes if k < len(robot.links) else ()
         mover = Mover(ROBOT, k)
-        yield Body(link_name(k + 1), BodyKind.LINK, link_name(k), joint.placement, shapes, mover)
+        yield Body(
+            link_name(k + 1), BodyKind.LINK, link_name(joint.parent + 1), joint.placement, shapes, mover
+        )
 
 
 def _tools(cell: Cell) -> Iterator[Body]:
-    last, X_nM = link_name(cell.robot.n), cell.robot.X_nM
+    last, X_nM = link_name(cell.robot.tip + 1), cell.robot.X_nM
     for name, tool in cell.tools.items():
         mounted = name == cell.default_tool
         yield Body(tool_body(name), BodyKind.TOOL, last, X_nM, tool.shapes, visible=mounted)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from ropsim.model.robot import ParameterOrigin
+from ropsim.model.origin import ParameterOrigin
 from ropsim.spatial import Array, frozen, record
 
 

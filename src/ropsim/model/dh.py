@@ -12,8 +12,10 @@ from math import cos, inf, sin
 
 import numpy as np
 
+from ropsim.model.dh_row import DhRow
+from ropsim.model.joint import Joint, JointType
+from ropsim.model.link import Link
 from ropsim.model.placements import snapped
-from ropsim.model.robot import DhRow, Joint, JointType, Link
 from ropsim.spatial import Array, Pose
 
 

@@ -1,4 +1,4 @@
-"""The fixed rotations and shifts of a robot as matrices, with the exact zeros and ones of the drawing.
+"""The fixed rotations and shifts of a mechanism as matrices, with the exact zeros and ones of the drawing.
 
 A quaternion of a right angle gives cosines such as 2e-16. Code generators drop a term only where the
 factor is exactly zero, so entries that are 0 or ±1 to rounding are set so here.
@@ -6,7 +6,7 @@ factor is exactly zero, so entries that are 0 or ±1 to rounding are set so here
 
 import numpy as np
 
-from ropsim.model.robot import RobotModel
+from ropsim.model.joint_tree import JointTree
 from ropsim.spatial import Array, Pose
 
 SNAP = 1e-15
@@ -25,21 +25,16 @@ def pose_matrices(pose: Pose) -> tuple[Array, Array]:
     return snapped(pose.rotation()), snapped(pose.position)
 
 
-def placement_matrices(robot: RobotModel) -> tuple[Array, Array]:
-    """Return the fixed part of every joint: frame of joint i at coordinate 0 in the frame before it.
+def placement_matrices(tree: JointTree) -> tuple[Array, Array]:
+    """Return the fixed part of every step: its frame at coordinate 0 in the frame of its parent.
 
     Args:
-        robot: n joints; the frame before joint 1 is the base frame.
+        tree: m steps.
 
     Returns:
-        R, shape (n, 3, 3), entries within 1e-15 of 0 and ±1 exact; p [m], shape (n, 3).
+        R, shape (m, 3, 3), entries within 1e-15 of 0 and ±1 exact; p [m], shape (m, 3).
     """
-    pairs = [pose_matrices(joint.placement) for joint in robot.joints]
-    rotations = np.array([rotation for rotation, _ in pairs]).reshape(robot.n, 3, 3)
-    positions = np.array([position for _, position in pairs]).reshape(robot.n, 3)
+    pairs = [pose_matrices(placement) for placement in tree.placements]
+    rotations = np.array([rotation for rotation, _ in pairs]).reshape(tree.m, 3, 3)
+    positions = np.array([position for _, position in pairs]).reshape(tree.m, 3)
     return rotations, positions
-
-
-def interface_matrices(robot: RobotModel) -> tuple[Array, Array]:
-    """Return (R_nM, p_nM): mechanical interface in the frame of the last joint, snapped like placements."""
-    return pose_matrices(robot.X_nM)

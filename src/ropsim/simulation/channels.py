@@ -28,7 +28,7 @@ def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Cha
     channels = {}
     for column in (*ARM_COLUMNS, *drives, *REFERENCE_COLUMNS, _ERROR):
         if column.name in log:
-            joints = [robot.joints[k] for k in axes.get(column.name, range(robot.n))]
+            joints = [robot.axis_joints[k] for k in axes.get(column.name, range(robot.n))]
             values = np.asarray(log[column.name])
             names = tuple(joint.name for joint in joints)
             channels[column.name] = Channel(values, _unit(column, joints), names, column.text)
@@ -37,7 +37,7 @@ def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Cha
 
 def _unit(column: Column, joints: Sequence[Joint]) -> str:
     """Return the unit of a quantity of these joints, such as `rad | m`."""
-    types = {joint.type for joint in joints}
+    types = {joint.measure for joint in joints}
     coordinate, effort = (
         " | ".join(units[kind] for kind in JointType if kind in types) for units in (_COORDINATE, _EFFORT)
     )

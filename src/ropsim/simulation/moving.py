@@ -73,8 +73,8 @@ def _not_in_position(state: CellRun, move: MoveInstruction) -> Diagnostic:
     controller = state.cell.controller
     error = abs(state.plant.q - state.q_command)
     joint = int((error / controller.in_position).argmax())
-    model = state.cell.robot.joints[joint]
-    scale, unit = (180.0 / math.pi, "°") if model.type is JointType.REVOLUTE else (1e3, " mm")
+    model = state.cell.robot.axis_joints[joint]
+    scale, unit = (180.0 / math.pi, "°") if model.measure is JointType.REVOLUTE else (1e3, " mm")
     kind = FAR_FROM_TARGET if error[joint] > FAR * controller.in_position[joint] else NOT_IN_POSITION
     return kind.at(
         move.origin.span,

@@ -81,8 +81,8 @@ def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str
         "robot": {
             "name": robot.name,
             "title": robot.title,
-            "joint_names": [joint.name for joint in robot.joints],
-            "joint_types": [joint.type.value for joint in robot.joints],
+            "joint_names": [joint.name for joint in robot.axis_joints],
+            "joint_types": [joint.measure.value for joint in robot.axis_joints],
             "lower": robot.lower_limits.tolist(),
             "upper": robot.upper_limits.tolist(),
             "max_speed": robot.max_speeds.tolist(),

@@ -120,11 +120,11 @@ def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping
 def _finding(
     robot: RobotModel, check: _Check, joint: int, value: float, time: float, line: int, source: str
 ) -> Diagnostic:
-    scale, unit = _SHOWN[check.quantity][robot.joints[joint].type]
+    scale, unit = _SHOWN[check.quantity][robot.axis_joints[joint].measure]
     limit = float(check.limits[joint])
     return check.kind.at(
         Span.whole_line(source, line) if line else None,
-        f"{check.quantity} of joint `{robot.joints[joint].name}` reached {value * scale:.4g} {unit}, "
+        f"{check.quantity} of joint `{robot.axis_joints[joint].name}` reached {value * scale:.4g} {unit}, "
         f"the limit is {limit * scale:.4g} {unit}",
         label=f"at t = {time:.2f} s",
         hint="lower the speed or acceleration here, or the payload",

@@ -62,7 +62,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
     robot = read_robot(robot_table, root.table("controller"), X_WB, units)
-    bodies = {link_name(number): _OF_ROBOT for number in range(robot.model.n + 1)} if robot else {}
+    bodies = {link_name(number): _OF_ROBOT for number in range(len(robot.model.joints) + 1)} if robot else {}
     taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
     objects = read_objects(root.tables("objects"), taken, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}

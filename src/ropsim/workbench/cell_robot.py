@@ -113,7 +113,7 @@ def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
 
 def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
     start = _per_joint(table, "start", _coordinates(model, units), model.home)
-    for k, joint in enumerate(model.joints):
+    for k, joint in enumerate(model.axis_joints):
         if joint.lower - _ROUNDING <= start[k] <= joint.upper + _ROUNDING:
             continue
         quantity = _coordinates(model, units)[k]
@@ -165,7 +165,9 @@ def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:
 
 def _coordinates(model: RobotModel, units: Units) -> list[Quantity]:
     """Return how the coordinate of each joint is written: an angle or a length."""
-    return [units.turn if joint.type is JointType.REVOLUTE else units.position for joint in model.joints]
+    return [
+        units.turn if joint.measure is JointType.REVOLUTE else units.position for joint in model.axis_joints
+    ]
 
 
 def _per_joint(table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array) -> Array:

@@ -12,6 +12,8 @@ LENGTH_SLACK = 1e-5
 """Axes count as meeting within this [m], once their directions are snapped: files are rounded to 0.01 mm."""
 NEAR_SINGULAR = 0.15
 """Configurations this near to a singular one [m, rad] may have a singular pose in their neighbourhood."""
+COUPLED = "its interface is moved by couplings, or not by each of its axes alone"
+"""What an arm misses in every class of serial arms."""
 EXACT = 1e-12
 """A model this near to its class [rad, m] needs no polishing: poses are promised to 1e-9."""
 

@@ -45,7 +45,7 @@ class NumericSolver:
     @property
     def slack(self) -> float:
         """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
-        return POSE_SLACK if len(self.chain.slides) >= 6 else TASK_SLACK
+        return POSE_SLACK if self.chain.n >= 6 else TASK_SLACK
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return answers to many poses, those nearest to `near` first, shape (k, 16, n).
@@ -71,7 +71,7 @@ class NumericSolver:
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found."""
-        n = len(self.chain.slides)
+        n = self.chain.n
         ends = nearest_to(self.chain, X_BM[np.newaxis], self._begin(1, np.zeros(n)))[0]
         poses = frames_of(self.chain, ends)[:, -1]
         distances = np.linalg.norm(poses[:, :3, 3] - X_BM[:3, 3], axis=1)
@@ -87,7 +87,7 @@ class NumericSolver:
 
     def _distinct(self, answers: Array, near: Array) -> Array:
         """Return each of the answers (s, n) once, the nearest first, shape (d, n)."""
-        turns = TURN * (1.0 - self.chain.slides)
+        turns = TURN * self.chain.turning
         kept: list[Array] = []
         apart = np.abs(_wrapped(answers - near, turns)).max(axis=1, initial=0.0)
         for q in answers[np.argsort(apart, kind="stable")]:

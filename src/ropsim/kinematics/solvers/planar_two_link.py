@@ -18,6 +18,7 @@ from ropsim.kinematics.result import IkStatus, Miss, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import (
     ANGLE_SLACK,
+    COUPLED,
     NEAR_SINGULAR,
     ZeroFrames,
     angle_between,
@@ -94,12 +95,14 @@ class PlanarTwoLinkSolver:
 
 def recognise(robot: RobotModel) -> PlanarTwoLinkSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
+    chain = chain_arrays(robot)
     if robot.n != 2:
         return f"it has {robot.n} joints, the class has 2"
-    for joint in robot.joints:
+    if not chain.parallel:
+        return COUPLED
+    for joint in robot.axis_joints:
         if joint.type is not JointType.REVOLUTE:
-            return f"joint `{joint.name}` is prismatic"
-    chain = chain_arrays(robot)
+            return f"joint `{joint.name}` is {joint.type.value}"
     frames = ZeroFrames.of(chain)
     axes, angle = parallel(frames.axes)
     if angle > ANGLE_SLACK:

@@ -15,7 +15,14 @@ from ropsim.kinematics.polish import TASK_SLACK, checked, polished
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Miss, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
-from ropsim.kinematics.solvers.axes import ANGLE_SLACK, NEAR_SINGULAR, ZeroFrames, angle_between, snap
+from ropsim.kinematics.solvers.axes import (
+    ANGLE_SLACK,
+    COUPLED,
+    NEAR_SINGULAR,
+    ZeroFrames,
+    angle_between,
+    snap,
+)
 from ropsim.kinematics.solvers.planar_arm import WIDER, PlanarArm, parallel, planar_arm, rows
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
@@ -81,12 +88,14 @@ class ScaraSolver:
 
 def recognise(robot: RobotModel) -> ScaraSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
+    chain = chain_arrays(robot)
     if robot.n != 4:
         return f"it has {robot.n} joints, the class has 4"
-    turning = [i for i, joint in enumerate(robot.joints) if joint.type is JointType.REVOLUTE]
+    if not chain.parallel:
+        return COUPLED
+    turning = [i for i, joint in enumerate(robot.axis_joints) if joint.type is JointType.REVOLUTE]
     if len(turning) != 3:
         return f"{len(turning)} of its joints turn, in the class 3 of 4"
-    chain = chain_arrays(robot)
     frames = ZeroFrames.of(chain)
     axes, angle = parallel(frames.axes)
     if angle > ANGLE_SLACK:

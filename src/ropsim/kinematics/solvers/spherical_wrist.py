@@ -23,7 +23,7 @@ from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
 from ropsim.kinematics.solvers import spherical_wrist_kernel as kernel
-from ropsim.kinematics.solvers.axes import LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
+from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.spherical_wrist_kernel import AXIS_SLACK, REACH_SLACK, WRIST_SLACK
 from ropsim.kinematics.solvers.wrist_arm import WristArm, directions_missed, snapped_axes, wrist_arm
 from ropsim.model import JointType, RobotModel
@@ -130,12 +130,14 @@ class SphericalWristSolver:
 
 def recognise(robot: RobotModel) -> SphericalWristSolver | str:
     """Return the solver of an arm of the class, or the condition that another arm misses."""
+    chain = chain_arrays(robot)
     if robot.n != 6:
         return f"it has {robot.n} joints, the class has 6"
-    for joint in robot.joints:
+    if not chain.parallel:
+        return COUPLED
+    for joint in robot.axis_joints:
         if joint.type is not JointType.REVOLUTE:
-            return f"joint `{joint.name}` is prismatic"
-    chain = chain_arrays(robot)
+            return f"joint `{joint.name}` is {joint.type.value}"
     frames = ZeroFrames.of(chain)
     missed = directions_missed(frames.axes)
     if missed:

@@ -45,7 +45,7 @@ def check_drives(robot: RobotModel) -> None:
     """
     if len(robot.drives) != robot.n:
         raise _no_drives(robot)
-    for joint, drive in zip(robot.joints, robot.drives, strict=True):
+    for joint, drive in zip(robot.axis_joints, robot.drives, strict=True):
         found = drive_fault(drive)
         if found:
             message = f"{found[0]} of the drive of joint `{joint.name}` {found[1]}"
@@ -55,7 +55,7 @@ def check_drives(robot: RobotModel) -> None:
 def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:
     """Return the error of a state that is not finite."""
     bad = np.flatnonzero(~np.isfinite(state.values))
-    joint = f" at joint `{robot.joints[int(bad[0]) % robot.n].name}`" if len(bad) else ""
+    joint = f" at joint `{robot.axis_joints[int(bad[0]) % robot.n].name}`" if len(bad) else ""
     time = state.tick / control_hz
     message = f"the state is not finite any more{joint} at or after {time:.6g} s; all numbers must be finite"
     hint = "look for a NaN in reference, payload or gains, or raise `plant_steps`"
@@ -103,7 +103,7 @@ def check_law(law: CompiledLaw, robot: RobotModel) -> None:
 
 def _misfit(traits: LawTraits, robot: RobotModel) -> str:
     """Return what of the traits of a law does not go together with an arm, empty for nothing."""
-    for joint, drive in zip(robot.joints, robot.drives, strict=True):
+    for joint, drive in zip(robot.axis_joints, robot.drives, strict=True):
         takes = chain_of(drive).amplifier.kind
         if traits.u_kind not in (None, takes):
             return f"puts out {traits.u_kind}, but the drive of joint `{joint.name}` takes {takes}"

@@ -6,7 +6,7 @@ next, as paper 1 draws an arm from its Denavit–Hartenberg table.
 
 import numpy as np
 
-from ropsim.model import Cylinder, Joint, JointType, RobotModel, Shape, rod
+from ropsim.model import BASE_LINK, Cylinder, Joint, JointType, RobotModel, Shape, rod
 from ropsim.spatial import Array, Pose
 
 _HUB = "#4a525a"
@@ -38,21 +38,33 @@ def link_shapes(robot: RobotModel, number: int) -> tuple[Shape, ...]:
 def reach(robot: RobotModel) -> tuple[Array, float]:
     """Return centre [m], shape (3,), and radius [m] of a sphere that the mechanical interface never leaves.
 
-    In the base frame. The centre is the place of joint 2 along the axis of joint 1, which no turn moves.
+    In the base frame. The centre is the place of the second joint on the way to the interface along the axis
+    of the first one, which no turn of that one moves.
     """
+    way = _way(robot)
     steps = [placement.position for placement in _fixed_parts(robot)[1:]]
     along = np.array([0.0, 0.0, steps[0][2]])
-    centre = robot.joints[0].placement @ Pose(along)
+    centre = robot.joints[way[0]].placement @ Pose(along)
     steps[0] = steps[0] - along
-    slides = sum(max(_slide(joint)) for joint in robot.joints)
+    slides = sum(max(_slide(robot.joints[number])) for number in way)
     return centre.position, sum(float(np.linalg.norm(step)) for step in steps) + slides
 
 
+def _way(robot: RobotModel) -> list[int]:
+    """Return the numbers of the joints from the base to the interface, from 0."""
+    found, link = [], robot.tip
+    while link != BASE_LINK:
+        found.append(link)
+        link = robot.joints[link].parent
+    return found[::-1]
+
+
 def _fixed_parts(robot: RobotModel) -> list[Pose]:
-    return [*(joint.placement for joint in robot.joints), robot.X_nM]
+    return [*(robot.joints[number].placement for number in _way(robot)), robot.X_nM]
 
 
 def _stand_in(robot: RobotModel, number: int) -> tuple[Shape, ...]:
+    """Return a hub at the joint and rods to the joints, or the interface, that its link carries."""
     joint = robot.joints[number - 1]
     here, there = _radius(robot, number - 1), _radius(robot, number)
     middle = 1.5 * here if number == 1 else 0.0  # the first joint often has its frame at the floor
@@ -60,15 +72,17 @@ def _stand_in(robot: RobotModel, number: int) -> tuple[Shape, ...]:
     back, front = _slide(joint)
     if back + front > _SHORTEST:  # the bar that slides through the hub of the joint
         shapes.append(rod((0.0, 0.0, -back), (0.0, 0.0, front), 0.8 * here, None, _ROD))
-    after = robot.joints[number].placement if number < robot.n else robot.X_nM
-    if float(np.linalg.norm(after.position)) > _SHORTEST:
-        shapes.append(rod(np.zeros(3), after.position, here, there, _ROD))
-    return tuple(shapes)
+    carried = [other.placement for other in robot.joints if other.parent == number - 1]
+    ends = [X.position for X in [*carried, *([robot.X_nM] if robot.tip == number - 1 else [])]]
+    rods = [
+        rod(np.zeros(3), end, here, there, _ROD) for end in ends if float(np.linalg.norm(end)) > _SHORTEST
+    ]
+    return (*shapes, *rods)
 
 
 def _slide(joint: Joint) -> tuple[float, float]:
     """Return how far a prismatic joint has its own origin ahead of (behind) its placement at most [m]."""
-    if joint.type is JointType.REVOLUTE:
+    if joint.type is not JointType.PRISMATIC:
         return 0.0, 0.0
     ahead, behind = joint.upper + joint.offset, -joint.lower - joint.offset
     return min(max(ahead, 0.0), _LONGEST_SLIDE), min(max(behind, 0.0), _LONGEST_SLIDE)
@@ -77,4 +91,4 @@ def _slide(joint: Joint) -> tuple[float, float]:
 def _radius(robot: RobotModel, number: int) -> float:
     """Return the radius of a rod at joint `number`, from 0 [m]."""
     whole = sum(float(np.linalg.norm(placement.position)) for placement in _fixed_parts(robot))
-    return max(_SLENDERNESS * whole, 1e-3) * (1.0 - _TAPER * number / robot.n)
+    return max(_SLENDERNESS * whole, 1e-3) * (1.0 - _TAPER * number / len(robot.joints))

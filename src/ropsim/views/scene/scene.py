@@ -55,12 +55,12 @@ def _robot(cell: Cell) -> dict[str, object]:
     joints = [
         {
             "name": joint.name,
-            "type": joint.type.value,
+            "type": joint.measure.value,
             "lower": joint.lower,
             "upper": joint.upper,
             "maxSpeed": joint.max_speed,
         }
-        for joint in robot.joints
+        for joint in robot.axis_joints
     ]
     return {"name": robot.name, "title": robot.title, "joints": joints}
 
@@ -84,7 +84,7 @@ def _frames(cell: Cell) -> list[dict[str, object]]:
         ("base", "base", NO_BODY, cell.X_WB),
         *((name, "frame", NO_BODY, X_WK) for name, X_WK in cell.frames.items()),
         *((name, "location", NO_BODY, X_WT) for name, X_WT in cell.locations.items()),
-        ("tcp", "tcp", cell.robot.n, X_nT),
+        ("tcp", "tcp", cell.robot.tip + 1, X_nT),
     ]
     return [
         {"name": name, "kind": kind, "parent": parent, "pose": plain_pose(pose)}

@@ -77,7 +77,7 @@ class JoggedArm:
         found = body_poses(self.tree, {ROBOT: q[None]}, moving)
         poses = {name: Pose.from_matrix(matrix[0]) for name, matrix in found.items()}
         bodies = tuple((places[name], pose.as_tuple()) for name, pose in poses.items())
-        X_WT = poses[link_name(robot.n)] @ robot.X_nM @ X_MT
+        X_WT = poses[link_name(robot.tip + 1)] @ robot.X_nM @ X_MT
         all_words = worst_first([*words, *singularity_words(robot, q)])
         reached = all(level != "error" for level, _ in words)
         return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words)

@@ -43,7 +43,7 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
         wanted: where it was to stand, shape (n,).
     """
     words: Words = []
-    for joint, value, wish in zip(robot.joints, q.tolist(), wanted.tolist(), strict=True):
+    for joint, value, wish in zip(robot.axis_joints, q.tolist(), wanted.tolist(), strict=True):
         upper = joint.upper - value <= value - joint.lower
         limit = joint.upper if upper else joint.lower
         left = abs(limit - value)
@@ -52,7 +52,7 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
             words.append(("error", f"joint {joint.name} stops at its {named}"))
         elif left <= AT_LIMIT:
             words.append(("warning", f"joint {joint.name} is at its {named}"))
-        elif left <= NEAR_LIMIT[joint.type]:
+        elif left <= NEAR_LIMIT[joint.measure]:
             words.append(("info", f"joint {joint.name} is {shown(joint, left)} from its {named}"))
     return words
 
@@ -63,7 +63,7 @@ def refusal_words(robot: RobotModel, found: IkResult) -> Words:
         return [("error", _shortfall_text(found.shortfall))]
     words: Words = []
     for one in found.violations:
-        joint = robot.joints[one.joint]
+        joint = robot.axis_joints[one.joint]
         side = "upper" if one.value > one.limit else "lower"
         text = (
             f"joint {joint.name} would have to go to {shown(joint, one.value)}, "
@@ -101,7 +101,7 @@ def singularity_words(robot: RobotModel, q: Array) -> Words:
 
 def shown(joint: Joint, value: float) -> str:
     """Return a coordinate in the unit that users read."""
-    if joint.type is JointType.REVOLUTE:
+    if joint.measure is JointType.REVOLUTE:
         return f"{round(degrees(value), 1):g}°"
     return f"{round(value * 1e3, 1):g} mm"
 

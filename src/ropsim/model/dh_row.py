@@ -1,0 +1,24 @@
+"""A row of a Denavit–Hartenberg table."""
+
+from dataclasses import dataclass
+
+from ropsim.model.joint import JointType
+
+
+@dataclass(frozen=True, slots=True)
+class DhRow:
+    """One row of a Denavit–Hartenberg table in the standard form Rz(θ)·Tz(d)·Tx(a)·Rx(α).
+
+    Attributes:
+        a: [m].
+        alpha: [rad].
+        d: [m]; offset of the coordinate for a prismatic joint.
+        theta: [rad]; offset of the coordinate for a revolute joint.
+        type: which of θ and d is the joint coordinate.
+    """
+
+    a: float
+    alpha: float
+    d: float
+    theta: float = 0.0
+    type: JointType = JointType.REVOLUTE

@@ -1,0 +1,123 @@
+"""What can be wrong with the joints, axes, couplings and loops of a mechanism (codes X830 to X839)."""
+
+from ropsim.core import Severity, define
+
+SAME_NAME = define(
+    "X830",
+    "joint-name-twice",
+    Severity.ERROR,
+    "two joints of a mechanism have one name",
+    """
+Limits, findings and channels name a joint, so each joint of a mechanism has a name of its own. Mechanisms
+that are joined to one (an arm on a track, an arm beside a turntable) name their external axes `E1`, `E2` and
+so on.
+""",
+)
+
+BAD_PARENT = define(
+    "X831",
+    "joint-on-impossible-link",
+    Severity.ERROR,
+    "a joint is carried by a link that does not exist, that comes later, or that hangs on it",
+    """
+The bodies of a mechanism form a tree: each joint is carried by the base (`BASE_LINK`, -1) or by the link of a
+joint before it in the list. So the joints are listed from the base outwards, and no chain of parents comes
+back to where it began. A closed chain is cut open: one of its joints is described by a `LoopCut` instead.
+
+Links are numbered from 0 in the model; messages count them from 1, as joints are named.
+""",
+)
+
+NO_AXES = define(
+    "X832",
+    "mechanism-without-axes",
+    Severity.ERROR,
+    "a mechanism has no driven joint",
+    """
+The axes of a mechanism are what programs and controllers command. A thing without any is no mechanism but a
+fixed object of the cell.
+""",
+)
+
+BAD_AXIS = define(
+    "X833",
+    "impossible-axis",
+    Severity.ERROR,
+    "an axis drives a joint that cannot be driven",
+    """
+An axis drives one joint with one freedom (revolute, prismatic or screw). A coordinate that follows others by
+a coupling has no drive of its own, and no joint is driven twice. A joint with more freedoms is driven through
+joints of one freedom each, one behind the other.
+""",
+)
+
+BAD_COUPLING = define(
+    "X834",
+    "impossible-coupling",
+    Severity.ERROR,
+    "a coupling names a coordinate that does not exist, or one that is coupled already",
+    """
+A coupling determines one coordinate as a linear function of others, with finite factors, and each coordinate
+is determined once. Coordinates are counted from 0, joint by joint: a revolute joint has one, a spherical one
+three, a fixed one none.
+""",
+)
+
+COUPLING_CIRCLE = define(
+    "X835",
+    "couplings-in-a-circle",
+    Severity.ERROR,
+    "coordinates are coupled to each other in a circle",
+    """
+A coordinate that follows another one which in turn follows the first, or that follows itself, is not
+determined by the axes: the couplings are singular. Write each dependent coordinate as a function of the axes.
+""",
+)
+
+FREE_COORDINATE = define(
+    "X836",
+    "coordinate-nobody-moves",
+    Severity.ERROR,
+    "a coordinate is neither an axis nor coupled, and no loop determines it",
+    """
+Passive joints are those whose coordinates follow from others: by a coupling, or by a closed chain
+(`LoopCut`). In a mechanism without closed chains every coordinate has to be an axis or to have a coupling,
+also each of those of a joint with more freedoms.
+""",
+)
+
+BAD_CUT = define(
+    "X837",
+    "impossible-loop-cut",
+    Severity.ERROR,
+    "a loop cut is not between two links of its mechanism",
+    """
+A `LoopCut` names two different bodies of the mechanism, the base or links, and a frame on each; the two
+frames coincide in the directions that the cut joint holds.
+""",
+)
+
+LOOP_TWICE = define(
+    "X838",
+    "loop-described-twice",
+    Severity.ERROR,
+    "a closed chain is described twice",
+    """
+A loop is described either exactly by couplings (a parallelogram, whose angles are linear functions of each
+other) or by one cut. Two cuts of the same place, or a cut of a loop whose coordinates are all axes or
+coupled, would constrain it twice.
+""",
+)
+
+LOOP_NOT_SIMULATED = define(
+    "X839",
+    "loop-not-simulated",
+    Severity.ERROR,
+    "the dynamics of a closed chain that is cut are not computed yet",
+    """
+Closed chains with `LoopCut`s are described and drawn, with the coordinates that their loop determines at
+zero. Their equations of motion are not computed, so the mechanism cannot be simulated. A chain whose
+coordinates are linear functions of the axes, such as a parallelogram, is described by couplings and simulated
+exactly.
+""",
+)

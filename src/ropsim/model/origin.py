@@ -1,0 +1,18 @@
+"""Where numbers of a model come from."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterOrigin:
+    """Where a group of parameters comes from.
+
+    Attributes:
+        parameters: what it covers, such as `motor constants`.
+        kind: `published`, `derived` or `estimated`.
+        source: paper, table or reasoning.
+    """
+
+    parameters: str
+    kind: str
+    source: str
