@@ -4,12 +4,12 @@ from typing import Any
 
 from measuring import Measure
 
+from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.model import Cell
 from ropsim.simulation.parts import initial_parts
 from ropsim.simulation.scenery import scenery_of
 from ropsim.simulation.standing import stood
-from ropsim.workbench import read_cell
 
 PARTS, ROW = 5000, 70
 ROBOT = '[robot]\nmodel = "puma560"\n'

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ropsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from ropsim import cellfile as cellfile
     from ropsim import controller as controller
     from ropsim import core as core
     from ropsim import dynamics as dynamics
@@ -17,12 +18,15 @@ if TYPE_CHECKING:
     from ropsim import icr as icr
     from ropsim import kinematics as kinematics
     from ropsim import language as language
+    from ropsim import meshes as meshes
     from ropsim import model as model
     from ropsim import motion as motion
     from ropsim import program as program
+    from ropsim import records as records
     from ropsim import robots as robots
     from ropsim import simulation as simulation
     from ropsim import spatial as spatial
+    from ropsim import userfiles as userfiles
     from ropsim import views as views
     from ropsim import workbench as workbench
     from ropsim.core import RopsimError as RopsimError
@@ -31,6 +35,7 @@ if TYPE_CHECKING:
 __all__ = [
     "RopsimError",
     "__version__",
+    "cellfile",
     "controller",
     "core",
     "dynamics",
@@ -38,13 +43,16 @@ __all__ = [
     "icr",
     "kinematics",
     "language",
+    "meshes",
     "model",
     "motion",
     "open",
     "program",
+    "records",
     "robots",
     "simulation",
     "spatial",
+    "userfiles",
     "views",
     "workbench",
 ]

@@ -34,7 +34,9 @@ def test_the_root_alone_imports_next_to_nothing() -> None:
     assert {name for name in loaded if name.startswith("ropsim")} == {"ropsim", "ropsim.version"}
 
 
-@pytest.mark.parametrize("package", ["language", "program", "icr", "model", "workbench", "views"])
+@pytest.mark.parametrize(
+    "package", ["language", "program", "icr", "model", "cellfile", "records", "workbench", "views"]
+)
 def test_compiling_and_reading_do_not_import_numba(package: str) -> None:
     assert "numba" not in loaded_after(f"import ropsim.{package}")
 
@@ -42,6 +44,11 @@ def test_compiling_and_reading_do_not_import_numba(package: str) -> None:
 @pytest.mark.parametrize("program", ["ropsim.workbench", "ropsim.cli.run", "ropsim.cli.check"])
 def test_only_the_studio_and_meshes_import_what_serves_them(program: str) -> None:
     assert loaded_after(f"import {program}").isdisjoint(SERVING)
+
+
+@pytest.mark.parametrize("package", ["ropsim.workbench", "ropsim.lsp"])
+def test_checking_a_text_loads_neither_what_runs_it_nor_what_shows_it(package: str) -> None:
+    assert loaded_after(f"import {package}").isdisjoint({"ropsim.simulation", "ropsim.views"})
 
 
 def test_the_module_is_the_command() -> None:

@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 from websockets.exceptions import InvalidStatus
 
-from ropsim.workbench import new_project, recording_file
-from ropsim.workbench.inputs import read_inputs
+from ropsim.records import read_recording
+from ropsim.records.inputs import read_inputs
+from ropsim.workbench import new_project
 from support import studio_launcher
 from support.patience import PATIENCE
 from support.studio_client import (
@@ -228,7 +229,7 @@ def test_the_newest_run_is_served_as_files_under_the_same_rules(shared: Studio, 
             (tmp_path / f"x.{ending}").write_bytes(content)
             assert get(shared, f"/run/{run}.{ending}", {})[0] == 401
             assert get(shared, f"/run/{run + 7}.{ending}", secret(shared))[0] == 404
-        assert recording_file.read(tmp_path / "x.npz").duration > 0.0
+        assert read_recording(tmp_path / "x.npz").duration > 0.0
         assert read_inputs(tmp_path / "x.inputs.json") == ()
 
 

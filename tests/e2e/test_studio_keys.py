@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from ropsim.records.inputs import read_inputs
 from ropsim.workbench import open_project
-from ropsim.workbench.inputs import read_inputs
 from support.browser import UNDRAWN, Pages
 from support.keys_project import keys_project
 from support.studio_page import StudioPage

@@ -6,11 +6,11 @@ from math import isfinite
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ropsim.meshes.formats import MeshFileError
+from ropsim.meshes.glb import glb_bytes
+from ropsim.meshes.reading import MESH_ENDINGS, read_mesh
+from ropsim.meshes.triangles import shaded
 from ropsim.model import Mesh
-from ropsim.workbench.glb import glb_bytes
-from ropsim.workbench.mesh_formats import MeshFileError
-from ropsim.workbench.mesh_reading import MESH_ENDINGS, read_mesh
-from ropsim.workbench.triangles import shaded
 from support.meshes import cube_soup, obj, ply, stl, stl_text
 
 ENDINGS = sorted(MESH_ENDINGS)

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.flow import Channel, Recording
-from ropsim.workbench.plain_values import tagged, untagged
-from ropsim.workbench.recording_file import RecordingFileError, read, recording_bytes
+from ropsim.records import RecordingFileError, read_recording, recording_bytes
+from ropsim.records.plain_values import tagged, untagged
 from support.recordings import pick_and_place, two_findings
 
 CONTENT = recording_bytes(pick_and_place(1, 10.0, two_findings()))
@@ -28,7 +28,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def outcome(path: Path) -> str:
     """The code of the diagnostic, or `read` where a whole recording came back."""
     try:
-        read(path)
+        read_recording(path)
     except RecordingFileError as error:
         return error.diagnostic.code
     return "read"
@@ -58,7 +58,7 @@ def test_damaged_directory_gives_a_diagnostic_or_a_recording(place: Path, direct
 def test_arbitrary_bytes_give_a_diagnostic(place: Path, content: bytes) -> None:
     place.write_bytes(content)
     with pytest.raises(RecordingFileError):
-        read(place)
+        read_recording(place)
 
 
 @settings(max_examples=100, derandomize=True)
@@ -79,7 +79,7 @@ def test_any_channel_and_header_come_back(
     time = np.arange(len(values), dtype=np.float64)
     channel = Channel(np.array(values, dtype=np.float64), unit)
     place.write_bytes(recording_bytes(Recording(time, {"x": channel}, (), (), 1.0, header)))
-    result = read(place)
+    result = read_recording(place)
     assert result.header == header
     assert result.channels["x"].unit == unit
     assert np.array_equal(result.channels["x"].values, channel.values, equal_nan=True)

@@ -3,9 +3,9 @@
 import argparse
 
 from ropsim.cli.output import Output
+from ropsim.records import diagnostic_document
 from ropsim.views import count_text
 from ropsim.workbench import open_project
-from ropsim.workbench.diagnostic_json import diagnostic_document
 
 
 def check(options: argparse.Namespace, output: Output) -> int:

@@ -14,10 +14,10 @@ from ropsim.flow import (
     OutputInstruction,
     WaitInstruction,
 )
+from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose
 from ropsim.spatial.quaternion import to_zyx
 from ropsim.workbench import CompiledProgram, Project, ProjectError, open_project
-from ropsim.workbench.diagnostic_json import diagnostic_document
 
 
 def compile_(options: argparse.Namespace, output: Output) -> int:

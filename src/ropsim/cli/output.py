@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 from ropsim.cli.streams import say
 from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
+from ropsim.records import diagnostic_document
 from ropsim.views import Style, diagnostics_text
 from ropsim.workbench import NOT_WRITABLE
-from ropsim.workbench.diagnostic_json import diagnostic_document
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
 USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "U900", "U901"})

@@ -13,8 +13,8 @@ from ropsim.cli.solver_words import solver_document, solver_lines
 from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.model import audit as audit_model
+from ropsim.records import diagnostic_document
 from ropsim.spatial.quaternion import to_zyx
-from ropsim.workbench.diagnostic_json import diagnostic_document
 
 WRONG_COUNT = define(
     "U901",

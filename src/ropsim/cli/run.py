@@ -10,9 +10,9 @@ from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
+from ropsim.records import diagnostic_document, readable
 from ropsim.views import Message, messages, messages_text, result_figures
 from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, open_project
-from ropsim.workbench.diagnostic_json import diagnostic_document, plain
 
 
 def run(options: argparse.Namespace, output: Output) -> int:
@@ -41,8 +41,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         {
             "ok": code == 0,
             "messages": [message_entry(one) for one in told],
-            "result": plain(result_figures(report.summary)),
-            "summary": plain(report.summary),
+            "result": readable(result_figures(report.summary)),
+            "summary": readable(report.summary),
             "written": written,
             **diagnostic_document(findings),
         }
@@ -88,9 +88,9 @@ def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Nam
     cell, program = project.runnable(compiled)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
+        from ropsim.records import read_inputs, with_inputs
         from ropsim.simulation import Fidelity, RunOptions
         from ropsim.simulation import run as simulate
-        from ropsim.workbench.inputs import read_inputs, with_inputs
 
         inputs = read_inputs(options.inputs) if options.inputs else ()
         fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
@@ -114,14 +114,14 @@ def _counted(program: icr.Program, progress: Callable[[float, str], None]) -> Ca
 def _write(
     options: argparse.Namespace, recording: Recording, save_report: Callable[[str], None]
 ) -> list[str]:
-    from ropsim.workbench import recording_file
+    from ropsim.records import write_recording
 
     written: list[str] = []
     if options.report:
         _guarded(options.report, lambda: save_report(options.report))
         written.append(options.report)
     if options.record:
-        _guarded(options.record, lambda: recording_file.write(recording, options.record))
+        _guarded(options.record, lambda: write_recording(recording, options.record))
         written.append(options.record)
     return written
 

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ropsim.cli.output import Output
-from ropsim.workbench import Trust, code_in, set_trust
+from ropsim.userfiles import Trust, code_in, set_trust
 
 
 def trust(options: argparse.Namespace, output: Output) -> int:

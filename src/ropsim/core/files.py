@@ -1,4 +1,4 @@
-"""The one door to the disk for everything below the workbench.
+"""The one door to the disk for everything below `meshes`.
 
 Reads whole files, replaces files so that a reader sees the old or the new content and never half
 of it, and knows the user's cache folder.

@@ -3,13 +3,13 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from ropsim.cellfile import place_in_cell_file
 from ropsim.core import SourceText
 from ropsim.lsp import names
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Workshop
-from ropsim.workbench import place_in_cell_file
 
 
 def definition(

@@ -5,10 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ropsim import language
+from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.lsp.document import Document
 from ropsim.model import Cell
-from ropsim.workbench import CheckedText, check_text, environment_of, read_cell, read_text_file
+from ropsim.userfiles import read_text_file
+from ropsim.workbench import CheckedText, check_text, environment_of
 
 CELL_FILE = "cell.toml"
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from ropsim.studio.line_ends import plain_lines, restored
 from ropsim.studio.messages import DocumentState
-from ropsim.workbench import Draft
+from ropsim.userfiles import Draft
 
 LARGEST = 5_000_000
 """Longest text [bytes], as for every reader of projects."""

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path, PurePosixPath
 
+from ropsim.cellfile import toml_values
 from ropsim.core import Diagnostic, did_you_mean, replace_file
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
 from ropsim.studio.document import LARGEST, Document
@@ -21,7 +22,7 @@ from ropsim.studio.project_files import (
     program_names,
     stamps,
 )
-from ropsim.workbench import Draft, toml_values
+from ropsim.userfiles import Draft
 
 DEFAULT_PROGRAM = "main"
 

@@ -14,7 +14,7 @@ from ropsim.studio.keeper import Keeper
 from ropsim.studio.messages import DocumentsChanged, notice
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
-from ropsim.workbench import Journal
+from ropsim.userfiles import Journal
 
 TextCommand: TypeAlias = commands.Edit | commands.Save | commands.Revert | commands.Create
 LOOK = 1.0

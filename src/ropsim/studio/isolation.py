@@ -4,7 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-from ropsim.workbench import CONFIGURATION_OVERRIDE, STATE_OVERRIDE
+from ropsim.userfiles import CONFIGURATION_OVERRIDE, STATE_OVERRIDE
 
 
 def leave_project(neutral: Path, folder: Path) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 
 from ropsim.core import Diagnostic
 from ropsim.studio.diagnostics import NO_JOURNAL
-from ropsim.workbench import Draft, Journal
+from ropsim.userfiles import Draft, Journal
 
 SOON = 0.15
 """Longest wait after an edit [s]; with the writing it stays below a third of a second."""

@@ -16,7 +16,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from ropsim.core import read_bytes, replace_private_file
-from ropsim.workbench import state_folder
+from ropsim.userfiles import state_folder
 
 LONGEST = 7 * 24 * 3600.0
 """Age at which a secret is made anew [s]."""

@@ -24,19 +24,9 @@ from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.studio.workers import DESK, WorkerLink
+from ropsim.userfiles import Trust, TrustError, code_in, recent_projects, set_trust, trust_in
 from ropsim.version import __version__
-from ropsim.workbench import (
-    STARTER,
-    Trust,
-    TrustError,
-    code_in,
-    example_names,
-    example_summary,
-    new_project,
-    recent_projects,
-    set_trust,
-    trust_in,
-)
+from ropsim.workbench import STARTER, example_names, example_summary, new_project
 
 REST = 0.25
 """How long the cell file must rest before the scene is made anew [s]."""

@@ -7,7 +7,7 @@ from ropsim.studio.isolation import shut_out
 from ropsim.studio.place import Place, keep_place
 from ropsim.studio.session import Session
 from ropsim.studio.workers import DESK
-from ropsim.workbench import remember_project
+from ropsim.userfiles import remember_project
 
 
 class Workplace:

@@ -1,10 +1,7 @@
 """Projects: open, compile, simulate, report. The façade that every front end uses."""
 
-from ropsim.workbench.cell_file import read_cell as read_cell
-from ropsim.workbench.cell_places import place_in_cell_file as place_in_cell_file
 from ropsim.workbench.checked_text import CheckedText as CheckedText
 from ropsim.workbench.checked_text import check_text as check_text
-from ropsim.workbench.code_files import code_in as code_in
 from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import compile_program as compile_program
@@ -13,25 +10,10 @@ from ropsim.workbench.example_projects import STARTER as STARTER
 from ropsim.workbench.example_projects import example_names as example_names
 from ropsim.workbench.example_projects import example_summary as example_summary
 from ropsim.workbench.example_projects import new_project as new_project
-from ropsim.workbench.journal import Draft as Draft
-from ropsim.workbench.journal import Journal as Journal
-from ropsim.workbench.meshes import MeshLibrary as MeshLibrary
-from ropsim.workbench.meshes import load_meshes as load_meshes
 from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.overlay import open_overlaid as open_overlaid
 from ropsim.workbench.project import FailedRunError as FailedRunError
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
-from ropsim.workbench.recent_projects import recent_projects as recent_projects
-from ropsim.workbench.recent_projects import remember_project as remember_project
-from ropsim.workbench.text_file import read_text_file as read_text_file
-from ropsim.workbench.toml_text import toml_values as toml_values
-from ropsim.workbench.trust import Trust as Trust
-from ropsim.workbench.trust import set_trust as set_trust
-from ropsim.workbench.trust import trust_in as trust_in
-from ropsim.workbench.trust_diagnostics import TrustError as TrustError
-from ropsim.workbench.user_folders import CONFIGURATION_OVERRIDE as CONFIGURATION_OVERRIDE
-from ropsim.workbench.user_folders import STATE_OVERRIDE as STATE_OVERRIDE
-from ropsim.workbench.user_folders import configuration_folder as configuration_folder
-from ropsim.workbench.user_folders import state_folder as state_folder
+from ropsim.workbench.replay import pack_of as pack_of

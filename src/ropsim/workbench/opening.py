@@ -5,13 +5,12 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TypeAlias
 
+from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
-from ropsim.workbench.cell_file import read_cell
+from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_text_file
 from ropsim.workbench.project import Project, ProjectError
-from ropsim.workbench.project_diagnostics import NO_PROJECT, UNREADABLE
-from ropsim.workbench.text_file import missing, read_text_file
-from ropsim.workbench.trust import inert_code
+from ropsim.workbench.project_diagnostics import NO_PROJECT
 
 CELL_FILE = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
@@ -39,7 +38,7 @@ def open_project(path: str | Path) -> Project:
 
 def _open(place: Path, path: str | Path) -> Project:
     if not place.exists():
-        raise ProjectError(missing(place, str(path)))
+        raise ProjectError(missing_file(place, str(path)))
     if place.is_dir():
         return _read_folder(place)
     if place.name == CELL_FILE:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 
 from ropsim.core import SourceText
+from ropsim.userfiles import UNREADABLE, read_text_file
 from ropsim.workbench.opening import (
     CELL_FILE,
     PROGRAM_ENDINGS,
@@ -13,8 +14,6 @@ from ropsim.workbench.opening import (
     program_files,
 )
 from ropsim.workbench.project import Project, ProjectError
-from ropsim.workbench.project_diagnostics import UNREADABLE
-from ropsim.workbench.text_file import read_text_file
 
 
 def open_overlaid(folder: Path, unsaved: Mapping[str, str]) -> Project:

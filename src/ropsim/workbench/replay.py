@@ -4,8 +4,7 @@ from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
-from ropsim.views import summarize
-from ropsim.workbench.pack_file import pack_bytes
+from ropsim.records import pack_bytes
 from ropsim.workbench.project import Project, ProjectError
 from ropsim.workbench.project_diagnostics import NO_CELL
 
@@ -23,5 +22,7 @@ def pack_of(project: Project, recording: Recording, findings: Iterable[Diagnosti
     """
     if project.cell is None:
         raise ProjectError(NO_CELL.at(None, f"`{project.folder}` has no cell to show a run in"))
+    from ropsim.views import summarize
+
     before = tuple(findings)
     return pack_bytes(project.cell, recording, summarize(recording, before), before)

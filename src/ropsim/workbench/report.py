@@ -4,11 +4,15 @@ import base64
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
+from ropsim.cellfile import mesh_in_cell_file
 from ropsim.core import Diagnostic, SourceText, replace_file
 from ropsim.flow import Recording
+from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell
+from ropsim.records import numeric, pack_bytes
 from ropsim.views import (
     NoReplay,
     Replay,
@@ -19,9 +23,6 @@ from ropsim.views import (
     summarize,
     terminal_report,
 )
-from ropsim.workbench.meshes import MeshLibrary, load_meshes
-from ropsim.workbench.pack_file import pack_bytes
-from ropsim.workbench.plain_values import numeric
 from ropsim.workbench.viewer import built_viewer
 
 OTHER_ARM = "No 3-D replay: the recording is not of the arm of this cell."
@@ -83,7 +84,9 @@ class Report:
         """Return the report with the meshes of its cell read: what cannot be drawn is among its findings."""
         if self.setting is None or self.setting.meshes is not None:
             return self
-        meshes = load_meshes(self.setting.folder, self.setting.cell, self.setting.text)
+        meshes = load_meshes(
+            self.setting.folder, self.setting.cell, partial(mesh_in_cell_file, self.setting.text)
+        )
         setting, before = replace(self.setting, meshes=meshes), (*self.before, *meshes.diagnostics)
         return Report.of(self.recording, self.sources, setting, before)
 

@@ -6,11 +6,11 @@ from random import Random
 
 import numpy as np
 
+from ropsim.meshes.formats import MOST_TRIANGLES, MeshFileError
+from ropsim.meshes.glb import glb_bytes
+from ropsim.meshes.reading import read_mesh
+from ropsim.meshes.triangles import shaded
 from ropsim.model import Mesh
-from ropsim.workbench.glb import glb_bytes
-from ropsim.workbench.mesh_formats import MOST_TRIANGLES, MeshFileError
-from ropsim.workbench.mesh_reading import read_mesh
-from ropsim.workbench.triangles import shaded
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target
 from support.fuzzing.values import DEPTHS

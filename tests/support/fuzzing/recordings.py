@@ -10,10 +10,9 @@ from tempfile import mkdtemp
 
 import numpy as np
 
+from ropsim.records import InputsError, RecordingFileError, read_recording, recording_bytes
+from ropsim.records.inputs import inputs_of, read_inputs, with_inputs
 from ropsim.simulation import RunOptions
-from ropsim.workbench.inputs import inputs_of, read_inputs, with_inputs
-from ropsim.workbench.project import ProjectError
-from ropsim.workbench.recording_file import RecordingFileError, read, recording_bytes
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target
 from support.recordings import pick_and_place, two_findings
@@ -33,12 +32,12 @@ def _recording(content: bytes) -> str:
     path = _WORK / "a.npz"
     path.write_bytes(content)
     try:
-        found = read(path)
+        found = read_recording(path)
     except RecordingFileError as error:
         return error.diagnostic.code
     try:
         inputs_of(found)
-    except ProjectError as error:
+    except InputsError as error:
         return error.diagnostic.code
     return "read"
 
@@ -48,7 +47,7 @@ def _inputs(content: bytes) -> str:
     path.write_bytes(content)
     try:
         found = read_inputs(path)
-    except ProjectError as error:
+    except InputsError as error:
         return error.diagnostic.code
     assert with_inputs(RunOptions(), found).inputs == found
     return "read"

@@ -5,11 +5,11 @@ from pathlib import Path
 from random import Random
 
 from ropsim import icr, language
+from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
+from ropsim.records.plain_values import numeric
 from ropsim.views import Style, diagnostics_text, scene
-from ropsim.workbench import read_cell
 from ropsim.workbench.environment import environment_of
-from ropsim.workbench.plain_values import numeric
 from support.fuzzing.cells import RIGHT
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word
 from support.fuzzing.target import Target

@@ -11,10 +11,12 @@ import numpy as np
 
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.flow import Recording
+from ropsim.records import read_recording, recording_bytes, write_recording
 from ropsim.studio.documents import Documents, Overwriting
-from ropsim.workbench import Draft, Journal, open_project, recording_file
+from ropsim.userfiles import Draft, Journal
+from ropsim.userfiles.trust import Trust, set_trust, trust_in
+from ropsim.workbench import open_project
 from ropsim.workbench.report import Report
-from ropsim.workbench.trust import Trust, set_trust, trust_in
 from support.kills.job import Job, Progress, Tell
 from support.recordings import SOURCE, pick_and_place
 
@@ -113,17 +115,17 @@ def _either(path: Path, contents: tuple[bytes, bytes], progress: Progress) -> No
 
 
 def _prepare_recording(folder: Path) -> None:
-    recording_file.write(_recordings()[0], folder / "run.npz")
+    write_recording(_recordings()[0], folder / "run.npz")
 
 
 def _record(folder: Path, tell: Tell) -> None:
-    recording_file.write(_recordings()[1], folder / "run.npz")
+    write_recording(_recordings()[1], folder / "run.npz")
 
 
 def _check_recording(folder: Path, progress: Progress) -> None:
-    first, second = (recording_file.recording_bytes(one) for one in _recordings())
+    first, second = (recording_bytes(one) for one in _recordings())
     _either(folder / "run.npz", (first, second), progress)
-    assert recording_file.read(folder / "run.npz").duration == _recordings()[0].duration
+    assert read_recording(folder / "run.npz").duration == _recordings()[0].duration
 
 
 def _prepare_report(folder: Path) -> None:

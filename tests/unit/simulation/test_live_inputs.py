@@ -9,10 +9,10 @@ import ropsim
 from ropsim import icr, robots
 from ropsim.flow import Recording
 from ropsim.model import Cell, Signal, Tool
+from ropsim.records.inputs import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.simulation.inputs import usable_inputs, with_inputs
 from ropsim.workbench import environment_of
-from ropsim.workbench.inputs import with_inputs as with_recorded
 
 SIGNALS = {
     "go": Signal("go", is_input=True, changes=((2.0, 0.0),)),

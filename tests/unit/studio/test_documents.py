@@ -10,7 +10,7 @@ from ropsim.studio.diagnostics import StudioError
 from ropsim.studio.document import LARGEST
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.project_files import program_names, project_folder
-from ropsim.workbench import Draft
+from ropsim.userfiles import Draft
 
 CELL = b'[cell]\nprogram = "other"\n'
 

@@ -13,7 +13,8 @@ import pytest
 from ropsim.studio.place import Place, place_of
 from ropsim.studio.tab import Tab
 from ropsim.studio.workplace import Workplace
-from ropsim.workbench import new_project, recent_projects
+from ropsim.userfiles import recent_projects
+from ropsim.workbench import new_project
 from support.patience import PATIENCE
 
 TOY = "support.toy_worker:main"

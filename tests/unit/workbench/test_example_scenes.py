@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ropsim.meshes import load_meshes
 from ropsim.model import Box, Cell
 from ropsim.spatial import Array, Pose
-from ropsim.workbench import example_names, load_meshes, open_project
+from ropsim.workbench import example_names, open_project
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CONTACT = 0.5e-3  # [m], less than anybody sees

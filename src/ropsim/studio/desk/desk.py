@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from ropsim.meshes import MeshLibrary
 from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.jog.jog import JoggedArm
 from ropsim.studio.desk.line import Line
@@ -19,7 +20,6 @@ from ropsim.studio.jobs import (
     SaveRun,
     Simulate,
 )
-from ropsim.workbench import MeshLibrary
 
 NOT_KEPT = "this run is not kept any more: simulate it again"
 NOTHING_OPEN = "no cell is open: the cell file has errors, they are in the list of problems"

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 
 from ropsim import icr
 from ropsim.flow import Recording
+from ropsim.records import inputs_of, recording_bytes
 from ropsim.simulation import InputChange as Change
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
 from ropsim.studio.jobs import RunForm, SavedRun
-from ropsim.workbench import recording_file
-from ropsim.workbench.inputs import inputs_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +43,7 @@ class FinishedRun:
         """Return the run as a file."""
         match form:
             case "recording":
-                return SavedRun(recording_file.recording_bytes(self.recording))
+                return SavedRun(recording_bytes(self.recording))
             case "inputs":
                 return SavedRun(inputs_text(inputs_of(self.recording)))
             case "report":

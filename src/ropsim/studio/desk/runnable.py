@@ -8,11 +8,10 @@ from ropsim import icr
 from ropsim.core import Diagnostic, RopsimError
 from ropsim.flow import Recording
 from ropsim.model import Cell
+from ropsim.records import inputs_of
 from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
 from ropsim.views import plain_findings
-from ropsim.workbench import Project, open_overlaid
-from ropsim.workbench.inputs import inputs_of
-from ropsim.workbench.replay import pack_of
+from ropsim.workbench import Project, open_overlaid, pack_of
 
 MOST_ROWS = 400_000
 """Recorded rows of a run in the studio: 26 minutes at the full rate, 53 at half of it, and so on."""

@@ -1,14 +1,17 @@
 """The cell as it is drawn."""
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import cast
 
+from ropsim.cellfile import mesh_in_cell_file
+from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell
+from ropsim.records import numeric
 from ropsim.studio.jobs import OpenScene, SceneReply
 from ropsim.views import plain_findings, scene
-from ropsim.workbench import MeshLibrary, ProjectError, load_meshes, open_overlaid
-from ropsim.workbench.plain_values import numeric
+from ropsim.workbench import ProjectError, open_overlaid
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +44,7 @@ def open_scene(job: OpenScene, known: MeshLibrary | None) -> OpenedScene:
     cell = project.cell
     if cell is None:
         return OpenedScene(SceneReply(None, plain_findings(project.diagnostics), {}))
-    meshes = load_meshes(folder, cell, project.cell_text, known or MeshLibrary())
+    meshes = load_meshes(folder, cell, partial(mesh_in_cell_file, project.cell_text), known or MeshLibrary())
     drawn = cast("dict[str, object]", numeric(scene(cell, meshes.addresses)))
     findings = plain_findings((*project.diagnostics, *meshes.diagnostics))
     return OpenedScene(SceneReply(drawn, findings, dict(meshes.contents)), cell, meshes)

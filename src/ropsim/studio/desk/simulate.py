@@ -6,6 +6,7 @@ from enum import Enum
 
 from ropsim.core import RopsimError
 from ropsim.flow import Recording
+from ropsim.records import with_inputs
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.content import content_of
@@ -14,7 +15,6 @@ from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
 from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
 from ropsim.views import plain_findings
-from ropsim.workbench.inputs import with_inputs
 
 LISTEN = 0.05
 """How often a run listens for being given up [s]."""

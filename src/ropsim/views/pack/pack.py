@@ -1,7 +1,7 @@
 """The pack of a run: everything that a page needs to show it at any time, small enough to send and to keep.
 
-docs/reference/pack.md describes it. Here are its plain header and the bytes of its columns; the workbench
-makes one file of them.
+docs/reference/pack.md describes it. Here are its plain header and the bytes of its columns; `records` makes
+one file of them.
 """
 
 import math

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from ropsim.icr import read_text
+from ropsim.records.inputs import read_inputs
 from ropsim.studio.desk import main
 from ropsim.studio.jobs import (
     Answer,
@@ -45,7 +46,6 @@ from ropsim.studio.jobs import (
     Simulate,
     Stop,
 )
-from ropsim.workbench.inputs import read_inputs
 from support.live import CELL, KEYS, project
 from support.patience import PATIENCE
 

@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.flow import Recording
+from ropsim.records.inputs import inputs_of, with_inputs
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.jobs import LiveControl, LiveSpeed, Order, SetSignal
 from ropsim.workbench import Project, open_overlaid
-from ropsim.workbench.inputs import inputs_of, with_inputs
 from support.live import KEYS, FakeLine, project
 
 

@@ -1,0 +1,6 @@
+"""The cell file: `cell.toml` to a cell, every mistake told by its place, and where names stand in it."""
+
+from ropsim.cellfile.cell import read_cell as read_cell
+from ropsim.cellfile.places import mesh_in_cell_file as mesh_in_cell_file
+from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
+from ropsim.cellfile.tomltext.values import toml_values as toml_values

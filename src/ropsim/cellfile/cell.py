@@ -1,0 +1,138 @@
+"""The cell file `cell.toml`: text in, work cell and findings out (manual: docs/reference/cell-file.md)."""
+
+import re
+from collections.abc import Mapping
+
+from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.destinations import Surroundings
+from ropsim.cellfile.fixed_objects import read_objects
+from ropsim.cellfile.objects import read_parts, read_sinks
+from ropsim.cellfile.poses import read_frames, read_locations
+from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
+from ropsim.cellfile.robot import read_base, read_robot
+from ropsim.cellfile.signals import read_signals
+from ropsim.cellfile.supports import note_parts_in_the_air, read_supports
+from ropsim.cellfile.tomltext.checks import Findings, TomlTable
+from ropsim.cellfile.tomltext.positions import positions
+from ropsim.cellfile.tomltext.values import toml_values
+from ropsim.cellfile.tools import read_tools
+from ropsim.core import Diagnostic, SourceText
+from ropsim.model import Cell, ClassicSettings, link_name, tool_body
+from ropsim.spatial import Pose
+
+_KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
+_KEY = re.compile(r"'([^']*)'")
+_OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
+_PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
+
+
+def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
+    """Return the work cell that a cell file describes, everything in SI units and the world frame.
+
+    Args:
+        text: content of `cell.toml`; any text is allowed.
+        folder_name: name of the cell where the file gives none.
+
+    Returns:
+        The cell, or None when there is an error; and the findings in order of their place.
+    """
+    try:
+        values = toml_values("\n".join(text.lines))
+        places = positions(text)
+    except RecursionError:
+        return None, (_nested_too_deeply(text),)
+    except ValueError as error:
+        return None, (_syntax(text, error),)
+    findings = Findings(places)
+    cell = _cell(TomlTable(values, (), findings), folder_name)
+    ordered = sorted(findings.items, key=lambda found: (found.span or places.start, found.code))
+    return (None if any(found.is_error for found in ordered) else cell), tuple(ordered)
+
+
+def _cell(root: TomlTable, folder_name: str) -> Cell | None:
+    units = _units(root.table("units"))
+    root.require("robot")
+    robot_table = root.table("robot")
+    X_WB = read_base(robot_table, units)
+    tools = read_tools(root.named("tools"), units)
+    default_tool = robot_table.reference("tool", tools, "tool")
+    frames = read_frames(root.named("frames"), units)
+    locations = read_locations(root.named("locations"), frames, units)
+    sinks = read_sinks(root.tables("sinks"), units)
+    signals = read_signals(root.named("signals"))
+    classic = _classic(root.table("classic"), frames)
+    robot = read_robot(robot_table, root.table("controller"), X_WB, units)
+    bodies = {link_name(number): _OF_ROBOT for number in range(len(robot.model.joints) + 1)} if robot else {}
+    taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
+    objects = read_objects(root.tables("objects"), taken, units)
+    taken |= {thing.name: "an object of this cell has it" for thing in objects}
+    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
+    supports = read_supports(root.table("supports"), units)
+    head = root.table("cell")
+    name, program = head.text("name", folder_name), head.text("program", "main")
+    head.finish()
+    root.finish()
+    if robot is None:
+        return None
+    cell = Cell(
+        name=name,
+        robot=robot.model,
+        controller=robot.controller,
+        X_WB=X_WB,
+        tools=tools,
+        default_tool=default_tool,
+        frames=frames,
+        locations=locations,
+        parts=tuple(part for group in groups for part in group.parts),
+        objects=objects,
+        sinks=sinks,
+        supports=supports,
+        signals=signals,
+        classic=classic,
+        start=robot.start,
+        program=program,
+    )
+    if not any(found.is_error for found in root.findings.items):
+        note_parts_in_the_air(cell, groups)
+    return cell
+
+
+def _units(table: TomlTable) -> Units:
+    units = Units(table.choice("length", LENGTH_UNITS, "mm"), table.choice("angle", ANGLE_UNITS, "deg"))
+    table.finish()
+    return units
+
+
+def _classic(table: TomlTable, frames: Mapping[str, Pose]) -> ClassicSettings:
+    classic = ClassicSettings(
+        metres(table.choice("length", LENGTH_UNITS, "cm")),
+        radians(table.choice("angle", ANGLE_UNITS, "deg")),
+        table.reference("frame", frames, "frame"),
+    )
+    table.finish()
+    return classic
+
+
+def _syntax(text: SourceText, error: ValueError) -> Diagnostic:
+    words = str(error)
+    place = _PLACE.search(words)
+    line, column = len(text.lines), len(text.lines[-1]) + 1
+    if place is not None:
+        words = words[: place.start()]
+        if place[1]:
+            line, column = int(place[1]), int(place[2])
+    words = _KEY_TUPLE.sub(
+        lambda key: f"`{'.'.join(_KEY.findall(key[0]))}`", words.partition("; use sys.")[0]
+    )
+    hint = 'text needs quotation marks, sections look like `[robot]`, keys like `model = "puma560"`'
+    if "overwrite" in words or "twice" in words:
+        hint = "the same key or section stands here a second time: remove one"
+    message = f"not valid TOML: {words[:1].lower()}{words[1:200]}"
+    return kinds.CELL_FILE_SYNTAX.at(text.span(line, column), message, hint=hint)
+
+
+def _nested_too_deeply(text: SourceText) -> Diagnostic:
+    message = "not valid TOML for a cell: lists or tables are nested too deeply"
+    return kinds.CELL_FILE_SYNTAX.at(
+        text.span(1), message, hint="no value of a cell file needs more than two levels"
+    )

@@ -1,0 +1,86 @@
+"""The fixed objects of a cell file: tables, conveyors, stands."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.objects import body_name, report_doubles
+from ropsim.cellfile.poses import read_pose
+from ropsim.cellfile.quantity import Units
+from ropsim.cellfile.shapes import Look, read_look, read_shapes
+from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.cellfile.tomltext.words import cut
+from ropsim.model import Box, FixedObject, Shape
+from ropsim.spatial import Pose, frozen
+
+_SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
+
+
+def read_objects(
+    tables: tuple[TomlTable, ...], taken: Mapping[str, str], units: Units
+) -> tuple[FixedObject, ...]:
+    """Return the objects in the order of the file; one may hang on another, wherever that stands in the file.
+
+    Args:
+        tables: `[[objects]]`.
+        taken: who has them, for names that no object may have.
+        units: of the file.
+    """
+    names = {str(table.values.get("name", "")): table for table in tables}
+    objects = tuple(_object(table, names, units) for table in tables)
+    if tables:
+        spans = ((thing.name, table.value_span("name")) for table, thing in zip(tables, objects, strict=True))
+        report_doubles(tables[0].findings, spans, taken)
+    return _without_rings(objects, tables)
+
+
+def _object(table: TomlTable, names: Mapping[str, TomlTable], units: Units) -> FixedObject:
+    table.require("name", "position")
+    name = body_name(table)
+    parent = table.reference("parent", names, "object")
+    X_PO = read_pose(table, units)
+    look = read_look(table, Look())
+    short = "size" in table
+    if short and "shapes" in table:
+        message = "`size` and `shapes` both say what the object looks like"
+        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("shapes"), message, "keep one of them")
+    if not short:
+        table.require("shapes")
+    shapes = _block(table, units, look) if short else read_shapes(table, units, look)
+    table.finish()
+    return FixedObject(name, X_PO, shapes, parent)
+
+
+def _without_rings(
+    objects: tuple[FixedObject, ...], tables: tuple[TomlTable, ...]
+) -> tuple[FixedObject, ...]:
+    """Return the objects, those that hang on themselves in the end noted and put into the world."""
+    parents = {thing.name: thing.parent for thing in objects}
+    kept = []
+    for thing, table in zip(objects, tables, strict=True):
+        ring = _ring(parents, thing.name)
+        if ring:
+            way = " on ".join(f"`{cut(name)}`" for name in (*ring, ring[0]))
+            hint = "let one of them hang on nothing, or on another object"
+            table.findings.add(
+                kinds.OBJECTS_IN_A_RING,
+                table.value_span("parent"),
+                f"objects hang on each other in a ring: {way}",
+                hint,
+            )
+        kept.append(replace(thing, parent="") if ring else thing)
+    return tuple(kept)
+
+
+def _ring(parents: Mapping[str, str], name: str) -> tuple[str, ...]:
+    """Return the objects from `name` on that hang on each other in a ring, empty where it is in none."""
+    way = [name]
+    while (above := parents.get(way[-1], "")) and above not in way:
+        way.append(above)
+    return tuple(way) if above and above == name else ()
+
+
+def _block(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:
+    """Return the box of the key `size`, below its position as parts are."""
+    x, y, z = table.numbers("size", 3, units.extent, (_SMALL_EDGE,) * 3)
+    return (look.shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0]))),)

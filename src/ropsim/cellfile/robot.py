@@ -1,0 +1,187 @@
+"""The robot of a cell file: model, start and what the file changes in its controller."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim import robots
+from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.poses import read_pose
+from ropsim.cellfile.quantity import NUMBER, SHARE, TIME, Quantity, Units
+from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.core import RopsimError
+from ropsim.model import (
+    GAIN_NAMES,
+    CascadedGains,
+    ControllerModel,
+    JointType,
+    ParameterOrigin,
+    PathDefaults,
+    Rates,
+    RobotModel,
+)
+from ropsim.spatial import Array, Pose, frozen, record
+
+_GAINS = dict.fromkeys(GAIN_NAMES, NUMBER.within(0.0, 1e6)) | {"kf": NUMBER.within(0.0, 2.0)}
+_SETTLE = TIME.within(0.0, 60.0)
+_NARROWEST = 1e-9  # [rad | m], least window of a fine stop
+_WIDEST = 0.1  # [rad | m]
+_GRAVITY_ROUNDING = 1e-12  # [m/s²], of a rotation about the vertical
+_ROUNDING = 1e-9  # [rad | m], start written with decimals may touch a limit
+
+
+@record
+class RobotSection:
+    """What `[robot]` and `[controller]` say.
+
+    Attributes:
+        model: the arm.
+        controller: its controller.
+        start: joint coordinates at time 0 [rad | m], shape (n,).
+    """
+
+    model: RobotModel
+    controller: ControllerModel
+    start: Array
+
+
+def read_base(table: TomlTable, units: Units) -> Pose:
+    """Return X_WB, the key `base` of `[robot]`."""
+    base = table.table("base")
+    pose = read_pose(base, units)
+    base.finish()
+    return pose
+
+
+def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -> RobotSection | None:
+    """Return the robot of `[robot]` under the controller that `[controller]` changes.
+
+    Keys that other readers ask for (`base`, `tool`) must have been asked for before; both sections are
+    finished here. Returns None where the robot is missing or unknown.
+
+    Args:
+        table: section `[robot]`.
+        settings: section `[controller]`.
+        X_WB: base frame in the world frame; a tilted base turns gravity in the base frame.
+        units: units of the file.
+    """
+    table.require("model")
+    override = table.number("speed_override", SHARE, 1.0)
+    start_given = "start" in table
+    loaded = _load(table, settings)
+    if loaded is None:
+        table.finish()
+        return None
+    model, controller = loaded
+    start = _start(table, model, units) if start_given else model.home
+    table.finish()
+    controller = replace(_controller(settings, controller, model, units), speed_override=override)
+    settings.finish()
+    return RobotSection(_with_base(model, X_WB), controller, start)
+
+
+def _load(table: TomlTable, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
+    """Return the arm with its standard controller at the rates of `settings`."""
+    name = table.text("model", "")
+    if not name and table.values.get("model") != "":  # it is absent or no text, which has been said
+        return None
+    try:
+        model = robots.load(name)
+        return model, robots.default_controller(model, _rates(settings))
+    except RopsimError as error:
+        table.findings.items.append(replace(error.diagnostic, span=table.value_span("model")))
+        return None
+
+
+def _rates(settings: TomlTable) -> Rates:
+    standard = robots.STANDARD_RATES
+    return Rates(
+        settings.integer("control_hz", 50, 20_000, standard.control_hz),
+        settings.integer("interpolation_ticks", 1, 1000, standard.interpolation_ticks),
+        settings.integer("plant_steps", 1, 100, standard.plant_steps),
+    )
+
+
+def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
+    """Return the model with gravity as the base feels it; the model itself where the base is upright."""
+    gravity = X_WB.rotation().T @ model.gravity
+    if np.allclose(gravity, model.gravity, rtol=0.0, atol=_GRAVITY_ROUNDING):
+        return model
+    return replace(model, gravity=gravity)
+
+
+def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
+    start = _per_joint(table, "start", _coordinates(model, units), model.home)
+    for k, joint in enumerate(model.axis_joints):
+        if joint.lower - _ROUNDING <= start[k] <= joint.upper + _ROUNDING:
+            continue
+        quantity = _coordinates(model, units)[k]
+        found, lower, upper = (
+            quantity.show(value / quantity.scale) for value in (float(start[k]), joint.lower, joint.upper)
+        )
+        message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
+        hint = "without `start` the arm starts at its home position"
+        table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
+    return frozen(start)
+
+
+def _controller(
+    table: TomlTable, controller: ControllerModel, model: RobotModel, units: Units
+) -> ControllerModel:
+    windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
+    given = [name for name in GAIN_NAMES if name in table]
+    gains = {
+        name: _per_joint(table, name, [_GAINS[name]] * model.n, getattr(controller.gains, name))
+        for name in GAIN_NAMES
+    }
+    return replace(
+        controller,
+        gains=CascadedGains(**gains),
+        path=_path(table, controller.path, units),
+        in_position=_per_joint(table, "in_position", windows, controller.in_position),
+        settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
+        origins=tuple(_with_given(origin, given) for origin in controller.origins),
+    )
+
+
+def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigin:
+    """Return the origin of the gains, saying which of them the cell file gives."""
+    if not given:
+        return origin
+    return replace(origin, source=f"{', '.join(given)} as in the cell file; the others {origin.source}")
+
+
+def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:
+    return PathDefaults(
+        table.number("path_speed", units.path(1, 20.0), path.speed),
+        table.number("path_acceleration", units.path(2, 1e3), path.acceleration),
+        table.number("path_jerk", units.path(3, 1e5), path.jerk),
+        table.number("orientation_speed", units.orientation(1, 100.0), path.orientation_speed),
+        table.number("orientation_acceleration", units.orientation(2, 1e4), path.orientation_acceleration),
+        table.number("orientation_jerk", units.orientation(3, 1e6), path.orientation_jerk),
+    )
+
+
+def _coordinates(model: RobotModel, units: Units) -> list[Quantity]:
+    """Return how the coordinate of each joint is written: an angle or a length."""
+    return [
+        units.turn if joint.measure is JointType.REVOLUTE else units.position for joint in model.axis_joints
+    ]
+
+
+def _per_joint(table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array) -> Array:
+    """Return one number per joint [SI], shape (n,)."""
+    if key not in table:
+        return default
+    value = table.values[key]
+    if not isinstance(value, list) or len(value) != len(quantities):
+        table.numbers(key, len(quantities), NUMBER, tuple(default.tolist()))  # says what is wrong
+        return default
+    pairs = zip(value, quantities, default.tolist(), strict=True)
+    return frozen(
+        [
+            table.number_at((key, k), item, quantity, fallback)
+            for k, (item, quantity, fallback) in enumerate(pairs)
+        ]
+    )

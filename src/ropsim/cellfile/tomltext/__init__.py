@@ -1,0 +1,1 @@
+"""TOML text: its values, where they stand, and whether they are what is allowed."""

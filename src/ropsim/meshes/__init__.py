@@ -1,0 +1,6 @@
+"""Mesh files: read once, as GLB bytes under their own hash; what cannot be drawn is a finding."""
+
+from ropsim.meshes.library import MeshLibrary as MeshLibrary
+from ropsim.meshes.library import load_meshes as load_meshes
+from ropsim.meshes.reading import MESH_ENDINGS as MESH_ENDINGS
+from ropsim.meshes.reading import mesh_ending as mesh_ending

@@ -1,0 +1,121 @@
+"""The journal: unsaved texts of a project, kept outside of it through a crash."""
+
+import errno
+import hashlib
+import json
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO
+
+from ropsim.core import Diagnostic, read_bytes, replace_file
+from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
+from ropsim.userfiles.folders import state_folder
+
+VERSION = 1
+MOST_SLOTS = 16
+"""Sessions that may have the same project open at once, each with a journal of its own."""
+
+_TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """An unsaved text.
+
+    Attributes:
+        text: the text.
+        base: SHA-256 of the file on which it was written, empty for no file.
+    """
+
+    text: str
+    base: str
+
+
+class Journal:
+    """Unsaved texts of one session, in a place of its own among those of the project.
+
+    Of the free places one is taken that an earlier session has left texts in, else the first.
+
+    Raises:
+        OSError: there can be no journal.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder.resolve()
+        key = hashlib.sha256(str(self._folder).encode("utf-8", "surrogateescape")).hexdigest()[:20]
+        home = state_folder() / "journal"
+        home.mkdir(parents=True, exist_ok=True, mode=0o700)
+        places = [home / f"{key}-{slot}.json" for slot in range(MOST_SLOTS)]
+        for place in sorted(places, key=lambda one: not one.exists()):
+            lock = _locked(place.with_suffix(".lock"))
+            if lock is not None:
+                self._place, self._lock = place, lock
+                return
+        raise OSError(errno.EBUSY, f"the project is open {MOST_SLOTS} times")
+
+    def read(self) -> tuple[Mapping[str, Draft], tuple[Diagnostic, ...]]:
+        """Return what an earlier session has left, by the names of the documents."""
+        try:
+            content = read_bytes(self._place)
+        except OSError:
+            return {}, ()
+        drafts = _drafts(content)
+        if drafts is not None:
+            return drafts, ()
+        aside = self._place.with_suffix(".damaged")
+        self._place.replace(aside)
+        message = f"unsaved texts of an earlier session cannot be read; they are now in `{aside}`"
+        return {}, (DAMAGED_JOURNAL.at(None, message, hint="look at that file with a text editor"),)
+
+    def write(self, drafts: Mapping[str, Draft]) -> None:
+        """Replace the journal in one step; without drafts there is none.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        if not drafts:
+            self._place.unlink(missing_ok=True)
+            return
+        entries = {name: {"text": draft.text, "base": draft.base} for name, draft in drafts.items()}
+        document = {"version": VERSION, "folder": str(self._folder), "documents": entries}
+        replace_file(self._place, json.dumps(document).encode())
+
+    def close(self) -> None:
+        """Leave the place to the next session."""
+        self._lock.close()
+
+
+def _drafts(content: bytes) -> dict[str, Draft] | None:
+    try:
+        document = json.loads(content)
+        if document["version"] != VERSION:
+            return None
+        drafts = {name: Draft(one["text"], one["base"]) for name, one in document["documents"].items()}
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return None
+    whole = all(isinstance(one.text, str) and isinstance(one.base, str) for one in drafts.values())
+    return drafts if whole else None
+
+
+def _locked(place: Path) -> IO[bytes] | None:
+    """Return the file with a lock that the system frees when this process ends, None where another has it.
+
+    On file systems that know no locks it is returned without one.
+    """
+    stream = place.open("ab")
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(stream.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        if error.errno in _TAKEN:
+            stream.close()
+            return None
+    return stream

@@ -1,0 +1,46 @@
+"""Reading the text files of a project: size, encoding and absence are diagnostics."""
+
+import stat
+from pathlib import Path
+
+from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
+from ropsim.userfiles.text_diagnostics import MISSING_PATH, TOO_LARGE, UNREADABLE
+
+#: Largest text that is read [bytes].
+LARGEST = 5_000_000
+
+
+def read_text_file(path: Path, name: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
+    """Return the text of a file under the name that messages use, or why it cannot be read."""
+    try:
+        facts = path.stat()
+        if not stat.S_ISREG(facts.st_mode):
+            message = f"`{name}` is no ordinary file, needed is a text file"
+            return None, (UNREADABLE.at(None, message, hint="write the text to a file and give that"),)
+        size = facts.st_size
+        if size > LARGEST:
+            message = (
+                f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB are read as a program"
+            )
+            return None, (TOO_LARGE.at(None, message, hint="is this a program?", data={"bytes": size}),)
+        content = read_bytes(path)
+    except FileNotFoundError:
+        return None, (missing_file(path, name),)
+    except OSError as error:
+        return None, (UNREADABLE.at(None, f"`{name}` cannot be opened: {error.strerror or error}"),)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        message = (
+            f"byte {error.start + 1} (line {line}) of `{name}` is no UTF-8: 0x{content[error.start]:02x}"
+        )
+        return None, (UNREADABLE.at(None, message, hint="save the file as UTF-8 text"),)
+    return SourceText(name, text), ()
+
+
+def missing_file(path: Path, name: str) -> Diagnostic:
+    """Return the finding that `path` does not exist, with a near name from its folder."""
+    folder = path.parent
+    beside = [entry.name for entry in folder.iterdir()] if folder.is_dir() else []
+    return MISSING_PATH.at(None, f"there is no file or folder `{name}`", hint=did_you_mean(path.name, beside))
