@@ -10,7 +10,7 @@ from measuring import Measure
 from ropsim import robots
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.dynamics import ACCELERATIONS, arm_numbers, chain_numbers, structure_of
-from ropsim.model import RobotModel
+from ropsim.model import PREVIOUS, RobotModel
 
 REPEAT = SourceFunction(
     "repeat",
@@ -28,7 +28,8 @@ def snake(n: int) -> RobotModel:
     """Return a chain of n joints like those of the two-link arm."""
     arm = robots.load("two_link")
     joint, link = arm.joints[1], replace(arm.links[1], inertia=np.diag([0.01, 0.02, 0.02]))
-    return replace(arm, joints=(joint,) * n, links=(link,) * n, home=np.zeros(n))
+    joints = tuple(replace(joint, name=str(k), parent=PREVIOUS) for k in range(n))
+    return replace(arm, joints=joints, axes=(), links=(link,) * n, drives=(), home=np.zeros(n), tip=n - 1)
 
 
 def microseconds(n: int) -> float:

@@ -30,8 +30,8 @@ from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.long_arm import ACCELERATIONS as ACCELERATIONS
 from ropsim.dynamics.long_arm import chain_numbers as chain_numbers
-from ropsim.dynamics.model_check import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.model_check import check_model as check_model
+from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.structure import ArmStructure as ArmStructure
 from ropsim.dynamics.structure import arm_numbers as arm_numbers
 from ropsim.dynamics.structure import structure_of as structure_of

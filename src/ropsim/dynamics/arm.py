@@ -8,12 +8,12 @@ from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
 from ropsim.dynamics.structure import arm_numbers, structure_of
 from ropsim.dynamics.traced_drives import drive_sides
 from ropsim.kinematics import NotFiniteError
-from ropsim.model import Payload, RobotModel
+from ropsim.model import Mechanism, Payload
 from ropsim.spatial import Array, real_numbers
 
 
 def inverse_dynamics(
-    robot: RobotModel,
+    robot: Mechanism,
     q: npt.ArrayLike,
     qd: npt.ArrayLike,
     qdd: npt.ArrayLike,
@@ -47,7 +47,7 @@ def inverse_dynamics(
 
 
 def rigid_inverse_dynamics(
-    robot: RobotModel,
+    robot: Mechanism,
     q: npt.ArrayLike,
     qd: npt.ArrayLike,
     qdd: npt.ArrayLike,
@@ -62,7 +62,7 @@ def rigid_inverse_dynamics(
     return tau
 
 
-def gravity(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
+def gravity(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the joint torques that hold the arm still against gravity, shape (n,) [N·m | N].
 
     Arguments and errors are those of `inverse_dynamics`.
@@ -71,7 +71,7 @@ def gravity(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = None)
     return rigid_inverse_dynamics(robot, q, rest, rest, payload)
 
 
-def bias(robot: RobotModel, q: npt.ArrayLike, qd: npt.ArrayLike, payload: Payload | None = None) -> Array:
+def bias(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the joint torques of gravity, centrifugal and Coriolis forces, shape (n,); no friction.
 
     Arguments and errors are those of `inverse_dynamics`.
@@ -80,7 +80,7 @@ def bias(robot: RobotModel, q: npt.ArrayLike, qd: npt.ArrayLike, payload: Payloa
 
 
 def forward_dynamics(
-    robot: RobotModel,
+    robot: Mechanism,
     q: npt.ArrayLike,
     qd: npt.ArrayLike,
     tau: npt.ArrayLike,
@@ -108,7 +108,7 @@ def forward_dynamics(
     return qdd
 
 
-def mass_matrix(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
+def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
     """Return the mass matrix with motor inertia on its diagonal, shape (n, n) [kg·m² | kg·m | kg].
 
     Arguments and errors are those of `inverse_dynamics`.
@@ -119,7 +119,7 @@ def mass_matrix(robot: RobotModel, q: npt.ArrayLike, payload: Payload | None = N
     return entries.reshape(n, n)
 
 
-def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
+def friction(robot: Mechanism, qd: npt.ArrayLike) -> Array:
     """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
 
     Args:
@@ -136,7 +136,7 @@ def friction(robot: RobotModel, qd: npt.ArrayLike) -> Array:
 
 
 def _motion(
-    robot: RobotModel, q: npt.ArrayLike, qd: npt.ArrayLike, qdd: npt.ArrayLike
+    robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike, qdd: npt.ArrayLike
 ) -> tuple[Array, Array, Array]:
     n = robot.n
     return _array("q", q, n), _array("qd", qd, n), _array("qdd", qdd, n)

@@ -7,12 +7,12 @@ from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer,
 from ropsim.dynamics.forward_dynamics import trace_solve
 from ropsim.dynamics.long_arm import LongArmFunctions
 from ropsim.dynamics.mass_matrix import trace_mass_matrix
-from ropsim.dynamics.model_check import MOST_JOINTS, check_model
+from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.newton_euler import Wrench, trace_inverse
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced_arm import TracedArm, trace_arm
 from ropsim.dynamics.traced_drives import joint_sides
-from ropsim.model import Payload, RobotModel
+from ropsim.model import Mechanism, Payload
 
 
 class ArmFunctions:
@@ -28,7 +28,7 @@ class ArmFunctions:
         engine: who runs the code.
     """
 
-    def __init__(self, robot: RobotModel, payload: Payload | None, engine: Engine) -> None:
+    def __init__(self, robot: Mechanism, payload: Payload | None, engine: Engine) -> None:
         check_model(robot)
         self._name = identifier(robot.name)
         self._structure = structure_of(robot)
@@ -64,12 +64,13 @@ class ArmFunctions:
 
 
 @lru_cache(maxsize=256)
-def _compiled(robot: RobotModel, payload: Payload | None, engine: Engine) -> ArmFunctions | LongArmFunctions:
-    return (ArmFunctions if robot.n <= MOST_JOINTS else LongArmFunctions)(robot, payload, engine)
+def _compiled(robot: Mechanism, payload: Payload | None, engine: Engine) -> ArmFunctions | LongArmFunctions:
+    check_model(robot)
+    return (LongArmFunctions if structure_of(robot).is_long else ArmFunctions)(robot, payload, engine)
 
 
 def compiled(
-    robot: RobotModel, payload: Payload | None = None, engine: Engine | None = None
+    robot: Mechanism, payload: Payload | None = None, engine: Engine | None = None
 ) -> ArmFunctions | LongArmFunctions:
     """Return the compiled functions of an arm.
 
@@ -82,7 +83,8 @@ def compiled(
         engine: who runs the code; None takes numba where it is installed.
 
     Raises:
-        ChainTooLongError: the arm has more than `MOST_JOINTS` joints.
+        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        MechanismError: the mechanism cannot be, or has closed chains.
         ModelNumberError: a number of the model is not finite.
     """
     return _compiled(robot, payload, engine or default_engine())

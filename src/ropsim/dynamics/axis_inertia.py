@@ -4,12 +4,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
-from ropsim.kinematics import frames_batch
-from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array
+from ropsim.kinematics import frames_of_steps
+from ropsim.model import BASE_LINK, JointType, Mechanism, check_counts, joint_tree
+from ropsim.spatial import Array, Pose
 
 
-def mass_matrices(robot: RobotModel, Q: npt.ArrayLike) -> Array:
+def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the mass matrices, motor inertia included: the sum of m·JᵥᵀJᵥ + JᵤᵀI·Jᵤ over the links.
 
     Jᵥ and Jᵤ are the Jacobians of the centre of mass and of the rotation of a link.
@@ -23,21 +23,30 @@ def mass_matrices(robot: RobotModel, Q: npt.ArrayLike) -> Array:
 
     Raises:
         ArrayShapeError: M551, Q has another shape.
+        MechanismError: the mechanism cannot be, or links or drives are missing.
     """
-    frames = frames_batch(robot, Q)  # (k, n + 1, 4, 4)
+    check_counts(robot)
+    tree, frames = joint_tree(robot), frames_of_steps(robot, Q)  # (k, m, 4, 4)
     k, n = len(frames), robot.n
     found = np.zeros((k, n, n))
     for i, link in enumerate(robot.links):
-        R, p = frames[:, i, :3, :3], frames[:, i, :3, 3]
+        step, X_SL = tree.carriers[i], tree.X_SL[i]
+        if step == BASE_LINK:
+            continue
+        R, p = frames[:, step, :3, :3], frames[:, step, :3, 3]
+        if Pose() != X_SL:
+            R, p = R @ X_SL.rotation(), p + R @ X_SL.position
         centre = p + R @ link.com
-        linear, angular = np.zeros((k, 3, n)), np.zeros((k, 3, n))
-        for j, joint in enumerate(robot.joints[: i + 1]):
+        linear, angular = np.zeros((k, 3, tree.m)), np.zeros((k, 3, tree.m))
+        for j in tree.way(i):
             z = frames[:, j, :3, 2]
-            if joint.type is JointType.PRISMATIC:
+            if tree.types[j] is JointType.PRISMATIC:
                 linear[:, :, j] = z
             else:
                 linear[:, :, j] = np.cross(z, centre - frames[:, j, :3, 3])
                 angular[:, :, j] = z
+        if not tree.parallel:
+            linear, angular = linear @ tree.T, angular @ tree.T
         about_centre = R @ link.inertia @ R.transpose(0, 2, 1)
         found += (
             link.mass * linear.transpose(0, 2, 1) @ linear
@@ -46,7 +55,7 @@ def mass_matrices(robot: RobotModel, Q: npt.ArrayLike) -> Array:
     return np.asarray(found + np.diag([reflected_inertia(drive) for drive in robot.drives] or [0.0] * n))
 
 
-def axis_inertias(robot: RobotModel, Q: npt.ArrayLike) -> Array:
+def axis_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the inertia that each axis moves while the others stand still, shape (k, n) [kg·m² | kg].
 
     Arguments and errors are those of `mass_matrices`, whose diagonals these are.
@@ -54,7 +63,7 @@ def axis_inertias(robot: RobotModel, Q: npt.ArrayLike) -> Array:
     return np.asarray(np.einsum("kii->ki", mass_matrices(robot, Q)))
 
 
-def free_inertias(robot: RobotModel, Q: npt.ArrayLike) -> Array:
+def free_inertias(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the inertia that each axis moves while the others are free, shape (k, n) [kg·m² | kg].
 
     It is 1 / (M⁻¹)ᵢᵢ, what a torque meets at once; arguments and errors are those of `mass_matrices`.

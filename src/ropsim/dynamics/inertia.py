@@ -4,8 +4,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.model import Link, Payload, RobotModel
-from ropsim.spatial import Array, frozen
+from ropsim.model import BASE_LINK, Link, Mechanism, Payload, joint_tree
+from ropsim.spatial import Array, Pose, frozen
 
 
 def barycentric(mass: float, com: Array, inertia: Array) -> Array:
@@ -33,19 +33,51 @@ def link_parameters(link: Link) -> Array:
 
 
 @lru_cache(maxsize=256)
-def last_body(robot: RobotModel, payload: Payload | None = None) -> Array:
-    """Return the barycentric parameters of the last link with a payload fixed to it, shape (10,).
+def step_bodies(mechanism: Mechanism) -> tuple[Array, ...]:
+    """Return the barycentric parameters of what each step of a mechanism carries, m arrays of shape (10,).
+
+    A step that carries no link, as all but the last of a joint with several freedoms, has ten zeros; links
+    that are fixed to each other ride on one step together.
+    """
+    tree = joint_tree(mechanism)
+    found: list[Array | None] = [None] * tree.m
+    for link, step, X_SL in zip(mechanism.links, tree.carriers, tree.X_SL, strict=True):
+        if step == BASE_LINK:
+            continue
+        own = link_parameters(link) if Pose() == X_SL else _placed(link.mass, link.com, link.inertia, X_SL)
+        before = found[step]
+        found[step] = own if before is None else before + own
+    return tuple(frozen(np.zeros(10)) if body is None else frozen(body) for body in found)
+
+
+@lru_cache(maxsize=256)
+def tip_body(mechanism: Mechanism, payload: Payload | None = None) -> Array:
+    """Return the barycentric parameters of the step with the interface and of a payload on it, shape (10,).
 
     The compiled functions of an arm take them at run time, so that a grasp changes the load and nothing is
     compiled again.
 
     Args:
-        robot: the arm.
+        mechanism: whose interface does not stand still.
         payload: body in the mechanical interface frame; None for none.
     """
-    own = link_parameters(robot.links[-1])
+    step, X_SM = interface_step(mechanism)
+    own = step_bodies(mechanism)[step]
     if payload is None or payload.mass == 0.0:
         return own
-    R_nM = robot.X_nM.rotation()
-    com = R_nM @ payload.com + robot.X_nM.position
-    return frozen(own + barycentric(payload.mass, com, R_nM @ payload.inertia @ R_nM.T))
+    return frozen(own + _placed(payload.mass, payload.com, payload.inertia, X_SM))
+
+
+def interface_step(mechanism: Mechanism) -> tuple[int, Pose]:
+    """Return the step that carries the interface, -1 for the base, and the interface in its frame."""
+    tree, link, X = joint_tree(mechanism), mechanism.interface_link, mechanism.interface
+    if link == BASE_LINK:
+        return BASE_LINK, X
+    X_SL = tree.X_SL[link]
+    return tree.carriers[link], X if Pose() == X_SL else X_SL @ X
+
+
+def _placed(mass: float, com: Array, inertia: Array, X: Pose) -> Array:
+    """Return the barycentric parameters of a body whose own frame is at X."""
+    R = X.rotation()
+    return barycentric(mass, R @ com + X.position, R @ inertia @ R.T)

@@ -12,7 +12,7 @@ from ropsim.dynamics.chain_loop import chain_accelerations, chain_mass_matrix, c
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import BODY, ArmStructure, arm_numbers, structure_of
 from ropsim.dynamics.traced_drives import drive_sides
-from ropsim.model import JointType, Payload, RobotModel
+from ropsim.model import JointType, Mechanism, Payload
 from ropsim.spatial import Array
 
 _TYPES = {"chain": "f8[::1]", "b": "i8", "q": "f8", "qd": "f8", "R": "f8[:,::1]", "A": "f8[:,::1]"}
@@ -73,7 +73,7 @@ class LongArmFunctions:
         engine: who runs the code.
     """
 
-    def __init__(self, robot: RobotModel, payload: Payload | None, engine: Engine) -> None:
+    def __init__(self, robot: Mechanism, payload: Payload | None, engine: Engine) -> None:
         check_model(robot)
         structure, numbers = structure_of(robot), arm_numbers(robot, payload)
         self._n = robot.n

@@ -13,18 +13,30 @@ from ropsim.model import JointType
 def trace_mass_matrix(arm: TracedArm) -> list[list[Scalar]]:
     """Return the lower triangle of the mass matrix of the rigid bodies: row i has i + 1 entries."""
     zero = arm.tracer.constant(0.0)
-    rows: list[list[Scalar]] = [[zero] * (i + 1) for i in range(arm.n)]
-    composite = arm.bodies[-1]
-    for i in range(arm.n - 1, -1, -1):
-        force, moment = _unit_acceleration(arm, i, composite)
+    rows: list[list[Scalar]] = [[zero] * (i + 1) for i in range(arm.m)]
+    composites = list(arm.bodies)
+    for i in range(arm.m - 1, -1, -1):
+        force, moment = _unit_acceleration(arm, i, composites[i])
         rows[i][i] = _along_axis(arm, i, force, moment)
-        for j in range(i, 0, -1):
+        j = i
+        while arm.parents[j] >= 0:
             force = apply(arm.rotations[j], force)
             moment = add(apply(arm.rotations[j], moment), cross(arm.origins[j], force))
-            rows[i][j - 1] = _along_axis(arm, j - 1, force, moment)
-        if i > 0:
-            composite = _joined(arm.bodies[i - 1], _moved(composite, arm.rotations[i], arm.origins[i]))
-    return rows
+            j = arm.parents[j]
+            rows[i][j] = _along_axis(arm, j, force, moment)
+        parent = arm.parents[i]
+        if parent >= 0:
+            moved = _moved(composites[i], arm.rotations[i], arm.origins[i])
+            composites[parent] = _joined(composites[parent], moved)
+    return _of_axes(arm, rows) if arm.spread else rows
+
+
+def _of_axes(arm: TracedArm, rows: list[list[Scalar]]) -> list[list[Scalar]]:
+    """Return the lower triangle of Tᵀ·M·T, the mass matrix that the axes feel."""
+    whole = [[rows[max(i, k)][min(i, k)] for k in range(arm.m)] for i in range(arm.m)]
+    right = [arm.of_axes(row) for row in whole]  # M·T, m rows
+    columns = [arm.of_axes([right[i][b] for i in range(arm.m)]) for b in range(arm.n)]
+    return [[columns[b][a] for b in range(a + 1)] for a in range(arm.n)]
 
 
 def _unit_acceleration(arm: TracedArm, i: int, body: Body) -> tuple[Vector, Vector]:

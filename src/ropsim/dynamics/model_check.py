@@ -11,30 +11,29 @@ from ropsim.dynamics.diagnostics import (
 )
 from ropsim.dynamics.drives import chain_of
 from ropsim.dynamics.inertia import link_parameters
-from ropsim.model import Drive, Link, RobotModel, is_symmetric
-
-MOST_JOINTS = 12
-"""Longest chain for straight-line code; longer ones are loops over the joints."""
+from ropsim.model import Drive, Link, Mechanism, check_open, is_symmetric
 
 
-def check_model(robot: RobotModel) -> None:
+def check_model(robot: Mechanism) -> None:
     """Make sure that the dynamics of an arm can be computed.
 
     Raises:
         JointCountError: the arm has no joints, or not one link and one drive for each.
+        MechanismError: the mechanism cannot be, or has closed chains that are cut.
         ModelNumberError: a number of the model is not finite, or an inertia tensor is not symmetric.
     """
     _check_counts(robot)
-    _check_finite(f"arm `{robot.name}`", [*robot.gravity, *robot.X_nM.as_tuple()])
+    check_open(robot)
+    _check_finite(f"arm `{robot.name}`", [*robot.gravity, *robot.interface.as_tuple()])
     for joint, link in zip(robot.joints, robot.links, strict=True):
         owner = f"joint `{joint.name}` of arm `{robot.name}`"
-        _check_finite(owner, [*joint.placement.as_tuple(), joint.offset, *link_parameters(link)])
+        _check_finite(owner, [*joint.placement.as_tuple(), joint.offset, joint.lead, *link_parameters(link)])
         _check_symmetric(owner, link)
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         _check_finite(f"drive of joint `{joint.name}` of arm `{robot.name}`", _drive_numbers(drive))
 
 
-def _check_counts(robot: RobotModel) -> None:
+def _check_counts(robot: Mechanism) -> None:
     if not robot.joints:
         message = f"arm `{robot.name}` has no joints"
         raise JointCountError(WRONG_COUNT.at(None, message, hint="give it at least one joint"))

@@ -3,7 +3,8 @@
 J. Y. S. Luh, M. W. Walker, R. P. C. Paul: On-line computational scheme for mechanical manipulators, ASME
 J. Dyn. Sys. Meas. Control 102 (1980), 69-76; here with moments about the joint origins and barycentric
 parameters, so that the torques are linear in the parameters of every body (W. Khalil, E. Dombre: Modeling,
-Identification and Control of Robots, 2002, section 9.5), extended by prismatic joints and a tip wrench.
+Identification and Control of Robots, 2002, section 9.5), extended by prismatic joints, branches, a
+tip wrench, and couplings: by virtual work the torques at the axes are Tᵀ times those at the joints.
 """
 
 from collections.abc import Sequence
@@ -26,36 +27,46 @@ class Wrench:
 def trace_inverse(
     arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar], tip: Wrench | None = None
 ) -> list[Scalar]:
-    """Return the joint torques of the rigid bodies, n of them: no friction, no motor inertia.
+    """Return the torques of the rigid bodies at the axes, n of them: no friction, no motor inertia.
 
     Args:
         arm: the arm as it stands.
-        qd: joint speeds, n of them.
-        qdd: joint accelerations, n of them.
+        qd: speeds of the axes, n of them.
+        qdd: accelerations of the axes, n of them.
         tip: what the mechanical interface exerts on its surroundings, in its own frame.
     """
-    wrenches = _outward(arm, qd, qdd)
-    if tip is not None:
+    wrenches = _outward(arm, arm.of_steps(qd), arm.of_steps(qdd))
+    if tip is not None and arm.tip >= 0:
         force = apply(arm.interface_rotation, tip.force)
         moment = add(apply(arm.interface_rotation, tip.moment), cross(arm.interface_origin, force))
-        last = wrenches[-1]
-        wrenches[-1] = Wrench(add(last.force, force), add(last.moment, moment))
-    return _inward(arm, wrenches)
+        own = wrenches[arm.tip]
+        wrenches[arm.tip] = Wrench(add(own.force, force), add(own.moment, moment))
+    return arm.of_axes(_inward(arm, wrenches))
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """Motion of a step's frame: angular velocity, acceleration of its origin, and how other points differ."""
+
+    w: Vector
+    wd: Vector
+    a: Vector
+    spin: Matrix
 
 
 def _outward(arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar]) -> list[Wrench]:
-    """Return the wrench that each body needs for its own motion, about and in its joint frame."""
+    """Return the wrench that each body needs for its own motion, about and in the frame of its step."""
     zero = arm.tracer.constant(0.0)
-    w: Vector = (zero, zero, zero)
-    wd: Vector = (zero, zero, zero)
-    a = arm.base_acceleration
+    still: Vector = (zero, zero, zero)
+    base = _Motion(still, still, arm.base_acceleration, _spin(still, still))
+    motions: list[_Motion] = []
     result = []
-    spin = _spin(w, wd)
-    for i in range(arm.n):
+    for i in range(arm.m):
+        parent = motions[arm.parents[i]] if arm.parents[i] >= 0 else base
         to_link = transpose(arm.rotations[i])
-        a = apply(to_link, add(a, apply(spin, arm.origins[i])))
-        w = apply(to_link, w)
-        wd = apply(to_link, wd)
+        a = apply(to_link, add(parent.a, apply(parent.spin, arm.origins[i])))
+        w = apply(to_link, parent.w)
+        wd = apply(to_link, parent.wd)
         if arm.types[i] is JointType.REVOLUTE:
             wd = (wd[0] + w[1] * qd[i], wd[1] - w[0] * qd[i], wd[2] + qdd[i])
             w = (w[0], w[1], w[2] + qd[i])
@@ -63,6 +74,7 @@ def _outward(arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar]) -> lis
             twice = 2.0 * qd[i]
             a = (a[0] + w[1] * twice, a[1] - w[0] * twice, a[2] + qdd[i])
         spin = _spin(w, wd)
+        motions.append(_Motion(w, wd, a, spin))
         body = arm.bodies[i]
         force = add(scale(body.mass, a), apply(spin, body.moment))
         inertia_moment = add(apply(body.inertia, wd), cross(w, apply(body.inertia, w)))
@@ -71,16 +83,18 @@ def _outward(arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar]) -> lis
 
 
 def _inward(arm: TracedArm, wrenches: list[Wrench]) -> list[Scalar]:
-    """Return the joint torques: the sums of the wrenches from the tip, along each joint axis."""
+    """Return the torques at the steps: the sums of the wrenches from the ends, along each axis."""
     torques: list[Scalar] = []
-    total = wrenches[-1]
-    for i in range(arm.n - 1, -1, -1):
+    totals = list(wrenches)
+    for i in range(arm.m - 1, -1, -1):
+        total, parent = totals[i], arm.parents[i]
         revolute = arm.types[i] is JointType.REVOLUTE
         torques.append(total.moment[2] if revolute else total.force[2])
-        if i > 0:
+        if parent >= 0:
             force = apply(arm.rotations[i], total.force)
             moment = add(apply(arm.rotations[i], total.moment), cross(arm.origins[i], force))
-            total = Wrench(add(wrenches[i - 1].force, force), add(wrenches[i - 1].moment, moment))
+            own = totals[parent]
+            totals[parent] = Wrench(add(own.force, force), add(own.moment, moment))
     return torques[::-1]
 
 

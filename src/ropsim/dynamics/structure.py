@@ -11,8 +11,8 @@ import numpy as np
 
 from ropsim.codegen import Scalar, Tracer, given
 from ropsim.dynamics.drives import DriveChain, chain_of
-from ropsim.dynamics.inertia import last_body, link_parameters
-from ropsim.model import JointType, Payload, RobotModel
+from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
+from ropsim.model import BASE_LINK, JointType, Mechanism, Payload, joint_tree
 from ropsim.spatial import Array, Pose, frozen
 
 RIGHT_ANGLE_TOLERANCE = 4e-15
@@ -25,31 +25,54 @@ Placement = tuple[tuple[float, ...], tuple[float, ...]]
 BODY = 10
 """Numbers of a body: its barycentric parameters."""
 
+MOST_JOINTS = 12
+"""Longest serial chain for straight-line code; longer ones are loops over the joints."""
+
 
 @dataclass(frozen=True, slots=True)
 class ArmStructure:
     """Everything about an arm that its code depends on; compared by content.
 
     Attributes:
-        types: of the joints.
-        placements: of each joint at coordinate 0 in the frame of the joint before it.
+        types: of the steps, REVOLUTE or PRISMATIC; see `model.JointTree`.
+        parents: step that each hangs on, -1 for the base.
+        placements: of each step at coordinate 0 in the frame of its parent.
         offsets: added to the coordinates [rad | m].
-        interface: mechanical interface in the frame of the last joint.
+        spread: for each step its row of (T, c): its coordinate is T·q + c; empty where step i is axis i.
+        tip: step that carries the mechanical interface, -1 for the base.
+        interface: mechanical interface in the frame of that step.
         drives: the blocks of each drive; empty without drives.
         present: which of the numbers may differ from 0, in the order of `arm_numbers`.
     """
 
     types: tuple[JointType, ...]
+    parents: tuple[int, ...]
     placements: tuple[Placement, ...]
     offsets: tuple[float, ...]
+    spread: tuple[tuple[float, ...], ...]
+    tip: int
     interface: Placement
     drives: tuple[DriveChain, ...]
     present: tuple[bool, ...]
 
     @property
     def n(self) -> int:
-        """Return the number of joints."""
+        """Return the number of axes."""
+        return len(self.spread[0]) - 1 if self.spread else self.m
+
+    @property
+    def m(self) -> int:
+        """Return the number of steps."""
         return len(self.types)
+
+    @property
+    def is_long(self) -> bool:
+        """Return whether loops over its steps are shorter than straight-line code: of a long serial arm.
+
+        What has branches or couplings is straight-line code at any length.
+        """
+        serial = not self.spread and self.parents == tuple(range(-1, self.m - 1)) and self.tip == self.m - 1
+        return serial and self.m > MOST_JOINTS
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +81,8 @@ class TracedNumbers:
 
     Attributes:
         base_acceleration: of the base in its own axes: minus free fall, which stands for gravity; 3.
-        bodies: barycentric parameters of each body, the last one with its payload; n times 10.
+        bodies: barycentric parameters of the body on each step, that at the interface with its payload; m
+            times 10.
         drives: numbers of each drive.
     """
 
@@ -68,23 +92,30 @@ class TracedNumbers:
 
 
 @lru_cache(maxsize=256)
-def structure_of(robot: RobotModel) -> ArmStructure:
+def structure_of(robot: Mechanism) -> ArmStructure:
     """Return the structure of an arm."""
+    tree = joint_tree(robot)
     drives = tuple(chain_of(drive) for drive in robot.drives)
-    fixed = [-robot.gravity, *(link_parameters(link) for link in robot.links[:-1])]
-    always = BODY + sum(chain.size for chain in drives)
+    tip, X_SM = interface_step(robot)
+    fixed = [-robot.gravity != 0.0]
+    for step, body in enumerate(step_bodies(robot)):
+        fixed.append(np.full(BODY, fill_value=True) if step == tip else body != 0.0)
+    always = (True,) * sum(chain.size for chain in drives)
     return ArmStructure(
-        types=tuple(joint.type for joint in robot.joints),
-        placements=tuple(_placement(joint.placement) for joint in robot.joints),
-        offsets=tuple(float(joint.offset) for joint in robot.joints),
-        interface=_placement(robot.X_nM),
+        types=tree.types,
+        parents=tree.parents,
+        placements=tuple(_placement(placement) for placement in tree.placements),
+        offsets=tuple(map(float, tree.offsets)),
+        spread=() if tree.parallel else tuple(map(tuple, np.column_stack((tree.T, tree.c)).tolist())),
+        tip=tip,
+        interface=_placement(X_SM),
         drives=drives,
-        present=(*(bool(x) for x in (np.concatenate(fixed) != 0.0).tolist()), *(True,) * always),
+        present=(*np.concatenate(fixed).tolist(), *always),
     )
 
 
 @lru_cache(maxsize=256)
-def arm_numbers(robot: RobotModel, payload: Payload | None = None) -> Array:
+def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
     """Return the numbers that the code of an arm is given, read-only.
 
     Args:
@@ -92,10 +123,13 @@ def arm_numbers(robot: RobotModel, payload: Payload | None = None) -> Array:
         payload: body at the mechanical interface; None for none.
 
     Returns:
-        Minus free fall [m/s²], 3; barycentric parameters of each body, 10 each, the last one with the
-        payload; the numbers of each drive, block by block.
+        Minus free fall [m/s²], 3; barycentric parameters of the body on each step, 10 each, that at the
+        interface with the payload; the numbers of each drive, block by block.
     """
-    bodies = [*(link_parameters(link) for link in robot.links[:-1]), last_body(robot, payload)]
+    tip, _ = interface_step(robot)
+    bodies = list(step_bodies(robot))
+    if tip != BASE_LINK:
+        bodies[tip] = tip_body(robot, payload)
     drives = [np.array(chain_of(drive).numbers(drive)) for drive in robot.drives]
     return frozen(np.concatenate([-robot.gravity, *bodies, *drives]))
 
@@ -103,7 +137,7 @@ def arm_numbers(robot: RobotModel, payload: Payload | None = None) -> Array:
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
     """Return the numbers of an arm of this structure as scalars; those that are zero are constants."""
     numbers = given(tracer, structure.present)
-    first = 3 + BODY * structure.n
+    first = 3 + BODY * structure.m
     bodies = [numbers[k : k + BODY] for k in range(3, first, BODY)]
     drives = []
     for chain in structure.drives:

@@ -26,39 +26,62 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class TracedArm:
-    """A serial arm in one traced formula.
+    """An arm in one traced formula: m steps that n axes move.
 
     Attributes:
         tracer: the graph.
-        types: of the joints.
-        rotations: R_{i-1,i}, from the frame of joint i to that of the joint before it, as the arm stands.
-        origins: origin of frame i in frame i-1, as the arm stands.
-        bodies: what each joint moves.
+        types: of the steps.
+        parents: step that each hangs on, -1 for the base.
+        spread: rows of T, empty where step i is axis i.
+        rotations: from the frame of each step to that of its parent, as the arm stands.
+        origins: origin of its frame in that of its parent, as the arm stands.
+        bodies: what each step carries.
         base_acceleration: of the base in its own axes: minus free fall, which stands for gravity.
-        interface_rotation: R_nM.
-        interface_origin: origin of the mechanical interface in frame n.
+        tip: step that carries the mechanical interface, -1 for the base.
+        interface_rotation: from the mechanical interface to the frame of that step.
+        interface_origin: of the mechanical interface in that frame.
     """
 
     tracer: Tracer
     types: tuple[JointType, ...]
+    parents: tuple[int, ...]
+    spread: tuple[tuple[float, ...], ...]
     rotations: tuple[Matrix, ...]
     origins: tuple[Vector, ...]
     bodies: tuple[Body, ...]
     base_acceleration: Vector
+    tip: int
     interface_rotation: Matrix
     interface_origin: Vector
 
     @property
-    def n(self) -> int:
-        """Return the number of joints."""
+    def m(self) -> int:
+        """Return the number of steps."""
         return len(self.types)
+
+    @property
+    def n(self) -> int:
+        """Return the number of axes."""
+        return len(self.spread[0]) if self.spread else self.m
+
+    def of_steps(self, values: Sequence[Scalar]) -> list[Scalar]:
+        """Return speeds or accelerations of the steps for those of the axes: T times them."""
+        return [_sum(self.tracer, row, values) for row in self.spread] if self.spread else list(values)
+
+    def of_axes(self, efforts: Sequence[Scalar]) -> list[Scalar]:
+        """Return the efforts at the axes that do the same work as efforts at the steps: Tᵀ times them."""
+        if not self.spread:
+            return list(efforts)
+        return [_sum(self.tracer, column, efforts) for column in zip(*self.spread, strict=True)]
 
 
 def trace_arm(
     tracer: Tracer, structure: ArmStructure, numbers: TracedNumbers, q: Sequence[Scalar]
 ) -> TracedArm:
-    """Return the arm with its joints at `q`, n of them."""
+    """Return the arm with its axes at `q`, n of them."""
     rotations, origins = [], []
+    if structure.spread:
+        q = [_sum(tracer, row[:-1], q) + row[-1] for row in structure.spread]
     for type_, placement, offset, coordinate in zip(
         structure.types, structure.placements, structure.offsets, q, strict=True
     ):
@@ -76,12 +99,23 @@ def trace_arm(
     return TracedArm(
         tracer,
         structure.types,
+        structure.parents,
+        tuple(row[:-1] for row in structure.spread),
         tuple(rotations),
         tuple(origins),
         tuple(_body(parameters) for parameters in numbers.bodies),
         (x, y, z),
+        structure.tip,
         *_placed(tracer, structure.interface),
     )
+
+
+def _sum(tracer: Tracer, factors: Sequence[float], values: Sequence[Scalar]) -> Scalar:
+    """Return the sum of products; factors of 0 leave nothing behind."""
+    total = tracer.constant(0.0)
+    for factor, value in zip(factors, values, strict=True):
+        total = total + factor * value
+    return total
 
 
 def _body(parameters: list[Scalar]) -> Body:

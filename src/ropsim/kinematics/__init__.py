@@ -14,6 +14,7 @@ from ropsim.kinematics.diagnostics import NotFiniteError as NotFiniteError
 from ropsim.kinematics.forward import forward as forward
 from ropsim.kinematics.forward import forward_batch as forward_batch
 from ropsim.kinematics.forward import frames_batch as frames_batch
+from ropsim.kinematics.forward import frames_of_steps as frames_of_steps
 from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.ground import Ground as Ground
 from ropsim.kinematics.ground import ground_of as ground_of

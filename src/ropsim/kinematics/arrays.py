@@ -55,7 +55,7 @@ class ChainArrays:
     @property
     def parallel(self) -> bool:
         """Return whether step i is axis i."""
-        return len(self.spread) == 0
+        return len(self.spread) == 0 and len(self.slides) == self.n
 
     def steps(self, rows: Array) -> Array:
         """Return the coordinates of the steps for those of the axes, shape (k, m) for (k, n)."""

@@ -74,6 +74,16 @@ def frames_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     return _link_frames(tree_arrays(robot), joint_rows(robot, Q))
 
 
+def frames_of_steps(robot: Mechanism, Q: npt.ArrayLike) -> Array:
+    """Return the frames of all steps of a mechanism (`model.JointTree`) for Q (k, n), shape (k, m, 4, 4).
+
+    Raises:
+        ArrayShapeError: M551, Q has another shape.
+        MechanismError: the mechanism cannot be.
+    """
+    return step_frames(tree_arrays(robot), joint_rows(robot, Q))
+
+
 def frames_of(chain: ChainArrays, rows: Array) -> Array:
     """Return the frames of all steps to the interface, and its own, for axes at rows (k, n).
 

@@ -63,7 +63,7 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
 def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float]) -> Array:
     m, n = len(chain.slides), chain.n
     found = np.array(Q)
-    frames, room, lanes = np.empty((m + 1, 12)), np.empty((n + 10, max(n, 6))), np.empty((7, m))
+    frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 10, max(n, 6))), np.empty((7, m))
     polish_kernel.polish_rows(
         chain.flat, chain.spread, chain.turning, T, found, np.array(settings), frames, room, lanes
     )

@@ -68,6 +68,7 @@ from ropsim.model.geometry import Shape as Shape
 from ropsim.model.geometry import Solid as Solid
 from ropsim.model.geometry import Sphere as Sphere
 from ropsim.model.joint import BASE_LINK as BASE_LINK
+from ropsim.model.joint import PREVIOUS as PREVIOUS
 from ropsim.model.joint import Joint as Joint
 from ropsim.model.joint import JointType as JointType
 from ropsim.model.joint_tree import JointTree as JointTree
@@ -80,6 +81,7 @@ from ropsim.model.mechanism import Mechanism as Mechanism
 from ropsim.model.mechanism_check import MechanismError as MechanismError
 from ropsim.model.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism_check import check_mechanism as check_mechanism
+from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
 from ropsim.model.origin import ParameterOrigin as ParameterOrigin
 from ropsim.model.outlines import arc as arc

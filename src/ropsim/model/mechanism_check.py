@@ -40,6 +40,23 @@ def check_counts(mechanism: Mechanism) -> None:
         raise MechanismError(found[0])
 
 
+def check_open(mechanism: Mechanism) -> None:
+    """Make sure that the dynamics of a mechanism can be computed: it has no closed chains that are cut.
+
+    Raises:
+        MechanismError: it has, or `check_mechanism` has something against it.
+    """
+    check_mechanism(mechanism)
+    if mechanism.cuts:
+        raise MechanismError(
+            kinds.LOOP_NOT_SIMULATED.at(
+                None,
+                f"`{mechanism.name}` has {len(mechanism.cuts)} closed chains that are cut",
+                hint="describe it by couplings where its coordinates are linear functions of the axes",
+            )
+        )
+
+
 def mechanism_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
     """Return the contradictions of a mechanism: of its counts, and those of `tree_findings`."""
     return (*_counts(mechanism), *tree_findings(mechanism))

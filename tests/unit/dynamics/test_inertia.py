@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.codegen import Engine
 from ropsim.dynamics import compiled
-from ropsim.dynamics.inertia import last_body
+from ropsim.dynamics.inertia import tip_body
 from ropsim.model import Link, Payload, RobotModel, combine
 from ropsim.spatial import Array
 from support.arms import random_arm, random_link, random_states
@@ -40,7 +40,7 @@ def test_a_payload_acts_like_a_last_link_that_has_grown_together_with_it() -> No
 def test_the_parameters_of_a_point_mass_are_those_of_the_textbook() -> None:
     robot = random_arm(4, "R")
     massless = replace(robot, links=(Link(0.0, np.zeros(3), np.zeros((3, 3))),))
-    carried = last_body(massless, Payload(2.0, np.zeros(3)))
+    carried = tip_body(massless, Payload(2.0, np.zeros(3)))
     x, y, z = robot.X_nM.position
     squares = [y * y + z * z, x * x + z * z, x * x + y * y]
     products = [-x * y, -x * z, -y * z]
@@ -51,4 +51,4 @@ def test_the_parameters_of_a_point_mass_are_those_of_the_textbook() -> None:
 @pytest.mark.parametrize("payload", [None, Payload()])
 def test_no_payload_leaves_the_link(payload: Payload | None) -> None:
     robot = random_arm(4, "RR")
-    assert last_body(robot, payload)[0] == robot.links[-1].mass
+    assert tip_body(robot, payload)[0] == robot.links[-1].mass

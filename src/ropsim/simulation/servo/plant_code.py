@@ -9,7 +9,6 @@ from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, T
 from ropsim.controller import LawTraits
 from ropsim.dynamics import (
     ACCELERATIONS,
-    MOST_JOINTS,
     ArmStructure,
     Carried,
     arm_numbers,
@@ -123,7 +122,7 @@ def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode:
         Formula("efforts", ("x", "u", "tau"), [(f"tau[{k}]", one) for k, one in enumerate(drives.tau)]),
         Formula("observe", ("x", "u", "row"), _row(structure, drives)),
     )
-    if structure.n > MOST_JOINTS:
+    if structure.is_long:
         sides = Formula("drives", ("x", "u", "side"), _sides(drives))
         return LongPlantCode(structure, GivenCode.of(*others, sides))
     arm = trace_arm(tracer, structure, traced_numbers(tracer, structure), drives.x[drives.layout.q])
