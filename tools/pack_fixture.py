@@ -46,7 +46,7 @@ def _expected(recording: Recording, cell: Cell, time: float) -> dict[str, object
     rows = recording.channels["q"].values
     q = np.array([np.interp(time, recording.time, column) for column in rows.T])
     last = cell.X_WB @ Pose.from_matrix(joint_frames(cell.robot, q)[cell.robot.n - 1])
-    line = recording.channels["line"].values[np.searchsorted(recording.time, time)]
+    line = recording.rows("line")[np.searchsorted(recording.time, time)]
     return {"time": time, "q": q.tolist(), "last_link": list(last.as_tuple()), "line": float(line)}
 
 

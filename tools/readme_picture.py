@@ -52,13 +52,12 @@ def torques(recording: Recording, seconds: float = 16.0) -> str:
     until = int(np.searchsorted(recording.time, seconds))
     time = recording.time[:until:6]
     values = recording.channels["tau"].values[:until:6]
-    robot = recording.header["robot"]
-    assert isinstance(robot, dict)
+    (station,) = recording.facts.stations
     parts = [label(470, 24, f"drive torques over the first {seconds:.0f} s, share of the joint's limit")]
     for joint in range(values.shape[1]):
         middle = 70 + joint * 62
         x = 500 + time / seconds * 470
-        y = middle - values[:, joint] / robot["max_effort"][joint] * 29
+        y = middle - values[:, joint] / station.axes[joint].max_effort * 29
         parts.append(
             f'<line x1="500" x2="970" y1="{middle}" y2="{middle}" stroke="#ddd"/>'
             + polyline(x, y, COLOURS[joint], 1.2)

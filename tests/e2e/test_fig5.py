@@ -58,5 +58,5 @@ def test_every_instruction_knows_its_line_and_pass(trace: icr.Trace) -> None:
 
 def test_in_its_cell_all_36_parts_leave_at_location_2(recording: Recording) -> None:
     assert recording.findings == ()
-    assert len(recording.header["parts_left"]) == 36  # type: ignore[arg-type]  # header values are plain lists
+    assert len(recording.facts.parts_left) == 36
     assert sum(event.kind == "move" for event in recording.events) == 72

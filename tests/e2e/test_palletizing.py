@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import ropsim
-from ropsim.flow import Recording
+from ropsim.flow import Destinations, GripEvent, MoveEvent, Recording, ReleaseEvent
 from ropsim.simulation import Fidelity, RunOptions
 
 CELL = Path(__file__).parents[2] / "examples" / "palletizing"
@@ -25,8 +25,8 @@ def test_nothing_goes_wrong(recording: Recording) -> None:
 
 
 def test_every_box_is_gripped_and_released_once(recording: Recording) -> None:
-    gripped = [event.data["part"] for event in recording.events if event.kind == "grip"]
-    released = [event.data["part"] for event in recording.events if event.kind == "release"]
+    gripped = [event.part for event in recording.events_of(GripEvent)]
+    released = [event.part for event in recording.events_of(ReleaseEvent)]
     assert len(set(gripped)) == 36
     assert gripped == released
 
@@ -59,7 +59,7 @@ def test_every_joint_works_for_its_living(recording: Recording) -> None:
 
 
 def test_the_payload_changes_with_each_grasp(recording: Recording) -> None:
-    payload = recording.channels["payload"].values
+    payload = recording.rows("payload")
     assert np.ptp(payload) == pytest.approx(0.5)
     assert int((np.diff(payload) > 0).sum()) == 36
 
@@ -82,8 +82,8 @@ def test_the_same_project_gives_the_same_bits(recording: Recording) -> None:
 def test_the_kinematic_run_commands_the_same_path(recording: Recording) -> None:
     ideal = ropsim.open(CELL).simulate(options=RunOptions(Fidelity.KINEMATIC))
     np.testing.assert_array_equal(ideal.channels["q"].values, ideal.channels["q_ref"].values)
-    moves = [(event.span, event.data["travel"]) for event in recording.events if event.kind == "move"]
-    assert moves == [(event.span, event.data["travel"]) for event in ideal.events if event.kind == "move"]
+    moves = [(event.span, event.travel) for event in recording.events_of(MoveEvent)]
+    assert moves == [(event.span, event.travel) for event in ideal.events_of(MoveEvent)]
     assert ideal.duration <= recording.duration
 
 
@@ -95,7 +95,7 @@ def test_the_boxes_are_at_their_destinations_where_the_cell_gives_them_some(tmp_
     goal = f"count = 36\ndestination = {{ position = [412.5, -147.5, 600], {grid}, tolerance = 1 }}\n"
     (folder / "cell.toml").write_text(text.replace("count = 36\n", goal), "utf-8")
     run = ropsim.open(folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
-    assert run.header["destinations"] == {"wanted": 36, "reached": 36}
+    assert run.facts.destinations == Destinations(36, 36)
     assert run.ok
     shifted = goal.replace("412.5", "414.5")
     (folder / "cell.toml").write_text(text.replace("count = 36\n", shifted), "utf-8")

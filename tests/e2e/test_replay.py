@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ropsim.core import replace_file
-from ropsim.flow import Recording
+from ropsim.flow import GripEvent, Recording, ReleaseEvent
 from ropsim.workbench import Project, open_project
 from ropsim.workbench.viewer import built_viewer
 from support.browser import Pages, axe
@@ -242,8 +242,8 @@ def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages
 def test_findings_lead_to_their_time_and_texts_stay_texts(open_page: Pages, troubled: Made) -> None:
     page = opened(open_page, troubled)
     found = next(one for one in troubled.recording.findings if "when the gripper closed" in one.message)
-    opening = next(e for e in troubled.recording.events if e.kind == "release")  # in the air
-    closing = next(e for e in troubled.recording.events if e.kind == "grip" and not e.data["part"])
+    opening = troubled.recording.events_of(ReleaseEvent)[0]  # in the air
+    closing = next(e for e in troubled.recording.events_of(GripEvent) if not e.part)
     for event in (opening, closing):
         page.get_by_role("button", name="Next finding").click()
         assert time_of(page) == pytest.approx(event.time)

@@ -153,9 +153,8 @@ def test_a_result_leads_to_the_moment_and_line_where_it_arises(tab: StudioPage, 
     strip.get_by_role("button", name="Peak torque").click()
     assert tab.time() > 0.0
     tau = first_run.channels["tau"].values
-    robot = first_run.header["robot"]
-    assert isinstance(robot, dict)
-    peak = np.unravel_index(np.argmax(np.abs(tau) / np.array(robot["max_effort"])), tau.shape)[0]
+    limits = np.array([axis.max_effort for axis in first_run.facts.stations[0].axes])
+    peak = np.unravel_index(np.argmax(np.abs(tau) / limits), tau.shape)[0]
     assert tab.time() == pytest.approx(float(first_run.time[peak]), abs=SAMPLE)
 
 

@@ -1,5 +1,6 @@
 """Recording files: whatever was damaged, there is a diagnostic; whatever was written comes back."""
 
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +8,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ropsim.flow import Channel, Recording
+from ropsim.core import Span
+from ropsim.flow import (
+    EVENTS,
+    Channel,
+    Event,
+    InputChange,
+    MotionKind,
+    Origin,
+    OutputEvent,
+    Recording,
+    RunFacts,
+    StationFacts,
+)
 from ropsim.records import RecordingFileError, read_recording, recording_bytes
 from ropsim.records.plain_values import tagged, untagged
 from support.recordings import pick_and_place, two_findings
@@ -67,19 +80,65 @@ def test_plain_values_come_back(value: object) -> None:
     assert untagged(tagged(value)) == value
 
 
-@settings(max_examples=40, derandomize=True)
+TEXTS = st.text(max_size=8)
+NUMBERS = st.floats()
+ORIGINS = st.none() | st.builds(
+    Origin,
+    st.none() | st.builds(Span, TEXTS, *[st.integers(0, 9)] * 4),
+    st.integers(1, 99),
+    st.lists(TEXTS, max_size=3).map(tuple),
+    st.lists(st.integers(0, 99), max_size=3).map(tuple),
+)
+FIELDS: dict[str, st.SearchStrategy[object]] = {
+    "time": NUMBERS,
+    "duration": NUMBERS,
+    "station": TEXTS,
+    "origin": ORIGINS,
+    "motion": st.sampled_from(MotionKind),
+    "path_error_max": st.none() | NUMBERS,
+    "channel": TEXTS,
+    "signal": TEXTS,
+    "text": TEXTS,
+    "part": TEXTS,
+    "name": TEXTS,
+    "ordinal": st.integers(),
+    "serial": st.integers(),
+    "depth": st.integers(),
+}
+
+
+def events() -> st.SearchStrategy[Event]:
+    """Return events of all kinds with any fields."""
+    values = st.booleans() | st.integers() | NUMBERS
+    drawn = {kind: FIELDS | {"value": values if kind is OutputEvent else NUMBERS} for kind in EVENTS.values()}
+    return st.sampled_from(list(EVENTS.values())).flatmap(
+        lambda kind: st.builds(kind, **{one.name: drawn[kind].get(one.name, NUMBERS) for one in fields(kind)})
+    )
+
+
+@settings(max_examples=60, derandomize=True)
 @given(
-    values=st.lists(st.floats(width=64), max_size=20),
-    header=st.dictionaries(st.text(), PLAIN, max_size=4),
+    values=st.lists(NUMBERS, max_size=20),
+    changes=st.lists(NUMBERS, min_size=1, max_size=5),
+    happened=st.lists(events(), max_size=4),
+    about=st.builds(
+        RunFacts,
+        project=st.text(),
+        record_hz=NUMBERS,
+        checked=st.lists(st.text(), max_size=2).map(tuple),
+        inputs=st.lists(st.builds(InputChange, NUMBERS, TEXTS, NUMBERS), max_size=2).map(tuple),
+        stations=st.lists(st.builds(StationFacts, TEXTS, control_hz=NUMBERS), max_size=2).map(tuple),
+    ),
     unit=st.text(max_size=5),
 )
-def test_any_channel_and_header_come_back(
-    place: Path, values: list[float], header: dict[str, object], unit: str
+def test_any_channel_event_and_fact_comes_back(
+    place: Path, values: list[float], changes: list[float], happened: list[Event], about: RunFacts, unit: str
 ) -> None:
     time = np.arange(len(values), dtype=np.float64)
-    channel = Channel(np.array(values, dtype=np.float64), unit)
-    place.write_bytes(recording_bytes(Recording(time, {"x": channel}, (), (), 1.0, header)))
-    result = read_recording(place)
-    assert result.header == header
-    assert result.channels["x"].unit == unit
-    assert np.array_equal(result.channels["x"].values, channel.values, equal_nan=True)
+    channels = {
+        "x": Channel(np.array(values, dtype=np.float64), unit),
+        "h": Channel(np.array(changes), unit, times=np.arange(float(len(changes)))),
+    }
+    written = Recording(time, channels, tuple(happened), (), 1.0, about)
+    place.write_bytes(recording_bytes(written))
+    assert read_recording(place) == written

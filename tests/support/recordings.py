@@ -1,14 +1,31 @@
-"""A small pick-and-place run with the channels, events and header of a real one, made in closed form."""
+"""A small pick-and-place run with the channels, events and facts of a real one, made in closed form."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity, SourceText
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import (
+    AxisFacts,
+    Channel,
+    ChannelGroup,
+    Event,
+    GripEvent,
+    MotionKind,
+    MoveEvent,
+    Origin,
+    ParameterOrigin,
+    Recording,
+    ReleaseEvent,
+    RunFacts,
+    StationFacts,
+    TaskEvent,
+)
 from ropsim.spatial import Array
 
 JOINTS = ("1", "2", "3", "4", "5", "6")
+STATION = "robot"
 LAG = 0.012
 """Time constant of the imagined servo [s]: the attained pose follows the command by it."""
 SOURCE = SourceText(
@@ -42,28 +59,40 @@ class _Tape:
     def now(self) -> float:
         return len(self.points) / self.rate
 
-    def move(self, kind: str, target: tuple[float, float, float], line: int, visit: int) -> None:
+    def move(self, motion: MotionKind, target: tuple[float, float, float], line: int, visit: int) -> None:
         start, distance = self.now, float(np.linalg.norm(np.subtract(target, self.position)))
-        seconds = distance / (0.12 if kind == "LIN" else 0.5) + 0.2
+        seconds = distance / (0.12 if motion is MotionKind.LIN else 0.5) + 0.2
         count = round(seconds * self.rate)
         s = np.arange(1, count + 1)[:, None] / count
         blend = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
-        self._add(np.array(self.position) + blend * np.subtract(target, self.position), line, kind == "LIN")
-        data = {"kind": kind, "visit": visit, "ordinal": self.ordinal, "settle": 0.02}
-        text = f"{kind} pass {visit}"
-        self.events.append(Event(start, "move", text, SOURCE.span(line, 3, 6), self.now - start, data))
+        self._add(
+            np.array(self.position) + blend * np.subtract(target, self.position),
+            line,
+            motion is MotionKind.LIN,
+        )
+        self.events.append(
+            MoveEvent(
+                start,
+                self.now - start,
+                STATION,
+                Origin(SOURCE.span(line, 3, 6), visit),
+                motion=motion,
+                ordinal=self.ordinal,
+                travel=self.now - start - 0.02,
+                settle=0.02,
+            )
+        )
         self.position = target
         self.ordinal += 1
 
-    def grip(self, kind: str, line: int, state: float) -> None:
-        start, self.gripped = self.now, state
+    def grip(self, kind: type[GripEvent | ReleaseEvent], line: int) -> None:
+        start, self.gripped = self.now, float(kind is GripEvent)
         self._add(np.tile(self.position, (round(0.2 * self.rate), 1)), line, False)
-        span = SOURCE.span(line, 3, 4)
-        self.events.append(Event(start, kind, f"{kind} box", span, self.now - start, {"part": "box"}))
+        origin = Origin(SOURCE.span(line, 3, 4))
+        self.events.append(kind(start, self.now - start, STATION, origin, part="box"))
 
     def task(self, name: str, start: float, serial: int, depth: int) -> None:
-        data = {"name": name, "serial": serial, "depth": depth}
-        self.events.append(Event(start, "task", name, None, self.now - start, data))
+        self.events.append(TaskEvent(start, self.now - start, STATION, name=name, serial=serial, depth=depth))
 
     def _add(self, points: Array, line: int, straight: bool) -> None:
         count = len(points)
@@ -78,14 +107,12 @@ def pick_and_place(passes: int = 3, rate: float = 100.0, findings: tuple[Diagnos
     """Return a run of `passes` cycles recorded at `rate` [Hz]."""
     tape = _Tape(rate)
     for visit in range(1, passes + 1):
-        for serial, (name, at, line, kind) in enumerate(
-            (("pick", INFEED, 9, "grip"), ("place", SLOT, 16, "release")), 2 * visit - 1
-        ):
+        for serial, (name, at, line) in enumerate((("pick", INFEED, 9), ("place", SLOT, 16)), 2 * visit - 1):
             start, above = tape.now, (at[0], at[1], at[2] + LIFT)
-            tape.move("PTP", above, line, visit)
-            tape.move("LIN", at, line + 1, visit)
-            tape.grip(kind, line + 2, 1.0 if kind == "grip" else 0.0)
-            tape.move("LIN", above, line + 3, visit)
+            tape.move(MotionKind.PTP, above, line, visit)
+            tape.move(MotionKind.LIN, at, line + 1, visit)
+            tape.grip(GripEvent if name == "pick" else ReleaseEvent, line + 2)
+            tape.move(MotionKind.LIN, above, line + 3, visit)
             tape.task(name, start, serial, 1)
     tape.task("main", 0.0, 0, 0)
     return _recording(tape, findings)
@@ -112,43 +139,63 @@ def two_findings() -> tuple[Diagnostic, ...]:
     return (saturated, *reached)
 
 
-def header() -> dict[str, object]:
-    """Return the header of the imagined run; limits as for a PUMA 560."""
-    degrees = [160.0, 125.0, 135.0, 140.0, 100.0, 266.0]
-    return {
-        "ropsim": "0.1.0",
-        "project": "palletizing",
-        "program": "main",
-        "robot": {
-            "name": "puma560",
-            "title": "Unimation PUMA 560",
-            "joint_names": list(JOINTS),
-            "joint_types": ["revolute"] * 6,
-            "lower": [-float(np.deg2rad(d)) for d in degrees],
-            "upper": [float(np.deg2rad(d)) for d in degrees],
-            "max_speed": [1.92, 1.92, 1.92, 4.0, 4.0, 4.0],
-            "max_current": [10.0] * 6,
-            "max_effort": [97.6, 186.4, 89.4, 24.2, 20.1, 21.3],
-            "origins": [
-                {
-                    "parameters": "link inertias",
-                    "kind": "published",
-                    "source": "Armstrong, Khatib & Burdick 1986",
-                },
-                {
-                    "parameters": "motor constants",
-                    "kind": "estimated",
-                    "source": "Corke & Armstrong-Hélouvry 1994",
-                },
-            ],
-        },
-        "rates": {"control_hz": 1000.0, "interpolation_ticks": 4, "plant_steps": 4},
-        "icr_id": "5f2c9a",
-        "source": SOURCE.name,
-        "fidelity": "dynamic",
-        "record_hz": 100.0,
-        "estimated": ["motor resistance and inductance", "joint speed limits"],
-    }
+def station(**changes: Any) -> StationFacts:
+    """Return the station of the imagined run, limits as for a PUMA 560, with some fields changed."""
+    ranges = [160.0, 125.0, 135.0, 140.0, 100.0, 266.0]
+    speeds, efforts = [1.92, 1.92, 1.92, 4.0, 4.0, 4.0], [97.6, 186.4, 89.4, 24.2, 20.1, 21.3]
+    axes = tuple(
+        AxisFacts(
+            name,
+            lower=-float(np.deg2rad(degrees)),
+            upper=float(np.deg2rad(degrees)),
+            max_speed=speed,
+            max_effort=effort,
+            max_current=10.0,
+        )
+        for name, degrees, speed, effort in zip(JOINTS, ranges, speeds, efforts, strict=True)
+    )
+    plain = StationFacts(
+        STATION,
+        program="main",
+        source=SOURCE.name,
+        icr_id="5f2c9a",
+        law="cascaded_p_pi",
+        control_hz=1000.0,
+        interpolation_ticks=4,
+        plant_steps=4,
+        robot="puma560",
+        title="Unimation PUMA 560",
+        axes=axes,
+        origins=(
+            ParameterOrigin("link inertias", "published", "Armstrong, Khatib & Burdick 1986"),
+            *estimates("motor resistance and inductance", "joint speed limits"),
+        ),
+    )
+    return replace(plain, **changes)
+
+
+def facts(**changes: Any) -> RunFacts:
+    """Return the facts of the imagined run, with some fields changed."""
+    return replace(RunFacts("0.1.0", "palletizing", record_hz=100.0, stations=(station(),)), **changes)
+
+
+def estimates(*parameters: str) -> tuple[ParameterOrigin, ...]:
+    """Return origins of parameters that are estimates."""
+    return tuple(ParameterOrigin(one, "estimated", "a guess") for one in parameters)
+
+
+def held(
+    time: Array,
+    rows: Array,
+    unit: str = "",
+    description: str = "",
+    group: ChannelGroup = ChannelGroup.PROGRAM,
+    subject: str = "robot",
+) -> Channel:
+    """Return a channel that holds its values and changes halfway between rows, which it has as given."""
+    changed = np.flatnonzero(np.diff(rows)) + 1
+    times = np.concatenate([time[:1], 0.5 * (time[changed - 1] + time[changed])])
+    return Channel(rows[np.append(0, changed)], unit, (), description, group, subject, times)
 
 
 def joints_of(tcp: Array) -> Array:
@@ -174,29 +221,32 @@ def _recording(tape: _Tape, findings: tuple[Diagnostic, ...]) -> Recording:
     path_error = np.where(tape.straight, sag, np.nan)
     upright = np.tile([0.0, 0.0, 1.0, 0.0], (n, 1))
     xyz, wxyz = ("x", "y", "z"), ("w", "x", "y", "z")
+    of_joints, of_tcp = (ChannelGroup.JOINTS, STATION), (ChannelGroup.TCP, STATION)
     channels = {
-        "q": Channel(q, "rad", JOINTS, "attained joint coordinates"),
-        "qd": Channel(qd, "rad/s", JOINTS, "attained joint speeds"),
-        "tau": Channel(tau, "N·m", JOINTS, "torques at the joints"),
-        "current": Channel(tau / 12.0, "A", JOINTS, "motor currents"),
-        "voltage": Channel(tau / 3.0, "V", JOINTS, "motor voltages"),
-        "q_ref": Channel(q_ref, "rad", JOINTS, "reference joint coordinates"),
-        "qd_ref": Channel(qd_ref, "rad/s", JOINTS, "reference joint speeds"),
-        "q_error": Channel(q_ref - q, "rad", JOINTS, "following errors"),
-        "command_position": Channel(command, "m", xyz, "command TCP in the base frame"),
-        "attained_position": Channel(attained, "m", xyz, "attained TCP in the base frame"),
-        "command_orientation": Channel(upright, "", wxyz, "command orientation of the tool"),
-        "attained_orientation": Channel(upright, "", wxyz, "attained orientation of the tool"),
-        "path_error": Channel(path_error, "m", (), "distance of the TCP from the commanded line"),
-        "line": Channel(np.array(tape.lines, dtype=float), "", (), "active source line"),
-        "move": Channel(np.array(tape.moves, dtype=float), "", (), "ordinal of the active move"),
-        "gripper": Channel(np.array(tape.closed), "", (), "0 open, 1 closed"),
-        "payload": Channel(payload, "kg", (), "mass at the mechanical interface"),
-        "signal.lamp": Channel((np.sin(time) > 0.0).astype(float), "", (), "digital output"),
-        "signal.pressure": Channel(4.0 + 0.2 * np.cos(3.0 * time), "bar", (), "analogue input"),
+        "q": Channel(q, "rad", JOINTS, "attained joint coordinates", *of_joints),
+        "qd": Channel(qd, "rad/s", JOINTS, "attained joint speeds", *of_joints),
+        "tau": Channel(tau, "N·m", JOINTS, "torques at the joints", *of_joints),
+        "current": Channel(tau / 12.0, "A", JOINTS, "motor currents", *of_joints),
+        "voltage": Channel(tau / 3.0, "V", JOINTS, "motor voltages", *of_joints),
+        "q_ref": Channel(q_ref, "rad", JOINTS, "reference joint coordinates", *of_joints),
+        "qd_ref": Channel(qd_ref, "rad/s", JOINTS, "reference joint speeds", *of_joints),
+        "q_error": Channel(q_ref - q, "rad", JOINTS, "following errors", *of_joints),
+        "command_position": Channel(command, "m", xyz, "command TCP in the base frame", *of_tcp),
+        "attained_position": Channel(attained, "m", xyz, "attained TCP in the base frame", *of_tcp),
+        "command_orientation": Channel(upright, "", wxyz, "command orientation of the tool", *of_tcp),
+        "attained_orientation": Channel(upright, "", wxyz, "attained orientation of the tool", *of_tcp),
+        "path_error": Channel(path_error, "m", (), "distance of the TCP from the commanded line", *of_tcp),
+        "line": held(time, np.array(tape.lines, dtype=float), "", "active source line"),
+        "move": held(time, np.array(tape.moves, dtype=float), "", "ordinal of the active move"),
+        "gripper": held(time, np.array(tape.closed), "", "0 open, 1 closed"),
+        "payload": held(time, payload, "kg", "mass at the mechanical interface"),
+        "signal.lamp": held(time, (np.sin(time) > 0.0).astype(float), "", "output", ChannelGroup.SIGNALS, ""),
+        "signal.pressure": Channel(
+            4.0 + 0.2 * np.cos(3.0 * time), "bar", (), "analogue input", ChannelGroup.SIGNALS
+        ),
     }
     events = tuple(sorted(tape.events, key=lambda event: event.time))
-    return Recording(time, channels, events, findings, float(time[-1]) + 1.0 / tape.rate, header())
+    return Recording(time, channels, events, findings, float(time[-1]) + 1.0 / tape.rate, facts())
 
 
 def _lagging(command: Array, rate: float) -> Array:
@@ -209,5 +259,5 @@ def _lagging(command: Array, rate: float) -> Array:
 
 
 def empty_recording() -> Recording:
-    """Return a recording without a sample, an event or a header."""
+    """Return a recording without a sample, an event or a fact."""
     return Recording(np.empty(0), {}, (), (), 0.0)

@@ -21,7 +21,7 @@ class Tree:
 
 
 def random_tree(seed: int, count: int = 6, drives: tuple[Drive, ...] = ()) -> Tree:
-    """Return a tree of some joints of any type; all but one with one freedom are axes, the rest is coupled."""
+    """Return a tree of joints of any type; all but one with one freedom are axes, the rest is coupled."""
     rng = np.random.default_rng(seed)
     joints: list[Joint] = []
     for number in range(count):

@@ -1,5 +1,26 @@
 """The records that travel between modules: instructions, setpoints, recordings."""
 
+from ropsim.flow.channel import Channel as Channel
+from ropsim.flow.channel import ChannelGroup as ChannelGroup
+from ropsim.flow.events import EVENTS as EVENTS
+from ropsim.flow.events import Event as Event
+from ropsim.flow.events import GripEvent as GripEvent
+from ropsim.flow.events import InputEvent as InputEvent
+from ropsim.flow.events import MessageEvent as MessageEvent
+from ropsim.flow.events import MoveEvent as MoveEvent
+from ropsim.flow.events import OutputEvent as OutputEvent
+from ropsim.flow.events import ReleaseEvent as ReleaseEvent
+from ropsim.flow.events import SkipEvent as SkipEvent
+from ropsim.flow.events import TaskEvent as TaskEvent
+from ropsim.flow.events import WaitEvent as WaitEvent
+from ropsim.flow.facts import AxisFacts as AxisFacts
+from ropsim.flow.facts import AxisType as AxisType
+from ropsim.flow.facts import Destinations as Destinations
+from ropsim.flow.facts import Fidelity as Fidelity
+from ropsim.flow.facts import RunFacts as RunFacts
+from ropsim.flow.facts import StationFacts as StationFacts
+from ropsim.flow.facts import channel_name as channel_name
+from ropsim.flow.inputs import InputChange as InputChange
 from ropsim.flow.instructions import GripAction as GripAction
 from ropsim.flow.instructions import GripInstruction as GripInstruction
 from ropsim.flow.instructions import Instruction as Instruction
@@ -11,14 +32,12 @@ from ropsim.flow.instructions import OutputInstruction as OutputInstruction
 from ropsim.flow.instructions import SyncInstruction as SyncInstruction
 from ropsim.flow.instructions import WaitInstruction as WaitInstruction
 from ropsim.flow.modal import ModalState as ModalState
+from ropsim.flow.parameter_origin import ParameterOrigin as ParameterOrigin
 from ropsim.flow.placement import Placement as Placement
-from ropsim.flow.recording import Channel as Channel
-from ropsim.flow.recording import Event as Event
 from ropsim.flow.recording import Recording as Recording
 from ropsim.flow.reference import JointReference as JointReference
 from ropsim.flow.reference import JointSamples as JointSamples
 from ropsim.flow.reference import PoseSetpoints as PoseSetpoints
 from ropsim.flow.settling import SLOW as SLOW
 from ropsim.flow.settling import Settling as Settling
-from ropsim.flow.settling import settle_time as settle_time
 from ropsim.flow.settling import settling_of as settling_of

@@ -1,56 +1,24 @@
 """The recording of a run: named channels over time, events and findings."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-from ropsim.core import Diagnostic, Severity, Span
+import numpy as np
+
+from ropsim.core import Diagnostic, Severity
+from ropsim.flow.channel import Channel
+from ropsim.flow.events import Event, MoveEvent, SkipEvent
+from ropsim.flow.facts import RunFacts
 from ropsim.flow.placement import Placement
 from ropsim.spatial import Array, record
 
 if TYPE_CHECKING:
     import pandas as pd
 
+E = TypeVar("E", bound=Event)
+
 
 @record
-class Channel:
-    """One recorded quantity.
-
-    Attributes:
-        values: shape (n,) or (n, k), one row per recorded tick.
-        unit: SI unit as text, empty for counts and codes.
-        columns: names of the k columns; empty for a single column.
-        description: what it is, in which frame.
-    """
-
-    values: Array
-    unit: str
-    columns: tuple[str, ...] = ()
-    description: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """Something that happened at one time.
-
-    Attributes:
-        time: [s].
-        kind: `move`, `grip`, `release`, `output`, `wait`, `message`, `task`, `skip` …
-        text: what happened, for people.
-        span: source line, where it is known.
-        duration: [s], 0 for an instant.
-        data: figures and names.
-    """
-
-    time: float
-    kind: str
-    text: str
-    span: Span | None = None
-    duration: float = 0.0
-    data: Mapping[str, object] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True, repr=False)
 class Recording:
     """What a run leaves behind.
 
@@ -62,9 +30,8 @@ class Recording:
         events: in order of time.
         findings: diagnostics of the run.
         duration: simulated time [s].
-        header: program, robot, options and versions; plain values.
-        placements: where each body hung at the start, and every change since, in order of time; none in
-            recordings of older versions.
+        facts: who ran what, on which arm, with which limits.
+        placements: where each body hung at the start, and every change since, in order of time.
     """
 
     time: Array
@@ -72,7 +39,7 @@ class Recording:
     events: tuple[Event, ...]
     findings: tuple[Diagnostic, ...]
     duration: float
-    header: Mapping[str, object] = field(default_factory=dict)
+    facts: RunFacts = RunFacts()
     placements: tuple[Placement, ...] = ()
 
     @property
@@ -87,11 +54,11 @@ class Recording:
 
     @property
     def _skipped(self) -> int:
-        return sum(event.kind == "skip" for event in self.events)
+        return sum(isinstance(event, SkipEvent) for event in self.events)
 
     def __repr__(self) -> str:
         """Return one line: whether the run failed and why, its moves and length; no arrays."""
-        moves = sum(event.kind == "move" for event in self.events)
+        moves = sum(isinstance(event, MoveEvent) for event in self.events)
         state = "ok" if self.ok else "FAILED"
         skipped = f", {self._skipped} SKIPPED" if self._skipped else ""
         text = f"<Recording {state}: {moves} moves{skipped}, {self.duration:.2f} s, {self._counts()}"
@@ -104,8 +71,46 @@ class Recording:
         found = [f"{count} {name}{'s' * (count > 1)}" for count, name in counts if count]
         return ", ".join(found) or "no findings"
 
+    def events_of(self, kind: type[E]) -> tuple[E, ...]:
+        """Return the events of one kind, in order of time.
+
+        Args:
+            kind: its class, such as `MoveEvent`.
+        """
+        return tuple(event for event in self.events if isinstance(event, kind))
+
+    def rows(self, name: str) -> Array:
+        """Return a channel at the recorded rows, shape (n,) or (n, k).
+
+        Args:
+            name: of the channel; what it holds between changes is told as it is in force at each row.
+
+        Raises:
+            KeyError: there is no such channel.
+        """
+        return self.channels[name].rows(self.time)
+
+    def at(self, name: str, time: float) -> Array:
+        """Return a channel at one time, shape () or (k,): the value in force, or linear between two rows.
+
+        Args:
+            name: of the channel.
+            time: [s]; outside the recording its nearest end counts.
+
+        Raises:
+            KeyError: there is no such channel.
+        """
+        channel = self.channels[name]
+        if channel.held:
+            return np.asarray(channel.rows(np.array([time]))[0])
+        columns = channel.values.reshape(len(self.time), -1).T
+        found = np.array([np.interp(time, self.time, column) for column in columns])
+        return found.reshape(channel.values.shape[1:])
+
     def to_pandas(self) -> "pd.DataFrame":
-        """Return all channels as one table indexed by time [s]; columns are `q[0]`, `tau[2]` and so on.
+        """Return all channels at the recorded rows as one table indexed by time [s].
+
+        Columns are `q[0]`, `tau[2]` and so on.
 
         Raises:
             ImportError: pandas is not installed.
@@ -114,11 +119,12 @@ class Recording:
 
         columns: dict[str, Array] = {}
         for name, channel in self.channels.items():
-            if channel.values.ndim == 1:
-                columns[name] = channel.values
+            values = channel.rows(self.time)
+            if values.ndim == 1:
+                columns[name] = values
             else:
-                labels = channel.columns or tuple(str(k) for k in range(channel.values.shape[1]))
-                columns.update({f"{name}[{label}]": channel.values[:, k] for k, label in enumerate(labels)})
+                labels = channel.columns or tuple(str(k) for k in range(values.shape[1]))
+                columns.update({f"{name}[{label}]": values[:, k] for k, label in enumerate(labels)})
         return pd.DataFrame(columns, index=pd.Index(self.time, name="time"))
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ropsim.flow.recording import Event
+from ropsim.flow.events import Event, MoveEvent
 
 SLOW = 0.02
 """A move that settles longer than this [s] settles slowly."""
@@ -37,27 +37,20 @@ def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
     """Return what settling cost.
 
     Args:
-        events: of a run; moves have `settle` [s] and `visit` in their data.
+        events: of a run.
         cycle_time: of the run [s].
     """
-    moves = [(settle_time(event), event) for event in events if event.kind == "move"]
+    moves = [event for event in events if isinstance(event, MoveEvent) and math.isfinite(event.settle)]
     if not moves:
         return Settling()
-    total = sum(settle for settle, _ in moves)
-    longest, event = max(moves, key=lambda move: move[0])
-    visit = event.data.get("visit")
+    total = sum(move.settle for move in moves)
+    longest = max(moves, key=lambda move: move.settle)
     return Settling(
         total,
         total / cycle_time if cycle_time > 0.0 else 0.0,
-        sum(settle > SLOW for settle, _ in moves),
-        longest,
-        event.time + event.duration - longest,
-        event.span.line if event.span else 0,
-        visit if isinstance(visit, int) else 0,
+        sum(move.settle > SLOW for move in moves),
+        longest.settle,
+        longest.end - longest.settle,
+        longest.line,
+        longest.visit,
     )
-
-
-def settle_time(event: Event) -> float:
-    """Return how long a move settled [s]; 0 where the event does not say."""
-    settle = event.data.get("settle")
-    return float(settle) if isinstance(settle, (int, float)) and math.isfinite(settle) else 0.0

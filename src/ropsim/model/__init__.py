@@ -1,5 +1,6 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
+from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.base_frame import in_base as in_base
@@ -83,7 +84,6 @@ from ropsim.model.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism_check import check_mechanism as check_mechanism
 from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
-from ropsim.model.origin import ParameterOrigin as ParameterOrigin
 from ropsim.model.outlines import arc as arc
 from ropsim.model.outlines import around as around
 from ropsim.model.outlines import circle as circle

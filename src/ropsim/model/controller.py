@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from ropsim.model.origin import ParameterOrigin
+from ropsim.flow import ParameterOrigin
 from ropsim.spatial import Array, frozen, record
 
 

@@ -2,13 +2,13 @@
 
 from dataclasses import field, replace
 
+from ropsim.flow import ParameterOrigin
 from ropsim.model.coupling import Coupling
 from ropsim.model.drive import Drive
 from ropsim.model.geometry import Shape
 from ropsim.model.joint import BASE_LINK, PREVIOUS, Joint
 from ropsim.model.link import Link
 from ropsim.model.loop_cut import LoopCut
-from ropsim.model.origin import ParameterOrigin
 from ropsim.spatial import Array, Pose, frozen, record
 
 

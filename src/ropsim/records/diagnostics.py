@@ -48,12 +48,13 @@ VERSION = define(
     "X873",
     "recording-version-unknown",
     Severity.ERROR,
-    "a recording was written by a newer ropsim",
+    "a recording is of a format that this ropsim does not know",
     """
-The header of the file names a version of the recording format that this ropsim does not know.
+The header of the file names a version of the recording format that this ropsim does not know. The
+finding tells which one that is, which ropsim wrote the file, and which versions this one reads: its
+own, and the older ones.
 
-Read it with the version of ropsim that wrote it (the header names it under `header.ropsim`), or
-install a newer one.
+Read it with the version of ropsim that wrote it, or install a newer one.
 """,
 )
 
@@ -63,8 +64,10 @@ CONTENT = define(
     Severity.ERROR,
     "the parts of a recording do not fit together",
     """
-An array is missing or has another number of rows than `time`, or the header lacks an entry or has
-one of the wrong type. Such a file was not written by ropsim, or it was changed afterwards.
+An array is missing, or one with samples has another number of rows than `time`; the changes of a
+channel that holds its value are not in order of time; or the header lacks an entry, has one of the
+wrong type or a word that is not known. Such a file was not written by ropsim, or it was changed
+afterwards.
 
 docs/reference/recording.md lists what a recording must hold.
 """,
@@ -89,9 +92,8 @@ NOT_PLAIN = define(
     Severity.ERROR,
     "a recording holds a value that no file can keep",
     """
-The header of a recording, the data of its events and the data of its findings may hold texts,
-numbers, true, false, nothing, and lists and mappings (with texts as keys) of those. Channels have
-names without control characters.
+The data of the findings of a recording may hold texts, numbers, true, false, nothing, and lists and
+mappings (with texts as keys) of those. Channels have names without control characters.
 
 Turn the value into one of these before it goes into the recording.
 """,

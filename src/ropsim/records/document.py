@@ -5,30 +5,31 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit
-from ropsim.flow import Channel, Event, Placement, Recording
-from ropsim.records.diagnostic_json import diagnostic_entry, span_entry
+from ropsim.flow import Channel, ChannelGroup, Event, Placement, Recording, RunFacts
+from ropsim.records.diagnostic_json import diagnostic_entry
+from ropsim.records.events import event_entry, read_event
+from ropsim.records.plain_records import DocumentError, number, plain_record, record_from
 from ropsim.records.plain_values import tagged, untagged
 from ropsim.spatial import Pose, PoseError, frozen
 
 FORMAT = "ropsim-recording"
-VERSION = 2
-"""Written; version 1 had no placements."""
+VERSION = 3
+"""Written; `recording_older` knows the versions before."""
 
 Entry = Mapping[str, object]
 T = TypeVar("T")
 
 
-class DocumentError(ValueError):
-    """An entry of the header is missing or of the wrong type; the message names it."""
-
-
 @dataclass(frozen=True, slots=True)
 class ChannelFacts:
-    """A channel without its values: unit, column names, description."""
+    """A channel without its values; see `ropsim.flow.Channel` for the meaning of the entries."""
 
     unit: str
     columns: tuple[str, ...]
     description: str
+    group: ChannelGroup
+    subject: str
+    held: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,7 @@ class Document:
     """What the JSON header says; see `ropsim.flow.Recording` for the meaning of the entries."""
 
     duration: float
-    header: Mapping[str, object]
+    facts: RunFacts
     channels: Mapping[str, ChannelFacts]
     events: tuple[Event, ...]
     findings: tuple[Diagnostic, ...]
@@ -47,15 +48,15 @@ def document(recording: Recording) -> dict[str, object]:
     """Return the header of a recording as plain values for strict JSON.
 
     Raises:
-        NotPlainError: header, event data or finding data hold something else than plain values.
+        NotPlainError: data of findings hold something else than plain values.
     """
     return {
         "format": FORMAT,
         "version": VERSION,
         "duration": tagged(recording.duration),
-        "header": tagged(dict(recording.header)),
+        "facts": plain_record(recording.facts),
         "channels": {name: _channel_entry(channel) for name, channel in recording.channels.items()},
-        "events": [_event_entry(event) for event in recording.events],
+        "events": [event_entry(event) for event in recording.events],
         "findings": [diagnostic_entry(finding, tagged) for finding in recording.findings],
         "placements": [_placement_entry(placement) for placement in recording.placements],
     }
@@ -71,27 +72,25 @@ def read_document(plain: object) -> Document:
     channels = _mapping(_get(entry, "channels", dict), "channels")
     return Document(
         duration=_number(entry, "duration"),
-        header=_free(entry, "header"),
-        channels={name: _channel(_mapping(facts, name)) for name, facts in channels.items()},
-        events=tuple(_event(_mapping(event, "event")) for event in _get(entry, "events", list)),
+        facts=record_from(RunFacts, _get(entry, "facts", dict), "facts"),
+        channels={name: record_from(ChannelFacts, one, name[:40]) for name, one in channels.items()},
+        events=tuple(read_event(event) for event in _get(entry, "events", list)),
         findings=tuple(_finding(_mapping(finding, "finding")) for finding in _get(entry, "findings", list)),
-        placements=_placements(entry),
+        placements=tuple(_placement(_mapping(one, "placement")) for one in _get(entry, "placements", list)),
     )
 
 
 def _channel_entry(channel: Channel) -> dict[str, object]:
-    return {"unit": channel.unit, "columns": list(channel.columns), "description": channel.description}
-
-
-def _event_entry(event: Event) -> dict[str, object]:
-    return {
-        "time": tagged(event.time),
-        "kind": event.kind,
-        "text": event.text,
-        "span": span_entry(event.span),
-        "duration": tagged(event.duration),
-        "data": tagged(dict(event.data)),
-    }
+    return plain_record(
+        ChannelFacts(
+            channel.unit,
+            channel.columns,
+            channel.description,
+            channel.group,
+            channel.subject,
+            channel.held,
+        )
+    )
 
 
 def _placement_entry(placement: Placement) -> dict[str, object]:
@@ -104,35 +103,14 @@ def _placement_entry(placement: Placement) -> dict[str, object]:
     }
 
 
-def _placements(entry: Entry) -> tuple[Placement, ...]:
-    if entry.get("version") == 1:
-        return ()
-    return tuple(_placement(_mapping(one, "placement")) for one in _get(entry, "placements", list))
-
-
 def _placement(entry: Entry) -> Placement:
-    numbers = [_number({"pose": value}, "pose") for value in _get(entry, "pose", list)]
+    numbers = [number(value, "pose") for value in _get(entry, "pose", list)]
     try:
         X_PB = Pose(frozen(numbers[:3]), frozen(numbers[3:]))
     except PoseError as error:
         raise DocumentError(f"`pose` is none: {error.diagnostic.message}") from error
     body, parent = _get(entry, "body", str), _get(entry, "parent", str)
     return Placement(_number(entry, "time"), body, parent, X_PB, _get(entry, "visible", bool))
-
-
-def _channel(entry: Entry) -> ChannelFacts:
-    return ChannelFacts(_get(entry, "unit", str), _texts(entry, "columns"), _get(entry, "description", str))
-
-
-def _event(entry: Entry) -> Event:
-    return Event(
-        _number(entry, "time"),
-        _get(entry, "kind", str),
-        _get(entry, "text", str),
-        _span(entry),
-        _number(entry, "duration"),
-        _free(entry, "data"),
-    )
 
 
 def _finding(entry: Entry) -> Diagnostic:
@@ -175,21 +153,11 @@ def _required_span(entry: Entry) -> Span:
 def _span(entry: Entry) -> Span | None:
     if entry.get("span") is None:
         return None
-    span = _mapping(entry["span"], "span")
-    line, column, end_line, end_column = (
-        _get(span, key, int) for key in ("line", "column", "end_line", "end_column")
-    )
-    return Span(_get(span, "source", str), line, column, end_line, end_column)
+    return record_from(Span, entry["span"], "span")
 
 
 def _number(entry: Entry, key: str) -> float:
-    value = untagged(entry.get(key))
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise DocumentError(f"`{key}` is not a number")
-    try:
-        return float(value)
-    except OverflowError as error:
-        raise DocumentError(f"`{key}` is too large a number") from error
+    return number(entry.get(key), key)
 
 
 def _free(entry: Entry, key: str) -> Mapping[str, object]:

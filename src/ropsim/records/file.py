@@ -20,17 +20,18 @@ from ropsim.records.diagnostics import (
     VERSION,
     RecordingFileError,
 )
-from ropsim.records.document import FORMAT, ChannelFacts, DocumentError, document, read_document
+from ropsim.records.document import FORMAT, ChannelFacts, document, read_document
 from ropsim.records.document import VERSION as KNOWN_VERSION
+from ropsim.records.older import OLDER, WITHOUT_PLACEMENTS, held, is_held, upgraded
+from ropsim.records.plain_records import DocumentError
 from ropsim.records.plain_values import NotPlainError
 from ropsim.spatial import Array
 
 HEADER = "header"
 TIME = "time"
 CHANNEL = "channel/"
-
-_WITHOUT_PLACEMENTS = 1
-"""Version of the first format."""
+CHANGES = "times/"
+"""Before the name of a held channel: when it changed."""
 
 FILE_LIMIT = 4 << 30
 """Largest file that is read [bytes]."""
@@ -71,7 +72,10 @@ def recording_bytes(recording: Recording) -> bytes:
         HEADER: np.frombuffer(text.encode("ascii"), np.uint8),
         TIME: _little(recording.time),
     }
-    arrays.update({CHANNEL + name: _little(channel.values) for name, channel in recording.channels.items()})
+    for name, channel in recording.channels.items():
+        arrays[CHANNEL + name] = _little(channel.values)
+        if channel.times is not None:
+            arrays[CHANGES + name] = _little(channel.times)
     return npz.pack(arrays)
 
 
@@ -79,7 +83,7 @@ def read_recording(path: str | Path) -> Recording:
     """Return the recording in a file; its arrays are read-only.
 
     Raises:
-        RecordingFileError: X870 to X875, the file cannot be read, is foreign, damaged, of a newer format,
+        RecordingFileError: X870 to X875, the file cannot be read, is foreign, damaged, of an unknown format,
             inconsistent or too large.
     """
     path = Path(path)
@@ -102,28 +106,42 @@ def read_recording(path: str | Path) -> Recording:
 
 def _recording(arrays: dict[str, npz.AnyArray], path: Path) -> Recording:
     plain = _header(arrays, path)
+    older = plain["version"] in OLDER
     try:
-        facts = read_document(plain)
+        read_from = read_document(upgraded(plain) if older else plain)
         time = _floats(arrays, TIME)
-        channels = {
-            name: _channel(name, _floats(arrays, CHANNEL + name), channel, time)
-            for name, channel in facts.channels.items()
-        }
+        channels = {name: _channel(name, arrays, facts, time) for name, facts in read_from.channels.items()}
+        if older:
+            channels |= {name: held(one, time) for name, one in channels.items() if is_held(name)}
     except DocumentError as error:
         raise _error(CONTENT, path, str(error), _AGAIN) from error
-    findings = facts.findings
-    if plain["version"] == _WITHOUT_PLACEMENTS:
+    findings = read_from.findings
+    if plain["version"] == WITHOUT_PLACEMENTS:
         findings = (*findings, NO_PLACEMENTS.at(None, f"recording `{path}` does not tell where parts were"))
-    return Recording(time, channels, facts.events, findings, facts.duration, facts.header, facts.placements)
+    return Recording(
+        time,
+        channels,
+        read_from.events,
+        findings,
+        read_from.duration,
+        read_from.facts,
+        read_from.placements,
+    )
 
 
-def _channel(name: str, values: Array, facts: ChannelFacts, time: Array) -> Channel:
-    columns = len(facts.columns)
-    if time.ndim != 1 or values.ndim not in {1, 2} or values.shape[0] != time.shape[0]:
-        raise DocumentError(f"channel `{name[:40]}` has shape {values.shape}, `time` has {time.shape}")
+def _channel(name: str, arrays: dict[str, npz.AnyArray], facts: ChannelFacts, time: Array) -> Channel:
+    values = _floats(arrays, CHANNEL + name)
+    times = _floats(arrays, CHANGES + name) if facts.held else None
+    columns, rows = len(facts.columns), time if times is None else times
+    if rows.ndim != 1 or values.ndim not in {1, 2} or values.shape[0] != rows.shape[0]:
+        raise DocumentError(f"channel `{name[:40]}` has shape {values.shape}, its times have {rows.shape}")
     if columns and (values.ndim != 2 or values.shape[1] != columns):
         raise DocumentError(f"channel `{name[:40]}` has shape {values.shape} and {columns} column names")
-    return Channel(values, facts.unit, facts.columns, facts.description)
+    if times is not None and (values.ndim != 1 or not len(times) or not bool((np.diff(times) > 0.0).all())):
+        raise DocumentError(
+            f"channel `{name[:40]}` is held, but its times are not ascending or of one column"
+        )
+    return Channel(values, facts.unit, facts.columns, facts.description, facts.group, facts.subject, times)
 
 
 def _header(arrays: dict[str, npz.AnyArray], path: Path) -> dict[str, object]:
@@ -139,10 +157,20 @@ def _header(arrays: dict[str, npz.AnyArray], path: Path) -> dict[str, object]:
     if not isinstance(plain, dict) or plain.get("format") != FORMAT:
         raise _error(FOREIGN, path, f"its header is not one of format `{FORMAT}`", _AGAIN)
     version = plain.get("version")
-    if version not in (_WITHOUT_PLACEMENTS, KNOWN_VERSION) or isinstance(version, bool):
-        found = f"format version {str(version)[:20]}, known are {_WITHOUT_PLACEMENTS} and {KNOWN_VERSION}"
-        raise _error(VERSION, path, found, "update ropsim")
+    if version not in (*OLDER, KNOWN_VERSION) or isinstance(version, bool):
+        raise _error(
+            VERSION, path, _unknown(version, plain), "read it with the ropsim that wrote it, or a newer one"
+        )
     return plain
+
+
+def _unknown(version: object, plain: dict[str, object]) -> str:
+    """Return which version a recording has that cannot be read, and who wrote it."""
+    facts = plain.get("facts")
+    writer = facts.get("ropsim") if isinstance(facts, dict) else None
+    by = f", written by ropsim {writer[:20]}" if isinstance(writer, str) and writer else ""
+    known = ", ".join(map(str, OLDER))
+    return f"format version {str(version)[:20]}{by}; this ropsim reads {known} and {KNOWN_VERSION}"
 
 
 def _floats(arrays: dict[str, npz.AnyArray], name: str) -> Array:

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import read_bytes
-from ropsim.flow import Recording
+from ropsim.flow import InputChange, Recording
 from ropsim.records.diagnostics import INPUTS_UNREADABLE, InputsError
 from ropsim.records.file import read_recording
 
 if TYPE_CHECKING:
-    from ropsim.simulation import InputChange, RunOptions
+    from ropsim.simulation import RunOptions
 
 LARGEST = 5_000_000
 """Largest JSON text of inputs that is read [bytes]."""
@@ -21,16 +21,20 @@ LARGEST = 5_000_000
 _FORM = 'a list of `{"signal": "NAME", "time": SECONDS, "value": NUMBER}`'
 
 
-def inputs_of(recording: Recording) -> tuple["InputChange", ...]:
+def inputs_of(recording: Recording) -> tuple[InputChange, ...]:
     """Return the inputs that a run was given.
 
     Raises:
-        InputsError: X878, the header of the recording holds something else under `inputs`.
+        InputsError: X878, a time or value in the recording is not finite.
     """
-    return inputs_from_plain(recording.header.get("inputs", []), "header of the recording")
+    for k, one in enumerate(recording.facts.inputs, start=1):
+        for name, number in (("time", one.time), ("value", one.value)):
+            if not math.isfinite(number):
+                raise _unreadable(f"facts of the recording, entry {k}", f"`{name}` must be a finite number")
+    return recording.facts.inputs
 
 
-def with_inputs(options: "RunOptions", inputs: tuple["InputChange", ...]) -> "RunOptions":
+def with_inputs(options: "RunOptions", inputs: tuple[InputChange, ...]) -> "RunOptions":
     """Return options of a run that takes recorded inputs again, and lasts longer for them.
 
     A live run waits for a key as long as it takes; its inputs must find the program still waiting.
@@ -44,7 +48,7 @@ def with_inputs(options: "RunOptions", inputs: tuple["InputChange", ...]) -> "Ru
     )
 
 
-def inputs_from_plain(plain: object, source: str) -> tuple["InputChange", ...]:
+def inputs_from_plain(plain: object, source: str) -> tuple[InputChange, ...]:
     """Return the inputs that plain values describe.
 
     Args:
@@ -59,7 +63,7 @@ def inputs_from_plain(plain: object, source: str) -> tuple["InputChange", ...]:
     return tuple(_input(entry, f"{source}, entry {k}") for k, entry in enumerate(plain, start=1))
 
 
-def read_inputs(path: str | Path) -> tuple["InputChange", ...]:
+def read_inputs(path: str | Path) -> tuple[InputChange, ...]:
     """Return the inputs in a JSON file or in the recording (`.npz`) of a live run.
 
     Raises:
@@ -87,7 +91,7 @@ def read_inputs(path: str | Path) -> tuple["InputChange", ...]:
     return inputs_from_plain(plain, str(path))
 
 
-def _input(entry: object, source: str) -> "InputChange":
+def _input(entry: object, source: str) -> InputChange:
     if not isinstance(entry, dict):
         raise _unreadable(source, f"found a `{type(entry).__name__}`, needed is {_FORM}")
     signal = entry.get("signal")

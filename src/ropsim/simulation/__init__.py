@@ -1,10 +1,10 @@
 """Simulation of servo-driven arms and of whole cells."""
 
-from ropsim.simulation.inputs import InputChange as InputChange
+from ropsim.flow import Fidelity as Fidelity
+from ropsim.flow import InputChange as InputChange
 from ropsim.simulation.live_sample import live_sample as live_sample
 from ropsim.simulation.move_span import MoveSpan as MoveSpan
 from ropsim.simulation.run import run as run
-from ropsim.simulation.run_options import Fidelity as Fidelity
 from ropsim.simulation.run_options import RunOptions as RunOptions
 from ropsim.simulation.servo.diagnostics import DivergedError as DivergedError
 from ropsim.simulation.servo.diagnostics import DriveDataError as DriveDataError

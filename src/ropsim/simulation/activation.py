@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from ropsim.flow import Event, Origin
+from ropsim.flow import Origin, TaskEvent
 
 
 @dataclass(slots=True)
@@ -30,16 +30,16 @@ class Activations:
             else:
                 known.end = max(known.end, end)
 
-    def events(self, control_hz: int) -> list[Event]:
-        """Return one `task` event per activation below `main`."""
+    def events(self, station: str, control_hz: int) -> list[TaskEvent]:
+        """Return one event per activation below `main` of the program of a station."""
         return [
-            Event(
+            TaskEvent(
                 one.start / control_hz,
-                "task",
-                one.name,
-                None,
                 (one.end - one.start) / control_hz,
-                {"name": one.name, "serial": serial, "depth": one.depth},
+                station,
+                name=one.name,
+                serial=serial,
+                depth=one.depth,
             )
             for serial, one in sorted(self.by_serial.items())
             if one.depth > 0

@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain, ScriptedSensors
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, JointReference, Origin, Placement
+from ropsim.flow import Event, InputChange, JointReference, Placement
 from ropsim.kinematics import forward
-from ropsim.model import Cell, Payload, Tool
+from ropsim.model import ROBOT, Cell, Payload, Tool
 from ropsim.simulation.activation import Activations
-from ropsim.simulation.inputs import InputChange, signal_track
+from ropsim.simulation.inputs import signal_track
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.parts import payload
 from ropsim.simulation.placements import Placements, changes
@@ -135,9 +135,14 @@ class CellRun:
         """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
         self.tracks.setdefault(name, Track([0], [0.0])).set(self.tick, value)
 
-    def note(self, kind: str, text: str, origin: Origin, since: int, /, **data: object) -> None:
-        """Enter an event that began at tick `since` and ends now."""
+    def when(self, since: int) -> tuple[float, float, str]:
+        """Return time [s], duration [s] and station of an event that began at tick `since` and ends now."""
         hz = self.cell.controller.rates.control_hz
-        data = {"visit": origin.visit, "calls": origin.calls, **data}
-        self.events.append(Event(since / hz, kind, text, origin.span, (self.tick - since) / hz, data))
-        self.activations.add(origin, since, self.tick)
+        return since / hz, (self.tick - since) / hz, ROBOT
+
+    def note(self, event: Event) -> None:
+        """Enter an event that ends now."""
+        self.events.append(event)
+        if event.origin:
+            since = round(event.time * self.cell.controller.rates.control_hz)
+            self.activations.add(event.origin, since, self.tick)

@@ -5,20 +5,22 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ropsim.dynamics import Column, structure_of
-from ropsim.flow import Channel
+from ropsim.flow import Channel, ChannelGroup
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.simulation.servo.log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
-from ropsim.spatial import Array, quaternions_from_matrices
+from ropsim.simulation.track import Track
+from ropsim.spatial import Array, frozen, quaternions_from_matrices
 
 _ERROR = Column("q_error", "{q}", "reference minus attained joint coordinates")
 _COORDINATE = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
 _EFFORT = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
 
 
-def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Channel]:
-    """Return the channels of the joints that a log holds.
+def joint_channels(station: str, robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Channel]:
+    """Return the channels of the joints that a log holds, by quantity.
 
     Args:
+        station: name of the station whose robot it is.
         robot: names and types of the joints.
         log: arrays by channel name, a column for each joint that has the quantity; other names are left out.
     """
@@ -31,7 +33,8 @@ def joint_channels(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Cha
             joints = [robot.axis_joints[k] for k in axes.get(column.name, range(robot.n))]
             values = np.asarray(log[column.name])
             names = tuple(joint.name for joint in joints)
-            channels[column.name] = Channel(values, _unit(column, joints), names, column.text)
+            unit = _unit(column, joints)
+            channels[column.name] = Channel(values, unit, names, column.text, ChannelGroup.JOINTS, station)
     return channels
 
 
@@ -52,16 +55,28 @@ _TRACK_TEXTS = {
 }
 
 
-def track_channel(name: str, values: Array) -> Channel:
-    """Return the channel of a piecewise constant quantity with values of shape (rows,)."""
-    unit = "kg" if name == "payload" else ""
-    return Channel(values, unit, (), _TRACK_TEXTS.get(name, "signal of the cell"))
-
-
-def pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
-    """Return position and orientation of the TCP.
+def track_channel(station: str, name: str, track: Track, last: int, control_hz: int) -> Channel:
+    """Return the channel of a piecewise constant quantity.
 
     Args:
+        station: name of the station that it is of, where it is of one.
+        name: `line`, `move`, `gripper`, `payload`, or `signal.NAME` for a signal of the cell.
+        track: its course.
+        last: tick at which the recording ends; later changes are left out.
+        control_hz: ticks per second.
+    """
+    ticks, values = track.until(last)
+    text = _TRACK_TEXTS.get(name)
+    group, subject = (ChannelGroup.PROGRAM, station) if text else (ChannelGroup.SIGNALS, "")
+    unit, times = "kg" if name == "payload" else "", frozen(ticks / control_hz)
+    return Channel(frozen(values), unit, (), text or "signal of the cell", group, subject, times)
+
+
+def pose_channels(station: str, kind: str, matrices: Array) -> dict[str, Channel]:
+    """Return position and orientation of the TCP, by quantity.
+
+    Args:
+        station: name of the station whose TCP it is.
         kind: `attained` or `command`.
         matrices: poses X_BT, shape (rows, 4, 4).
     """
@@ -72,11 +87,21 @@ def pose_channels(kind: str, matrices: Array) -> dict[str, Channel]:
             "m",
             ("x", "y", "z"),
             f"{kind} TCP position in the base frame",
+            ChannelGroup.TCP,
+            station,
         ),
         f"{kind}_orientation": Channel(
             orientation,
             "",
             ("w", "x", "y", "z"),
             f"{kind} TCP orientation in the base frame, unit quaternion",
+            ChannelGroup.TCP,
+            station,
         ),
     }
+
+
+def path_error_channel(station: str, errors: Array) -> Channel:
+    """Return the channel of path errors [m], shape (rows,), NaN where no move has a line."""
+    text = "distance of the attained TCP from the commanded line"
+    return Channel(errors, "m", (), text, ChannelGroup.TCP, station)

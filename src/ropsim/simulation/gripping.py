@@ -1,7 +1,7 @@
 """Grips of a run: dwell, take or leave a part."""
 
 from ropsim.core import Diagnostic
-from ropsim.flow import GripAction, GripInstruction
+from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
 from ropsim.model import Tool
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
@@ -27,14 +27,14 @@ def grip(state: CellRun, instruction: GripInstruction) -> None:
         part = state.parts.held
         if not part:
             state.findings.append(_nothing_grasped(instruction, tool))
-        kind, text = "grip", f"close on {part}" if part else "close on nothing"
+        event: type[GripEvent | ReleaseEvent] = GripEvent
     else:
         state.stand(round(tool.gripper.open_time * hz))
         part = held
         state.take(state.tool, _put_down(state, part, instruction))
-        kind, text = "release", f"release {part}" if part else "open"
+        event = ReleaseEvent
     state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
-    state.note(kind, text, instruction.origin, since, part=part)
+    state.note(event(*state.when(since), instruction.origin, part=part))
 
 
 def _put_down(state: CellRun, part: str, instruction: GripInstruction) -> Placements:

@@ -1,30 +1,15 @@
 """Inputs that somebody gave to a run beside the signal changes of the cell: keys, or a record of them."""
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import replace
 
 from ropsim.controller import with_change
 from ropsim.core import Diagnostic, did_you_mean
-from ropsim.flow import Event
+from ropsim.flow import InputChange, InputEvent
 from ropsim.model import Cell, Signal
 from ropsim.simulation.input_diagnostics import INPUT_NOT_USABLE
 from ropsim.simulation.track import Track
-
-
-@dataclass(frozen=True, slots=True, order=True)
-class InputChange:
-    """One change of an input.
-
-    Attributes:
-        time: from when on it holds [s of simulated time].
-        signal: name of an input of the cell.
-        value: 0 or 1, or any number for an analog one.
-    """
-
-    time: float
-    signal: str
-    value: float
 
 
 def usable_inputs(
@@ -66,22 +51,9 @@ def signal_track(signal: Signal, control_hz: int) -> Track:
     return track
 
 
-def input_events(inputs: Iterable[InputChange]) -> list[Event]:
-    """Return one `input` event per change."""
-    return [
-        Event(
-            one.time,
-            "input",
-            f"{one.signal} = {one.value:g}",
-            data={"channel": one.signal, "value": one.value},
-        )
-        for one in inputs
-    ]
-
-
-def plain_inputs(inputs: Iterable[InputChange]) -> list[Mapping[str, object]]:
-    """Return the changes as plain values, as the header of a recording keeps them."""
-    return [{"signal": one.signal, "time": one.time, "value": one.value} for one in inputs]
+def input_events(inputs: Iterable[InputChange]) -> list[InputEvent]:
+    """Return one event per change."""
+    return [InputEvent(one.time, signal=one.signal, value=one.value) for one in inputs]
 
 
 def _reason(signal: Signal | None, change: InputChange) -> str:

@@ -6,7 +6,9 @@ import numpy as np
 
 from ropsim.flow import Channel
 from ropsim.kinematics import forward_batch
+from ropsim.model import ROBOT
 from ropsim.simulation.channels import joint_channels, pose_channels, track_channel
+from ropsim.simulation.track import Track
 from ropsim.simulation.watch import RunView
 from ropsim.spatial import Pose
 
@@ -25,11 +27,12 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
     log = {name: values[np.newaxis] for name, values in run.plant.at(tick).items()}
     log["q_error"] = log["q_ref"] - log["q"]
     X_MT = tool_pose(run, tick).matrix()
-    channels = joint_channels(run.cell.robot, log)
-    channels |= pose_channels("attained", forward_batch(run.cell.robot, log["q"]) @ X_MT)
-    channels |= pose_channels("command", forward_batch(run.cell.robot, log["q_ref"]) @ X_MT)
+    channels = joint_channels(ROBOT, run.cell.robot, log)
+    channels |= pose_channels(ROBOT, "attained", forward_batch(run.cell.robot, log["q"]) @ X_MT)
+    channels |= pose_channels(ROBOT, "command", forward_batch(run.cell.robot, log["q_ref"]) @ X_MT)
     for name in sorted(run.tracks):
-        channels[name] = track_channel(name, np.array([run.tracks[name].value(tick)]))
+        held = Track([0], [run.tracks[name].value(tick)])
+        channels[name] = track_channel(ROBOT, name, held, 0, run.cell.controller.rates.control_hz)
     return channels
 
 

@@ -4,7 +4,7 @@ import math
 
 from ropsim.controller import Refusal, plan_move
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction
+from ropsim.flow import MoveEvent, MoveInstruction, SkipEvent
 from ropsim.model import JointType
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import FAR_FROM_TARGET, NOT_IN_POSITION
@@ -20,13 +20,7 @@ def move(state: CellRun, instruction: MoveInstruction) -> None:
     since = state.tick
     if isinstance(planned, Refusal):
         state.findings.extend(planned.diagnostics)
-        state.note(
-            "skip",
-            f"{instruction.kind.value} not possible",
-            instruction.origin,
-            since,
-            kind=instruction.kind.value,
-        )
+        state.note(SkipEvent(*state.when(since), instruction.origin, motion=instruction.kind))
         return
     state.findings.extend(planned.findings)
     ordinal = len(state.moves)
@@ -42,15 +36,15 @@ def move(state: CellRun, instruction: MoveInstruction) -> None:
     )
     state.track("move", -1)
     state.note(
-        "move",
-        f"{instruction.kind.value} pass {instruction.origin.visit}",
-        instruction.origin,
-        since,
-        kind=instruction.kind.value,
-        ordinal=ordinal,
-        settle=settle,
-        travel=planned.duration,
-        zone=instruction.modal.zone,
+        MoveEvent(
+            *state.when(since),
+            instruction.origin,
+            motion=instruction.kind,
+            ordinal=ordinal,
+            travel=planned.duration,
+            settle=settle,
+            zone=instruction.modal.zone,
+        )
     )
     state.progress(f"move {ordinal + 1}")
 

@@ -1,22 +1,32 @@
-"""From the running state to the recording: channels, events, findings, header."""
+"""From the running state to the recording: channels, events, findings, facts."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import Channel, Event, MotionKind, Recording
+from ropsim.flow import (
+    Destinations,
+    Event,
+    Fidelity,
+    InputChange,
+    MotionKind,
+    MoveEvent,
+    Recording,
+    RunFacts,
+    SkipEvent,
+)
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.model import Cell
+from ropsim.model import ROBOT, Cell
 from ropsim.simulation.arrivals import Arrivals, arrivals
 from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.channels import joint_channels, pose_channels, track_channel
-from ropsim.simulation.inputs import InputChange, input_events, plain_inputs
+from ropsim.simulation.channels import joint_channels, path_error_channel, pose_channels, track_channel
+from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
+from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, Pose
 from ropsim.version import __version__
@@ -24,23 +34,24 @@ from ropsim.version import __version__
 
 def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recording:
     """Return the recording of a run that has ended."""
+    hz = state.cell.controller.rates.control_hz
     log = state.plant.log()
     ticks = log.pop("tick")
-    time = ticks / state.cell.controller.rates.control_hz
+    time = ticks / hz
     log["q_error"] = log["q_ref"] - log["q"]
-    channels = joint_channels(state.cell.robot, log)
+    channels = joint_channels(ROBOT, state.cell.robot, log)
     tool_poses = _tool_poses(state, ticks)
     attained = forward_batch(state.cell.robot, log["q"]) @ tool_poses
     command = forward_batch(state.cell.robot, log["q_ref"]) @ tool_poses
-    channels |= pose_channels("attained", attained) | pose_channels("command", command)
+    channels |= pose_channels(ROBOT, "attained", attained) | pose_channels(ROBOT, "command", command)
     error = path_errors(state.moves, state.cell, ticks, attained[:, :3, 3])
-    channels["path_error"] = Channel(error, "m", (), "distance of the attained TCP from the commanded line")
+    channels["path_error"] = path_error_channel(ROBOT, error)
     for name in sorted(state.tracks):
-        channels[name] = track_channel(name, state.tracks[name].at(ticks))
-    events = sorted(
+        channels[name] = track_channel(ROBOT, name, state.tracks[name], state.tick, hz)
+    events: list[Event] = sorted(
         [
             *_moves_with_errors(state, ticks, error),
-            *state.activations.events(state.cell.controller.rates.control_hz),
+            *state.activations.events(ROBOT, hz),
             *input_events(inputs_taken(state)),
         ],
         key=lambda event: event.time,
@@ -52,48 +63,33 @@ def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recor
         *verdicts(state.cell, time, channels, program.source),
         *settling_findings(events, state.time, program.source),
     )
-    about = {**header(state, program, options), **_destinations(arrived)}
-    return Recording(time, channels, tuple(events), findings, state.time, about, tuple(state.placements))
+    facts = _facts(state, program, options, arrived)
+    return Recording(time, channels, tuple(events), findings, state.time, facts, tuple(state.placements))
 
 
-def header(state: CellRun, program: Program, options: RunOptions) -> Mapping[str, object]:
-    """Return what the recording says about itself; plain values only."""
-    cell, robot, rates = state.cell, state.cell.robot, state.cell.controller.rates
-    given = plain_inputs(inputs_taken(state))
-    origins = (*robot.origins, *cell.controller.origins)
-    return {
-        "ropsim": __version__,
-        "project": cell.name,
-        "program": program.name,
-        "source": program.source,
-        "icr_id": program_id(program),
-        "fidelity": options.fidelity.value,
-        "record_hz": rates.control_hz / state.plant.record_ticks,
-        "rates": {
-            "control_hz": rates.control_hz,
-            "interpolation_ticks": rates.interpolation_ticks,
-            "plant_steps": rates.plant_steps,
-        },
-        "skipped_moves": sum(event.kind == "skip" for event in state.events),
-        "parts_left": list(state.parts.left),
-        "estimated": [one.parameters for one in origins if one.kind == "estimated"],
-        "checked": [],  # collisions are not looked at
-        "robot": {
-            "name": robot.name,
-            "title": robot.title,
-            "joint_names": [joint.name for joint in robot.axis_joints],
-            "joint_types": [joint.measure.value for joint in robot.axis_joints],
-            "lower": robot.lower_limits.tolist(),
-            "upper": robot.upper_limits.tolist(),
-            "max_speed": robot.max_speeds.tolist(),
-            "max_effort": robot.max_efforts.tolist(),
-            "max_current": [getattr(drive.amplifier, "max_current", None) for drive in robot.drives],
-            "origins": [
-                {"parameters": one.parameters, "kind": one.kind, "source": one.source} for one in origins
-            ],
-        },
-        **({"inputs": given} if given else {}),
-    }
+def _facts(state: CellRun, program: Program, options: RunOptions, arrived: Arrivals) -> RunFacts:
+    """Return what the recording says about its run."""
+    cell = state.cell
+    station = replace(
+        station_facts(ROBOT, cell.robot, cell.controller),
+        program=program.name,
+        source=program.source,
+        icr_id=program_id(program),
+        skipped_moves=sum(isinstance(event, SkipEvent) for event in state.events),
+    )
+    if options.fidelity is Fidelity.DYNAMIC:
+        station = with_law(station, cell.controller, options.law)
+    return RunFacts(
+        ropsim=__version__,
+        project=cell.name,
+        fidelity=options.fidelity,
+        record_hz=cell.controller.rates.control_hz / state.plant.record_ticks,
+        checked=(),  # collisions are not looked at
+        inputs=tuple(inputs_taken(state)),
+        parts_left=tuple(state.parts.left),
+        destinations=Destinations(arrived.wanted, arrived.wanted - len(arrived.findings)),
+        stations=(station,),
+    )
 
 
 def _arrivals(state: CellRun) -> Arrivals:
@@ -101,12 +97,6 @@ def _arrivals(state: CellRun) -> Arrivals:
     if state.cut_short:
         return Arrivals(0, ())
     return arrivals(state.parts, state.scenery.parts, state.attained())
-
-
-def _destinations(arrived: Arrivals) -> dict[str, object]:
-    """Return the entry of the header on destinations; nothing where no part has one."""
-    reached = arrived.wanted - len(arrived.findings)
-    return {"destinations": {"wanted": arrived.wanted, "reached": reached}} if arrived.wanted else {}
 
 
 def inputs_taken(state: CellRun) -> list[InputChange]:
@@ -164,11 +154,10 @@ def _moves_with_errors(state: CellRun, ticks: Array, errors: Array) -> list[Even
     """Return the events; LIN moves get the largest path error on their way."""
 
     def with_error(event: Event) -> Event:
-        if event.kind != "move" or event.data["kind"] != MotionKind.LIN.value:
+        if not isinstance(event, MoveEvent) or event.motion is not MotionKind.LIN:
             return event
-        move = state.moves[int(str(event.data["ordinal"]))]
+        move = state.moves[event.ordinal]
         first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
-        worst = float(np.max(errors[first:last], initial=0.0))
-        return replace(event, data={**event.data, "path_error_max": worst})
+        return replace(event, path_error_max=float(np.max(errors[first:last], initial=0.0)))
 
     return [with_error(event) for event in state.events]

@@ -13,13 +13,16 @@ from ropsim.core import Diagnostic
 from ropsim.flow import (
     GripInstruction,
     Instruction,
+    MessageEvent,
     MessageInstruction,
     ModalState,
     MoveInstruction,
     Origin,
+    OutputEvent,
     OutputInstruction,
     Recording,
     SyncInstruction,
+    WaitEvent,
     WaitInstruction,
 )
 from ropsim.icr import Finished, Machine, Program
@@ -80,13 +83,13 @@ def _carry_out(state: CellRun, step: Instruction) -> None:
         case WaitInstruction():
             since = state.tick
             state.stand(round(step.duration * state.cell.controller.rates.control_hz))
-            state.note("wait", f"wait {step.duration:g} s", step.origin, since)
+            state.note(WaitEvent(*state.when(since), step.origin, pause=step.duration))
         case OutputInstruction(channel=channel, value=value):
             state.sensors.set_output(channel, value)
             state.track(f"signal.{channel}", float(value))
-            state.note("output", f"{channel} = {value}", step.origin, state.tick, channel=channel)
+            state.note(OutputEvent(*state.when(state.tick), step.origin, channel=channel, value=value))
         case MessageInstruction():
-            state.note("message", step.text, step.origin, state.tick)
+            state.note(MessageEvent(*state.when(state.tick), step.origin, text=step.text))
         case SyncInstruction():
             # A program that does nothing but look at channels must see time pass.
             if state.waiting:

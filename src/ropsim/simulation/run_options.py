@@ -2,19 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import Enum
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
-from ropsim.simulation.inputs import InputChange
+from ropsim.flow import Fidelity, InputChange
 from ropsim.simulation.row_log import MOST_ROWS
 from ropsim.simulation.watch import NobodyWatches, Watch
-
-
-class Fidelity(Enum):
-    """What follows the references."""
-
-    DYNAMIC = "dynamic"
-    KINEMATIC = "kinematic"
 
 
 def silent(text: str) -> None:

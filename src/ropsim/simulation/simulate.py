@@ -4,11 +4,12 @@ from dataclasses import field
 
 from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, PythonLaw
-from ropsim.flow import JointReference, Recording
-from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.flow import JointReference, Recording, RunFacts
+from ropsim.model import ROBOT, ControllerModel, Payload, RobotModel
 from ropsim.simulation.channels import joint_channels
 from ropsim.simulation.servo.checks import check_option
 from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.spatial import Array, record
 from ropsim.version import __version__
 
@@ -71,19 +72,8 @@ def simulate(
         state = servo.run(state, part, options.payload, recorder)
     log = recorder.channels()
     log["q_error"] = log["q_ref"] - log["q"]
-    header = {
-        "ropsim": __version__,
-        "robot": robot.name,
-        "law": servo.law.name if servo.python_law is None else type(servo.python_law).__name__,
-        "control_hz": servo.control_hz,
-        "plant_steps": servo.plant_steps,
-        "decimation": options.decimation,
-    }
-    return Recording(
-        recorder.ticks / servo.control_hz,
-        joint_channels(robot, log),
-        (),
-        (),
-        state.tick / servo.control_hz,
-        header,
-    )
+    hz = servo.control_hz
+    station = with_law(station_facts(ROBOT, robot, controller), controller, options.law)
+    facts = RunFacts(__version__, record_hz=hz / recorder.decimation, stations=(station,))
+    channels = joint_channels(ROBOT, robot, log)
+    return Recording(recorder.ticks / hz, channels, (), (), state.tick / hz, facts)

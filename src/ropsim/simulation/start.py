@@ -1,6 +1,7 @@
 """The state of a run at time 0."""
 
 from ropsim.controller import ScriptedSensors, SensorInterface, standard_chain
+from ropsim.flow import Fidelity
 from ropsim.model import Cell, Payload
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
@@ -8,7 +9,7 @@ from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.parts import initial_parts, payload
 from ropsim.simulation.placements import at_start
 from ropsim.simulation.plant import Plant
-from ropsim.simulation.run_options import Fidelity, RunOptions
+from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.scenery import scenery_of
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood

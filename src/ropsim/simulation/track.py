@@ -1,6 +1,6 @@
 """A piecewise constant quantity over control ticks: active line, gripper, payload, signals."""
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -26,6 +26,8 @@ class Track:
             return
         if self.ticks and self.ticks[-1] == tick:
             self.values[-1] = value
+            if self.values[-2:-1] == [value]:
+                del self.ticks[-1], self.values[-1]
             return
         self.ticks.append(tick)
         self.values.append(value)
@@ -34,9 +36,7 @@ class Track:
         """Return the value in force during the control period that ends at a tick."""
         return self.values[max(bisect_left(self.ticks, tick) - 1, 0)] if self.ticks else 0.0
 
-    def at(self, ticks: Array) -> Array:
-        """Return the value in force during the control period that ends at each tick, shape as `ticks`."""
-        if not self.ticks:
-            return np.zeros(len(ticks))
-        index = np.searchsorted(np.array(self.ticks), ticks, side="left") - 1
-        return np.asarray(np.array(self.values)[np.maximum(index, 0)])
+    def until(self, last: int) -> tuple[Array, Array]:
+        """Return the ticks and values of the changes up to a tick, that one included, shape (m,) each."""
+        count = bisect_right(self.ticks, last)
+        return np.array(self.ticks[:count], dtype=np.float64), np.array(self.values[:count], dtype=np.float64)

@@ -64,7 +64,7 @@ def verdicts(cell: Cell, time: Array, channels: Mapping[str, Channel], source: s
         channels: as recorded.
         source: name of the text that the channel `line` counts in.
     """
-    lines = channels["line"].values
+    lines = channels["line"].rows(time)
     found = []
     for check in _checks(cell.robot, time, channels):
         rows = np.argmax(np.abs(check.values), axis=0)

@@ -2,11 +2,10 @@
 
 from ropsim.views.diagnostics import diagnostic_text as diagnostic_text
 from ropsim.views.diagnostics import diagnostics_text as diagnostics_text
+from ropsim.views.event_text import event_text as event_text
 from ropsim.views.findings import FindingGroup as FindingGroup
 from ropsim.views.findings import count_text as count_text
 from ropsim.views.findings import group_findings as group_findings
-from ropsim.views.header import JointFacts as JointFacts
-from ropsim.views.header import RunHeader as RunHeader
 from ropsim.views.html.replay import NoReplay as NoReplay
 from ropsim.views.html.replay import Replay as Replay
 from ropsim.views.html.report import html_report as html_report
@@ -16,7 +15,6 @@ from ropsim.views.joint_summary import LimitApproach as LimitApproach
 from ropsim.views.messages import Message as Message
 from ropsim.views.messages import messages as messages
 from ropsim.views.messages import messages_text as messages_text
-from ropsim.views.pack.channels import group_of as group_of
 from ropsim.views.pack.pack import Pack as Pack
 from ropsim.views.pack.pack import pack as pack
 from ropsim.views.pack.pack import plain_finding as plain_finding

@@ -1,4 +1,4 @@
-"""Safe reading of channels: what is absent, of another shape or not finite reads as NaN."""
+"""Safe reading of channels, station by station: what is absent, misshapen or not finite reads as NaN."""
 
 import math
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.flow import Recording
+from ropsim.flow import Channel, Recording, StationFacts
 from ropsim.spatial import Array
 
 
@@ -30,54 +30,98 @@ class Peak:
         return abs(self.value)
 
 
+@dataclass(frozen=True, slots=True)
+class StationView:
+    """The channels of one station in a recording.
+
+    Attributes:
+        recording: of the run.
+        facts: of the station.
+    """
+
+    recording: Recording
+    facts: StationFacts
+
+    @property
+    def time(self) -> Array:
+        """Return the times of the rows [s], shape (n,)."""
+        return self.recording.time
+
+    def label(self, text: str) -> str:
+        """Return a text with the name of the station before it where the run has several ones."""
+        return labelled(self.recording, self.facts.name, text)
+
+    def name(self, quantity: str) -> str:
+        """Return the name of the channel with a quantity of the station."""
+        return self.recording.facts.channel(quantity, self.facts.name)
+
+    def series(self, quantity: str) -> Array:
+        """Return a quantity of one column at the rows, shape (n,); NaN where it is absent or not finite."""
+        return series(self.recording, self.name(quantity))
+
+    def matrix(self, quantity: str, columns: int) -> Array:
+        """Return a quantity of several columns, shape (n, columns); NaN where it is absent or not finite."""
+        return matrix(self.recording, self.name(quantity), columns)
+
+    def joints(self, quantity: str) -> Array:
+        """Return a quantity of the axes, shape (n, j); NaN where it is absent or not finite.
+
+        A quantity that some joints have, such as the motor current, is NaN for the others.
+        """
+        axes = [axis.name for axis in self.facts.axes]
+        channel = self.recording.channels.get(self.name(quantity))
+        own = channel.columns if channel else ()
+        if not own or len(own) == len(axes) or not set(own) <= set(axes):
+            return self.matrix(quantity, len(axes))
+        found = np.full((self.time.shape[0], len(axes)), np.nan)
+        found[:, [axes.index(axis) for axis in own]] = self.matrix(quantity, len(own))
+        return found
+
+    def ordinals(self) -> npt.NDArray[np.int64]:
+        """Return the ordinal of the active move at each row, shape (n,); -1 for none."""
+        values = self.series("move")
+        return np.where(np.isnan(values), -1, np.nan_to_num(values)).astype(np.int64)
+
+    def line(self, index: int) -> int:
+        """Return the active source line of a row, 0 for none."""
+        channel = self.recording.channels.get(self.name("line"))
+        if channel is None or not _is_single(channel, self.time):
+            return 0
+        value = float(self.recording.at(self.name("line"), float(self.time[index])))
+        return int(value) if math.isfinite(value) else 0
+
+    def peak(self, values: Array) -> Peak:
+        """Return the sample of largest magnitude of `values`, shape (n,); NaN samples do not count."""
+        if not np.any(np.isfinite(values)):
+            return Peak()
+        index = int(np.nanargmax(np.abs(values)))
+        return Peak(float(values[index]), float(self.time[index]), self.line(index))
+
+
+def labelled(recording: Recording, station: str, text: str) -> str:
+    """Return a text with the name of a station before it where the run has several ones."""
+    return f"{station} {text}" if station and len(recording.facts.stations) > 1 else text
+
+
+def station_views(recording: Recording) -> tuple[StationView, ...]:
+    """Return the channels of each station of a run."""
+    return tuple(StationView(recording, facts) for facts in recording.facts.stations)
+
+
 def series(recording: Recording, name: str) -> Array:
-    """Return a single-column channel, shape (n,); NaN where it is absent or not finite."""
+    """Return a channel of one column at the rows, shape (n,); NaN where it is absent or not finite."""
     channel = recording.channels.get(name)
-    if channel is None or channel.values.shape != recording.time.shape:
+    if channel is None or not _is_single(channel, recording.time):
         return np.full(recording.time.shape, np.nan)
-    return _finite(channel.values)
+    return _finite(channel.rows(recording.time))
 
 
 def matrix(recording: Recording, name: str, columns: int) -> Array:
-    """Return a channel of several columns, shape (n, columns); NaN where it is absent or not finite.
-
-    A quantity that some joints have, such as the motor current, is NaN for the others.
-    """
-    channel = recording.channels.get(name)
-    shape = (recording.time.shape[0], columns)
-    if channel is None:
+    """Return a channel of several columns, shape (n, columns); NaN where it is absent or not finite."""
+    channel, shape = recording.channels.get(name), (recording.time.shape[0], columns)
+    if channel is None or channel.values.shape != shape:
         return np.full(shape, np.nan)
-    if channel.values.shape == shape:
-        return _finite(channel.values)
-    joints = recording.channels["q"].columns if "q" in recording.channels else ()
-    own, found = channel.columns, np.full(shape, np.nan)
-    known = len(joints) == columns and set(own) <= set(joints)
-    if known and channel.values.shape == (shape[0], len(own)):
-        found[:, [joints.index(joint) for joint in own]] = _finite(channel.values)
-    return found
-
-
-def codes(recording: Recording, name: str, absent: int) -> npt.NDArray[np.int64]:
-    """Return a channel of whole numbers, shape (n,); `absent` where there is none."""
-    values = series(recording, name)
-    return np.where(np.isnan(values), absent, np.nan_to_num(values)).astype(np.int64)
-
-
-def peak(recording: Recording, values: Array) -> Peak:
-    """Return the sample of largest magnitude of `values`, shape (n,); NaN samples do not count."""
-    if not np.any(np.isfinite(values)):
-        return Peak()
-    index = int(np.nanargmax(np.abs(values)))
-    return Peak(float(values[index]), float(recording.time[index]), line_at(recording, index))
-
-
-def line_at(recording: Recording, index: int) -> int:
-    """Return the active source line of a sample, 0 for none."""
-    channel = recording.channels.get("line")
-    if channel is None or channel.values.shape != recording.time.shape:
-        return 0
-    value = float(channel.values[index])
-    return int(value) if math.isfinite(value) else 0
+    return _finite(channel.values)
 
 
 def rms(values: Array) -> float:
@@ -89,11 +133,16 @@ def rms(values: Array) -> float:
 def invalid_samples(recording: Recording) -> int:
     """Return how many samples of q, qd and tau are not finite: a sign that the integration failed."""
     count = 0
-    for name in ("q", "qd", "tau"):
-        channel = recording.channels.get(name)
-        if channel is not None:
-            count += int(np.count_nonzero(~np.isfinite(channel.values)))
+    for station in station_views(recording):
+        for quantity in ("q", "qd", "tau"):
+            channel = recording.channels.get(station.name(quantity))
+            if channel is not None:
+                count += int(np.count_nonzero(~np.isfinite(channel.values)))
     return count
+
+
+def _is_single(channel: Channel, time: Array) -> bool:
+    return channel.held or channel.values.shape == time.shape
 
 
 def _finite(values: Array) -> Array:

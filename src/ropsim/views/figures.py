@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ropsim.model import JointType
+from ropsim.flow import AxisType
 
 UNKNOWN = "–"
 """What stands in place of a number that is not known."""
@@ -29,19 +29,19 @@ PERCENT = Scale(100.0, "%")
 METRES = Scale(1.0, "m")
 
 
-def coordinate_scale(joint: JointType) -> Scale:
+def coordinate_scale(joint: AxisType) -> Scale:
     """Return how coordinates of such a joint are shown."""
-    return DEGREES if joint is JointType.REVOLUTE else MILLIMETRES
+    return DEGREES if joint is AxisType.REVOLUTE else MILLIMETRES
 
 
-def speed_scale(joint: JointType) -> Scale:
+def speed_scale(joint: AxisType) -> Scale:
     """Return how speeds of such a joint are shown."""
-    return DEGREES_PER_SECOND if joint is JointType.REVOLUTE else MILLIMETRES_PER_SECOND
+    return DEGREES_PER_SECOND if joint is AxisType.REVOLUTE else MILLIMETRES_PER_SECOND
 
 
-def effort_scale(joint: JointType) -> Scale:
+def effort_scale(joint: AxisType) -> Scale:
     """Return how torques or forces of such a joint are shown."""
-    return TORQUE if joint is JointType.REVOLUTE else FORCE
+    return TORQUE if joint is AxisType.REVOLUTE else FORCE
 
 
 def joined_units(scales: Iterable[Scale]) -> str:

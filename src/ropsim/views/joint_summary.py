@@ -7,11 +7,10 @@ from enum import Enum
 
 import numpy as np
 
-from ropsim.flow import Recording
+from ropsim.flow import AxisFacts, Recording
 from ropsim.model import SPEED_OVERSHOOT
 from ropsim.spatial import Array
-from ropsim.views.channels import Peak, line_at, matrix, peak, rms
-from ropsim.views.header import JointFacts
+from ropsim.views.channels import Peak, StationView, rms, station_views
 
 NEAR = 0.9
 """Share of a limit from which on a peak is marked as near it."""
@@ -49,6 +48,7 @@ class JointSummary:
     """One joint in one run.
 
     Attributes:
+        name: of the joint, with several stations that of its station before it.
         facts: name, type and limits.
         effort: largest torque or force at the joint [N·m | N].
         speed: largest attained speed [rad/s | m/s].
@@ -59,7 +59,8 @@ class JointSummary:
         following_rms: root of its mean square [rad | m].
     """
 
-    facts: JointFacts
+    name: str
+    facts: AxisFacts
     effort: Peak
     speed: Peak
     current: Peak
@@ -124,27 +125,30 @@ def _closeness(share: float, most: float) -> Closeness:
     return Closeness.NEAR if share >= NEAR else Closeness.FAR
 
 
-def summarize_joints(recording: Recording, joints: tuple[JointFacts, ...]) -> tuple[JointSummary, ...]:
-    """Return the figures of every joint."""
-    n = len(joints)
-    q, qd, tau = (matrix(recording, name, n) for name in ("q", "qd", "tau"))
-    current, error = matrix(recording, "current", n), matrix(recording, "q_error", n)
+def summarize_joints(recording: Recording) -> tuple[JointSummary, ...]:
+    """Return the figures of every joint, station after station."""
+    return tuple(joint for station in station_views(recording) for joint in _of_station(station))
+
+
+def _of_station(station: StationView) -> tuple[JointSummary, ...]:
+    q, qd, tau, current, error = map(station.joints, ("q", "qd", "tau", "current", "q_error"))
     return tuple(
         JointSummary(
+            station.label(facts.name),
             facts,
-            effort=peak(recording, tau[:, k]),
-            speed=peak(recording, qd[:, k]),
-            current=peak(recording, current[:, k]),
-            nearest_lower=_approach(recording, "lower", q[:, k] - facts.lower, q[:, k]),
-            nearest_upper=_approach(recording, "upper", facts.upper - q[:, k], q[:, k]),
-            following_max=peak(recording, error[:, k]),
+            effort=station.peak(tau[:, k]),
+            speed=station.peak(qd[:, k]),
+            current=station.peak(current[:, k]),
+            nearest_lower=_approach(station, "lower", q[:, k] - facts.lower, q[:, k]),
+            nearest_upper=_approach(station, "upper", facts.upper - q[:, k], q[:, k]),
+            following_max=station.peak(error[:, k]),
             following_rms=rms(error[:, k]),
         )
-        for k, facts in enumerate(joints)
+        for k, facts in enumerate(station.facts.axes)
     )
 
 
-def _approach(recording: Recording, side: str, margins: Array, coordinates: Array) -> LimitApproach:
+def _approach(station: StationView, side: str, margins: Array, coordinates: Array) -> LimitApproach:
     if not np.any(np.isfinite(margins)):
         return LimitApproach(side)
     index = int(np.nanargmin(margins))
@@ -152,6 +156,6 @@ def _approach(recording: Recording, side: str, margins: Array, coordinates: Arra
         side,
         float(margins[index]),
         float(coordinates[index]),
-        float(recording.time[index]),
-        line_at(recording, index),
+        float(station.time[index]),
+        station.line(index),
     )

@@ -3,10 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ropsim.flow import Recording
+from ropsim.flow import MessageEvent, Recording
 from ropsim.views.characters import clean
 from ropsim.views.figures import seconds
-from ropsim.views.header import whole
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,11 +34,11 @@ def messages(recording: Recording) -> tuple[Message, ...]:
             event.time,
             event.text,
             event.span.source if event.span else "",
-            event.span.line if event.span else 0,
-            whole(event.data.get("visit"), 0),
+            event.line,
+            event.visit,
         )
         for event in recording.events
-        if event.kind == "message"
+        if isinstance(event, MessageEvent)
     )
 
 

@@ -7,15 +7,15 @@ over the middle half of the time in which the commanded speed is within 1 % of i
 """
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.flow import Recording
+from ropsim.flow import MoveEvent, Recording
 from ropsim.spatial import Array
-from ropsim.views.channels import codes, line_at, matrix, rms, series
-from ropsim.views.header import whole
+from ropsim.views.channels import StationView, rms, station_views
 
 Indices = npt.NDArray[np.intp]
 
@@ -31,7 +31,8 @@ class PathMove:
     """One straight move.
 
     Attributes:
-        ordinal: of the move in the run.
+        station: whose move it is.
+        ordinal: of the move in its station.
         line: source line, 0 where unknown.
         visit: loop pass, 0 where unknown.
         time: when the largest error occurred [s].
@@ -41,6 +42,7 @@ class PathMove:
         speed_accuracy: AV, a share; NaN without a plateau.
     """
 
+    station: str
     ordinal: int
     line: int
     visit: int
@@ -56,10 +58,12 @@ class PathLine:
     """All straight moves of one source line.
 
     Attributes:
+        station: whose program has it.
         line: source line, 0 where unknown.
         moves: in order of time.
     """
 
+    station: str
     line: int
     moves: tuple[PathMove, ...]
 
@@ -118,10 +122,11 @@ class PathSummary:
 
     @property
     def lines(self) -> tuple[PathLine, ...]:
-        """Return the moves by source line, in the order of the lines."""
-        numbers = sorted({move.line for move in self.moves})
+        """Return the moves by source line, in the order of stations and lines."""
+        places = sorted({(move.station, move.line) for move in self.moves})
         return tuple(
-            PathLine(line, tuple(move for move in self.moves if move.line == line)) for line in numbers
+            PathLine(*place, tuple(move for move in self.moves if (move.station, move.line) == place))
+            for place in places
         )
 
 
@@ -132,47 +137,62 @@ def largest_speed_error(moves: tuple[PathMove, ...]) -> PathMove | None:
 
 
 def summarize_path(recording: Recording) -> PathSummary:
-    """Return the accuracy of all moves for which the recording has a path error."""
-    error = series(recording, "path_error")
-    inside = np.flatnonzero(np.isfinite(error))
-    if inside.size == 0:
+    """Return the accuracy of all moves for which the recording has a path error, in order of time."""
+    stations = [(station, station.series("path_error")) for station in station_views(recording)]
+    known = np.concatenate([error[np.isfinite(error)] for _, error in stations] or [np.empty(0)])
+    if known.size == 0:
         return PathSummary()
-    ordinals = codes(recording, "move", -1)
-    speeds = speed(recording, "command_position"), speed(recording, "attained_position")
-    visits = _visits(recording)
-    pieces = np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1)
-    known = error[inside]
+    moves = [move for station, error in stations for move in _moves(station, error)]
     return PathSummary(
-        moves=tuple(
-            replace(
-                _move(recording, piece, error, _speed_accuracy(speeds[0][piece], speeds[1][piece])),
-                ordinal=int(ordinals[piece[0]]),
-                visit=visits.get(int(ordinals[piece[0]]), 0),
-            )
-            for piece in pieces
-        ),
+        moves=tuple(sorted(moves, key=lambda move: move.time)),
         mean_error=float(np.mean(known)),
         rms_error=rms(known),
         p95_error=float(np.percentile(known, 95.0)),
     )
 
 
-def speed(recording: Recording, channel: str) -> Array:
-    """Return the speed of a position channel [m/s], shape (n,), by central differences."""
-    position = matrix(recording, channel, 3)
-    if recording.time.shape[0] < 2:
-        return np.full(recording.time.shape, np.nan)
-    rate = np.gradient(position, recording.time, axis=0)
+def speed(station: StationView, quantity: str) -> Array:
+    """Return the speed of a position [m/s], shape (n,), by central differences."""
+    position = station.matrix(quantity, 3)
+    if station.time.shape[0] < 2:
+        return np.full(station.time.shape, np.nan)
+    rate = np.gradient(position, station.time, axis=0)
     return np.asarray(np.linalg.norm(rate, axis=1), dtype=np.float64)
 
 
+def _moves(station: StationView, error: Array) -> Iterator[PathMove]:
+    """Yield the straight moves of a station; `error` are its path errors, shape (n,)."""
+    inside = np.flatnonzero(np.isfinite(error))
+    ordinals, visits = station.ordinals(), _visits(station)
+    command, attained = speed(station, "command_position"), speed(station, "attained_position")
+    for piece in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
+        if piece.size:
+            ordinal = int(ordinals[piece[0]])
+            accuracy = _speed_accuracy(command[piece], attained[piece])
+            yield _move(station, piece, error, accuracy, ordinal, visits.get(ordinal, 0))
+
+
 def _move(
-    recording: Recording, piece: Indices, error: Array, speed_accuracy: tuple[float, float]
+    station: StationView,
+    piece: Indices,
+    error: Array,
+    speed_accuracy: tuple[float, float],
+    ordinal: int,
+    visit: int,
 ) -> PathMove:
-    """Return the figures of the samples `piece`; ordinal and visit are left open."""
+    """Return the figures of the samples `piece`."""
     worst = int(piece[np.argmax(error[piece])])
-    time, line = float(recording.time[worst]), line_at(recording, worst)
-    return PathMove(-1, line, 0, time, float(error[worst]), rms(error[piece]), *speed_accuracy)
+    time, line = float(station.time[worst]), station.line(worst)
+    return PathMove(
+        station.facts.name,
+        ordinal,
+        line,
+        visit,
+        time,
+        float(error[worst]),
+        rms(error[piece]),
+        *speed_accuracy,
+    )
 
 
 def _speed_accuracy(command: Array, attained: Array) -> tuple[float, float]:
@@ -185,9 +205,10 @@ def _speed_accuracy(command: Array, attained: Array) -> tuple[float, float]:
     return command_speed, float(np.mean(attained[middle])) / command_speed - 1.0
 
 
-def _visits(recording: Recording) -> dict[int, int]:
+def _visits(station: StationView) -> dict[int, int]:
+    """Return the loop pass of each move of a station, by its ordinal."""
     return {
-        whole(event.data.get("ordinal"), -1): whole(event.data.get("visit"), 0)
-        for event in recording.events
-        if event.kind == "move"
+        event.ordinal: event.visit
+        for event in station.recording.events
+        if isinstance(event, MoveEvent) and event.station == station.facts.name
     }

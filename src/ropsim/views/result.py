@@ -2,8 +2,7 @@
 
 from dataclasses import asdict
 
-from ropsim.flow import Settling
-from ropsim.model import JointType
+from ropsim.flow import AxisType, Settling
 from ropsim.views.channels import Peak
 from ropsim.views.joint_summary import (
     Closeness,
@@ -53,7 +52,7 @@ def _peak(joint: JointSummary, share: float, peak: Peak, closeness: Closeness) -
     return {
         "share": share,
         "closeness": closeness.value,
-        "joint": joint.facts.name,
+        "joint": joint.name,
         "line": peak.line,
         "time": peak.time,
     }
@@ -63,8 +62,8 @@ def _margin(joint: JointSummary) -> dict[str, object]:
     near = joint.nearest
     return {
         "margin": near.margin,
-        "unit": "rad" if joint.facts.type is JointType.REVOLUTE else "m",
-        "joint": joint.facts.name,
+        "unit": "rad" if joint.facts.type is AxisType.REVOLUTE else "m",
+        "joint": joint.name,
         "side": near.side,
         "line": near.line,
         "time": near.time,

@@ -1,17 +1,28 @@
 """The figures of a run on one page: what `ropsim run` prints and the report shows first."""
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Event, Recording, Settling, settling_of
-from ropsim.views.channels import invalid_samples, matrix
-from ropsim.views.destinations import Destinations, destinations
+from ropsim.flow import (
+    Destinations,
+    Event,
+    GripEvent,
+    MoveEvent,
+    ParameterOrigin,
+    Recording,
+    ReleaseEvent,
+    RunFacts,
+    Settling,
+    SkipEvent,
+    settling_of,
+)
+from ropsim.views.channels import invalid_samples, station_views
 from ropsim.views.findings import FindingGroup, group_findings
-from ropsim.views.header import RunHeader, run_header
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
@@ -28,7 +39,7 @@ class Summary:
     """The figures of one run.
 
     Attributes:
-        header: who ran what on which arm.
+        facts: who ran what on which arm.
         duration: simulated time [s].
         cycle_time: end of the last motion or instruction [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
@@ -49,13 +60,13 @@ class Summary:
         destinations: how many parts are at their destinations; None where no part has one.
     """
 
-    header: RunHeader
+    facts: RunFacts
     duration: float
     cycle_time: float
     moves: Mapping[str, int]
     grips: int
     releases: int
-    skipped: tuple[Event, ...]
+    skipped: tuple[SkipEvent, ...]
     share_in_motion: float
     settling: Settling
     tasks: tuple[TaskSummary, ...]
@@ -67,6 +78,22 @@ class Summary:
     invalid_samples: int
     unchecked: Unchecked
     destinations: Destinations | None = None
+
+    @property
+    def title(self) -> str:
+        """Return project and programs, each once, or `run` where none of them has a name."""
+        names = (self.facts.project, *(station.program for station in self.facts.stations))
+        return " / ".join(dict.fromkeys(name for name in names if name)) or "run"
+
+    @property
+    def robot(self) -> str:
+        """Return maker and model of the arm, of each one where there are several stations."""
+        return ", ".join(dict.fromkeys(one.title or one.robot for one in self.facts.stations))
+
+    @property
+    def origins(self) -> tuple[ParameterOrigin, ...]:
+        """Return where the parameters of arms and controllers come from, each once."""
+        return tuple(dict.fromkeys(origin for station in self.facts.stations for origin in station.origins))
 
     @property
     def cycle_time_valid(self) -> bool:
@@ -86,45 +113,42 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         recording: of the run.
         before: findings of reading and compiling; they count as those of the run do.
     """
-    header = run_header(recording)
     events = recording.events
-    cycle_time = max((event.time + event.duration for event in events), default=0.0)
+    cycle_time = max((event.end for event in events), default=0.0)
     findings = (*before, *recording.findings)
     groups = group_findings(findings)
     severities = [finding.severity for finding in findings]
     return Summary(
-        header=header,
+        facts=recording.facts,
         duration=recording.duration,
         cycle_time=cycle_time,
         moves=_moves_by_kind(events),
-        grips=sum(event.kind == "grip" for event in events),
-        releases=sum(event.kind == "release" for event in events),
-        skipped=tuple(event for event in events if event.kind == "skip"),
-        share_in_motion=_share_in_motion(recording, len(header.joints), cycle_time),
+        grips=sum(isinstance(event, GripEvent) for event in events),
+        releases=sum(isinstance(event, ReleaseEvent) for event in events),
+        skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
+        share_in_motion=_share_in_motion(recording, cycle_time),
         settling=settling_of(events, cycle_time),
         tasks=summarize_tasks(recording),
-        joints=summarize_joints(recording, header.joints),
+        joints=summarize_joints(recording),
         path=summarize_path(recording),
         findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),
         invalid_samples=invalid_samples(recording),
-        unchecked=unchecked(header, events),
-        destinations=destinations(recording),
+        unchecked=unchecked(recording.facts, events),
+        destinations=recording.facts.destinations if recording.facts.destinations.wanted else None,
     )
 
 
 def _moves_by_kind(events: tuple[Event, ...]) -> dict[str, int]:
-    counts: dict[str, int] = {}
-    for event in events:
-        if event.kind == "move":
-            kind = str(event.data.get("kind", "move"))
-            counts[kind] = counts.get(kind, 0) + 1
+    counts = Counter(event.motion.value for event in events if isinstance(event, MoveEvent))
     return dict(sorted(counts.items(), reverse=True))
 
 
-def _share_in_motion(recording: Recording, n: int, cycle_time: float) -> float:
-    speeds = matrix(recording, "qd_ref", n)[recording.time <= cycle_time]
-    if not np.any(np.isfinite(speeds)):
+def _share_in_motion(recording: Recording, cycle_time: float) -> float:
+    """Return the share of the rows up to the cycle time in which a joint of any station is moving."""
+    speeds = [station.joints("qd_ref") for station in station_views(recording)]
+    rows = np.hstack(speeds)[recording.time <= cycle_time] if speeds else np.empty((0, 0))
+    if not np.any(np.isfinite(rows)):
         return math.nan
-    return float(np.mean(np.any(np.abs(speeds) > MOVING, axis=1)))
+    return float(np.mean(np.any(np.abs(rows) > MOVING, axis=1)))

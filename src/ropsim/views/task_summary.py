@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from ropsim.flow import Event, Recording
-from ropsim.views.header import whole
+from ropsim.flow import Recording, TaskEvent
+from ropsim.views.channels import labelled
 
 
 @dataclass(frozen=True, slots=True)
@@ -11,7 +11,7 @@ class TaskSummary:
     """All activations of one task.
 
     Attributes:
-        name: name of the procedure.
+        name: of the task, with several stations that of its station before it.
         depth: smallest depth in the calls (0 = the main program).
         calls: number of activations.
         total: time spent in it, called tasks included [s].
@@ -32,14 +32,14 @@ class TaskSummary:
 
 def summarize_tasks(recording: Recording) -> tuple[TaskSummary, ...]:
     """Return the times of all tasks, callers before the called, the longest first within a depth."""
-    by_name: dict[str, list[Event]] = {}
+    by_name: dict[str, list[TaskEvent]] = {}
     for event in recording.events:
-        if event.kind == "task":
-            by_name.setdefault(task_name(event), []).append(event)
+        if isinstance(event, TaskEvent):
+            by_name.setdefault(labelled(recording, event.station, event.name), []).append(event)
     tasks = [
         TaskSummary(
             name,
-            depth=min(whole(event.data.get("depth"), 0) for event in events),
+            depth=min(event.depth for event in events),
             calls=len(events),
             total=sum(event.duration for event in events),
             longest=max(event.duration for event in events),
@@ -47,8 +47,3 @@ def summarize_tasks(recording: Recording) -> tuple[TaskSummary, ...]:
         for name, events in by_name.items()
     ]
     return tuple(sorted(tasks, key=lambda task: (task.depth, -task.total, task.name)))
-
-
-def task_name(event: Event) -> str:
-    """Return the name of the task of a `task` event."""
-    return str(event.data.get("name", event.text))

@@ -8,6 +8,7 @@ from ropsim.core import Severity
 from ropsim.flow import SLOW
 from ropsim.views.characters import clean, fit
 from ropsim.views.columns import Cell, columns_text
+from ropsim.views.destinations import destinations_text
 from ropsim.views.figures import (
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
@@ -62,13 +63,12 @@ def terminal_report(summary: Summary, style: Style) -> str:
 
 
 def _title(summary: Summary, style: Style) -> list[str]:
-    header = summary.header
-    what = clean(header.title)
-    robot = f" on {clean(header.robot)}" if header.robot else ""
+    what = clean(summary.title)
+    robot = f" on {clean(summary.robot)}" if summary.robot else ""
     state = verdict(summary)
     return [
         paint(fit(what + robot, COLUMNS), Tone.STRONG, style),
-        *(["kinematic run: the arm follows its references exactly"] if header.is_kinematic else []),
+        *(["kinematic run: the arm follows its references exactly"] if summary.facts.is_kinematic else []),
         *(paint(line, _VERDICT_TONES[state.kind], style) for line in textwrap.wrap(state.text, COLUMNS)),
         *_unchecked(summary.unchecked.text),
     ]
@@ -88,13 +88,13 @@ def _time(summary: Summary, style: Style) -> list[str]:
         f"in motion    {percent(summary.share_in_motion)} of the cycle time",
         *_settling(summary),
         f"moves        {moves}; {plural(summary.grips, 'grip')}, {plural(summary.releases, 'release')}",
-        *([f"parts        {summary.destinations.text}"] if summary.destinations else []),
+        *([f"parts        {destinations_text(summary.destinations)}"] if summary.destinations else []),
     ]
 
 
 def _settling(summary: Summary) -> list[str]:
     settling = summary.settling
-    if summary.header.is_kinematic:
+    if summary.facts.is_kinematic:
         return [f"settling     {UNKNOWN} (a kinematic run has no servo that settles)"]
     share = with_unit(settling.share, PERCENT, 1)
     lines = [f"settling     {seconds(settling.total)} s after moves, {share} of the cycle time"]
@@ -146,7 +146,7 @@ def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
     coordinate = coordinate_scale(facts.type)
     near = joint.nearest
     return (
-        Cell(fit(clean(facts.name), 8)),
+        Cell(fit(clean(joint.name), 8)),
         Cell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
         _limit_cell(joint.effort_share, joint.effort_closeness),
         Cell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
@@ -219,10 +219,10 @@ def _finding(group: FindingGroup, style: Style) -> Iterable[str]:
 
 
 def _estimated(summary: Summary) -> list[str]:
-    if not summary.header.estimated:
+    if not summary.unchecked.estimated:
         return []
     text = "estimated, not from a published source: " + "; ".join(
-        clean(entry) for entry in summary.header.estimated
+        clean(entry) for entry in summary.unchecked.estimated
     )
     return textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
 

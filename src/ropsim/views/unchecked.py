@@ -3,10 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ropsim.flow import Event
+from ropsim.flow import Event, MoveEvent, RunFacts
 from ropsim.views.characters import clean
 from ropsim.views.findings import plural
-from ropsim.views.header import RunHeader, number
 
 LOOKED_AT_IF_SAID = ("collisions",)
 """What a run has looked at only where its recording says so."""
@@ -47,21 +46,19 @@ class Unchecked:
         return " · ".join(parts)
 
 
-def unchecked(header: RunHeader, events: Sequence[Event]) -> Unchecked:
+def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
     """Return what a run did not look at.
 
     Args:
-        header: of the run.
-        events: of the run; moves have their `zone` [m] in the data.
+        facts: of the run.
+        events: of the run.
     """
-    aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if header.is_kinematic else ())
+    aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
     zoned = {
-        event.span.line
-        for event in events
-        if event.kind == "move" and event.span and number(event.data.get("zone"), 0.0) > 0.0
+        event.line for event in events if isinstance(event, MoveEvent) and event.zone > 0.0 and event.line
     }
     return Unchecked(
-        tuple(one for one in aspects if one not in header.checked),
-        header.estimated,
+        tuple(one for one in aspects if one not in facts.checked),
+        tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
         tuple(sorted(zoned)),
     )

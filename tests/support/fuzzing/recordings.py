@@ -10,6 +10,7 @@ from tempfile import mkdtemp
 
 import numpy as np
 
+from ropsim.flow import InputChange
 from ropsim.records import InputsError, RecordingFileError, read_recording, recording_bytes
 from ropsim.records.inputs import inputs_of, read_inputs, with_inputs
 from ropsim.simulation import RunOptions
@@ -17,9 +18,10 @@ from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target
 from support.recordings import pick_and_place, two_findings
 
-_INPUTS = [{"signal": "start", "time": 2.0, "value": 1}, {"signal": "level", "time": 2.5, "value": -0.25}]
+_GIVEN = (InputChange(2.0, "start", 1.0), InputChange(2.5, "level", -0.25))
+_INPUTS = [{"signal": one.signal, "time": one.time, "value": one.value} for one in _GIVEN]
 _RUN = pick_and_place(1, 2.0, two_findings())
-_RECORDING = recording_bytes(replace(_RUN, header={**_RUN.header, "inputs": _INPUTS}))
+_RECORDING = recording_bytes(replace(_RUN, facts=replace(_RUN.facts, inputs=_GIVEN)))
 _TEXT = json.dumps(_INPUTS).encode()
 _WORK = Path(mkdtemp(prefix="ropsim-fuzz-"))
 with zipfile.ZipFile(io.BytesIO(_RECORDING)) as _archive:

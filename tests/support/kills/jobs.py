@@ -99,7 +99,7 @@ def _check_journal(folder: Path, progress: Progress) -> None:
 @cache
 def _recordings() -> tuple[Recording, Recording]:
     first = pick_and_place(1, 10.0)
-    return first, replace(first, header={**first.header, "inputs": []})
+    return first, replace(first, facts=replace(first.facts, project="another"))
 
 
 @cache

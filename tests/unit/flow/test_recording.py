@@ -3,17 +3,27 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity, Span
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import (
+    Channel,
+    GripEvent,
+    MotionKind,
+    MoveEvent,
+    Recording,
+    RunFacts,
+    SkipEvent,
+    StationFacts,
+)
 
 
 def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
     time = np.array([0.0, 0.004])
     channels = {
         "q": Channel(np.array([[1.0, 2.0], [3.0, 4.0]]), "rad", ("1", "2")),
-        "line": Channel(np.array([0.0, 7.0]), ""),
+        "line": Channel(np.array([0.0, 7.0]), "", times=np.array([0.0, 0.001])),
     }
     table = Recording(time, channels, (), (), 0.004).to_pandas()
     assert list(table.columns) == ["q[1]", "q[2]", "line"]
+    assert table["line"].tolist() == [0.0, 7.0]
     assert table.index.name == "time"
     assert table["q[2]"].tolist() == [2.0, 4.0]
     assert table.index.tolist() == [0.0, 0.004]
@@ -22,9 +32,9 @@ def test_a_recording_becomes_a_table_with_one_column_per_joint() -> None:
 def run_of(*findings: Diagnostic, skips: int = 0) -> Recording:
     """Return a run of two moves, with findings and skipped moves."""
     events = [
-        Event(0.0, "move", "PTP"),
-        Event(1.0, "move", "LIN"),
-        *[Event(1.5, "skip", "LIN not possible")] * skips,
+        MoveEvent(0.0, motion=MotionKind.PTP, ordinal=0),
+        MoveEvent(1.0, motion=MotionKind.LIN, ordinal=1),
+        *[SkipEvent(1.5, motion=MotionKind.LIN)] * skips,
     ]
     q = Channel(np.zeros((1000, 6)), "rad")
     return Recording(np.linspace(0.0, 2.0, 1000), {"q": q}, tuple(events), findings, 2.0)
@@ -64,3 +74,37 @@ def test_a_printed_run_is_one_line_without_arrays_and_control_characters() -> No
     assert text.isprintable()
     assert "array" not in text
     assert len(text) < 300
+
+
+def held(times: list[float], values: list[float]) -> Channel:
+    return Channel(np.array(values), "", times=np.array(times))
+
+
+def test_a_change_is_in_force_from_the_row_after_it() -> None:
+    channel = held([0.0, 0.002, 0.004], [1.0, 2.0, 3.0])
+    assert channel.rows(np.array([0.0, 0.002, 0.003, 0.004, 0.008])).tolist() == [1.0, 1.0, 2.0, 2.0, 3.0]
+
+
+def test_a_channel_is_read_at_any_time_held_or_linear_between_rows() -> None:
+    time = np.array([0.0, 0.004])
+    q = Channel(np.array([[1.0, 2.0], [3.0, 4.0]]), "rad", ("1", "2"))
+    recording = Recording(time, {"q": q, "line": held([0.0, 0.001], [4.0, 7.0])}, (), (), 0.004)
+    assert recording.at("q", 0.002).tolist() == [2.0, 3.0]
+    assert recording.at("q", 9.0).tolist() == [3.0, 4.0]
+    assert [float(recording.at("line", time)) for time in (0.001, 0.0011)] == [4.0, 7.0]
+
+
+def test_recordings_of_equal_content_are_equal() -> None:
+    assert run_of(WARNING) == run_of(WARNING)
+    assert run_of(WARNING) != run_of(ERROR)
+
+
+def test_events_of_one_kind_are_given_with_their_own_fields() -> None:
+    assert [move.motion for move in run_of().events_of(MoveEvent)] == [MotionKind.PTP, MotionKind.LIN]
+    assert run_of().events_of(GripEvent) == ()
+
+
+def test_channels_of_several_stations_have_their_names_before_the_quantity() -> None:
+    left, right = StationFacts("left"), StationFacts("right")
+    assert RunFacts(stations=(left,)).channel("q", "left") == "q"
+    assert RunFacts(stations=(left, right)).channel("q", "right") == "right/q"

@@ -9,7 +9,7 @@ import pytest
 import ropsim
 from ropsim import dynamics, robots
 from ropsim.dynamics import axis_inertias
-from ropsim.flow import Recording
+from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import configurations
 from ropsim.model import Cell, Drive, Rates, RobotModel, Tool, ideal_drive
 from ropsim.simulation import RunOptions, run
@@ -124,7 +124,7 @@ LOADS = {"nothing": 0.0, "a box of 2.3 kg": 2.3}  # the PUMA's rated load
 
 
 def settling_times(recording: Recording) -> Array:
-    return np.array([float(str(one.data["settle"])) for one in recording.events if one.kind == "move"])
+    return np.array([one.settle for one in recording.events_of(MoveEvent)])
 
 
 def heavy_tool(mass: float) -> Tool:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ropsim
-from ropsim.flow import Recording
+from ropsim.flow import Destinations, Recording
 from ropsim.model import Cell, Destination, Gripper, Part, Sink, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
@@ -59,7 +59,7 @@ def test_a_part_that_is_there_is_counted_and_nothing_is_found() -> None:
     recording = ran(*CARRY)
     assert recording.ok
     assert recording.findings == ()
-    assert recording.header["destinations"] == {"wanted": 1, "reached": 1}
+    assert recording.facts.destinations == Destinations(1, 1)
     assert "parts        1 of 1 part at its destination\n" in report(recording)
 
 
@@ -113,11 +113,11 @@ def test_a_part_that_waits_in_its_supply_is_found() -> None:
 
 def test_without_destinations_nothing_is_said() -> None:
     recording = ran("wait 1 s", cell=with_goal(None))
-    assert "destinations" not in recording.header
+    assert recording.facts.destinations == Destinations(0, 0)
     assert "at its destination" not in report(recording)
 
 
 def test_a_run_that_was_cut_short_says_nothing() -> None:
     recording = ran("wait 10 s", longest=1.0)
     assert [one.code for one in recording.findings] == ["S723"]
-    assert "destinations" not in recording.header
+    assert recording.facts.destinations == Destinations(0, 0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ropsim
-from ropsim.flow import Event, Recording
+from ropsim.flow import GripEvent, MoveEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Gripper, Part, Tool
 from ropsim.robots import default_controller, load
@@ -25,6 +25,8 @@ STRAIGHT = 1e-5
 """An ideal arm leaves the line by what joint splines between two interpolation ticks do [m]."""
 FREE = 6.0
 """Ends of all joint ranges, out of the way [rad]."""
+ROUNDING = 1e-12
+"""Of the end of an event, which is the sum of its time and its duration [s]."""
 NEAR = 1e-9
 """Rounding of a pose that goes to joint coordinates and back [m]."""
 
@@ -54,13 +56,9 @@ def ran(cell: Cell, *lines: str) -> Recording:
     return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC))
 
 
-def only(recording: Recording, kind: str) -> list[Event]:
-    return [event for event in recording.events if event.kind == kind]
-
-
 def at(recording: Recording, name: str, time: float) -> np.ndarray:
     """Return the row of a channel that is the first one at or after a time."""
-    return np.asarray(recording.channels[name].values[np.searchsorted(recording.time, time - 1e-9)])
+    return np.asarray(recording.rows(name)[np.searchsorted(recording.time, time - 1e-9)])
 
 
 def codes(recording: Recording) -> list[str]:
@@ -84,7 +82,7 @@ def test_the_payload_follows_each_change_of_tool(cell: Cell) -> None:
 
 def test_each_tool_brings_its_own_tip_to_the_place(cell: Cell) -> None:
     recording = ran(cell, "mov (450, -150, 300)", "set tool cup", "mov (450, -150, 300)")
-    first, second = only(recording, "move")
+    first, second = recording.events_of(MoveEvent)
     for move, tool in ((first, JAWS), (second, CUP)):
         end = move.time + move.duration
         np.testing.assert_allclose(at(recording, "command_position", end), [0.45, -0.15, 0.3], atol=NEAR)
@@ -103,8 +101,8 @@ def test_a_tool_that_is_not_the_first_grips_at_its_own_tip_in_its_own_time(cell:
     lines = ("set tool cup", "mov (450, -150, 100)", "close", "mov (450, 0, 300)", "open", "wait 1 s")
     recording = ran(cell, *lines)
     assert codes(recording) == []
-    (gripped,), (released,) = only(recording, "grip"), only(recording, "release")
-    assert (gripped.data["part"], released.data["part"]) == ("box", "box")
+    (gripped,), (released,) = recording.events_of(GripEvent), recording.events_of(ReleaseEvent)
+    assert (gripped.part, released.part) == ("box", "box")
     assert [gripped.duration, released.duration] == pytest.approx([0.5, 0.4])
     masses = [
         float(at(recording, "payload", time)) for time in (gripped.time, released.time, recording.duration)
@@ -118,27 +116,25 @@ def test_a_gripper_that_is_named_grips_though_another_tool_is_in_force(cell: Cel
     assert codes(beside) == ["S721"]
     named = ran(cell, "mov (450, -150, 100)", "set tool probe", "close jaws", "open jaws")
     assert codes(named) == []
-    assert [event.data["part"] for event in named.events if event.kind in {"grip", "release"}] == [
-        "box",
-        "box",
-    ]
+    assert [event.part for event in named.events_of(GripEvent)] == ["box"]
+    assert [event.part for event in named.events_of(ReleaseEvent)] == ["box"]
 
 
 @pytest.mark.parametrize("line", ["close", "open", "close probe"])
 def test_a_tool_without_a_gripper_grips_nothing_and_takes_no_time(cell: Cell, line: str) -> None:
     recording = ran(cell, "set tool probe", "mov (450, -150, 100)", line)
     assert codes(recording) == ["S722"]
-    assert only(recording, "grip") + only(recording, "release") == []
-    assert recording.duration == pytest.approx(only(recording, "move")[0].duration)
+    assert (*recording.events_of(GripEvent), *recording.events_of(ReleaseEvent)) == ()
+    assert recording.duration == pytest.approx(recording.events_of(MoveEvent)[0].duration)
 
 
 def test_the_gripper_channel_says_closed_from_the_end_of_closing_to_the_end_of_opening(cell: Cell) -> None:
     recording = ran(cell, "mov (450, -150, 100)", "close", "wait 1 s", "open", "wait 1 s")
-    (gripped,), (released,) = only(recording, "grip"), only(recording, "release")
-    closed = recording.time[recording.channels["gripper"].values > 0.5]
-    step = float(np.diff(recording.time).max())
-    assert closed[0] == pytest.approx(gripped.time + gripped.duration, abs=step)
-    assert closed[-1] == pytest.approx(released.time + released.duration, abs=step)
+    (gripped,), (released,) = recording.events_of(GripEvent), recording.events_of(ReleaseEvent)
+    gripper = recording.channels["gripper"]
+    assert gripper.times is not None
+    assert gripper.times.tolist() == pytest.approx([0.0, gripped.end, released.end], abs=ROUNDING)
+    assert gripper.values.tolist() == [0.0, 1.0, 0.0]
 
 
 def test_an_arm_without_drives_can_be_run_kinematically(cell: Cell) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.flow import Recording
+from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
 from ropsim.workbench import environment_of
@@ -75,7 +75,7 @@ def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
 
 def test_an_output_of_the_program_alone_is_off_until_it_is_set(cell: Cell) -> None:
     recording = ideal(cell, "signal lamp = output 7", "wait 0.5 s", "set lamp on", "wait 0.5 s")
-    lamp = recording.channels["signal.lamp"].values
+    lamp = recording.rows("signal.lamp")
     assert (lamp[recording.time <= 0.5] == 0.0).all()
     assert (lamp[recording.time > 0.51] == 1.0).all()
 
@@ -109,7 +109,7 @@ def test_a_move_ends_when_every_joint_is_in_position(cell: Cell) -> None:
     # joint 1 stands where it stands: it is in position all the time
     program = code(strict, "mov joints (0, 60, -150, 0, -60, 0)", "mov joints (0, 60, -150, 60, -30, 0)")
     recording = run(strict, program, RunOptions(record_hz=1000))
-    last = [event for event in recording.events if event.kind == "move"][-1]
-    assert float(str(last.data["settle"])) > 0.0
-    row = np.searchsorted(recording.time, last.time + last.duration - 1e-9)
+    last = recording.events_of(MoveEvent)[-1]
+    assert last.settle > 0.0
+    row = np.searchsorted(recording.time, last.end - 1e-9)
     assert (abs(recording.channels["q_error"].values[row]) <= window).all()

@@ -7,7 +7,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.flow import Recording
+from ropsim.flow import InputEvent, MoveEvent, Recording
 from ropsim.model import Cell, Signal, Tool
 from ropsim.records.inputs import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
@@ -52,22 +52,17 @@ def test_a_run_goes_on_at_the_time_of_the_input(cell: Cell, program: icr.Program
     assert recording.findings == ()
 
 
-def test_an_input_is_an_event_a_channel_and_an_entry_of_the_header(cell: Cell, program: icr.Program) -> None:
+def test_an_input_is_an_event_a_channel_and_a_fact_of_the_run(cell: Cell, program: icr.Program) -> None:
     recording = ideal(cell, program, InputChange(1.0, "go", 1.0))
-    (event,) = (one for one in recording.events if one.kind == "input")
-    assert (event.time, event.data) == (1.0, {"channel": "go", "value": 1.0})
-    assert recording.header["inputs"] == [{"signal": "go", "time": 1.0, "value": 1.0}]
-    np.testing.assert_array_equal(recording.channels["signal.go"].values, recording.time > 1.0)
-
-
-def test_without_inputs_the_header_does_not_speak_of_them(cell: Cell, program: icr.Program) -> None:
-    assert "inputs" not in ideal(cell, program).header
+    assert recording.events_of(InputEvent) == (InputEvent(1.0, signal="go", value=1.0),)
+    assert recording.facts.inputs == (InputChange(1.0, "go", 1.0),)
+    np.testing.assert_array_equal(recording.rows("signal.go"), recording.time > 1.0)
 
 
 def test_inputs_beyond_the_end_of_the_run_are_not_part_of_it(cell: Cell, program: icr.Program) -> None:
     recording = ideal(cell, program, InputChange(1.0, "go", 1.0), InputChange(4.0, "level", 2.0))
-    assert [one.data["channel"] for one in recording.events if one.kind == "input"] == ["go"]
-    assert len(list(recording.header["inputs"])) == 1  # type: ignore[call-overload]
+    assert [one.signal for one in recording.events_of(InputEvent)] == ["go"]
+    assert len(recording.facts.inputs) == 1
 
 
 def test_at_one_time_the_input_holds_and_not_the_change_of_the_cell(cell: Cell) -> None:
@@ -123,11 +118,11 @@ def test_a_run_that_is_ended_by_hand_says_so_and_keeps_what_it_has(cell: Cell, l
     assert not [event for event in recording.events if event.kind == "move"]
 
 
-def test_many_rows_are_thinned_and_the_header_tells_the_rate(cell: Cell, program: icr.Program) -> None:
+def test_many_rows_are_thinned_and_the_facts_tell_the_rate(cell: Cell, program: icr.Program) -> None:
     options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(1.0, "go", 1.0),))
     full, thin = run(cell, program, options), run(cell, program, replace(options, most_rows=100))
     assert len(thin.time) <= 100
-    assert thin.header["record_hz"] == pytest.approx(float(str(full.header["record_hz"])) / 4)
+    assert thin.facts.record_hz == pytest.approx(full.facts.record_hz / 4)
     rows = np.searchsorted(full.time, thin.time)
     np.testing.assert_array_equal(full.channels["q"].values[rows], thin.channels["q"].values)
     assert thin.duration == full.duration
@@ -140,9 +135,9 @@ def test_a_run_may_be_ended_while_the_arm_settles(cell: Cell) -> None:
     assert compiled.icr is not None
     narrow = replace(cell, controller=replace(cell.controller, in_position=np.full(6, 1e-6)))
     whole = run(narrow, compiled.icr, RunOptions())
-    (move,) = (event for event in whole.events if event.kind == "move")
-    settling = float(str(move.data["travel"])) + 0.01
-    assert float(str(move.data["settle"])) > 0.01
+    (move,) = whole.events_of(MoveEvent)
+    settling = move.travel + 0.01
+    assert move.settle > 0.01
     for options in (RunOptions(watch=Stopper(settling)), RunOptions(longest=settling)):
         recording = run(narrow, compiled.icr, options)
         assert recording.duration < whole.duration

@@ -1,7 +1,7 @@
 import pytest
 
 from ropsim.core import Severity, Span
-from ropsim.flow import Event
+from ropsim.flow import Event, MotionKind, MoveEvent, Origin
 from ropsim.simulation.settling import settling_findings
 
 DURATION = 100.0
@@ -10,8 +10,14 @@ DURATION = 100.0
 def moves(*settles: float) -> list[Event]:
     """Return a move of a second on each line, with its time of settling [s]."""
     return [
-        Event(
-            float(k), "move", "", Span("main.task", k + 1, 1, k + 1, 1), 1.0, {"settle": settle, "visit": 3}
+        MoveEvent(
+            float(k),
+            1.0,
+            "robot",
+            Origin(Span("main.task", k + 1, 1, k + 1, 1), 3),
+            motion=MotionKind.LIN,
+            ordinal=k,
+            settle=settle,
         )
         for k, settle in enumerate(settles)
     ]

@@ -58,16 +58,14 @@ def test_start_and_payload_come_from_the_options() -> None:
     np.testing.assert_allclose(loaded.channels["q"].values[-1], START, rtol=0, atol=1e-9)
 
 
-def test_the_header_names_robot_law_and_rates() -> None:
+def test_the_facts_name_robot_law_and_rates() -> None:
     robot, model = puma()
-    header = simulate(robot, model, standing(START, 1)).header
-    assert (header["robot"], header["law"]) == ("puma560", "cascaded_p_pi")
-    assert (header["control_hz"], header["plant_steps"], header["decimation"]) == (1000, 2, 1)
-    own = CascadeInPython(model, robot)
-    assert (
-        simulate(robot, model, standing(START, 1), SimulationOptions(law=own)).header["law"]
-        == "CascadeInPython"
-    )
+    facts = simulate(robot, model, standing(START, 1), SimulationOptions(decimation=2)).facts
+    (station,) = facts.stations
+    assert (station.robot, station.law) == ("puma560", "cascaded_p_pi")
+    assert (station.control_hz, station.plant_steps, facts.record_hz) == (1000.0, 2, 500.0)
+    own = simulate(robot, model, standing(START, 1), SimulationOptions(law=CascadeInPython(model, robot)))
+    assert own.facts.stations[0].law == "CascadeInPython"
 
 
 def test_prismatic_joints_are_recorded_in_metres_and_newtons() -> None:

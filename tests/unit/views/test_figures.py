@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from ropsim.model import JointType
+from ropsim.flow import AxisType
 from ropsim.views.figures import (
     DEGREES,
     MILLIMETRES,
@@ -29,5 +29,5 @@ def test_there_is_no_negative_zero() -> None:
 
 
 def test_columns_of_mixed_joints_name_both_units() -> None:
-    types = [JointType.REVOLUTE, JointType.PRISMATIC, JointType.REVOLUTE]
+    types = [AxisType.REVOLUTE, AxisType.PRISMATIC, AxisType.REVOLUTE]
     assert joined_units(map(coordinate_scale, types)) == "° or mm"

@@ -1,7 +1,7 @@
 import re
 from dataclasses import replace
 
-from ropsim.flow import Event, Recording
+from ropsim.flow import MessageEvent, Origin, Recording
 from ropsim.views import html_report, messages, messages_text, summarize
 from ropsim.views.html.messages import SHOWN_MESSAGES
 from support.recordings import SOURCE, pick_and_place
@@ -10,7 +10,7 @@ from support.recordings import SOURCE, pick_and_place
 def run_that_says(*texts: str) -> Recording:
     """Return a run with a message every 5.5 s from line 7 on."""
     told = [
-        Event(5.5 * k, "message", text, SOURCE.span(7 + k % 8, 1, 5), 0.0, {"visit": k + 1})
+        MessageEvent(5.5 * k, origin=Origin(SOURCE.span(7 + k % 8, 1, 5), k + 1), text=text)
         for k, text in enumerate(texts)
     ]
     recording = pick_and_place(1)

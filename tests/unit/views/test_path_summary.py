@@ -4,9 +4,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, MotionKind, MoveEvent, Origin, Recording
 from ropsim.views import summarize
-from support.recordings import empty_recording, pick_and_place
+from support.recordings import empty_recording, facts, pick_and_place
 
 RATE = 100.0
 DIFFERENCING = 1e-9
@@ -25,8 +25,8 @@ def line_run(attained_speed: float) -> Recording:
         "move": Channel(np.full(101, 4.0), ""),
         "line": Channel(np.full(101, 14.0), ""),
     }
-    event = Event(0.0, "move", "LIN pass 7", None, 1.0, {"kind": "LIN", "ordinal": 4, "visit": 7})
-    return Recording(time, channels, (event,), (), 1.0)
+    event = MoveEvent(0.0, 1.0, "robot", Origin(visit=7), motion=MotionKind.LIN, ordinal=4)
+    return Recording(time, channels, (event,), (), 1.0, facts())
 
 
 def test_path_velocity_accuracy_is_the_relative_speed_error() -> None:

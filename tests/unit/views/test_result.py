@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import Channel, Event
+from ropsim.flow import AxisFacts, AxisType, Channel, MotionKind, MoveEvent, SkipEvent
 from ropsim.views import result_figures, summarize, verdict
-from support.recordings import empty_recording, header, pick_and_place, two_findings
+from support.recordings import empty_recording, facts, pick_and_place, station, two_findings
 
 
 def test_verdict_counts_and_the_line_beside_it_are_those_of_the_summary() -> None:
@@ -25,7 +25,7 @@ def test_the_largest_share_of_a_limit_has_joint_time_and_line() -> None:
     assert isinstance(peak, dict)
     assert peak["share"] == pytest.approx(15.0 / 20.1)
     assert (peak["joint"], peak["time"]) == ("5", recording.time[9])
-    assert peak["line"] == recording.channels["line"].values[9]
+    assert peak["line"] == recording.rows("line")[9]
 
 
 @pytest.mark.parametrize(
@@ -54,12 +54,12 @@ def test_the_least_margin_names_its_side_and_unit() -> None:
 
 
 def test_a_margin_of_a_sliding_joint_is_in_metres() -> None:
-    robot = {"joint_names": ["1"], "joint_types": ["prismatic"], "lower": [0.0], "upper": [1.0]}
+    axis = AxisFacts("1", AxisType.PRISMATIC, 0.0, 1.0)
     rail = replace(
         empty_recording(),
         time=np.zeros(1),
         channels={"q": Channel(np.array([[0.9]]), "m")},
-        header={**header(), "robot": robot},
+        facts=facts(stations=(station(axes=(axis,)),)),
     )
     closest = result_figures(summarize(rail))["closest_limit"]
     assert isinstance(closest, dict)
@@ -69,16 +69,15 @@ def test_a_margin_of_a_sliding_joint_is_in_metres() -> None:
 
 def test_settling_leads_to_the_longest_wait() -> None:
     recording = pick_and_place(1)
-    at, slow = [(k, one) for k, one in enumerate(recording.events) if one.kind == "move"][2]
+    slow = recording.events_of(MoveEvent)[2]
     events = list(recording.events)
-    events[at] = replace(slow, data={**slow.data, "settle": 0.05})
+    events[events.index(slow)] = replace(slow, settle=0.05)
     summary = summarize(replace(recording, events=tuple(events)))
-    assert slow.span is not None
     assert result_figures(summary)["settling"] == {
         "total": summary.settling.total,
         "share": summary.settling.share,
         "time": pytest.approx(slow.time + slow.duration - 0.05),
-        "line": slow.span.line,
+        "line": slow.line,
     }
 
 
@@ -89,7 +88,7 @@ def test_a_run_that_never_settles_has_no_place_of_settling() -> None:
 
 def test_a_skipped_move_makes_the_cycle_time_not_valid() -> None:
     recording = pick_and_place(1)
-    skipped = replace(recording, events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    skipped = replace(recording, events=(*recording.events, SkipEvent(3.0, motion=MotionKind.LIN)))
     result = result_figures(summarize(skipped))
     assert result["cycle_time_valid"] is False
     assert result["verdict"] == {"kind": "failed", "text": verdict(summarize(skipped)).text}

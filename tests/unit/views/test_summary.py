@@ -4,9 +4,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, MotionKind, MoveEvent, Recording, RunFacts, SkipEvent, TaskEvent, WaitEvent
 from ropsim.views import summarize
-from support.recordings import empty_recording, header, pick_and_place, two_findings
+from support.recordings import empty_recording, facts, pick_and_place, station, two_findings
 
 ROUNDING = 1e-12
 """Sums of a few dozen floats."""
@@ -21,13 +21,14 @@ def ramp(q: list[float], **channels: list[float]) -> Recording:
     """A run of one joint at 10 Hz."""
     time = np.arange(len(q)) / 10.0
     table = {name: Channel(np.array(values)[:, None], "") for name, values in {"q": q, **channels}.items()}
-    return Recording(time, table, (), (), float(time[-1]), header())
+    return Recording(
+        time, table, (), (), float(time[-1]), facts(stations=(station(axes=station().axes[:1]),))
+    )
 
 
 def test_cycle_time_is_the_end_of_the_last_event() -> None:
-    recording = replace(
-        pick_and_place(1), events=(Event(1.0, "move", "", duration=2.0), Event(2.5, "wait", "", duration=1.5))
-    )
+    move = MoveEvent(1.0, 2.0, motion=MotionKind.PTP, ordinal=0)
+    recording = replace(pick_and_place(1), events=(move, WaitEvent(2.5, 1.5, pause=1.5)))
     assert summarize(recording).cycle_time == pytest.approx(4.0, abs=ROUNDING)
 
 
@@ -45,13 +46,12 @@ def test_settle_times_add_up_and_are_a_share_of_the_cycle() -> None:
 
 def test_the_longest_settling_has_its_line_pass_and_time() -> None:
     recording = pick_and_place(2)
-    at = [k for k, event in enumerate(recording.events) if event.kind == "move"][7]
-    slow = replace(recording.events[at], data={**recording.events[at].data, "settle": 0.05})
+    one = recording.events_of(MoveEvent)[7]
+    slow, at = replace(one, settle=0.05), recording.events.index(one)
     changed = replace(recording, events=(*recording.events[:at], slow, *recording.events[at + 1 :]))
-    assert slow.span is not None
     settling = summarize(changed).settling
     assert (settling.longest, settling.slow) == (0.05, 1)
-    assert (settling.line, settling.visit) == (slow.span.line, slow.data["visit"])
+    assert (settling.line, settling.visit) == (slow.line, slow.visit)
     assert settling.time == pytest.approx(slow.time + slow.duration - 0.05, abs=ROUNDING)
 
 
@@ -72,9 +72,9 @@ def test_rounding_noise_of_a_reference_is_not_motion() -> None:
 
 def test_tasks_have_calls_total_mean_and_longest() -> None:
     events = (
-        Event(0.0, "task", "pick", None, 2.0, {"name": "pick", "serial": 1, "depth": 1}),
-        Event(2.0, "task", "pick", None, 4.0, {"name": "pick", "serial": 2, "depth": 1}),
-        Event(0.0, "task", "main", None, 6.0, {"name": "main", "serial": 0, "depth": 0}),
+        TaskEvent(0.0, 2.0, name="pick", serial=1, depth=1),
+        TaskEvent(2.0, 4.0, name="pick", serial=2, depth=1),
+        TaskEvent(0.0, 6.0, name="main", serial=0, depth=0),
     )
     main, pick = summarize(replace(pick_and_place(1), events=events)).tasks
     assert (main.name, main.depth) == ("main", 0)
@@ -88,7 +88,7 @@ def test_peak_torque_is_the_largest_magnitude_with_its_time_and_line() -> None:
     joint = summarize(with_channel(recording, "tau", tau)).joints[0]
     assert joint.effort.value == -48.8
     assert joint.effort.time == recording.time[9]
-    assert joint.effort.line == recording.channels["line"].values[9]
+    assert joint.effort.line == recording.rows("line")[9]
     assert joint.effort_share == pytest.approx(0.5, abs=ROUNDING)
 
 
@@ -125,7 +125,7 @@ def test_samples_that_are_not_finite_do_not_count_but_are_reported() -> None:
 
 def test_skipped_moves_make_the_cycle_time_invalid() -> None:
     recording = pick_and_place(1)
-    skipped = replace(recording, events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    skipped = replace(recording, events=(*recording.events, SkipEvent(3.0, motion=MotionKind.LIN)))
     assert summarize(recording).cycle_time_valid
     assert not summarize(skipped).cycle_time_valid
 
@@ -154,8 +154,29 @@ def test_kinematic_run_without_torques_has_unknown_torques() -> None:
     assert math.isnan(joint.effort_share)
 
 
-@pytest.mark.parametrize("robot", [None, 3, {"joint_names": "x", "lower": [None], "joint_types": [["?"]]}])
-def test_odd_header_is_read_without_complaint(robot: object) -> None:
-    summary = summarize(replace(pick_and_place(1), header={"robot": robot, "rates": [], "estimated": 5}))
-    assert len(summary.joints) == 6
-    assert summary.header.estimated == ()
+def test_a_run_that_does_not_name_its_stations_has_no_joints() -> None:
+    assert summarize(replace(pick_and_place(1), facts=RunFacts())).joints == ()
+
+
+def test_several_stations_are_told_apart_by_their_names() -> None:
+    one = pick_and_place(1)
+    left, right = station(name="left"), station(name="right", program="other")
+    channels = {
+        f"{name}/{quantity}": channel
+        for name in ("left", "right")
+        for quantity, channel in one.channels.items()
+    }
+    events = tuple(replace(event, station=name) for event in one.events for name in ("left", "right"))
+    about = facts(stations=(left, right))
+    summary = summarize(replace(one, channels=channels, events=events, facts=about))
+    alone = summarize(one)
+    assert [joint.name for joint in summary.joints[::6]] == ["left 1", "right 1"]
+    assert [joint.effort for joint in summary.joints[6:]] == [joint.effort for joint in alone.joints]
+    assert {task.name for task in summary.tasks} == {
+        f"{name} {task.name}" for name in ("left", "right") for task in alone.tasks
+    }
+    assert [(line.station, line.line) for line in summary.path.lines] == [
+        (name, line.line) for name in ("left", "right") for line in alone.path.lines
+    ]
+    assert summary.title == "palletizing / main / other"
+    assert summary.share_in_motion == alone.share_in_motion

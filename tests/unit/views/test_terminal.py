@@ -4,11 +4,11 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Channel, Event
+from ropsim.flow import Channel, Fidelity, MotionKind, MoveEvent, SkipEvent, TaskEvent
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
 from support.golden import GOLDEN, check_golden
-from support.recordings import empty_recording, header, pick_and_place, two_findings
+from support.recordings import empty_recording, estimates, facts, pick_and_place, station, two_findings
 
 COLUMNS = 80
 
@@ -27,14 +27,14 @@ def test_report_fits_80_columns() -> None:
 
 
 def test_long_names_do_not_break_the_columns() -> None:
-    events = (Event(0.0, "task", "t" * 200, None, 1.0, {"name": "t" * 200, "depth": 9}),)
-    text = report(events=events, header={**header(), "project": "p" * 300})
+    events = (TaskEvent(0.0, 1.0, name="t" * 200, serial=1, depth=9),)
+    text = report(events=events, facts=facts(project="p" * 300))
     assert max(width(line) for line in text.splitlines()) <= COLUMNS
 
 
 def test_skipped_moves_are_told_first_and_beside_the_cycle_time() -> None:
     recording = pick_and_place(1)
-    text = report(events=(*recording.events, Event(3.0, "skip", "LIN not possible")))
+    text = report(events=(*recording.events, SkipEvent(3.0, motion=MotionKind.LIN)))
     assert "1 move skipped: the cycle time is not that of the program" in text
     assert re.search(r"cycle time .* not valid", text)
 
@@ -52,27 +52,26 @@ def test_estimated_parameters_are_named() -> None:
 
 
 def test_kinematic_run_says_that_torques_are_not_known() -> None:
-    assert "kinematic run" in report(header={**header(), "fidelity": "kinematic"})
+    assert "kinematic run" in report(facts=facts(fidelity=Fidelity.KINEMATIC))
 
 
 def test_settling_is_a_line_with_its_share_and_the_longest_wait() -> None:
     recording = pick_and_place(1)
-    events = [
-        replace(one, data={**one.data, "settle": 0.5}) for one in recording.events if one.kind == "move"
-    ]
+    events = [replace(one, settle=0.5) for one in recording.events_of(MoveEvent)]
     text = report(events=(*events[:1], *recording.events))
     assert re.search(r"settling +0\.\d\d s after moves, \d+\.\d % of the cycle time\n", text)
     assert re.search(r"longest 0\.500 s \(line \d+ pass 1\); 1 move longer than 20 ms\n", text)
 
 
 def test_a_kinematic_run_does_not_claim_to_settle_at_once() -> None:
-    text = report(header={**header(), "fidelity": "kinematic"})
+    text = report(facts=facts(fidelity=Fidelity.KINEMATIC))
     assert "settling     – (a kinematic run has no servo that settles)" in text
 
 
 def test_what_was_not_looked_at_breaks_between_its_parts_only() -> None:
-    about = {**header(), "fidelity": "kinematic", "estimated": ["p" * 30, "q" * 30]}
-    lines = report(header=about).splitlines()
+    origins = estimates("p" * 30, "q" * 30)
+    about = facts(fidelity=Fidelity.KINEMATIC, stations=(station(origins=origins),))
+    lines = report(facts=about).splitlines()
     start = lines.index("not checked: collisions, torques, drives, servo ·")
     assert lines[start + 1] == "  estimated: 2 groups of parameters"
 

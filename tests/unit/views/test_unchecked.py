@@ -1,41 +1,50 @@
 from dataclasses import replace
 
-from ropsim.flow import Event, Recording
+from ropsim.flow import Fidelity, MotionKind, MoveEvent, Origin, Recording
 from ropsim.views import Style, html_report, summarize, terminal_report
 from ropsim.views.unchecked import SHORT
-from support.recordings import SOURCE, header, pick_and_place
+from support.recordings import SOURCE, estimates, facts, pick_and_place, station
 
 
 def line_of(recording: Recording) -> str:
     return summarize(recording).unchecked.text
 
 
-def with_header(**changes: object) -> Recording:
-    return replace(pick_and_place(1), header={**header(), **changes})
+def with_facts(
+    *estimated: str, checked: tuple[str, ...] = (), fidelity: Fidelity = Fidelity.DYNAMIC
+) -> Recording:
+    """Return a run that has looked at these things with an arm of which these parameters are estimates."""
+    about = facts(checked=checked, fidelity=fidelity, stations=(station(origins=estimates(*estimated)),))
+    return replace(pick_and_place(1), facts=about)
 
 
 def zoned(*places: tuple[int, float]) -> Recording:
     """Return a run whose moves stand on these lines with these zones [m]."""
     recording = pick_and_place(1)
     moves = [
-        Event(recording.duration, "move", "", SOURCE.span(line, 1, 1), 0.0, {"kind": "LIN", "zone": zone})
+        MoveEvent(
+            recording.duration,
+            origin=Origin(SOURCE.span(line, 1, 1)),
+            motion=MotionKind.LIN,
+            ordinal=0,
+            zone=zone,
+        )
         for line, zone in places
     ]
     return replace(recording, events=(*recording.events, *moves))
 
 
 def test_a_run_that_does_not_say_so_has_not_looked_at_collisions() -> None:
-    assert line_of(with_header(estimated=[])) == "not checked: collisions"
-    assert line_of(with_header(estimated=[], checked=[])) == "not checked: collisions"
+    assert line_of(with_facts()) == "not checked: collisions"
 
 
 def test_what_a_run_has_looked_at_is_not_called_unchecked() -> None:
-    text = line_of(with_header(estimated=[], fidelity="kinematic", checked=["collisions"]))
+    text = line_of(with_facts(fidelity=Fidelity.KINEMATIC, checked=("collisions",)))
     assert text == "not checked: torques, drives, servo"
 
 
 def test_a_run_that_leaves_nothing_open_has_no_such_line() -> None:
-    recording = with_header(estimated=[], checked=["collisions"])
+    recording = with_facts(checked=("collisions",))
     assert line_of(recording) == ""
     page = html_report(recording, summarize(recording), {})
     assert 'class="unchecked"' not in page
@@ -43,23 +52,23 @@ def test_a_run_that_leaves_nothing_open_has_no_such_line() -> None:
 
 
 def test_estimates_are_told_where_everything_was_looked_at() -> None:
-    text = line_of(with_header(estimated=["motor constants"], checked=["collisions"]))
+    text = line_of(with_facts("motor constants", checked=("collisions",)))
     assert text == "estimated: motor constants"
 
 
 def test_a_kinematic_run_has_not_looked_at_torques_drives_and_servo() -> None:
-    text = line_of(with_header(estimated=[], fidelity="kinematic"))
+    text = line_of(with_facts(fidelity=Fidelity.KINEMATIC))
     assert text == "not checked: collisions, torques, drives, servo"
 
 
 def test_few_estimates_are_named() -> None:
-    text = line_of(with_header(estimated=["motor constants"]))
+    text = line_of(with_facts("motor constants"))
     assert text.endswith(" · estimated: motor constants")
 
 
 def test_many_estimates_are_counted_so_that_the_line_stays_one() -> None:
     names = [f"parameters of kind {k}" for k in range(9)]
-    text = line_of(with_header(estimated=names))
+    text = line_of(with_facts(*names))
     assert text.endswith(" · estimated: 9 groups of parameters")
     assert len(", ".join(names)) > SHORT
 
@@ -71,12 +80,12 @@ def test_each_line_with_a_zone_counts_once_and_lines_without_do_not() -> None:
 
 
 def test_names_from_a_model_file_cannot_break_the_line() -> None:
-    assert "\n" not in line_of(with_header(estimated=["motor\nconstants\x1b[2J"]))
-    assert "\x1b" not in line_of(with_header(estimated=["motor\nconstants\x1b[2J"]))
+    assert "\n" not in line_of(with_facts("motor\nconstants\x1b[2J"))
+    assert "\x1b" not in line_of(with_facts("motor\nconstants\x1b[2J"))
 
 
 def test_terminal_and_page_say_it_right_after_the_verdict() -> None:
-    recording = with_header(estimated=["motor constants"])
+    recording = with_facts("motor constants")
     summary = summarize(recording)
     lines = terminal_report(summary, Style.PLAIN).splitlines()
     assert lines[1].startswith("ran to the end")

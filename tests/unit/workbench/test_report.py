@@ -42,7 +42,7 @@ def test_a_recording_without_its_cell_has_none(project: Project, recording: Reco
 def test_a_recording_of_another_arm_is_not_shown(project: Project) -> None:
     recording = pick_and_place()
     channels = {name: channel for name, channel in recording.channels.items() if name != "q"}
-    other = Recording(recording.time, channels, recording.events, (), recording.duration, recording.header)
+    other = Recording(recording.time, channels, recording.events, (), recording.duration, recording.facts)
     assert OTHER_ARM in project.report(other).html()
 
 

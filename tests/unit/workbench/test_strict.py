@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.core import RopsimError
-from ropsim.flow import Event
+from ropsim.flow import MotionKind, SkipEvent
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import FailedRunError, Project, new_project, open_project
 
@@ -47,7 +47,7 @@ def test_strict_gives_a_good_run_back(tmp_path: Path) -> None:
 
 def test_skipped_moves_without_an_error_are_an_error_all_the_same(tmp_path: Path) -> None:
     recording = project(tmp_path, "mov joints (0, 0, 0, 0, 0, 0)").simulate(None, KINEMATIC)
-    skipped = replace(recording, events=(*recording.events, Event(0.0, "skip", "refused")))
+    skipped = replace(recording, events=(*recording.events, SkipEvent(0.0, motion=MotionKind.PTP)))
     error = FailedRunError(skipped)
     assert error.diagnostic.code == "X895"
     assert error.recording is skipped

@@ -48,7 +48,7 @@ def moved_lines(before: Program, after: Program) -> Mapping[int, int]:
 
 
 def on_lines(recording: Recording, source: str, lines: Mapping[int, int]) -> Recording:
-    """Return a recording with the lines of one text renumbered: events, findings and the channel `line`.
+    """Return a recording with the lines of one text renumbered: events, findings and channels `line`.
 
     Args:
         recording: of a run.
@@ -65,14 +65,16 @@ def on_lines(recording: Recording, source: str, lines: Mapping[int, int]) -> Rec
         return replace(span, line=span.line + by, end_line=span.end_line + by)
 
     def event(one: Event) -> Event:
-        return replace(one, span=there(one.span))
+        return replace(one, origin=one.origin and replace(one.origin, span=there(one.origin.span)))
 
     def finding(one: Diagnostic) -> Diagnostic:
         return replace(one, span=there(one.span))
 
     channels = dict(recording.channels)
-    if "line" in channels:
-        channels["line"] = _renumbered(channels["line"], lines)
+    facts = recording.facts
+    for name in (facts.channel("line", one.name) for one in facts.stations if one.source == source):
+        if name in channels:
+            channels[name] = _renumbered(channels[name], lines)
     return replace(
         recording,
         channels=channels,

@@ -39,7 +39,7 @@ def key_figures(summary: Summary) -> str:
 
 def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
     settling = summary.settling
-    if summary.header.is_kinematic:
+    if summary.facts.is_kinematic:
         return []
     share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
     place = place_text(settling.line, settling.visit)
@@ -72,11 +72,9 @@ def _joint_figures(joints: tuple[JointSummary, ...]) -> list[tuple[str, str, str
     closest = closest_to_position_limit(joints)
     if closest is not None:
         margin = with_unit(closest.nearest.margin, coordinate_scale(closest.facts.type), 1)
-        result.append(
-            ("closest to a limit", margin, f"joint {text(closest.facts.name)}, {closest.nearest.side}")
-        )
+        result.append(("closest to a limit", margin, f"joint {text(closest.name)}, {closest.nearest.side}"))
     return result
 
 
 def _of_the_limit(joint: JointSummary) -> str:
-    return f"of the limit, joint {text(joint.facts.name)}"
+    return f"of the limit, joint {text(joint.name)}"

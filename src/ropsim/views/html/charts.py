@@ -5,10 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.flow import Recording
-from ropsim.model import JointType
+from ropsim.flow import AxisFacts, AxisType, GripEvent, MotionKind, MoveEvent, Recording, ReleaseEvent
 from ropsim.spatial import Array
-from ropsim.views.channels import matrix, series
+from ropsim.views.channels import StationView, station_views
 from ropsim.views.chart.chart import Stretch, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.chart.plane import PlaneChart, Spot, plane_chart
 from ropsim.views.figures import (
@@ -20,7 +19,6 @@ from ropsim.views.figures import (
     effort_scale,
     speed_scale,
 )
-from ropsim.views.header import JointFacts
 from ropsim.views.html.figure import figure
 from ropsim.views.html.strips import schedule, signals
 from ropsim.views.path_summary import speed
@@ -34,8 +32,8 @@ class _JointQuantity:
     channel: str
     title: str
     description: str
-    scale: Callable[[JointType], Scale]
-    limits: Callable[[JointFacts], tuple[float, ...]]
+    scale: Callable[[AxisType], Scale]
+    limits: Callable[[AxisFacts], tuple[float, ...]]
 
 
 _QUANTITIES = (
@@ -79,50 +77,54 @@ _QUANTITIES = (
 
 def figures(recording: Recording, summary: Summary) -> list[str]:
     """Return the figures of the report in their order; a quantity without a finite sample has none."""
+    stations = station_views(recording)
     candidates = [
         schedule(recording, summary),
-        _path_views(recording),
-        _path_accuracy(recording),
-        *(_joint_figure(recording, summary.header.joints, quantity) for quantity in _QUANTITIES),
+        *(figure for station in stations for figure in (_path_views(station), _path_accuracy(station))),
+        *(_joint_figure(stations, quantity) for quantity in _QUANTITIES),
         signals(recording),
     ]
     return [figure for figure in candidates if figure]
 
 
 def active_lines(recording: Recording) -> tuple[list[float], list[int]]:
-    """Return at which times the active source line changes, and to which line."""
-    lines = np.nan_to_num(series(recording, "line"))
-    if lines.size == 0:
+    """Return when the active source line changes, and to which line; nothing of several programs."""
+    stations = station_views(recording)
+    channel = recording.channels.get(stations[0].name("line")) if len(stations) == 1 else None
+    if channel is None or channel.times is None:
         return [], []
-    changes = np.concatenate([[0], np.flatnonzero(np.diff(lines)) + 1])
-    return recording.time[changes].tolist(), lines[changes].astype(int).tolist()
+    return channel.times.tolist(), np.nan_to_num(channel.values).astype(int).tolist()
 
 
-def _joint_figure(recording: Recording, joints: tuple[JointFacts, ...], quantity: _JointQuantity) -> str:
-    values = matrix(recording, quantity.channel, len(joints))
-    if not np.any(np.isfinite(values)):
-        return ""
+def _joint_figure(stations: tuple[StationView, ...], quantity: _JointQuantity) -> str:
+    found = [(station, station.joints(quantity.channel)) for station in stations]
     rows = tuple(
-        TraceRow(
-            f"joint {joint.name}",
-            scale.unit,
-            (Trace("attained", values[:, k] * scale.factor),),
-            tuple(limit * scale.factor for limit in quantity.limits(joint)),
-        )
-        for k, (joint, scale) in enumerate((joint, quantity.scale(joint.type)) for joint in joints)
+        _joint_row(station.label(f"joint {axis.name}"), axis, quantity, values[:, k])
+        for station, values in found
+        if np.any(np.isfinite(values))
+        for k, axis in enumerate(station.facts.axes)
     )
+    if not rows:
+        return ""
     has_limits = any(row.limits for row in rows)
     description = quantity.description + (
         " Limits are drawn where the joint comes near." if has_limits else ""
     )
-    chart = TimeChart(f"chart-{quantity.channel}", quantity.title, description, recording.time, rows)
+    time = found[0][0].time
+    chart = TimeChart(f"chart-{quantity.channel}", quantity.title, description, time, rows)
     return figure(quantity.title, ("limit", "peak") if has_limits else ("peak",), time_chart(chart))
 
 
-def _path_accuracy(recording: Recording) -> str:
-    command = speed(recording, "command_position") * MILLIMETRES_PER_SECOND.factor
-    attained = speed(recording, "attained_position") * MILLIMETRES_PER_SECOND.factor
-    error = series(recording, "path_error") * MILLIMETRES.factor
+def _joint_row(name: str, axis: AxisFacts, quantity: _JointQuantity, values: Array) -> TraceRow:
+    scale = quantity.scale(axis.type)
+    limits = tuple(limit * scale.factor for limit in quantity.limits(axis))
+    return TraceRow(name, scale.unit, (Trace("attained", values * scale.factor),), limits)
+
+
+def _path_accuracy(station: StationView) -> str:
+    command = speed(station, "command_position") * MILLIMETRES_PER_SECOND.factor
+    attained = speed(station, "attained_position") * MILLIMETRES_PER_SECOND.factor
+    error = station.series("path_error") * MILLIMETRES.factor
     rows = []
     if np.any(np.isfinite(attained)):
         traces = (Trace("command", command, "c2"), Trace("attained", attained))
@@ -132,41 +134,50 @@ def _path_accuracy(recording: Recording) -> str:
     if not rows:
         return ""
     chart = TimeChart(
-        "chart-tcp",
-        "TCP speed and path error",
+        f"chart-tcp{_suffix(station)}",
+        station.label("TCP speed and path error"),
         "Speed of the tool centre point, and its distance from the commanded line on LIN moves.",
-        recording.time,
+        station.time,
         tuple(rows),
-        _straight_moves(recording),
+        _straight_moves(station),
     )
     band = ("band",) if chart.bands else ()
-    return figure("TCP speed and path error", ("attained", "command", *band, "peak"), time_chart(chart))
+    return figure(
+        station.label("TCP speed and path error"), ("attained", "command", *band, "peak"), time_chart(chart)
+    )
 
 
-def _straight_moves(recording: Recording) -> list[Stretch]:
+def _suffix(station: StationView) -> str:
+    """Return what makes names inside the page differ between stations."""
+    return "" if len(station.recording.facts.stations) == 1 else f"-{station.facts.name}"
+
+
+def _straight_moves(station: StationView) -> list[Stretch]:
     return [
-        (event.time, event.time + event.duration)
-        for event in recording.events
-        if event.kind == "move" and event.data.get("kind") == "LIN"
+        (event.time, event.end)
+        for event in station.recording.events
+        if isinstance(event, MoveEvent)
+        and event.motion is MotionKind.LIN
+        and event.station == station.facts.name
     ]
 
 
-def _path_views(recording: Recording) -> str:
-    position = matrix(recording, "attained_position", 3)
+def _path_views(station: StationView) -> str:
+    position = station.matrix("attained_position", 3)
     if not np.any(np.isfinite(position)):
         return ""
-    straight = np.isfinite(series(recording, "path_error"))
+    straight = np.isfinite(station.series("path_error"))
     views = "".join(
         plane_chart(
             PlaneChart(
-                f"chart-{ident}",
+                f"chart-{ident}{_suffix(station)}",
                 f"TCP path, {name}",
                 f"Attained path of the tool centre point in the base frame, {name}, equal scales.",
                 (f"{axes[0]} [m]", f"{axes[1]} [m]"),
                 position[:, "xyz".index(axes[0])],
                 position[:, "xyz".index(axes[1])],
                 straight,
-                _spots(recording, position, axes),
+                _spots(station, position, axes),
             )
         )
         for ident, name, axes in (("top", "top view", "xy"), ("side", "side view", "xz"))
@@ -174,15 +185,18 @@ def _path_views(recording: Recording) -> str:
     line = ("straight",) if np.any(straight) else ()
     keys = ("way", *line, "grip", "release")
     return figure(
-        "TCP path in the base frame: top view and side view", keys, f'<div class="pair">{views}</div>'
+        station.label("TCP path in the base frame: top view and side view"),
+        keys,
+        f'<div class="pair">{views}</div>',
     )
 
 
-def _spots(recording: Recording, position: Array, axes: str) -> tuple[Spot, ...]:
+def _spots(station: StationView, position: Array, axes: str) -> tuple[Spot, ...]:
     spots: dict[Spot, None] = {}
-    for event in recording.events:
-        if event.kind in {"grip", "release"} and recording.time.size:
-            index = min(int(np.searchsorted(recording.time, event.time)), recording.time.size - 1)
+    for event in station.recording.events:
+        own = isinstance(event, GripEvent | ReleaseEvent) and event.station == station.facts.name
+        if own and station.time.size:
+            index = min(int(np.searchsorted(station.time, event.time)), station.time.size - 1)
             x, y = (float(position[index, "xyz".index(axis)]) for axis in axes)
             if np.isfinite(x) and np.isfinite(y):
                 spots[Spot(event.kind, round(x, 3), round(y, 3))] = None

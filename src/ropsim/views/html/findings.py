@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 
 from ropsim.core import SourceText
-from ropsim.flow import Event
+from ropsim.flow import SkipEvent
+from ropsim.views.event_text import event_text
 from ropsim.views.figures import seconds
 from ropsim.views.findings import FindingGroup, passes_text, plural
 from ropsim.views.markup import prose, text
@@ -66,6 +67,6 @@ def skipped_section(summary: Summary) -> str:
     return f"<section><h2>Skipped moves</h2>\n<ul>{rows}</ul>{rest}</section>\n"
 
 
-def _skipped(event: Event) -> str:
+def _skipped(event: SkipEvent) -> str:
     place = f" ({text(str(event.span))})" if event.span else ""
-    return f"<li>t = {seconds(event.time)} s: {text(event.text)}{place}</li>\n"
+    return f"<li>t = {seconds(event.time)} s: {text(event_text(event))}{place}</li>\n"

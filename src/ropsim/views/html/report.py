@@ -48,7 +48,7 @@ def html_report(
         sources: program texts by the names that spans use, for quoting; may be empty.
         replay: of the run in 3-D, or why there is none; None says nothing about it.
     """
-    name = summary.header.title
+    name = summary.title
     shown = replay if isinstance(replay, Replay) else None
     body = [
         _header(name, summary),
@@ -88,9 +88,9 @@ def _policy(scripts: list[str]) -> str:
 
 def _header(name: str, summary: Summary) -> str:
     state = verdict(summary)
-    robot = f'<p class="quiet">{text(summary.header.robot)}</p>' if summary.header.robot else ""
+    robot = f'<p class="quiet">{text(summary.robot)}</p>' if summary.robot else ""
     kinematic = (
-        "<p>Kinematic run: the arm follows its references exactly.</p>" if summary.header.is_kinematic else ""
+        "<p>Kinematic run: the arm follows its references exactly.</p>" if summary.facts.is_kinematic else ""
     )
     left_open = text(summary.unchecked.text)
     unchecked = f'<p class="unchecked">{left_open}</p>\n' if left_open else ""
@@ -125,11 +125,11 @@ def _charts(recording: Recording, summary: Summary) -> str:
 
 
 def _origins(summary: Summary) -> str:
-    if not summary.header.estimated and not summary.header.origins:
+    if not summary.unchecked.estimated and not summary.origins:
         return ""
-    entries = "".join(f"<li>{text(entry)}</li>" for entry in summary.header.estimated)
+    entries = "".join(f"<li>{text(entry)}</li>" for entry in summary.unchecked.estimated)
     estimated = f"<p>Estimated, not from a published source:</p><ul>{entries}</ul>" if entries else ""
-    origins = origin_table(summary) if summary.header.origins else ""
+    origins = origin_table(summary) if summary.origins else ""
     return f"<section><h2>Where the numbers come from</h2>\n{estimated}{origins}</section>\n"
 
 
@@ -139,14 +139,14 @@ def _definitions() -> str:
 
 
 def _footer(summary: Summary) -> str:
-    header = summary.header
-    parts = [f"ropsim {header.version}".strip(), f"simulated {seconds(summary.duration)} s"]
-    if math.isfinite(header.control_hz):
-        parts.append(f"control {header.control_hz:g} Hz")
-    if math.isfinite(header.record_hz):
-        parts.append(f"recorded at {header.record_hz:g} Hz")
-    if header.icr_id:
-        parts.append(f"program id {header.icr_id}")
+    facts, stations = summary.facts, summary.facts.stations
+    parts = [f"ropsim {facts.ropsim}".strip(), f"simulated {seconds(summary.duration)} s"]
+    rates = dict.fromkeys(f"{one.control_hz:g} Hz" for one in stations if math.isfinite(one.control_hz))
+    if rates:
+        parts.append(f"control {', '.join(rates)}")
+    if math.isfinite(facts.record_hz):
+        parts.append(f"recorded at {facts.record_hz:g} Hz")
+    parts += [f"program id {one.icr_id}" for one in stations if one.icr_id]
     return f"<footer>{text(' · '.join(parts))}</footer>\n"
 
 

@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from ropsim.flow import Recording
+from ropsim.flow import Channel, ChannelGroup, MoveEvent, Recording, TaskEvent
 from ropsim.spatial import Array
-from ropsim.views.channels import series
+from ropsim.views.channels import labelled, station_views
 from ropsim.views.chart.chart import SpanRow, Stretch, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.html.figure import figure
 from ropsim.views.summary import Summary
-from ropsim.views.task_summary import task_name
 
 SHOWN_TASKS = 12
 SHOWN_SIGNALS = 24
@@ -21,13 +20,14 @@ def schedule(recording: Recording, summary: Summary) -> str:
     tasks: dict[str, list[Stretch]] = {}
     lanes: dict[str, list[Stretch]] = {}
     for event in recording.events:
-        stretch = (event.time, event.time + event.duration)
-        if event.kind == "task":
-            tasks.setdefault(task_name(event), []).append(stretch)
-        elif event.kind == "move":
-            lanes.setdefault(str(event.data.get("kind", "move")), []).append(stretch)
+        if isinstance(event, TaskEvent):
+            tasks.setdefault(labelled(recording, event.station, event.name), []).append(
+                (event.time, event.end)
+            )
+        elif isinstance(event, MoveEvent):
+            lanes.setdefault(event.motion.value, []).append((event.time, event.end))
         elif event.kind in _INSTRUCTIONS and event.duration > 0.0:
-            lanes.setdefault(event.kind, []).append(stretch)
+            lanes.setdefault(event.kind, []).append((event.time, event.end))
     names = [task.name for task in summary.tasks if task.name in tasks][:SHOWN_TASKS]
     kinds = sorted(lanes, key=lambda kind: (kind in _INSTRUCTIONS, kind))
     rows = [
@@ -49,14 +49,15 @@ def schedule(recording: Recording, summary: Summary) -> str:
 def signals(recording: Recording) -> str:
     """Return gripper, payload and signals over time; empty where none was recorded."""
     rows: list[TraceRow | SpanRow] = []
-    gripper = series(recording, "gripper")
-    if np.any(np.isfinite(gripper)):
-        rows.append(SpanRow("gripper", _active(recording.time, gripper)))
-    payload = series(recording, "payload")
-    if np.any(np.isfinite(payload)):
-        rows.append(TraceRow("payload", "kg", (Trace("payload", payload),), height=40.0))
-    names = [name for name in recording.channels if name.startswith("signal.")]
-    rows += [_signal(recording, name) for name in names[:SHOWN_SIGNALS]]
+    for station in station_views(recording):
+        gripper, payload = (recording.channels.get(station.name(one)) for one in ("gripper", "payload"))
+        if gripper is not None:
+            rows.append(_row(recording, station.label("gripper"), gripper))
+        if payload is not None:
+            trace = Trace("payload", payload.rows(recording.time))
+            rows.append(TraceRow(station.label("payload"), "kg", (trace,), height=40.0))
+    signals = [(name, one) for name, one in recording.channels.items() if one.group is ChannelGroup.SIGNALS]
+    rows += [_row(recording, name.removeprefix("signal."), one) for name, one in signals[:SHOWN_SIGNALS]]
     if not rows:
         return ""
     chart = TimeChart(
@@ -69,20 +70,15 @@ def signals(recording: Recording) -> str:
     return figure("Gripper, payload and signals", (), time_chart(chart))
 
 
-def _signal(recording: Recording, name: str) -> TraceRow | SpanRow:
-    values = series(recording, name)
-    label = name.removeprefix("signal.")
-    if np.all(np.isin(values[np.isfinite(values)], (0.0, 1.0))):
-        return SpanRow(label, _active(recording.time, values))
-    return TraceRow(label, recording.channels[name].unit, (Trace(label, values),), height=40.0)
+def _row(recording: Recording, label: str, channel: Channel) -> TraceRow | SpanRow:
+    """Return the row of a channel: bars where it is on or off, else its course."""
+    known = channel.values[np.isfinite(channel.values)]
+    if channel.times is not None and np.all(np.isin(known, (0.0, 1.0))):
+        return SpanRow(label, _active(channel.times, channel.values, recording.duration))
+    return TraceRow(label, channel.unit, (Trace(label, channel.rows(recording.time)),), height=40.0)
 
 
-def _active(time: Array, values: Array) -> list[Stretch]:
-    """Return the stretches of time in which a binary channel is on."""
-    on = np.concatenate([[0], (np.nan_to_num(values) > 0.5).astype(int), [0]])
-    starts, ends = np.flatnonzero(np.diff(on) == 1), np.flatnonzero(np.diff(on) == -1)
-    last = max(time.size - 1, 0)
-    return [
-        (float(time[start]), float(time[min(end, last)]))
-        for start, end in zip(starts.tolist(), ends.tolist(), strict=True)
-    ]
+def _active(times: Array, values: Array, end: float) -> list[Stretch]:
+    """Return the stretches of time in which a binary quantity is on."""
+    ends = [*times[1:].tolist(), end]
+    return [(float(time), stop) for time, stop, value in zip(times, ends, values, strict=True) if value > 0.5]

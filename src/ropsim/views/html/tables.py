@@ -59,7 +59,7 @@ def approach_table(joints: tuple[JointSummary, ...]) -> str:
     )
     rows = [
         (
-            text(joint.facts.name),
+            text(joint.name),
             *_approach_cells(joint, joint.nearest_lower, joint.facts.lower),
             *_approach_cells(joint, joint.nearest_upper, joint.facts.upper),
         )
@@ -100,8 +100,8 @@ def path_table(summary: Summary, sources: Mapping[str, SourceText]) -> str:
         "worst AV<br>[%]",
         "source",
     )
-    source = sources.get(summary.header.source)
-    rows = [_path_row(line, source) for line in summary.path.lines]
+    stations = {station.name: station for station in summary.facts.stations}
+    rows = [_path_row(line, sources.get(stations[line.station].source)) for line in summary.path.lines]
     return table(
         "Distance of the attained TCP from the commanded line, LIN moves by source line.", header, rows
     )
@@ -117,7 +117,7 @@ def origin_table(summary: Summary) -> str:
             else text(origin.kind),
             text(origin.source),
         )
-        for origin in summary.header.origins
+        for origin in summary.origins
     ]
     return table("Parameters of the arm and their sources.", ("parameters", "kind", "source"), rows, "words")
 
@@ -130,7 +130,7 @@ def _joint_row(joint: JointSummary) -> tuple[str, ...]:
         coordinate_scale(facts.type),
     )
     return (
-        text(facts.name),
+        text(joint.name),
         fixed(joint.effort.size, effort, 1),
         fixed(facts.max_effort, effort, 1),
         _marked(joint.effort_share, joint.effort_closeness),

@@ -1,16 +1,13 @@
-"""Channels of a pack: every channel of the recording at the rate of the screen."""
+"""Channels of a pack: every channel of the recording, sampled ones at the rate of the screen."""
 
 import numpy as np
 
 from ropsim.flow import Channel, Recording
 from ropsim.spatial import Array
-from ropsim.views.pack.columns import Body, Code, smooth
-from ropsim.views.pack.steps import is_held, steps
+from ropsim.views.pack.columns import Body, Code, smooth, steps
 
 QUATERNION_STEP = 2.0**-15
 
-_ARM = {"q", "qd", "tau", "q_ref", "qd_ref", "q_error"}
-_DRIVES = {"current", "voltage", "command", "motor_coordinate", "motor_speed"}
 _STEPS = (("rad/s", 1e-4), ("m/s", 1e-4), ("rad", 1e-6), ("m", 1e-6), ("N", 1e-3), ("A", 1e-3), ("V", 1e-3))
 """Coarsest rounding by unit; `rad | m` counts as its first one. All are far below what a plot shows."""
 
@@ -28,20 +25,12 @@ def packed_channels(recording: Recording, times: Array, body: Body) -> list[dict
             "name": name,
             "unit": channel.unit,
             "description": channel.description,
-            "group": group_of(name),
+            "group": channel.group.value,
+            "subject": channel.subject,
             "columns": _columns(name, channel, recording, times, body),
         }
         for name, channel in recording.channels.items()
     ]
-
-
-def group_of(name: str) -> str:
-    """Return the group under which lists show a channel."""
-    if name in _ARM | _DRIVES:
-        return "joints"
-    if name.startswith("signal."):
-        return "signals"
-    return "tcp" if name.startswith(("attained_", "command_", "path_")) else "program"
 
 
 def resampled(values: Array, recording: Recording, times: Array) -> Array:
@@ -59,15 +48,14 @@ def continuous(quaternions: Array) -> Array:
 def _columns(
     name: str, channel: Channel, recording: Recording, times: Array, body: Body
 ) -> list[dict[str, object]]:
+    if channel.times is not None:
+        return [{"name": "", **_extremes(channel.values), "code": steps(channel.times, channel.values)}]
     values = channel.values.reshape(len(recording.time), -1)
     names = channel.columns or (("",) if values.shape[1] == 1 else tuple(map(str, range(values.shape[1]))))
-    if is_held(name):
-        codes: list[Code] = [steps(column, recording) for column in values.T]
-    else:
-        if name.endswith("_orientation") and values.shape[1] == 4:
-            values = continuous(values)
-        values = resampled(values, recording, times)
-        codes = [smooth(column, _step(channel.unit), body) for column in values.T]
+    if name.endswith("_orientation") and values.shape[1] == 4:
+        values = continuous(values)
+    values = resampled(values, recording, times)
+    codes: list[Code] = [smooth(column, _step(channel.unit), body) for column in values.T]
     return [
         {"name": label, **_extremes(column), "code": code}
         for label, column, code in zip(names, values.T, codes, strict=True)

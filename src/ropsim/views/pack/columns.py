@@ -45,6 +45,19 @@ class Body:
         return b"".join(self.parts)
 
 
+def steps(times: Array, values: Array) -> Code:
+    """Return the code of a column that holds its value from each change until the next one.
+
+    Args:
+        times: of the changes [s], shape (m,), ascending.
+        values: from each one on, shape (m,), in the unit of the column; what is not finite becomes a gap.
+    """
+    held = [float(value) if np.isfinite(value) else None for value in values]
+    if len(held) == 1:
+        return {"kind": "constant", "value": held[0]}
+    return {"kind": "steps", "times": times.tolist(), "values": held}
+
+
 def smooth(values: Array, step: float, body: Body) -> Code:
     """Return the code of a column that is linear between its samples.
 

@@ -11,12 +11,13 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, Recording
+from ropsim.flow import Event, Recording, StationFacts
 from ropsim.model import Cell
 from ropsim.spatial import Array
 from ropsim.views.pack.bodies import packed_bodies
 from ropsim.views.pack.channels import packed_channels
 from ropsim.views.pack.columns import Body
+from ropsim.views.pack.events import packed_event
 from ropsim.views.result import result_figures
 from ropsim.views.scene.shapes import plain_pose
 from ropsim.views.summary import Summary
@@ -50,26 +51,27 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
     """
     body = Body()
     times = sample_times(recording.duration)
-    about = recording.header
+    facts = recording.facts
+    first = facts.stations[0] if facts.stations else StationFacts("")
     header: dict[str, object] = {
         "version": VERSION,
         "duration": recording.duration,
         "rate": RATE,
         "count": len(times),
-        "program": about.get("program", ""),
-        "source": about.get("source", ""),
-        "fidelity": about.get("fidelity", "dynamic"),
+        "program": first.program,
+        "source": first.source,
+        "fidelity": facts.fidelity.value,
         "project": cell.name,
         "base": plain_pose(cell.X_WB),
         "channels": packed_channels(recording, times, body),
         "bodies": packed_bodies(recording, cell, times, body),
-        "events": [_event(event) for event in recording.events],
+        "events": [packed_event(event) for event in recording.events],
         "findings": [
             *(plain_finding(one) for one in findings),
             *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
         ],
         "result": result_figures(summary),
-        "recording": dict(about),
+        "recording": asdict(facts),
     }
     return Pack(header, body.content())
 
@@ -90,18 +92,7 @@ def time_of(finding: Diagnostic, events: Iterable[Event]) -> float | None:
     place = (finding.span.source, finding.span.line)
     visit = finding.data.get("pass")
     there = (event for event in events if event.span and (event.span.source, event.span.line) == place)
-    return next((one.time for one in there if visit in {None, one.data.get("visit")}), None)
-
-
-def _event(event: Event) -> dict[str, object]:
-    return {
-        "time": event.time,
-        "duration": event.duration,
-        "kind": event.kind,
-        "text": event.text,
-        "span": asdict(event.span) if event.span else None,
-        "data": dict(event.data),
-    }
+    return next((one.time for one in there if visit in {None, one.visit}), None)
 
 
 def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, object]:

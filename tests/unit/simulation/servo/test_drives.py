@@ -151,7 +151,7 @@ def test_every_joint_has_the_channels_of_its_own_drive() -> None:
     start = servo.initial_state(np.zeros(3))
     recorder = servo.recorder(start)
     servo.run(start, standing(np.zeros(3), 4), NOTHING, recorder)
-    channels = joint_channels(robot, recorder.channels())
+    channels = joint_channels("robot", robot, recorder.channels())
     columns = {name: channel.columns for name, channel in channels.items()}
     assert columns == {
         **dict.fromkeys(("q", "qd", "tau", "q_ref", "qd_ref"), ("1", "2", "3")),

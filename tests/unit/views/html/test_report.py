@@ -5,9 +5,17 @@ from html.parser import HTMLParser
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Channel, Event, Recording
+from ropsim.flow import Channel, MessageEvent, MotionKind, Origin, Recording, SkipEvent, TaskEvent
 from ropsim.views import html_report, summarize
-from support.recordings import SOURCE, empty_recording, header, pick_and_place, two_findings
+from support.recordings import (
+    SOURCE,
+    empty_recording,
+    estimates,
+    facts,
+    pick_and_place,
+    station,
+    two_findings,
+)
 
 VOID = {"meta", "br"}
 HOSTILE = "<script>alert('x')</script>\"&\x00\x1b\ud800"
@@ -91,21 +99,21 @@ def test_hostile_names_are_escaped_everywhere() -> None:
     finding = Diagnostic(
         "M502", HOSTILE, Severity.ERROR, HOSTILE, SOURCE.span(9), HOSTILE, (), (HOSTILE,), HOSTILE
     )
-    robot = {**header()["robot"], "title": HOSTILE, "joint_names": [HOSTILE] * 6}  # type: ignore[dict-item]  # a mapping
+    axes = tuple(replace(axis, name=HOSTILE) for axis in station().axes)
+    arm = station(title=HOSTILE, axes=axes, program=HOSTILE, icr_id=HOSTILE, origins=estimates(HOSTILE))
     hostile = replace(
         recording,
-        header={**header(), "project": HOSTILE, "program": HOSTILE, "robot": robot, "icr_id": HOSTILE}
-        | {"estimated": [HOSTILE], "ropsim": HOSTILE},
+        facts=facts(project=HOSTILE, ropsim=HOSTILE, stations=(arm,)),
         findings=(finding,),
         events=(
             *recording.events,
-            Event(0.0, "task", HOSTILE, None, 1.0, {"name": HOSTILE}),
-            Event(0.0, "skip", HOSTILE, SOURCE.span(3)),
-            Event(0.0, "move", HOSTILE, None, 1.0, {"kind": HOSTILE}),
+            TaskEvent(0.0, 1.0, name=HOSTILE, serial=1, depth=1),
+            SkipEvent(0.0, origin=Origin(SOURCE.span(3)), motion=MotionKind.PTP),
+            MessageEvent(0.0, text=HOSTILE),
         ),
         channels={
             **recording.channels,
-            f"signal.{HOSTILE}": Channel(recording.channels["payload"].values, HOSTILE),
+            f"signal.{HOSTILE}": replace(recording.channels["signal.pressure"], unit=HOSTILE),
         },
     )
     text = page(hostile)

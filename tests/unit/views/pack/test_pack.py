@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Channel, Recording
+from ropsim.flow import Channel, GripEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions
@@ -86,10 +86,12 @@ def test_the_last_link_is_where_forward_kinematics_has_it(shown: Shown) -> None:
 
 
 def test_no_part_jumps_when_it_is_taken_or_left(shown: Shown) -> None:
-    acts = [one for one in shown.recording.events if one.kind in {"grip", "release"} and one.data["part"]]
+    recording = shown.recording
+    grips, releases = recording.events_of(GripEvent), recording.events_of(ReleaseEvent)
+    acts = [(one.part, one.end) for one in grips if one.part]
+    acts += [(one.part, one.end) for one in releases if one.part]
     assert acts
-    for event in acts:
-        name, time = str(event.data["part"]), event.time + event.duration
+    for name, time in acts:
         before, at = shown.pack.pose(name, time - 1e-6), shown.pack.pose(name, time)
         assert np.linalg.norm(before.position - at.position) < JUMP
 
@@ -124,7 +126,7 @@ def test_changes_of_held_channels_have_the_exact_times_of_the_events(shown: Show
     gripper = next(entry for entry in shown.pack.header["channels"] if entry["name"] == "gripper")
     code = gripper["columns"][0]["code"]
     closed = [time for time, value in zip(code["times"], code["values"], strict=True) if value == 1.0]
-    assert closed == pytest.approx([one.time + one.duration for one in grips], abs=1e-9)
+    assert closed == pytest.approx([one.end for one in grips], abs=1e-9)
 
 
 def test_bodies_are_those_of_the_scene(shown: Shown) -> None:
@@ -179,11 +181,11 @@ def test_values_that_are_no_numbers_become_null() -> None:
     project = open_project(EXAMPLES / "first_cell")
     recording = project.simulate(None, RunOptions(Fidelity.KINEMATIC))
     strange = Channel(np.full(len(recording.time), np.inf), "", (), "made up")
-    about = {**recording.header, "factor": float("nan"), "names": ("a", "b")}
-    made = replace(recording, channels={**recording.channels, "strange": strange}, header=about)
+    about = replace(recording.facts, record_hz=float("nan"), checked=("a", "b"))
+    made = replace(recording, channels={**recording.channels, "strange": strange}, facts=about)
     shown = read_pack(pack_of(project, made))
-    assert shown.header["recording"]["factor"] is None
-    assert shown.header["recording"]["names"] == ["a", "b"]
+    assert shown.header["recording"]["record_hz"] is None
+    assert shown.header["recording"]["checked"] == ["a", "b"]
     assert np.all(np.isnan(shown.column("strange")))
     json.dumps(shown.header, allow_nan=False)
 

@@ -9,7 +9,6 @@ from ropsim.model import ROBOT, BodyKind, body_tree
 from ropsim.simulation import RunView, live_sample
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.studio.jobs import LiveFrame, LiveMessage
-from ropsim.views import group_of
 
 HEADER = struct.Struct("<2sBBIddHHI")
 """Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""
@@ -38,7 +37,7 @@ class Frames:
                 "column": column,
                 "unit": channel.unit,
                 "description": channel.description,
-                "group": group_of(name),
+                "group": channel.group.value,
             }
             for name, channel in self._layout.items()
             for column in channel.columns or ("",)

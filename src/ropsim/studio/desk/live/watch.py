@@ -4,7 +4,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ropsim.flow import Event
+from ropsim.flow import MessageEvent
 from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Line
@@ -65,7 +65,9 @@ class LivePace:
         """
         self._begin(run)
         self.news += [(run.time, message) for message in self._moved(run)]
-        self.news += [(one.time, printed(one)) for one in run.events[self.heard :] if one.kind == "message"]
+        self.news += [
+            (one.time, printed(one)) for one in run.events[self.heard :] if isinstance(one, MessageEvent)
+        ]
         self.heard = len(run.events)
         self.clock.extend(run.time)
         self._show_until(run, run.time - LEAD * self.clock.speed)
@@ -182,7 +184,7 @@ class LivePace:
         self.line.report(LiveMessage(news))
 
 
-def printed(message: Event) -> LiveMessage:
+def printed(message: MessageEvent) -> LiveMessage:
     """Return what the page is told of a message of the program."""
     span = message.span
     return LiveMessage(
@@ -191,6 +193,6 @@ def printed(message: Event) -> LiveMessage:
             "time": message.time,
             "text": message.text,
             "source": span.source if span is not None else "",
-            "line": span.line if span is not None else 0,
+            "line": message.line,
         }
     )

@@ -1,4 +1,4 @@
-"""Where numbers of a model come from."""
+"""Where the numbers of a model come from."""
 
 from dataclasses import dataclass
 

@@ -1,0 +1,208 @@
+"""What happened in a run, one record for each kind of event; texts for people are made by views."""
+
+from collections.abc import Mapping
+from dataclasses import KW_ONLY, dataclass
+from types import MappingProxyType
+from typing import ClassVar
+
+from ropsim.core import Span
+from ropsim.flow.instructions import MotionKind, Origin
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened from one time on.
+
+    Attributes:
+        kind: word for what it is, the same for all events of a class.
+        time: [s], a whole control tick.
+        duration: [s], 0 for an instant.
+        station: name of the station whose program made it; empty for what belongs to the cell.
+        origin: statement and pass of the instruction; None for what no instruction made.
+    """
+
+    kind: ClassVar[str] = ""
+
+    time: float
+    duration: float = 0.0
+    station: str = ""
+    origin: Origin | None = None
+
+    @property
+    def end(self) -> float:
+        """Return when it was over [s]."""
+        return self.time + self.duration
+
+    @property
+    def span(self) -> Span | None:
+        """Return the source line, None where none is known."""
+        return self.origin.span if self.origin else None
+
+    @property
+    def line(self) -> int:
+        """Return the number of the source line, 0 where none is known."""
+        return self.span.line if self.span else 0
+
+    @property
+    def visit(self) -> int:
+        """Return the loop pass, 0 for what no instruction made."""
+        return self.origin.visit if self.origin else 0
+
+
+@dataclass(frozen=True, slots=True)
+class MoveEvent(Event):
+    """A move was carried out; it lasts until the arm is in position.
+
+    Attributes:
+        motion: PTP or LIN.
+        ordinal: of the move in its station, from 0, as in the channel `move`.
+        travel: time to the end of the reference [s].
+        settle: time after that until the arm was in position [s].
+        zone: distance from the target at which the program lets the next move begin [m].
+        path_error_max: largest distance of the TCP from the commanded line [m]; None where the move has none.
+    """
+
+    kind: ClassVar[str] = "move"
+
+    _: KW_ONLY
+    motion: MotionKind
+    ordinal: int
+    travel: float = 0.0
+    settle: float = 0.0
+    zone: float = 0.0
+    path_error_max: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SkipEvent(Event):
+    """A move was refused, a finding says why, and left out."""
+
+    kind: ClassVar[str] = "skip"
+
+    _: KW_ONLY
+    motion: MotionKind
+
+
+@dataclass(frozen=True, slots=True)
+class WaitEvent(Event):
+    """The program stood still.
+
+    Attributes:
+        pause: how long it asked for [s]; the event is shorter where the run was cut short.
+    """
+
+    kind: ClassVar[str] = "wait"
+
+    _: KW_ONLY
+    pause: float
+
+
+@dataclass(frozen=True, slots=True)
+class OutputEvent(Event):
+    """The program set an output.
+
+    Attributes:
+        channel: name of the output.
+        value: as the program gave it.
+    """
+
+    kind: ClassVar[str] = "output"
+
+    _: KW_ONLY
+    channel: str
+    value: bool | int | float
+
+
+@dataclass(frozen=True, slots=True)
+class MessageEvent(Event):
+    """The program told its operator something.
+
+    Attributes:
+        text: as the program made it; any characters.
+    """
+
+    kind: ClassVar[str] = "message"
+
+    _: KW_ONLY
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class GripEvent(Event):
+    """A gripper closed.
+
+    Attributes:
+        part: name of what it took, empty for nothing.
+    """
+
+    kind: ClassVar[str] = "grip"
+
+    _: KW_ONLY
+    part: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ReleaseEvent(Event):
+    """A gripper opened.
+
+    Attributes:
+        part: name of what it let go, empty for nothing.
+    """
+
+    kind: ClassVar[str] = "release"
+
+    _: KW_ONLY
+    part: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class TaskEvent(Event):
+    """A task was active, from its first to its last instruction.
+
+    Attributes:
+        name: of the task.
+        serial: ordinal of the activation in the run of its station; 0 is `main`.
+        depth: of the call; 1 was called by `main`.
+    """
+
+    kind: ClassVar[str] = "task"
+
+    _: KW_ONLY
+    name: str
+    serial: int
+    depth: int
+
+
+@dataclass(frozen=True, slots=True)
+class InputEvent(Event):
+    """An input was changed from outside, by a key or a record of keys.
+
+    Attributes:
+        signal: name of the input.
+        value: from now on.
+    """
+
+    kind: ClassVar[str] = "input"
+
+    _: KW_ONLY
+    signal: str
+    value: float
+
+
+EVENTS: Mapping[str, type[Event]] = MappingProxyType(
+    {
+        one.kind: one
+        for one in (
+            MoveEvent,
+            SkipEvent,
+            WaitEvent,
+            OutputEvent,
+            MessageEvent,
+            GripEvent,
+            ReleaseEvent,
+            TaskEvent,
+            InputEvent,
+        )
+    }
+)
+"""All kinds of events by their words; readers and writers know no other ones."""

@@ -1,0 +1,144 @@
+"""What a recording says about its run: who ran what, on which arm, with which limits."""
+
+from dataclasses import dataclass
+from enum import Enum
+from math import inf, nan
+
+from ropsim.flow.inputs import InputChange
+from ropsim.flow.parameter_origin import ParameterOrigin
+
+
+class Fidelity(Enum):
+    """What follows the references."""
+
+    DYNAMIC = "dynamic"
+    KINEMATIC = "kinematic"
+
+
+class AxisType(Enum):
+    """How a driven axis moves."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+
+
+@dataclass(frozen=True, slots=True)
+class AxisFacts:
+    """Name, type and limits of one driven axis.
+
+    Attributes:
+        name: such as `1`.
+        type: revolute or prismatic.
+        lower: lower limit of the coordinate [rad | m]; -inf where unknown.
+        upper: upper limit [rad | m]; inf where unknown.
+        max_speed: [rad/s | m/s]; inf where unknown.
+        max_effort: torque or force at the joint [N·m | N]; inf where unknown.
+        max_current: of the amplifier [A]; inf where unknown.
+    """
+
+    name: str
+    type: AxisType = AxisType.REVOLUTE
+    lower: float = -inf
+    upper: float = inf
+    max_speed: float = inf
+    max_effort: float = inf
+    max_current: float = inf
+
+
+@dataclass(frozen=True, slots=True)
+class StationFacts:
+    """One robot with its controller and the program that it ran.
+
+    Attributes:
+        name: of the station; `robot` is that of the only one of a cell.
+        program: name of the program; empty where it followed references of no program.
+        source: name of the text whose lines the channel `line` counts.
+        icr_id: identity of the compiled program.
+        law: name of the joint controller; empty for a run without drives.
+        control_hz: rate of the joint controller [Hz]; NaN where unknown.
+        interpolation_ticks: control ticks per interpolation tick.
+        plant_steps: integration steps of drives and arm per control tick.
+        robot: short name of the robot.
+        title: its maker and model.
+        axes: of the robot, in the order of the columns of `q`.
+        origins: where the parameters of robot and controller come from.
+        skipped_moves: how many moves were refused and left out.
+    """
+
+    name: str
+    program: str = ""
+    source: str = ""
+    icr_id: str = ""
+    law: str = ""
+    control_hz: float = nan
+    interpolation_ticks: int = 1
+    plant_steps: int = 1
+    robot: str = ""
+    title: str = ""
+    axes: tuple[AxisFacts, ...] = ()
+    origins: tuple[ParameterOrigin, ...] = ()
+    skipped_moves: int = 0
+
+    @property
+    def estimated(self) -> tuple[str, ...]:
+        """Return which groups of parameters are estimates."""
+        return tuple(one.parameters for one in self.origins if one.kind == "estimated")
+
+
+@dataclass(frozen=True, slots=True)
+class Destinations:
+    """The parts that have a destination in the cell.
+
+    Attributes:
+        wanted: how many there are.
+        reached: how many of them are there when the run ends.
+    """
+
+    wanted: int = 0
+    reached: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class RunFacts:
+    """Who ran what, where and how.
+
+    Attributes:
+        ropsim: version that made the run.
+        project: name of the project.
+        fidelity: with drives and masses or without.
+        record_hz: recorded rows per second [Hz]; NaN where unknown.
+        checked: what the run looked at beside motion, limits and, with drives, torques, drives and servo,
+            such as `collisions`.
+        inputs: changes of inputs that the run was given beside those of the cell, in order of time.
+        parts_left: names of the parts that have left by a sink, in that order.
+        destinations: of parts; none are wanted in a run that was cut short.
+        stations: each with its program, in the order of the cell.
+    """
+
+    ropsim: str = ""
+    project: str = ""
+    fidelity: Fidelity = Fidelity.DYNAMIC
+    record_hz: float = nan
+    checked: tuple[str, ...] = ()
+    inputs: tuple[InputChange, ...] = ()
+    parts_left: tuple[str, ...] = ()
+    destinations: Destinations = Destinations()
+    stations: tuple[StationFacts, ...] = ()
+
+    @property
+    def is_kinematic(self) -> bool:
+        """Return whether the run was one without drives and masses."""
+        return self.fidelity is Fidelity.KINEMATIC
+
+    def station(self, name: str) -> StationFacts | None:
+        """Return a station by its name, None where there is none."""
+        return next((one for one in self.stations if one.name == name), None)
+
+    def channel(self, quantity: str, station: str) -> str:
+        """Return the name of the channel of a quantity: `q`, where there are several stations `left/q`."""
+        return channel_name(quantity, station, len(self.stations))
+
+
+def channel_name(quantity: str, station: str, stations: int) -> str:
+    """Return the name of the channel with a quantity of one of so many stations."""
+    return f"{station}/{quantity}" if stations > 1 else quantity

@@ -1,0 +1,51 @@
+"""What a recording says of one station: its robot, the limits of the axes, its controller."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.controller import CompiledLaw, PythonLaw
+from ropsim.flow import AxisFacts, AxisType, StationFacts
+from ropsim.model import ControllerModel, JointType, RobotModel
+
+_TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.PRISMATIC}
+
+
+def station_facts(name: str, robot: RobotModel, controller: ControllerModel) -> StationFacts:
+    """Return what is known of a station before it runs a program."""
+    rates = controller.rates
+    return StationFacts(
+        name,
+        control_hz=rates.control_hz,
+        interpolation_ticks=rates.interpolation_ticks,
+        plant_steps=rates.plant_steps,
+        robot=robot.name,
+        title=robot.title,
+        axes=_axes(robot),
+        origins=(*robot.origins, *controller.origins),
+    )
+
+
+def with_law(
+    station: StationFacts, controller: ControllerModel, law: CompiledLaw | PythonLaw | None
+) -> StationFacts:
+    """Return a station with the name of its joint controller; None is the law of the controller model."""
+    if law is None:
+        return replace(station, law=controller.kind.value)
+    return replace(station, law=law.name if isinstance(law, CompiledLaw) else type(law).__name__)
+
+
+def _axes(robot: RobotModel) -> tuple[AxisFacts, ...]:
+    currents = [getattr(drive.amplifier, "max_current", np.inf) for drive in robot.drives]
+    return tuple(
+        AxisFacts(
+            joint.name,
+            _TYPES[joint.measure],
+            float(joint.lower),
+            float(joint.upper),
+            float(joint.max_speed),
+            float(joint.max_effort),
+            float(current),
+        )
+        for joint, current in zip(robot.axis_joints, currents or [np.inf] * robot.n, strict=True)
+    )

@@ -1,0 +1,39 @@
+"""What happened, in the words that people read on timelines and lists."""
+
+from ropsim.flow import (
+    Event,
+    GripEvent,
+    InputEvent,
+    MessageEvent,
+    MoveEvent,
+    OutputEvent,
+    ReleaseEvent,
+    SkipEvent,
+    TaskEvent,
+    WaitEvent,
+)
+
+
+def event_text(event: Event) -> str:
+    """Return an event as a few words, such as `LIN pass 3`; a message is what the program made it."""
+    match event:
+        case MoveEvent(motion=motion):
+            return f"{motion.value} pass {event.visit}"
+        case SkipEvent(motion=motion):
+            return f"{motion.value} not possible"
+        case WaitEvent(pause=pause):
+            return f"wait {pause:g} s"
+        case OutputEvent(channel=channel, value=value):
+            return f"{channel} = {value}"
+        case MessageEvent(text=text):
+            return text
+        case GripEvent(part=part):
+            return f"close on {part or 'nothing'}"
+        case ReleaseEvent(part=part):
+            return f"release {part}" if part else "open"
+        case TaskEvent(name=name):
+            return name
+        case InputEvent(signal=signal, value=value):
+            return f"{signal} = {value:g}"
+        case _:
+            return event.kind
