@@ -6,7 +6,9 @@ from measuring import Measure
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
+from ropsim.kinematics import NO_BLOCKS
 from ropsim.model import Cell
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import initial_parts
 from ropsim.simulation.scenery import scenery_of
 from ropsim.simulation.standing import stood
@@ -47,7 +49,7 @@ def test_5000_parts_find_their_supports(benchmark: Any) -> None:
 
     def start() -> int:
         scenery, parts = scenery_of(cell), initial_parts(cell)
-        _, found = stood(parts, tuple(parts.seats), scenery, cell.supports)
+        _, found = stood(parts, tuple(parts.seats), scenery, cell.supports, Moment({}, NO_BLOCKS))
         return sum(one.on == "table" for one in found.values())
 
     on_table, time_ = measure(start)

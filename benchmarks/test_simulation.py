@@ -14,7 +14,7 @@ from measuring import Measure
 import ropsim
 from ropsim import codegen
 from ropsim.codegen import Engine, SourceFunction
-from ropsim.controller import Refusal, plan_move, standard_chain
+from ropsim.controller import Refusal, plan_move
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.dynamics.arm_functions import forward_code
 from ropsim.flow import JointReference
@@ -22,6 +22,7 @@ from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array
+from support.cells import chain_of
 
 CELL = Path(__file__).parents[1] / "examples" / "palletizing"
 ROBOT = ropsim.robots.load("puma560")
@@ -152,11 +153,11 @@ def test_kinematic_run_warm(benchmark: Any) -> None:
 def test_planning_of_the_whole_program(benchmark: Any) -> None:
     measure = Measure(benchmark)
     project = ropsim.open(CELL)
-    cell, program = project.runnable(project.program())
-    moves = ropsim.icr.run(program).moves
+    cell, codes = project.runnable(project.programs())
+    moves = ropsim.icr.run(codes["robot"]).moves
 
     def plan() -> int:
-        chain, q, ticks = standard_chain(cell), cell.start, 0
+        chain, q, ticks = chain_of(cell), cell.first.start, 0
         for move in moves:
             planned = plan_move(chain, move, q)
             assert not isinstance(planned, Refusal)

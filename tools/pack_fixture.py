@@ -45,7 +45,8 @@ def main() -> None:
 def _expected(recording: Recording, cell: Cell, time: float) -> dict[str, object]:
     rows = recording.channels["q"].values
     q = np.array([np.interp(time, recording.time, column) for column in rows.T])
-    last = cell.X_WB @ Pose.from_matrix(joint_frames(cell.robot, q)[cell.robot.n - 1])
+    at = cell.first
+    last = at.X_WB @ Pose.from_matrix(joint_frames(at.robot, q)[at.robot.n - 1])
     line = recording.rows("line")[np.searchsorted(recording.time, time)]
     return {"time": time, "q": q.tolist(), "last_link": list(last.as_tuple()), "line": float(line)}
 

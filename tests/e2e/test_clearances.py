@@ -60,11 +60,11 @@ def test_no_example_has_anything_to_find_fault_with(name: str) -> None:
 def test_the_arm_works_elbow_up_in_one_posture_far_from_limits_and_singularities(name: str) -> None:
     cell, recording = run_of(name)
     rows = recording.channels["q"].values[::25]
-    assert {posture(cell.robot, q) for q in rows} == {posture(cell.robot, cell.robot.home)}
-    assert "up" in posture(cell.robot, cell.robot.home).words
-    margin = np.minimum(rows - cell.robot.lower_limits, cell.robot.upper_limits - rows)
+    assert {posture(cell.first.robot, q) for q in rows} == {posture(cell.first.robot, cell.first.robot.home)}
+    assert "up" in posture(cell.first.robot, cell.first.robot.home).words
+    margin = np.minimum(rows - cell.first.robot.lower_limits, cell.first.robot.upper_limits - rows)
     assert np.degrees(margin.min()) >= 10.0
-    distances = [one for q in rows if (one := singular_distances(cell.robot, q))]
+    distances = [one for q in rows if (one := singular_distances(cell.first.robot, q))]
     assert len(distances) == len(rows)
     assert min(one.shoulder for one in distances) > 0.2
     assert np.degrees(min(min(one.elbow, one.wrist) for one in distances)) > 20.0

@@ -61,8 +61,8 @@ def stands_at(tab: StudioPage, project: Project, q: Array) -> None:
 
 def tcp(tab: StudioPage, project: Project) -> Pose:
     assert project.cell is not None
-    tool = project.cell.tools[project.cell.default_tool]
-    return shown(tab.poses("jogged")[f"tool:{project.cell.default_tool}"]) @ tool.X_MT
+    tool = project.cell.first.tools[project.cell.first.default_tool]
+    return shown(tab.poses("jogged")[f"tool:{project.cell.first.default_tool}"]) @ tool.X_MT
 
 
 def test_a_typed_angle_moves_the_arm_and_its_tool(
@@ -110,7 +110,7 @@ def test_a_joint_stops_at_its_limit_and_says_so(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
     assert first_project.cell is not None
-    limit = float(first_project.cell.robot.upper_limits[0])
+    limit = float(first_project.cell.first.robot.upper_limits[0])
     put(jog, "Joint 1", "200 deg")
     words = f"joint 1 stops at its upper limit {degrees(limit):g}°"
     jog.locator(".jog-row", has_text="Joint 1").get_by_text(words).wait_for()
@@ -197,7 +197,7 @@ def test_the_table_of_states_jogs_from_the_shown_time(
     slider.press("Home")
     assert first_project.cell is not None
     q = joints_at(first_run, time)
-    stands_at(tab, first_project, np.array([first_project.cell.robot.lower_limits[0], *q[1:]]))
+    stands_at(tab, first_project, np.array([first_project.cell.first.robot.lower_limits[0], *q[1:]]))
 
 
 def test_a_held_button_goes_on_until_it_is_let_go(tab: StudioPage, jog: "Locator") -> None:

@@ -64,7 +64,9 @@ def fixed_blocks(cell: Cell) -> list[Block]:
 
 def base_blocks(cell: Cell) -> list[Block]:
     """Return a box around every shape of the robot's base, in the world."""
-    return [block_around("base", cell.X_WB @ shape.pose, shape) for shape in cell.robot.base_shapes]
+    return [
+        block_around("base", cell.first.X_WB @ shape.pose, shape) for shape in cell.first.robot.base_shapes
+    ]
 
 
 def block_around(name: str, pose: Pose, shape: Shape) -> Block:

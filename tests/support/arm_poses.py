@@ -18,9 +18,11 @@ def joints_at(recording: Recording, time: float) -> Array:
 
 def body_poses(cell: Cell, q: Array) -> dict[str, Pose]:
     """Return the world poses of the links and of the default tool at joint coordinates q (n,) [rad | m]."""
-    *links, interface = (cell.X_WB @ Pose.from_matrix(frame) for frame in joint_frames(cell.robot, q))
+    *links, interface = (
+        cell.first.X_WB @ Pose.from_matrix(frame) for frame in joint_frames(cell.first.robot, q)
+    )
     named = {f"link{number}": pose for number, pose in enumerate(links, start=1)}
-    return {**named, f"tool:{cell.default_tool}": interface}
+    return {**named, f"tool:{cell.first.default_tool}": interface}
 
 
 def shown(numbers: Sequence[float]) -> Pose:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.flow import Placement, Recording
 from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, BodyKind, Cell, Part, body_tree, tool_body
+from ropsim.model import BodyKind, Cell, Part, body_tree, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.views.scene.tool import grip_width, tool_shapes
 from support.arm_capsules import PUMA_CAPSULES, Block, base_blocks, block_around, fixed_blocks
@@ -57,12 +57,12 @@ def nearest(cell: Cell, recording: Recording, keep: Clearances) -> list[tuple[Ne
     rows = np.append(rows[rows < len(recording.time) - 1], len(recording.time) - 1)
     time = recording.time[rows]
     tree = body_tree(cell)
-    arm = (*tree.names(BodyKind.LINK), tool_body(cell.default_tool))
-    poses = body_poses(tree, {ROBOT: recording.channels["q"].values[rows]}, arm)
+    arm = (*tree.names(BodyKind.LINK), tool_body(cell.first.default_tool))
+    poses = body_poses(tree, {"robot": recording.channels["q"].values[rows]}, arm)
     frames = np.stack([poses[name] for name in arm], axis=1)
     fixed, base = fixed_blocks(cell), base_blocks(cell)
     resting, carried = _parts(cell, recording, time, frames)
-    tcp = frames[:, -1] @ cell.tools[cell.default_tool].X_MT.matrix()
+    tcp = frames[:, -1] @ cell.first.tools[cell.first.default_tool].X_MT.matrix()
     found: list[tuple[Nearness, float]] = []
 
     def look(track: Track, block: Block, when: Mask, least: float) -> None:
@@ -112,7 +112,7 @@ def _links(frames: Array) -> Iterator[tuple[int, Track]]:
 
 def _gripper(cell: Cell, frames: Array) -> Iterator[Track]:
     always = np.ones(len(frames), dtype=bool)
-    for shape in tool_shapes(cell.tools[cell.default_tool], grip_width(cell)):
+    for shape in tool_shapes(cell.first.tools[cell.first.default_tool], grip_width(cell)):
         block = block_around("gripper", shape.pose, shape)
         yield Track("gripper", frames[:, -1] @ block.centre.matrix(), block.half, 0.0, always)
 
@@ -126,7 +126,7 @@ def _parts(
     for one in recording.placements:
         if one.body in parts:
             journeys[one.body].append(one)
-    hand = tool_body(cell.default_tool)
+    hand = tool_body(cell.first.default_tool)
     resting, carried = [], []
     for name, journey in journeys.items():
         places: list[Block] = []

@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller import MotionChain, PlannedMove, Refusal, plan_move, standard_chain
+from ropsim.controller import MotionChain, PlannedMove, Refusal, plan_move
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
-from ropsim.model import Cell, Tool
+from ropsim.model import Tool
 from ropsim.spatial import Array, Pose
+from support.cells import chain_of, one_station
 
 LINE = Span.on_line("cell.task", 14, 3, 14)
 PASS = 17
@@ -18,7 +19,7 @@ FINE = ModalState()
 
 PUMA = robots.load("puma560")
 START: Array = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 0.3])  # far from limits and singularities
-CELL = Cell(
+CELL = one_station(
     "test",
     PUMA,
     robots.default_controller("puma560"),
@@ -28,7 +29,7 @@ CELL = Cell(
     },
     frames={"pallet": Pose(np.array([0.4, -0.2, 0.1]), np.array([0.0, 1.0, 0.2, 0.0]))},
 )
-CHAIN = standard_chain(CELL)
+CHAIN = chain_of(CELL)
 
 Target = Pose | tuple[float, ...] | None
 

@@ -5,19 +5,20 @@ from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.destinations import Surroundings
+from ropsim.cellfile.devices import read_devices
 from ropsim.cellfile.fixed_objects import read_objects
 from ropsim.cellfile.objects import read_parts, read_sinks
 from ropsim.cellfile.poses import read_frames, read_locations
 from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
-from ropsim.cellfile.robot import read_base, read_robot
 from ropsim.cellfile.signals import read_signals
+from ropsim.cellfile.stations import read_stations
 from ropsim.cellfile.supports import note_parts_in_the_air, read_supports
 from ropsim.cellfile.tomltext.checks import Findings, TomlTable
 from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.cellfile.tools import read_tools
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import Cell, ClassicSettings, link_name, tool_body
+from ropsim.model import ROBOT, Cell, ClassicSettings, Device, Signal, Station, link_name, tool_body
 from ropsim.spatial import Pose
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
@@ -51,36 +52,32 @@ def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Di
 
 def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     units = _units(root.table("units"))
-    root.require("robot")
-    robot_table = root.table("robot")
-    X_WB = read_base(robot_table, units)
     tools = read_tools(root.named("tools"), units)
-    default_tool = robot_table.reference("tool", tools, "tool")
+    stations = read_stations(root, tools, units)
     frames = read_frames(root.named("frames"), units)
     locations = read_locations(root.named("locations"), frames, units)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
-    robot = read_robot(robot_table, root.table("controller"), X_WB, units)
-    bodies = {link_name(number): _OF_ROBOT for number in range(len(robot.model.joints) + 1)} if robot else {}
-    taken = bodies | {tool_body(tool): _OF_ROBOT for tool in tools}
+    devices = _read_devices(root, signals, stations, units)
+    taken = _bodies(stations, devices)
     objects = read_objects(root.tables("objects"), taken, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
     groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
     supports = read_supports(root.table("supports"), units)
     head = root.table("cell")
-    name, program = head.text("name", folder_name), head.text("program", "main")
+    name = head.text("name", folder_name)
+    if ROBOT in stations:
+        head.text("program", "main")
     head.finish()
     root.finish()
-    if robot is None:
+    known = {name: station for name, station in stations.items() if station is not None}
+    if len(known) < len(stations):
         return None
     cell = Cell(
         name=name,
-        robot=robot.model,
-        controller=robot.controller,
-        X_WB=X_WB,
-        tools=tools,
-        default_tool=default_tool,
+        stations=known,
+        devices=devices,
         frames=frames,
         locations=locations,
         parts=tuple(part for group in groups for part in group.parts),
@@ -89,12 +86,35 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         supports=supports,
         signals=signals,
         classic=classic,
-        start=robot.start,
-        program=program,
     )
     if not any(found.is_error for found in root.findings.items):
         note_parts_in_the_air(cell, groups)
     return cell
+
+
+def _read_devices(
+    root: TomlTable, signals: Mapping[str, Signal], stations: Mapping[str, object], units: Units
+) -> dict[str, Device]:
+    tables = root.named("devices")
+    for name in tables:
+        if name in stations:
+            message = f"`{name}` is the name of a station of this cell"
+            span = root.table("devices").key_span(name)
+            root.findings.add(kinds.DUPLICATE_CELL_NAME, span, message, "give the device another name")
+    return read_devices(tables, signals, units)
+
+
+def _bodies(stations: Mapping[str, Station | None], devices: Mapping[str, Device]) -> dict[str, str]:
+    """Return who has the names of the bodies of stations and devices."""
+    taken: dict[str, str] = {}
+    for name, station in stations.items():
+        count = len(station.robot.joints) if station else 0
+        taken |= {link_name(number, name): _OF_ROBOT for number in range(count + 1)}
+        taken |= {tool_body(tool, name): _OF_ROBOT for tool in (station.tools if station else ())}
+    for name, device in devices.items():
+        count = len(device.mechanism.joints)
+        taken |= {link_name(number, name): "a body of a device has it" for number in range(count + 1)}
+    return taken
 
 
 def _units(table: TomlTable) -> Units:

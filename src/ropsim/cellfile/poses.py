@@ -20,6 +20,14 @@ def read_pose(table: TomlTable, units: Units) -> Pose:
     return _pose(table, units, _orientation(table, units, quaternion.IDENTITY, ("rpy", "quaternion")))
 
 
+def read_base(table: TomlTable, units: Units) -> Pose:
+    """Return X_WB, the key `base` of a robot, a station or a device."""
+    base = table.table("base")
+    pose = read_pose(base, units)
+    base.finish()
+    return pose
+
+
 def read_locations(
     tables: Mapping[str, TomlTable], frames: Mapping[str, Pose], units: Units
 ) -> dict[str, Pose]:

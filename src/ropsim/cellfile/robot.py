@@ -7,7 +7,6 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.poses import read_pose
 from ropsim.cellfile.quantity import NUMBER, SHARE, TIME, Quantity, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import RopsimError
@@ -46,30 +45,25 @@ class RobotSection:
     start: Array
 
 
-def read_base(table: TomlTable, units: Units) -> Pose:
-    """Return X_WB, the key `base` of `[robot]`."""
-    base = table.table("base")
-    pose = read_pose(base, units)
-    base.finish()
-    return pose
-
-
-def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -> RobotSection | None:
-    """Return the robot of `[robot]` under the controller that `[controller]` changes.
+def read_robot(
+    table: TomlTable, key: str, settings: TomlTable, X_WB: Pose, units: Units
+) -> RobotSection | None:
+    """Return the robot of a section under the controller that its settings change.
 
     Keys that other readers ask for (`base`, `tool`) must have been asked for before; both sections are
     finished here. Returns None where the robot is missing or unknown.
 
     Args:
-        table: section `[robot]`.
-        settings: section `[controller]`.
+        table: section `[robot]` or `[stations.NAME]`.
+        key: of the model in it.
+        settings: section `[controller]` or `[stations.NAME.controller]`.
         X_WB: base frame in the world frame; a tilted base turns gravity in the base frame.
         units: units of the file.
     """
-    table.require("model")
+    table.require(key)
     override = table.number("speed_override", SHARE, 1.0)
     start_given = "start" in table
-    loaded = _load(table, settings)
+    loaded = _load(table, key, settings)
     if loaded is None:
         table.finish()
         return None
@@ -81,16 +75,16 @@ def read_robot(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) 
     return RobotSection(_with_base(model, X_WB), controller, start)
 
 
-def _load(table: TomlTable, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
+def _load(table: TomlTable, key: str, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
     """Return the arm with its standard controller at the rates of `settings`."""
-    name = table.text("model", "")
-    if not name and table.values.get("model") != "":  # it is absent or no text, which has been said
+    name = table.text(key, "")
+    if not name and table.values.get(key) != "":  # it is absent or no text, which has been said
         return None
     try:
         model = robots.load(name)
         return model, robots.default_controller(model, _rates(settings))
     except RopsimError as error:
-        table.findings.items.append(replace(error.diagnostic, span=table.value_span("model")))
+        table.findings.items.append(replace(error.diagnostic, span=table.value_span(key)))
         return None
 
 

@@ -2,7 +2,7 @@
 
 import argparse
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from ropsim import icr
@@ -12,7 +12,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.records import diagnostic_document, readable
 from ropsim.views import Message, messages, messages_text, result_figures
-from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, open_project
+from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, found_in, open_project
 
 
 def run(options: argparse.Namespace, output: Output) -> int:
@@ -20,12 +20,12 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project = open_project(options.path)
     sources = project.texts
     _check_places(options, project)
-    compiled = None if project.is_broken else project.program(options.program)
-    before = (*project.diagnostics, *(compiled.diagnostics if compiled else ()))
-    if compiled is None or any(one.is_error for one in before):
+    programs = {} if project.is_broken else project.programs(options.program)
+    before = (*project.diagnostics, *found_in(programs.values()))
+    if not programs or any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
-    recording = _simulate(project, compiled, options)
+    recording = _simulate(project, programs, options)
     report = project.report(recording, before)
     if options.report:
         report = report.drawn()
@@ -84,8 +84,10 @@ def _check_places(options: argparse.Namespace, project: Project) -> None:
         raise ProjectError(NOT_WRITABLE.at(None, message, hint=hint))
 
 
-def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Namespace) -> Recording:
-    cell, program = project.runnable(compiled)
+def _simulate(
+    project: Project, programs: Mapping[str, CompiledProgram], options: argparse.Namespace
+) -> Recording:
+    cell, codes = project.runnable(programs)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
         from ropsim.records import read_inputs, with_inputs
@@ -94,13 +96,15 @@ def _simulate(project: Project, compiled: CompiledProgram, options: argparse.Nam
 
         inputs = read_inputs(options.inputs) if options.inputs else ()
         fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
-        plain = RunOptions(fidelity, progress=_counted(program, progress))
-        return simulate(cell, program, with_inputs(plain, inputs))
+        plain = RunOptions(fidelity, progress=_counted(codes.values(), progress))
+        return simulate(cell, codes, with_inputs(plain, inputs))
 
 
-def _counted(program: icr.Program, progress: Callable[[float, str], None]) -> Callable[[str], None]:
-    """Return a progress that knows how many moves there will be, from a run without a robot."""
-    total = max(1, len(icr.run(program).moves))
+def _counted(
+    programs: Iterable[icr.Program], progress: Callable[[float, str], None]
+) -> Callable[[str], None]:
+    """Return a progress that knows how many moves there will be, from runs without robots."""
+    total = max(1, sum(len(icr.run(program).moves) for program in programs))
     done = 0
 
     def step(text: str) -> None:

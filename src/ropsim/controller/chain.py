@@ -17,7 +17,7 @@ from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.model import Cell, Rates, in_base
+from ropsim.model import Cell, Rates, Station, in_base
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -73,20 +73,20 @@ TRAJECTORIES = (JointTrajectory, LineTrajectory)
 SETPOINTS = (JointSamples, PoseSetpoints)
 
 
-def standard_chain(cell: Cell) -> MotionChain:
-    """Return the built-in entities for the robot, tools, frames and controller of a cell.
+def standard_chain(cell: Cell, station: Station) -> MotionChain:
+    """Return the built-in entities for the robot, tools, frames and controller of a station.
 
     This is the one place where the poses of the world become those of the controller, in the base frame.
     """
-    robot, tool = cell.robot, cell.default_tool
-    frames = in_base(cell.X_WB, cell.frames)
+    robot, tools, tool = station.robot, station.tools, station.default_tool
+    frames = in_base(station.X_WB, cell.frames)
     return MotionChain(
-        StandardPathPlanner(robot, cell.controller, cell.tools, frames, tool, robot.home),
+        StandardPathPlanner(robot, station.controller, tools, frames, tool, robot.home),
         StandardInterpolator(),
-        StandardInverseTransform(robot, cell.tools, tool),
+        StandardInverseTransform(robot, tools, tool),
         SplineJointInterpolator(),
-        cell.controller.rates,
-        WorkFrames(cell.tools, frames, tool),
+        station.controller.rates,
+        WorkFrames(tools, frames, tool),
     )
 
 

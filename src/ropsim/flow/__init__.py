@@ -13,6 +13,7 @@ from ropsim.flow.events import ReleaseEvent as ReleaseEvent
 from ropsim.flow.events import SkipEvent as SkipEvent
 from ropsim.flow.events import TaskEvent as TaskEvent
 from ropsim.flow.events import WaitEvent as WaitEvent
+from ropsim.flow.facts import ROBOT as ROBOT
 from ropsim.flow.facts import AxisFacts as AxisFacts
 from ropsim.flow.facts import AxisType as AxisType
 from ropsim.flow.facts import Destinations as Destinations
@@ -20,7 +21,9 @@ from ropsim.flow.facts import Fidelity as Fidelity
 from ropsim.flow.facts import RunFacts as RunFacts
 from ropsim.flow.facts import StationFacts as StationFacts
 from ropsim.flow.facts import channel_name as channel_name
+from ropsim.flow.facts import prefix_of as prefix_of
 from ropsim.flow.inputs import InputChange as InputChange
+from ropsim.flow.instructions import AwaitInstruction as AwaitInstruction
 from ropsim.flow.instructions import GripAction as GripAction
 from ropsim.flow.instructions import GripInstruction as GripInstruction
 from ropsim.flow.instructions import Instruction as Instruction

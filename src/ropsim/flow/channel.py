@@ -14,6 +14,7 @@ class ChannelGroup(Enum):
     TCP = "tcp"
     PROGRAM = "program"
     SIGNALS = "signals"
+    DEVICES = "devices"
 
 
 @record
@@ -27,7 +28,7 @@ class Channel:
         columns: names of the k columns; empty for a single column.
         description: what it is, in which frame.
         group: under what lists show it.
-        subject: name of the station that it is of; empty for what belongs to the cell.
+        subject: name of the station or device that it is of; empty for what belongs to the cell.
         times: when a held channel changed [s], shape (m,), ascending; None for a sampled one.
     """
 

@@ -7,6 +7,9 @@ from math import inf, nan
 from ropsim.flow.inputs import InputChange
 from ropsim.flow.parameter_origin import ParameterOrigin
 
+ROBOT = "robot"
+"""Name of the station of a cell that has one; its bodies and channels are called without it."""
+
 
 class Fidelity(Enum):
     """What follows the references."""
@@ -136,9 +139,14 @@ class RunFacts:
 
     def channel(self, quantity: str, station: str) -> str:
         """Return the name of the channel of a quantity: `q`, where there are several stations `left/q`."""
-        return channel_name(quantity, station, len(self.stations))
+        return channel_name(quantity, station)
 
 
-def channel_name(quantity: str, station: str, stations: int) -> str:
-    """Return the name of the channel with a quantity of one of so many stations."""
-    return f"{station}/{quantity}" if stations > 1 else quantity
+def channel_name(quantity: str, owner: str) -> str:
+    """Return the name of the channel with a quantity of a station or device: `q`, or `left/q`."""
+    return prefix_of(owner) + quantity
+
+
+def prefix_of(owner: str) -> str:
+    """Return what stands before the names of channels and bodies of a station or device."""
+    return "" if owner == ROBOT else f"{owner}/"

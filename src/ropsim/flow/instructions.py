@@ -103,6 +103,15 @@ class SyncInstruction:
     origin: Origin = field(default_factory=Origin)
 
 
+@dataclass(frozen=True, slots=True)
+class AwaitInstruction(SyncInstruction):
+    """Then stand still until a channel has a value, or until `timeout` [s] is over; None waits on."""
+
+    channel: str = ""
+    value: bool = True
+    timeout: float | None = None
+
+
 Instruction = (
     MoveInstruction
     | GripInstruction

@@ -32,7 +32,7 @@ Operation = Callable[[Registers, World, Site], Instruction | Finished | None]
 """Returns what the machine hands to its consumer, or None where the machine goes on."""
 
 
-def barrier(registers: Registers, site: Site) -> Instruction | None:
+def barrier(registers: Registers, site: Site) -> SyncInstruction | None:
     """Return a SyncInstruction the first time; the second time return None: the instruction may run."""
     if registers.is_synced:
         registers.is_synced = False

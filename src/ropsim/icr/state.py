@@ -55,7 +55,6 @@ class MachineState:
         modal: modal state in force.
         saved: modal states saved, the last one on top.
         commanded: pose commanded last, or None.
-        outputs: channel and value of the outputs set so far.
         visits: (procedure, instruction) and how often it was carried out.
         activations: procedures started so far, `main` not counted.
         steps: instructions carried out.
@@ -74,7 +73,6 @@ class MachineState:
     modal: ModalState
     saved: tuple[ModalState, ...]
     commanded: Commanded | None
-    outputs: tuple[tuple[str, bool | int | float], ...]
     visits: tuple[tuple[tuple[int, int], int], ...]
     activations: int
     steps: int
@@ -97,7 +95,6 @@ class Registers:
     modal: ModalState = field(default_factory=ModalState)
     saved: list[ModalState] = field(default_factory=list)
     commanded: Commanded | None = None
-    outputs: dict[str, bool | int | float] = field(default_factory=dict)
     visits: dict[tuple[int, int], int] = field(default_factory=dict)
     activations: int = 0
     steps: int = 0
@@ -124,7 +121,6 @@ class Registers:
             self.modal,
             tuple(self.saved),
             self.commanded,
-            tuple(sorted(self.outputs.items())),
             tuple(sorted(self.visits.items())),
             self.activations,
             self.steps,
@@ -139,6 +135,6 @@ class Registers:
         self.shared[:] = state.shared
         self.calls, self.call_serials = state.calls, state.call_serials
         self.modal, self.commanded = state.modal, state.commanded
-        self.outputs, self.visits = dict(state.outputs), dict(state.visits)
+        self.visits = dict(state.visits)
         self.activations, self.steps = state.activations, state.steps
         self.is_synced, self.finished = state.is_synced, state.finished

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
-from ropsim.flow import Instruction, WaitInstruction
+from ropsim.flow import Instruction, OutputInstruction, WaitInstruction
 
 
 class World(Protocol):
@@ -14,9 +14,10 @@ class World(Protocol):
         ...
 
     def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
-        """Let time pass until a channel has a value; return False where `timeout` [s] came first.
+        """Return whether a channel came to have a value; False where `timeout` [s] came first.
 
-        With timeout None, False means that the value will never come.
+        Whoever carries out the instructions has carried out the `AwaitInstruction` before. With timeout None,
+        False means that the value will never come.
         """
         ...
 
@@ -33,12 +34,12 @@ class StillWorld:
     """
 
     def __init__(self, inputs: Mapping[str, bool | int | float] | None = None) -> None:
-        self._inputs = dict(inputs or {})
+        self._channels = dict(inputs or {})
         self._time = 0.0
 
     def read(self, channel: str) -> bool | int | float:
-        """Return the value given for a channel."""
-        return self._inputs.get(channel, 0)
+        """Return the value given for a channel, or what the program has set it to."""
+        return self._channels.get(channel, 0)
 
     def wait(self, channel: str, value: bool, timeout: float | None) -> bool:  # noqa: FBT001 - a signal level
         """Return at once where the input has the value; else let the timeout pass."""
@@ -52,6 +53,8 @@ class StillWorld:
         return self._time
 
     def carry_out(self, instruction: Instruction) -> None:
-        """Let the duration of a wait pass; everything else takes no time here."""
-        if isinstance(instruction, WaitInstruction):
+        """Set an output, or let the duration of a wait pass; everything else takes no time here."""
+        if isinstance(instruction, OutputInstruction):
+            self._channels[instruction.channel] = instruction.value
+        elif isinstance(instruction, WaitInstruction):
             self._time += instruction.duration

@@ -1,23 +1,23 @@
 """What stands still around the parts of a cell, and which parts lie on nothing."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from ropsim.kinematics.blocks import Blocks, part_blocks, shape_blocks, stacked
 from ropsim.kinematics.body_poses import body_poses
 from ropsim.kinematics.supports import standings
-from ropsim.model import BodyKind, BodyTree, Cell, Mesh, Part, body_tree
-from ropsim.spatial import Pose, record
+from ropsim.model import WORLD, BodyKind, BodyTree, Cell, Mesh, Part, body_tree, carrier, start_of
+from ropsim.spatial import Array, Pose, record
 
 
 @record
 class Ground:
-    """The fixed objects of a cell.
+    """What stands still in a cell: fixed objects, and the bases of devices.
 
     Attributes:
         poses: X_WB by name.
         blocks: of their shapes.
-        known: whether it is known what carries the parts: there are objects, and none is drawn by a mesh.
+        known: whether it is known what carries the parts: something is there, nothing of it drawn by a mesh.
     """
 
     poses: Mapping[str, Pose]
@@ -25,18 +25,19 @@ class Ground:
     known: bool
 
 
-def ground_of(cell: Cell, tree: BodyTree) -> Ground:
+def ground_of(tree: BodyTree) -> Ground:
     """Return what stands still in a cell.
 
     Args:
-        cell: with its objects.
-        tree: its bodies.
+        tree: the bodies of the cell.
     """
-    matrices = body_poses(tree, {}, tree.names(BodyKind.OBJECT))
-    poses = {name: Pose.from_matrix(rows[0]) for name, rows in matrices.items()}
-    blocks = shape_blocks({thing.name: thing.shapes for thing in cell.objects}, poses)
-    solids = [shape.solid for thing in cell.objects for shape in thing.shapes]
-    return Ground(poses, blocks, bool(solids) and not any(isinstance(solid, Mesh) for solid in solids))
+    bodies = tree.by_name()
+    solid = tree.names(BodyKind.OBJECT, BodyKind.DEVICE)
+    still = [name for name in solid if carrier(bodies, {}, name) == WORLD]
+    poses = _poses(tree, {}, still)
+    blocks = shape_blocks({name: bodies[name].shapes for name in still}, poses)
+    solids = [shape.solid for name in solid for shape in bodies[name].shapes]
+    return Ground(poses, blocks, bool(solids) and not any(isinstance(one, Mesh) for one in solids))
 
 
 def parts_in_the_air(cell: Cell) -> tuple[Part, ...]:
@@ -44,10 +45,27 @@ def parts_in_the_air(cell: Cell) -> tuple[Part, ...]:
 
     None where it is not known what stands around.
     """
-    ground = ground_of(cell, body_tree(replace(cell, parts=())))
+    tree = body_tree(replace(cell, parts=()))
+    ground = ground_of(tree)
     there = [part for part in cell.parts if part.turn == 0]
     if not ground.known:
         return ()
     blocks = part_blocks((part, part.X_WO) for part in there)
-    stand = standings(blocks, stacked([ground.blocks, blocks]), cell.supports.gap)
+    bodies = tree.by_name()
+    moved = [name for name in tree.names(BodyKind.OBJECT, BodyKind.DEVICE) if name not in ground.poses]
+    surfaces = {name: bodies[name].shapes for name in moved}
+    devices = shape_blocks(surfaces, _poses(tree, start_of(cell), moved))
+    stand = standings(blocks, stacked([ground.blocks, devices, blocks]), cell.supports.gap)
     return tuple(part for part, one in zip(there, stand, strict=True) if one.on is None)
+
+
+def _poses(tree: BodyTree, q: Mapping[str, Array], names: Iterable[str]) -> dict[str, Pose]:
+    """Return X_WB of some bodies by name.
+
+    Args:
+        tree: the bodies.
+        q: joint coordinates [rad | m], shape (n,), by mechanism.
+        names: of which bodies.
+    """
+    matrices = body_poses(tree, {name: values[None] for name, values in q.items()}, names)
+    return {name: Pose.from_matrix(rows[0]) for name, rows in matrices.items()}

@@ -43,14 +43,14 @@ def word_at(document: Document, position: Position) -> tuple[str, int] | None:
 
 def of_cell(around: Surroundings) -> Iterator[Known]:
     """Yield what the cell gives names to."""
-    cell = around.cell
-    if cell is None:
+    cell, station = around.cell, around.station
+    if cell is None or station is None:
         return
-    for name, pose in in_base(cell.X_WB, cell.locations).items():
+    for name, pose in in_base(station.X_WB, cell.locations).items():
         yield Known(name, Role.LOCATION, pose_words(pose), "cell")
-    for name, pose in in_base(cell.X_WB, cell.frames).items():
+    for name, pose in in_base(station.X_WB, cell.frames).items():
         yield Known(name, Role.FRAME, pose_words(pose), "cell")
-    for name, tool in cell.tools.items():
+    for name, tool in station.tools.items():
         yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell")
     for name, signal in cell.signals.items():
         yield Known(name, Role.SIGNAL, signal_words(signal), "cell")

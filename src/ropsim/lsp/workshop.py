@@ -8,7 +8,7 @@ from ropsim import language
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.lsp.document import Document
-from ropsim.model import Cell
+from ropsim.model import Cell, Station
 from ropsim.userfiles import read_text_file
 from ropsim.workbench import CheckedText, check_text, environment_of
 
@@ -26,12 +26,14 @@ class Surroundings:
         folder: of the project, None outside of one.
         cell_text: text of the cell file, open or on the disk.
         cell: the cell, None outside of a project and where the file is wrong.
+        station: that runs the program, None without a cell.
         environment: names for the compiler.
     """
 
     folder: Path | None = None
     cell_text: SourceText | None = None
     cell: Cell | None = None
+    station: Station | None = None
     environment: language.Environment = language.NO_SIGNATURES
 
     @property
@@ -45,21 +47,22 @@ class Workshop:
 
     def __init__(self) -> None:
         self._lines = language.LineCache()
-        self._surroundings: dict[Path, Surroundings] = {}
+        self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
         """Return the project around a document; an open cell file counts instead of the one on the disk."""
         path = document.path
+        program = path.stem if path else ""
         opened = {one.path: one for one in documents.values()}
         for folder in () if path is None else tuple(path.parents)[:_MAX_DEPTH]:
             place = folder / CELL_FILE
             if place in opened:
-                return self._read(folder, SourceText(str(place), opened[place].text))
+                return self._read(folder, SourceText(str(place), opened[place].text), program)
             if _is_file(place):
                 text, _ = read_text_file(place, str(place))
-                return self._read(folder, text)
+                return self._read(folder, text, program)
         return Surroundings()
 
     def checked(self, document: Document, documents: Mapping[str, Document]) -> CheckedText:
@@ -73,11 +76,11 @@ class Workshop:
             _, findings = read_cell(source, _folder_name(document))
             checked = CheckedText(source, findings)
         elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
-            checked = check_text(source, language.NO_SIGNATURES, None, self._lines)
+            checked = check_text(source, language.NO_SIGNATURES, None, None, self._lines)
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
             checked = CheckedText(source, syntax, checked.tasks)
         else:
-            checked = check_text(source, around.environment, around.cell, self._lines)
+            checked = check_text(source, around.environment, around.cell, around.station, self._lines)
         self._checked[document.uri] = (document, around, checked)
         return checked
 
@@ -95,13 +98,14 @@ class Workshop:
         self._checked.pop(uri, None)
         self._outlines.pop(uri, None)
 
-    def _read(self, folder: Path, text: SourceText | None) -> Surroundings:
-        known = self._surroundings.get(folder)
+    def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
+        known = self._surroundings.get((folder, program))
         if known is not None and known.cell_text == text:
             return known
         cell = read_cell(text, folder.name)[0] if text is not None else None
-        made = Surroundings(folder, text, cell, environment_of(cell))
-        self._surroundings[folder] = made
+        station = cell.station_of(program) if cell else None
+        made = Surroundings(folder, text, cell, station, environment_of(cell, station))
+        self._surroundings[folder, program] = made
         return made
 
 

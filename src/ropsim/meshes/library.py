@@ -3,7 +3,6 @@
 import hashlib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from itertools import chain
 from pathlib import Path, PureWindowsPath
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -12,7 +11,7 @@ from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_OUTSIDE
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
 from ropsim.meshes.reading import read_mesh
-from ropsim.model import Cell, Mesh
+from ropsim.model import Cell, Mesh, body_tree
 
 if TYPE_CHECKING:
     from ropsim.views import MeshSource
@@ -130,14 +129,8 @@ class _Making:
 
 
 def _meshes(cell: Cell) -> Iterator[Mesh]:
-    robot = cell.robot
-    groups = chain(
-        [robot.base_shapes],
-        (link.shapes for link in robot.links),
-        (tool.shapes for tool in cell.tools.values()),
-        (thing.shapes for thing in cell.objects),
-    )
-    return (shape.solid for shapes in groups for shape in shapes if isinstance(shape.solid, Mesh))
+    shapes = (shape for body in body_tree(cell).bodies for shape in body.shapes)
+    return (shape.solid for shape in shapes if isinstance(shape.solid, Mesh))
 
 
 def _content(folder: Path, file: str) -> bytes:

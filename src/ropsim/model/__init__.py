@@ -1,6 +1,8 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
+from ropsim.flow import ROBOT as ROBOT
 from ropsim.flow import ParameterOrigin as ParameterOrigin
+from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.base_frame import in_base as in_base
@@ -10,19 +12,9 @@ from ropsim.model.body import BodyKind as BodyKind
 from ropsim.model.body import Mover as Mover
 from ropsim.model.body_tree import BodyTree as BodyTree
 from ropsim.model.body_tree import carrier as carrier
-from ropsim.model.cell import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
-from ropsim.model.cell import Destination as Destination
-from ropsim.model.cell import FixedObject as FixedObject
-from ropsim.model.cell import Gripper as Gripper
-from ropsim.model.cell import Part as Part
-from ropsim.model.cell import Signal as Signal
-from ropsim.model.cell import Sink as Sink
-from ropsim.model.cell import SupportLimits as SupportLimits
-from ropsim.model.cell import Tool as Tool
 from ropsim.model.cell_bodies import BASE as BASE
-from ropsim.model.cell_bodies import ROBOT as ROBOT
 from ropsim.model.cell_bodies import body_tree as body_tree
 from ropsim.model.cell_bodies import link_name as link_name
 from ropsim.model.cell_bodies import part_shape as part_shape
@@ -37,6 +29,12 @@ from ropsim.model.controller import Rates as Rates
 from ropsim.model.coordinates import Coordinates as Coordinates
 from ropsim.model.coordinates import coordinates as coordinates
 from ropsim.model.coupling import Coupling as Coupling
+from ropsim.model.device import Barrier as Barrier
+from ropsim.model.device import BeltDrive as BeltDrive
+from ropsim.model.device import Device as Device
+from ropsim.model.device import DeviceDrive as DeviceDrive
+from ropsim.model.device import IndexDrive as IndexDrive
+from ropsim.model.device import SwitchDrive as SwitchDrive
 from ropsim.model.dh import JointLimits as JointLimits
 from ropsim.model.dh import interface_from_dh as interface_from_dh
 from ropsim.model.dh import joints_from_dh as joints_from_dh
@@ -88,6 +86,9 @@ from ropsim.model.outlines import arc as arc
 from ropsim.model.outlines import around as around
 from ropsim.model.outlines import circle as circle
 from ropsim.model.outlines import polygon as polygon
+from ropsim.model.part import PART_COLOUR as PART_COLOUR
+from ropsim.model.part import Destination as Destination
+from ropsim.model.part import Part as Part
 from ropsim.model.payload import Payload as Payload
 from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
@@ -95,4 +96,11 @@ from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.placements import pose_matrices as pose_matrices
 from ropsim.model.robot import RobotModel as RobotModel
 from ropsim.model.rod import rod as rod
+from ropsim.model.signal import Signal as Signal
+from ropsim.model.station import Station as Station
+from ropsim.model.surroundings import FixedObject as FixedObject
+from ropsim.model.surroundings import Sink as Sink
+from ropsim.model.surroundings import SupportLimits as SupportLimits
 from ropsim.model.tolerance import SPEED_OVERSHOOT as SPEED_OVERSHOOT
+from ropsim.model.tool import Gripper as Gripper
+from ropsim.model.tool import Tool as Tool

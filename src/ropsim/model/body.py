@@ -15,6 +15,7 @@ class BodyKind(StrEnum):
     BASE = "base"
     LINK = "link"
     TOOL = "tool"
+    DEVICE = "device"
     OBJECT = "object"
     PART = "part"
 

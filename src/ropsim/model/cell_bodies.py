@@ -2,40 +2,48 @@
 
 from collections.abc import Iterator
 
+from ropsim.flow import ROBOT, prefix_of
 from ropsim.model.body import WORLD, Body, BodyKind, Mover
 from ropsim.model.body_tree import BodyTree
-from ropsim.model.cell import Cell, Part
+from ropsim.model.cell import Cell
+from ropsim.model.device import Device
 from ropsim.model.geometry import Box, Shape
+from ropsim.model.mechanism import Mechanism
+from ropsim.model.part import Part
+from ropsim.model.station import Station
 from ropsim.spatial import Array, Pose, frozen
-
-ROBOT = "robot"
-"""Name of the mechanism that is the robot of a cell."""
 
 BASE = "base"
 """Name of the body of a robot that stands still."""
 
 
 def body_tree(cell: Cell) -> BodyTree:
-    """Return all bodies of a cell: base, links, tools, fixed objects, parts.
+    """Return all bodies of a cell: base, links and tools of each station, devices, fixed objects, parts.
 
-    The links are called `link1` to `linkN`, the tools `tool:NAME`, objects and parts as in the cell.
+    The links are called `link1` to `linkN`, the tools `tool:NAME`, behind the name of their station where it
+    has one of its own (`left/link1`); objects and parts as in the cell.
     """
-    return BodyTree((*_robot(cell), *_tools(cell), *_objects(cell), *_parts(cell)), {ROBOT: cell.robot})
+    stations = [body for one in cell.stations.values() for body in (*_robot(one), *_tools(one))]
+    devices = [body for one in cell.devices.values() for body in _device(one)]
+    mechanisms: dict[str, Mechanism] = {name: one.robot for name, one in cell.stations.items()}
+    mechanisms |= {name: one.mechanism for name, one in cell.devices.items()}
+    return BodyTree((*stations, *devices, *_objects(cell), *_parts(cell)), mechanisms)
 
 
 def start_of(cell: Cell) -> dict[str, Array]:
     """Return the joint coordinates at time 0 [rad | m], shape (n,), by mechanism."""
-    return {ROBOT: cell.start if len(cell.start) else cell.robot.home}
+    start = {name: one.q_start for name, one in cell.stations.items()}
+    return start | {name: frozen([one.q_start]) for name, one in cell.devices.items()}
 
 
-def link_name(number: int) -> str:
-    """Return the name of link `number`, from 1; of link 0, the base."""
-    return f"link{number}" if number else BASE
+def link_name(number: int, station: str = ROBOT) -> str:
+    """Return the name of link `number` of a station, from 1; of link 0, the base."""
+    return prefix_of(station) + (f"link{number}" if number else BASE)
 
 
-def tool_body(name: str) -> str:
-    """Return the name of the body of a tool."""
-    return f"tool:{name}"
+def tool_body(name: str, station: str = ROBOT) -> str:
+    """Return the name of the body of a tool of a station."""
+    return f"{prefix_of(station)}tool:{name}"
 
 
 def part_shape(part: Part) -> Shape:
@@ -44,22 +52,31 @@ def part_shape(part: Part) -> Shape:
     return Shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0])), part.colour, material=part.material)
 
 
-def _robot(cell: Cell) -> Iterator[Body]:
-    robot = cell.robot
-    yield Body(BASE, BodyKind.BASE, WORLD, cell.X_WB, robot.base_shapes)
-    for k, joint in enumerate(robot.joints):
-        shapes = robot.links[k].shapes if k < len(robot.links) else ()
-        mover = Mover(ROBOT, k)
-        yield Body(
-            link_name(k + 1), BodyKind.LINK, link_name(joint.parent + 1), joint.placement, shapes, mover
-        )
+def _robot(station: Station) -> Iterator[Body]:
+    robot, name = station.robot, station.name
+    yield Body(link_name(0, name), BodyKind.BASE, WORLD, station.X_WB, robot.base_shapes)
+    yield from _links(robot, name, BodyKind.LINK)
 
 
-def _tools(cell: Cell) -> Iterator[Body]:
-    last, X_nM = link_name(cell.robot.tip + 1), cell.robot.X_nM
-    for name, tool in cell.tools.items():
-        mounted = name == cell.default_tool
-        yield Body(tool_body(name), BodyKind.TOOL, last, X_nM, tool.shapes, visible=mounted)
+def _device(device: Device) -> Iterator[Body]:
+    mechanism, name = device.mechanism, device.name
+    yield Body(link_name(0, name), BodyKind.DEVICE, WORLD, device.X_WB, mechanism.base_shapes)
+    yield from _links(mechanism, name, BodyKind.DEVICE)
+
+
+def _links(mechanism: Mechanism, name: str, kind: BodyKind) -> Iterator[Body]:
+    for k, joint in enumerate(mechanism.joints):
+        shapes = mechanism.links[k].shapes if k < len(mechanism.links) else ()
+        parent, mover = link_name(joint.parent + 1, name), Mover(name, k)
+        yield Body(link_name(k + 1, name), kind, parent, joint.placement, shapes, mover)
+
+
+def _tools(station: Station) -> Iterator[Body]:
+    last, X_nM = link_name(station.robot.tip + 1, station.name), station.robot.X_nM
+    for name, tool in station.tools.items():
+        mounted = name == station.default_tool
+        body = tool_body(name, station.name)
+        yield Body(body, BodyKind.TOOL, last, X_nM, tool.shapes, visible=mounted)
 
 
 def _objects(cell: Cell) -> Iterator[Body]:

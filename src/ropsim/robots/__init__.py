@@ -1,5 +1,8 @@
 """The built-in robots: names to models and to their controllers."""
 
+from ropsim.robots.devices import belt as belt
+from ropsim.robots.devices import slide as slide
+from ropsim.robots.devices import turntable as turntable
 from ropsim.robots.diagnostics import NoControllerError as NoControllerError
 from ropsim.robots.diagnostics import UnknownRobotError as UnknownRobotError
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES

@@ -1,14 +1,15 @@
 """Whether parts are at their destinations when a run ends."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.model import WORLD, Destination, Part
+from ropsim.model import Destination, Part
 from ropsim.simulation.diagnostics import NOT_AT_DESTINATION
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Placements
 from ropsim.spatial import Pose
 
@@ -26,29 +27,34 @@ class Arrivals:
     findings: tuple[Diagnostic, ...]
 
 
-def arrivals(state: Placements, parts: Mapping[str, Part], X_WM: Pose) -> Arrivals:
+def arrivals(
+    state: Placements, parts: Mapping[str, Part], tools: Collection[str], moment: Moment
+) -> Arrivals:
     """Return what became of the parts that have a destination.
 
     Args:
         state: where the parts are at the end.
         parts: of the cell, by name.
-        X_WM: attained pose of the mechanical interface at the end.
+        tools: names of the bodies of all tools.
+        moment: where everything is at the end.
     """
     wanted = [(name, part.destination) for name, part in parts.items() if part.destination]
-    found = [_finding(state, name, destination, X_WM) for name, destination in wanted]
+    found = [_finding(state, name, destination, tools, moment) for name, destination in wanted]
     return Arrivals(len(wanted), tuple(one for one in found if one is not None))
 
 
-def _finding(state: Placements, name: str, destination: Destination, X_WM: Pose) -> Diagnostic | None:
+def _finding(
+    state: Placements, name: str, destination: Destination, tools: Collection[str], moment: Moment
+) -> Diagnostic | None:
     """Return what keeps a part from being at its destination, None where it is there."""
     seat = state.seats.get(name)
     if seat is None:
         where = "has left the cell by a sink" if name in state.left else "still waits in its supply"
         return _told(name, f"part `{name}` {where}, it was to be at {_place(destination.X_WO)}", {})
-    pose = seat.pose if seat.rides == WORLD else X_WM @ seat.pose
+    pose, is_held = moment.pose(seat), seat.rides in tools
     distance = float(np.linalg.norm(pose.position - destination.X_WO.position))
     turn = _angle(pose, destination.X_WO)
-    held = ", still in the gripper," if seat.rides != WORLD else ""
+    held = ", still in the gripper," if is_held else ""
     data: dict[str, object] = {"distance_m": distance, "turn_rad": turn}
     wrong = []
     if distance > destination.distance:
@@ -56,7 +62,7 @@ def _finding(state: Placements, name: str, destination: Destination, X_WM: Pose)
     if destination.turn is not None and turn > destination.turn:
         allowed = f"{math.degrees(destination.turn):g}°"
         wrong.append(f"turned by {math.degrees(turn):.1f}°, allowed are {allowed}")
-    if not wrong and seat.rides == WORLD:
+    if not wrong and not is_held:
         return None
     why = " and ".join(wrong) or "not released"
     message = (

@@ -1,26 +1,22 @@
-"""The running state of one simulated program: everything that changes while it runs."""
+"""The running state of a cell: everything that changes while its stations work, against one clock."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.controller import MotionChain, ScriptedSensors
+from ropsim.controller import ScriptedSensors
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, InputChange, JointReference, Placement
-from ropsim.kinematics import forward
-from ropsim.model import ROBOT, Cell, Payload, Tool
-from ropsim.simulation.activation import Activations
+from ropsim.flow import Event, InputChange, Placement
+from ropsim.model import Cell, Tool
+from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
-from ropsim.simulation.move_span import MoveSpan
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import payload
 from ropsim.simulation.placements import Placements, changes
-from ropsim.simulation.plant import Plant
 from ropsim.simulation.scenery import Scenery
+from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import NobodyWatches, Watch
-from ropsim.spatial import Array, Pose
-
-_SLICE = 1_000
-"""Longest reference of an arm that stands still [control ticks]."""
+from ropsim.spatial import Pose
 
 
 @dataclass(slots=True)
@@ -29,120 +25,130 @@ class CellRun:
 
     Attributes:
         cell: static model.
-        chain: the slow side of the controller.
-        plant: joint controller, drives and arm, advanced by references.
+        stations: their running states by name.
+        devices: theirs.
         sensors: channels of the cell.
-        q_command: command coordinates reached so far, shape (n,).
         scenery: what stays as it is while parts are moved.
         parts: where the parts are.
-        tool: tool in force.
-        payload: tool and grasped part as one body; one object as long as it does not change.
-        last_tick: control tick at which standing still ends at the latest.
+        hz: ticks of the cell's clock per second; every control tick of every station is one of them.
+        progress: is told after every move what was done.
+        at_work: the programs that have not ended, by station.
         watch: looks on.
-        tick: control ticks done.
-        moves: moves done.
         events: what happened.
         findings: what was found.
         placements: where each body hung at the start, and every change since.
-        tracks: piecewise constant channels by name.
-        activations: times of the tasks.
-        waiting: whether the last instruction did nothing but wait for the ones before it.
-        cut_short: whether standing still was ended by `last_tick`; the run is over then.
+        tracks: signals by the name of their channel, over ticks of the cell's clock.
         stopped: whether the run was ended by who watches.
         inputs: changes of inputs that are not from the cell.
     """
 
     cell: Cell
-    chain: MotionChain
-    plant: Plant
+    stations: Mapping[str, StationRun]
+    devices: Mapping[str, DeviceRun]
     sensors: ScriptedSensors
-    q_command: Array
     scenery: Scenery
     parts: Placements
-    tool: Tool | None
-    payload: Payload
+    hz: int
     progress: Callable[[str], None]
-    last_tick: int
+    at_work: dict[str, Iterator[None]] = field(default_factory=dict)
     watch: Watch = field(default_factory=NobodyWatches)
-    tick: int = 0
-    moves: list[MoveSpan] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
-    activations: Activations = field(default_factory=Activations)
-    waiting: bool = False
-    cut_short: bool = False
     stopped: bool = False
     inputs: list[InputChange] = field(default_factory=list)
 
     @property
-    def is_over(self) -> bool:
-        """Return whether the longest simulated time has passed."""
-        return self.cut_short or self.tick >= self.last_tick
+    def tick(self) -> int:
+        """Return the tick of the cell's clock up to which all stations at work have come."""
+        dues = {name: station.due for name, station in self.stations.items()}
+        return min((dues[name] for name in self.at_work), default=max(dues.values()))
 
     @property
     def time(self) -> float:
-        """Return the simulated time [s]."""
-        return self.tick / self.cell.controller.rates.control_hz
+        """Return the simulated time up to which all stations have come [s]."""
+        return self.tick / self.hz
 
-    def take(self, tool: Tool | None, parts: Placements) -> None:
-        """Let `tool` be in force and the parts be where `parts` says; the payload follows."""
-        if tool is self.tool and parts is self.parts:
+    def next_device(self, until: int) -> DeviceRun | None:
+        """Return the device that acts next and not after a tick, None where none does."""
+        due = [one for one in self.devices.values() if NEVER < one.due <= until]
+        return min(due, key=lambda one: one.due, default=None)
+
+    def moment(self, due: int) -> Moment:
+        """Return where everything that can carry a part is at a tick of the cell's clock."""
+        carriers: dict[str, Pose] = {}
+        for station in self.stations.values():
+            if hands := station.hands:
+                carriers |= dict.fromkeys(hands, station.attained(due))
+        for device in self.devices.values():
+            carriers |= device.poses(due / self.hz)
+        return Moment(carriers, self.scenery.moving(carriers))
+
+    def take(self, at: StationRun, tool: Tool | None, parts: Placements) -> None:
+        """Let `tool` be in force at a station and the parts be where `parts` says; its payload follows."""
+        self.place(parts, at.due)
+        if tool is at.tool and parts is at.laden:
             return
-        self.placements += changes(self.time, self.parts, parts, self.scenery.ground.poses)
-        self.tool, self.parts = tool, parts
-        self.payload = payload(parts, self.scenery.parts, tool)
-        self.track("payload", self.payload.mass)
+        at.tool, at.laden = tool, parts
+        load = payload(parts.carried(at.hands), self.scenery.parts, tool)
+        at.payload = at.payload if load == at.payload else load
+        at.track("payload", load.mass)
 
-    def attained(self) -> Pose:
-        """Return the attained pose of the mechanical interface X_WM."""
-        return self.cell.X_WB @ forward(self.cell.robot, self.plant.q)
+    def place(self, parts: Placements, due: int) -> None:
+        """Let the parts be where `parts` says from a tick of the cell's clock on; devices look at them."""
+        if parts is self.parts:
+            return
+        self.placements += changes(due / self.hz, self.parts, parts, self.scenery.objects)
+        self.parts = parts
+        for device in self.devices.values():
+            device.wake(due)
 
-    def follow(self, reference: JointReference) -> None:
-        """Let the arm follow a reference to its end."""
-        if reference.ticks:
-            self.plant.follow(reference, self.payload)
-            self.tick += reference.ticks
+    def is_on(self, signal: str, time: float) -> bool:
+        """Return whether a signal is on at a time [s]; one that is not valid is off."""
+        sample = self.sensors.read(signal, time)
+        return sample.valid and bool(sample.value)
 
-    def stand(self, ticks: int) -> None:
-        """Hold the command position for a number of control ticks, at the longest until `last_tick`.
+    def set_output(self, at: StationRun, channel: str, value: float) -> None:
+        """Let a station set an output now."""
+        self.sensors.set_output(channel, value)
+        self._tell(channel, at.due, float(value))
 
-        However long that is, it takes the memory of `_SLICE` ticks only.
-        """
-        left = max(self.last_tick - self.tick, 0)
-        self.cut_short |= ticks > left
-        until = self.tick + min(ticks, left)
-        while self.tick < min(until, self.last_tick):
-            slice_ = min(until - self.tick, _SLICE)
-            self.plant.hold(self.q_command, slice_, self.payload)
-            self.tick += slice_
-            self.watch.advanced(self)
+    def set_input(self, signal: str, tick: int, value: float) -> None:
+        """Let a device set an input of the cell at a tick of the cell's clock."""
+        self.sensors.change(signal, tick / self.hz, value)
+        self._tell(signal, tick, value)
+
+    def _tell(self, signal: str, tick: int, value: float) -> None:
+        self.tracks.setdefault(f"signal.{signal}", Track([0], [0.0])).set(tick, value)
+        for device in self.devices.values():
+            if signal in device.device.listens:
+                device.wake(tick)
 
     def press(self, signal: str, tick: int, value: float) -> None:
-        """Let an input of the cell have a value from a tick on."""
-        hz = self.cell.controller.rates.control_hz
-        self.inputs.append(InputChange(tick / hz, signal, value))
-        changed = self.sensors.change(signal, tick / hz, value)
-        self.tracks[f"signal.{signal}"] = signal_track(changed, hz)
+        """Let an input of the cell have a value from a tick of the cell's clock on."""
+        self.inputs.append(InputChange(tick / self.hz, signal, value))
+        changed = self.sensors.change(signal, tick / self.hz, value)
+        self.tracks[f"signal.{signal}"] = signal_track(changed, self.hz)
+        for device in self.devices.values():
+            if signal in device.device.listens:
+                device.wake(tick)
+
+    def come_together(self) -> None:
+        """Let the arms whose programs ended earlier stand until the end of the last one."""
+        end = max(station.due for station in self.stations.values())
+        for station in self.stations.values():
+            station.rest(-((station.due - end) // station.cell_ticks))
 
     def stop(self) -> None:
         """End the run at the present tick."""
-        self.last_tick = min(self.last_tick, self.tick)
-        self.stopped = self.cut_short = True
+        for station in self.stations.values():
+            station.last_tick = min(station.last_tick, station.tick)
+            station.cut_short = True
+        self.stopped = True
 
-    def track(self, name: str, value: float) -> None:
-        """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
-        self.tracks.setdefault(name, Track([0], [0.0])).set(self.tick, value)
-
-    def when(self, since: int) -> tuple[float, float, str]:
-        """Return time [s], duration [s] and station of an event that began at tick `since` and ends now."""
-        hz = self.cell.controller.rates.control_hz
-        return since / hz, (self.tick - since) / hz, ROBOT
-
-    def note(self, event: Event) -> None:
-        """Enter an event that ends now."""
+    def note(self, at: StationRun, since: int, event: Event) -> None:
+        """Enter an event of a station that began at its tick `since` and ends now."""
         self.events.append(event)
         if event.origin:
-            since = round(event.time * self.cell.controller.rates.control_hz)
-            self.activations.add(event.origin, since, self.tick)
+            at.ran(event.origin, since)

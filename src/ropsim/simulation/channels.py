@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.dynamics import Column, structure_of
 from ropsim.flow import Channel, ChannelGroup
-from ropsim.model import Joint, JointType, RobotModel
+from ropsim.model import Device, Joint, JointType, RobotModel
 from ropsim.simulation.servo.log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array, frozen, quaternions_from_matrices
@@ -36,6 +36,14 @@ def joint_channels(station: str, robot: RobotModel, log: Mapping[str, Array]) ->
             unit = _unit(column, joints)
             channels[column.name] = Channel(values, unit, names, column.text, ChannelGroup.JOINTS, station)
     return channels
+
+
+def device_channel(device: Device, q: Array) -> Channel:
+    """Return the channel of the coordinate of a device at rows of the recording, shape (rows,)."""
+    joints = device.mechanism.axis_joints
+    unit, names = _unit(ARM_COLUMNS[0], joints), tuple(joint.name for joint in joints)
+    text = "coordinate of the device"
+    return Channel(q[:, np.newaxis], unit, names, text, ChannelGroup.DEVICES, device.name)
 
 
 def _unit(column: Column, joints: Sequence[Joint]) -> str:

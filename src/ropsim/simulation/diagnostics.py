@@ -207,3 +207,18 @@ Often a grip that took nothing (S721) or a skipped move comes before; mend that 
 in the program with the destination, which is that of the grasp point: the centre of the top of the part.
 """,
 )
+
+RUN_OFF = define(
+    "S741",
+    "run-off",
+    Severity.WARNING,
+    "a part has run off the end of a conveyor",
+    """
+The centre of the part came to the end of the belt, where nothing carries it on, and the part has left the
+cell. A real part would have fallen.
+
+Stop the belt before, by the signal that lets it `run`, or give the conveyor a `stop` with a light barrier.
+Where parts are meant to leave the cell there, put one of the `[[sinks]]` at the end of the belt; then nothing
+is said.
+""",
+)

@@ -1,50 +1,63 @@
 """Grips of a run: dwell, take or leave a part."""
 
+from collections.abc import Iterator
+
 from ropsim.core import Diagnostic
 from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
-from ropsim.model import Tool
+from ropsim.model import Gripper, Tool, tool_body
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
 from ropsim.simulation.parts import close_on, release
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.standing import release_findings, stood
+from ropsim.simulation.station_run import StationRun
 
 
-def grip(state: CellRun, instruction: GripInstruction) -> None:
+def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator[None]:
     """Open or close a gripper; a part within its capture is taken, a held one is left where it is."""
-    tool = state.cell.tools.get(instruction.tool) if instruction.tool else state.tool
-    since = state.tick
-    hz = state.cell.controller.rates.control_hz
+    tool = at.station.tools.get(instruction.tool) if instruction.tool else at.tool
+    since = at.tick
     if tool is None or tool.gripper is None:
-        state.findings.append(_cannot_grasp(instruction, tool))
+        run.findings.append(_cannot_grasp(instruction, tool))
         return
-    held = state.parts.held
+    yield from at.stand(round(_dwell(tool.gripper, instruction.action) * at.hz))
     if instruction.action is GripAction.CLOSE:
-        state.stand(round(tool.gripper.close_time * hz))
-        taken = close_on(state.parts, state.cell, tool, state.attained())
-        come = tuple(name for name in taken.seats if name not in state.parts.seats)
-        state.take(state.tool, stood(taken, come, state.scenery, state.cell.supports)[0] if come else taken)
-        part = state.parts.held
+        run.take(at, at.tool, _picked_up(run, at, tool))
+        part = run.parts.held(at.hands)
         if not part:
-            state.findings.append(_nothing_grasped(instruction, tool))
+            run.findings.append(_nothing_grasped(instruction, tool))
         event: type[GripEvent | ReleaseEvent] = GripEvent
     else:
-        state.stand(round(tool.gripper.open_time * hz))
-        part = held
-        state.take(state.tool, _put_down(state, part, instruction))
+        part = run.parts.held(at.hands)
+        run.take(at, at.tool, _put_down(run, at, part, instruction))
         event = ReleaseEvent
-    state.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
-    state.note(event(*state.when(since), instruction.origin, part=part))
+    at.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
+    run.note(at, since, event(*at.when(since), instruction.origin, part=part))
 
 
-def _put_down(state: CellRun, part: str, instruction: GripInstruction) -> Placements:
+def _dwell(gripper: Gripper, action: GripAction) -> float:
+    return gripper.close_time if action is GripAction.CLOSE else gripper.open_time
+
+
+def _picked_up(run: CellRun, at: StationRun, tool: Tool) -> Placements:
+    """Return the placements after the fingers have closed; what a supply brings lies on what is there."""
+    if run.parts.held(at.hands):
+        return run.parts
+    moment = run.moment(at.due)
+    taken = close_on(run.parts, run.cell, tool, tool_body(tool.name, at.station.name), moment)
+    come = tuple(name for name in taken.seats if name not in run.parts.seats)
+    return stood(taken, come, run.scenery, run.cell.supports, moment)[0] if come else taken
+
+
+def _put_down(run: CellRun, at: StationRun, part: str, instruction: GripInstruction) -> Placements:
     """Return the placements after the part in the gripper is left, and note where that was wrong."""
-    left = release(state.parts, state.cell, state.attained())
+    moment = run.moment(at.due)
+    left = release(run.parts, run.cell, at.hands, moment)
     if part not in left.seats:
         return left
-    limits = state.cell.supports
-    left, found = stood(left, (part,), state.scenery, limits)
-    state.findings += release_findings(left, part, found[part], state.scenery, limits, instruction.origin)
+    limits = run.cell.supports
+    left, found = stood(left, (part,), run.scenery, limits, moment)
+    run.findings += release_findings(left, part, found[part], run.scenery, limits, moment, instruction.origin)
     return left
 
 

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ropsim.flow import Channel
+from ropsim.flow import Channel, channel_name
 from ropsim.kinematics import forward_batch
-from ropsim.model import ROBOT
-from ropsim.simulation.channels import joint_channels, pose_channels, track_channel
+from ropsim.simulation.channels import device_channel, joint_channels, pose_channels, track_channel
+from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import RunView
 from ropsim.spatial import Pose
@@ -23,24 +23,43 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
         run: still going on.
         time: [s].
     """
-    tick = time * run.cell.controller.rates.control_hz
-    log = {name: values[np.newaxis] for name, values in run.plant.at(tick).items()}
-    log["q_error"] = log["q_ref"] - log["q"]
-    X_MT = tool_pose(run, tick).matrix()
-    channels = joint_channels(ROBOT, run.cell.robot, log)
-    channels |= pose_channels(ROBOT, "attained", forward_batch(run.cell.robot, log["q"]) @ X_MT)
-    channels |= pose_channels(ROBOT, "command", forward_batch(run.cell.robot, log["q_ref"]) @ X_MT)
+    channels: dict[str, Channel] = {}
+    for name, at in run.stations.items():
+        own = _station_sample(at, time * at.hz)
+        channels |= {channel_name(quantity, name): channel for quantity, channel in own.items()}
+    for name, device in run.devices.items():
+        q = device.course.rows(np.array([time]))
+        channels[channel_name("q", name)] = device_channel(device.device, q)
     for name in sorted(run.tracks):
-        held = Track([0], [run.tracks[name].value(tick)])
-        channels[name] = track_channel(ROBOT, name, held, 0, run.cell.controller.rates.control_hz)
+        channels[name] = _held("", name, run.tracks[name], time * run.hz)
     return channels
 
 
-def tool_pose(run: RunView, tick: float) -> Pose:
+def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
+    """Return the channels of a station at a tick, without its name before theirs."""
+    robot = at.station.robot
+    log = {name: values[np.newaxis] for name, values in at.plant.at(tick).items()}
+    log["q_error"] = log["q_ref"] - log["q"]
+    X_MT = tool_pose(at, tick).matrix()
+    name = at.station.name
+    return {
+        **joint_channels(name, robot, log),
+        **pose_channels(name, "attained", forward_batch(robot, log["q"]) @ X_MT),
+        **pose_channels(name, "command", forward_batch(robot, log["q_ref"]) @ X_MT),
+        **{one: _held(name, one, at.tracks[one], tick) for one in sorted(at.tracks)},
+    }
+
+
+def _held(station: str, name: str, track: Track, tick: float) -> Channel:
+    """Return the channel of a piecewise constant quantity with its value at a tick only."""
+    return track_channel(station, name, Track([0], [track.value(tick)]), 0, 1)
+
+
+def tool_pose(at: StationRun, tick: float) -> Pose:
     """Return X_MT of the latest move that has begun by a tick; before the first one that of the tool."""
-    for move in reversed(run.moves[-2:]):
+    for move in reversed(at.moves[-2:]):
         if move.start <= tick:
             return move.X_MT
-    if run.moves:
-        return run.moves[-1].X_MT
-    return run.tool.X_MT if run.tool else Pose()
+    if at.moves:
+        return at.moves[-1].X_MT
+    return at.tool.X_MT if at.tool else Pose()

@@ -1,12 +1,13 @@
 """Parts in the cell: what a gripper takes and leaves, and what that does to the payload."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
 
-from ropsim.model import WORLD, Cell, Part, Payload, Tool, box, combine, tool_body
+from ropsim.model import WORLD, Cell, Part, Payload, Tool, box, combine
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Placements, Seat
 from ropsim.spatial import Pose
 
@@ -18,40 +19,49 @@ def initial_parts(cell: Cell) -> Placements:
     return Placements(MappingProxyType(seats), queued)
 
 
-def close_on(state: Placements, cell: Cell, tool: Tool, X_WM: Pose) -> Placements:
+def close_on(state: Placements, cell: Cell, tool: Tool, hand: str, moment: Moment) -> Placements:
     """Return the placements after the fingers have closed: the nearest part within the capture is held.
 
-    It hangs on the tool now; what lies on it comes along.
+    It hangs on the tool now, also where another tool held it; what lies on it comes along.
 
     Args:
-        state: before.
+        state: before; the tool holds nothing.
         cell: the cell.
         tool: the tool that closes; it must have a gripper.
-        X_WM: attained pose of the mechanical interface.
+        hand: name of the body of the tool.
+        moment: where everything is now.
     """
     capture = tool.gripper.capture if tool.gripper else 0.0
+    X_WM = moment.carriers[hand]
     tcp = (X_WM @ tool.X_MT).position
-    resting = state.resting
-    distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in resting.items()}
+    poses = moment.poses(state)
+    distances = {name: float(np.linalg.norm(pose.position - tcp)) for name, pose in poses.items()}
     near = [name for name, distance in distances.items() if distance <= capture]
-    if state.held or not near:
+    if not near:
         return state
     name = min(near, key=lambda candidate: (distances[candidate], candidate))
-    hand, X_MW = tool_body(tool.name), X_WM.inverse()
+    X_MW = X_WM.inverse()
     lifted = {
-        one: replace(state.seats[one], rides=hand, pose=X_MW @ resting[one]) for one in state.family(name)
+        one: replace(state.seats[one], rides=hand, pose=X_MW @ poses[one]) for one in state.family(name)
     }
     lifted[name] = replace(lifted[name], parent=hand)
     supplied = _successors(state, cell, name)
     return replace(state.with_seats({**lifted, **supplied}), queued=state.queued - set(supplied))
 
 
-def release(state: Placements, cell: Cell, X_WM: Pose) -> Placements:
-    """Return the placements after the fingers have opened: the part stays where it is or leaves by a sink."""
-    name = state.held
+def release(state: Placements, cell: Cell, hands: Collection[str], moment: Moment) -> Placements:
+    """Return the placements after the fingers have opened: the part stays where it is or leaves by a sink.
+
+    Args:
+        state: before.
+        cell: the cell.
+        hands: names of the bodies of the tools of the station.
+        moment: where everything is now.
+    """
+    name = state.held(hands)
     if not name:
         return state
-    poses = {one: X_WM @ X_MO for one, X_MO in state.carried.items()}
+    poses = {one: moment.pose(state.seats[one]) for one in state.carried(hands)}
     for sink in cell.sinks:
         if float(np.linalg.norm(poses[name].position - np.array(sink.position))) <= sink.radius:
             return state.without(poses)
@@ -60,18 +70,18 @@ def release(state: Placements, cell: Cell, X_WM: Pose) -> Placements:
     return state.with_seats(left)
 
 
-def payload(state: Placements, parts: Mapping[str, Part], tool: Tool | None) -> Payload:
+def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool | None) -> Payload:
     """Return the one rigid body that tool and carried parts form at the mechanical interface.
 
     Args:
-        state: where the parts are.
+        carried: pose X_MO of each part that it carries, by name.
         parts: of the cell, by name.
         tool: that is mounted, None for none.
     """
     bodies: tuple[Payload, ...] = ()
     if tool is not None:
         bodies += (Payload(tool.mass, tool.com, tool.inertia),)
-    for name, X_MO in state.carried.items():
+    for name, X_MO in carried.items():
         part, R_MO = parts[name], X_MO.rotation()
         centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -part.size[2] / 2.0])
         bodies += (box(part.mass, part.size, centre, R_MO),)

@@ -1,6 +1,6 @@
 """Where the parts of a running cell are: on what each one hangs, and with what it moves."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
@@ -11,16 +11,16 @@ from ropsim.spatial import Pose
 
 @dataclass(frozen=True, slots=True)
 class Seat:
-    """Where one part is.
+    """Where one part or object is.
 
-    The pose is kept in the frame of the body that moves the part, so that no bit of it changes while the part
-    stays where it is, on whatever it hangs.
+    The pose is kept in the frame of the body that moves it, so that no bit of it changes while it stays where
+    it is, on whatever it hangs.
 
     Attributes:
         parent: name of the body that it hangs on, `WORLD` for none.
-        rides: name of the tool with which it moves, because the tool holds it or what it hangs on; `WORLD`
-            while it rests.
-        pose: X_WO while it rests, else X_MO in the frame of that tool, which is the mechanical interface.
+        rides: name of the body with which it moves: a tool that holds it or what it hangs on, or a body of a
+            device; `WORLD` while it rests.
+        pose: X_WO while it rests, else in the frame of that body; of a tool that is the mechanical interface.
     """
 
     parent: str
@@ -42,20 +42,13 @@ class Placements:
     queued: frozenset[str] = frozenset()
     left: Mapping[str, Pose] = field(default_factory=lambda: MappingProxyType({}))
 
-    @property
-    def held(self) -> str:
-        """Return the name of the part in the gripper, empty for none."""
-        return next((name for name, seat in self.seats.items() if seat.parent == seat.rides != WORLD), "")
+    def held(self, hands: Collection[str]) -> str:
+        """Return the name of the part that one of some tools holds, empty for none."""
+        return next((name for name, seat in self.seats.items() if seat.parent in hands), "")
 
-    @property
-    def resting(self) -> dict[str, Pose]:
-        """Return the pose X_WO of each part that lies in the cell, by name."""
-        return {name: seat.pose for name, seat in self.seats.items() if seat.rides == WORLD}
-
-    @property
-    def carried(self) -> dict[str, Pose]:
-        """Return the pose X_MO of the part in the gripper and of all that rides on it, by name."""
-        return {name: seat.pose for name, seat in self.seats.items() if seat.rides != WORLD}
+    def carried(self, hands: Collection[str]) -> dict[str, Pose]:
+        """Return the pose X_MO of the part that some tools hold and of all that rides on it, by name."""
+        return {name: seat.pose for name, seat in self.seats.items() if seat.rides in hands}
 
     def family(self, name: str) -> tuple[str, ...]:
         """Return the names of a part and of all parts that hang on it, directly or not; itself first."""
@@ -74,23 +67,23 @@ class Placements:
         return replace(self, seats=MappingProxyType(seats), left=MappingProxyType({**self.left, **gone}))
 
 
-def at_start(tree: BodyTree, placements: Placements, fixed: Mapping[str, Pose]) -> Iterator[Placement]:
+def at_start(tree: BodyTree, placements: Placements, objects: Mapping[str, Seat]) -> Iterator[Placement]:
     """Yield where every body of a cell is at time 0, in the order of its tree.
 
     Args:
         tree: the bodies.
         placements: of the parts.
-        fixed: poses X_WB of the bodies that never move, by name.
+        objects: on what each object hangs.
     """
     for body in tree.bodies:
         if body.name in placements.seats:
-            yield _told(0.0, body.name, placements, fixed)
+            yield _told(0.0, body.name, placements, objects)
         else:
             yield Placement(0.0, body.name, body.parent, body.X_PB, body.visible)
 
 
 def changes(
-    time: float, before: Placements, after: Placements, fixed: Mapping[str, Pose]
+    time: float, before: Placements, after: Placements, objects: Mapping[str, Seat]
 ) -> Iterator[Placement]:
     """Yield the placement of each part that hangs on something else now, has come or has left.
 
@@ -98,7 +91,7 @@ def changes(
         time: when that came to be [s].
         before: where the parts were.
         after: where they are.
-        fixed: poses X_WB of the bodies that never move, by name.
+        objects: on what each object hangs.
     """
     for name, X_WO in after.left.items():
         if name not in before.left:
@@ -106,12 +99,12 @@ def changes(
     for name, seat in after.seats.items():
         known = before.seats.get(name)
         if known is None or known.parent != seat.parent:
-            yield _told(time, name, after, fixed)
+            yield _told(time, name, after, objects)
 
 
-def _told(time: float, name: str, placements: Placements, fixed: Mapping[str, Pose]) -> Placement:
+def _told(time: float, name: str, placements: Placements, objects: Mapping[str, Seat]) -> Placement:
     seat = placements.seats[name]
     if seat.parent == seat.rides:
         return Placement(time, name, seat.parent, seat.pose)
-    under = placements.seats[seat.parent].pose if seat.parent in placements.seats else fixed[seat.parent]
-    return Placement(time, name, seat.parent, under.inverse() @ seat.pose)
+    under = placements.seats[seat.parent] if seat.parent in placements.seats else objects[seat.parent]
+    return Placement(time, name, seat.parent, under.pose.inverse() @ seat.pose)

@@ -1,11 +1,13 @@
 """From the running state to the recording: channels, events, findings, facts."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import (
+    Channel,
     Destinations,
     Event,
     Fidelity,
@@ -15,101 +17,133 @@ from ropsim.flow import (
     Recording,
     RunFacts,
     SkipEvent,
+    StationFacts,
+    channel_name,
 )
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.model import ROBOT, Cell
+from ropsim.model import RobotModel
 from ropsim.simulation.arrivals import Arrivals, arrivals
 from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.channels import joint_channels, path_error_channel, pose_channels, track_channel
+from ropsim.simulation.channels import (
+    device_channel,
+    joint_channels,
+    path_error_channel,
+    pose_channels,
+    track_channel,
+)
 from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.station_facts import station_facts, with_law
+from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array, Pose
 from ropsim.version import __version__
 
 
-def recording_of(state: CellRun, program: Program, options: RunOptions) -> Recording:
+def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOptions) -> Recording:
     """Return the recording of a run that has ended."""
-    hz = state.cell.controller.rates.control_hz
-    log = state.plant.log()
-    ticks = log.pop("tick")
-    time = ticks / hz
+    rows = _rows(run)
+    time = rows / run.hz
+    channels: dict[str, Channel] = {}
+    events: list[Event] = [*input_events(inputs_taken(run))]
+    judged: list[Diagnostic] = []
+    for name, at in run.stations.items():
+        own, source = _station_channels(at, rows), programs[name].source if name in programs else ""
+        channels |= {channel_name(quantity, name): channel for quantity, channel in own.items()}
+        mine = [event for event in run.events if event.station == name]
+        events += _with_errors(mine, at, rows, own["path_error"].values)
+        events += at.activations.events(name, at.hz)
+        judged += verdicts(at.station.robot, time, own, source)
+        judged += settling_findings(mine, run.time, source)
+    for name, device in run.devices.items():
+        channels[channel_name("q", name)] = device_channel(device.device, device.course.rows(time))
+    for name in sorted(run.tracks):
+        channels[name] = track_channel("", name, run.tracks[name], run.tick, run.hz)
+    events.sort(key=lambda event: event.time)
+    arrived = _arrivals(run)
+    findings: tuple[Diagnostic, ...] = (*run.findings, *arrived.findings, *judged)
+    facts = _facts(run, programs, options, arrived)
+    return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements))
+
+
+def _rows(run: CellRun) -> Array:
+    """Return the ticks of the cell's clock that have a row, those of the station that has the fewest."""
+    ticks = [at.plant.log()["tick"] * at.cell_ticks for at in run.stations.values()]
+    return min(ticks, key=len)
+
+
+def _station_channels(at: StationRun, rows: Array) -> dict[str, Channel]:
+    """Return the channels of a station at ticks of the cell's clock, without its name before theirs."""
+    log = at.plant.log()
+    own, ticks = log.pop("tick"), rows / at.cell_ticks
+    if not np.array_equal(own, ticks):  # it is recorded at other ticks: linear between two rows
+        log = {
+            name: np.column_stack([np.interp(ticks, own, one) for one in values.T])
+            for name, values in log.items()
+        }
     log["q_error"] = log["q_ref"] - log["q"]
-    channels = joint_channels(ROBOT, state.cell.robot, log)
-    tool_poses = _tool_poses(state, ticks)
-    attained = forward_batch(state.cell.robot, log["q"]) @ tool_poses
-    command = forward_batch(state.cell.robot, log["q_ref"]) @ tool_poses
-    channels |= pose_channels(ROBOT, "attained", attained) | pose_channels(ROBOT, "command", command)
-    error = path_errors(state.moves, state.cell, ticks, attained[:, :3, 3])
-    channels["path_error"] = path_error_channel(ROBOT, error)
-    for name in sorted(state.tracks):
-        channels[name] = track_channel(ROBOT, name, state.tracks[name], state.tick, hz)
-    events: list[Event] = sorted(
-        [
-            *_moves_with_errors(state, ticks, error),
-            *state.activations.events(ROBOT, hz),
-            *input_events(inputs_taken(state)),
-        ],
-        key=lambda event: event.time,
-    )
-    arrived = _arrivals(state)
-    findings: tuple[Diagnostic, ...] = (
-        *state.findings,
-        *arrived.findings,
-        *verdicts(state.cell, time, channels, program.source),
-        *settling_findings(events, state.time, program.source),
-    )
-    facts = _facts(state, program, options, arrived)
-    return Recording(time, channels, tuple(events), findings, state.time, facts, tuple(state.placements))
+    robot, tool_poses = at.station.robot, _tool_poses(at, ticks)
+    attained, command = (forward_batch(robot, log[name]) @ tool_poses for name in ("q", "q_ref"))
+    error = path_errors(at.moves, robot, ticks, attained[:, :3, 3])
+    name, last = at.station.name, at.tick
+    held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
+    return {
+        **joint_channels(name, robot, log),
+        **pose_channels(name, "attained", attained),
+        **pose_channels(name, "command", command),
+        "path_error": path_error_channel(name, error),
+        **held,
+    }
 
 
-def _facts(state: CellRun, program: Program, options: RunOptions, arrived: Arrivals) -> RunFacts:
+def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
     """Return what the recording says about its run."""
-    cell = state.cell
-    station = replace(
-        station_facts(ROBOT, cell.robot, cell.controller),
-        program=program.name,
-        source=program.source,
-        icr_id=program_id(program),
-        skipped_moves=sum(isinstance(event, SkipEvent) for event in state.events),
-    )
-    if options.fidelity is Fidelity.DYNAMIC:
-        station = with_law(station, cell.controller, options.law)
+    slowest = min(run.stations.values(), key=lambda at: at.hz / at.plant.record_ticks)
     return RunFacts(
         ropsim=__version__,
-        project=cell.name,
+        project=run.cell.name,
         fidelity=options.fidelity,
-        record_hz=cell.controller.rates.control_hz / state.plant.record_ticks,
+        record_hz=slowest.hz / slowest.plant.record_ticks,
         checked=(),  # collisions are not looked at
-        inputs=tuple(inputs_taken(state)),
-        parts_left=tuple(state.parts.left),
+        inputs=tuple(inputs_taken(run)),
+        parts_left=tuple(run.parts.left),
         destinations=Destinations(arrived.wanted, arrived.wanted - len(arrived.findings)),
-        stations=(station,),
+        stations=tuple(_station_facts(run, name, programs.get(name), options) for name in run.stations),
     )
 
 
-def _arrivals(state: CellRun) -> Arrivals:
+def _station_facts(run: CellRun, name: str, program: Program | None, options: RunOptions) -> StationFacts:
+    station = run.cell.stations[name]
+    skipped = sum(isinstance(event, SkipEvent) and event.station == name for event in run.events)
+    facts = replace(station_facts(name, station.robot, station.controller), skipped_moves=skipped)
+    if program is not None:
+        facts = replace(facts, program=program.name, source=program.source, icr_id=program_id(program))
+    if options.fidelity is Fidelity.DYNAMIC:
+        facts = with_law(facts, station.controller, options.laws.get(name))
+    return facts
+
+
+def _arrivals(run: CellRun) -> Arrivals:
     """Return what became of the parts with a destination; a run that did not come to its end says nothing."""
-    if state.cut_short:
+    if any(at.cut_short for at in run.stations.values()):
         return Arrivals(0, ())
-    return arrivals(state.parts, state.scenery.parts, state.attained())
+    return arrivals(run.parts, run.scenery.parts, run.scenery.tools, run.moment(run.tick))
 
 
-def inputs_taken(state: CellRun) -> list[InputChange]:
+def inputs_taken(run: CellRun) -> list[InputChange]:
     """Return the changes of inputs that fell into the run, in order of time."""
-    return sorted(one for one in state.inputs if one.time <= state.time)
+    return sorted(one for one in run.inputs if one.time <= run.time)
 
 
-def path_errors(moves: list[MoveSpan], cell: Cell, ticks: Array, attained: Array) -> Array:
+def path_errors(moves: list[MoveSpan], robot: RobotModel, ticks: Array, attained: Array) -> Array:
     """Return the distance of the attained TCP from the line of each LIN move, NaN elsewhere.
 
     Args:
         moves: as carried out.
-        cell: the cell.
+        robot: the arm.
         ticks: recorded ticks, shape (k,).
         attained: attained TCP positions in the base frame [m], shape (k, 3).
 
@@ -120,7 +154,7 @@ def path_errors(moves: list[MoveSpan], cell: Cell, ticks: Array, attained: Array
     lines = [move for move in moves if move.move.kind is MotionKind.LIN and move.end > move.start]
     if not lines:
         return errors
-    ends = forward_batch(cell.robot, np.array([q for move in lines for q in (move.q_start, move.q_end)]))
+    ends = forward_batch(robot, np.array([q for move in lines for q in (move.q_start, move.q_end)]))
     for k, move in enumerate(lines):
         first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
         a, b = ((ends[2 * k + side] @ move.X_MT.matrix())[:3, 3] for side in (0, 1))
@@ -135,29 +169,30 @@ def distance_from_segment(points: Array, a: Array, b: Array) -> Array:
     return np.asarray(np.linalg.norm(points - a - share[:, None] * along, axis=1))
 
 
-def _tool_poses(state: CellRun, ticks: Array) -> Array:
+def _tool_poses(at: StationRun, ticks: Array) -> Array:
     """Return X_MT at each recorded tick, shape (k, 4, 4): that of the latest move, before it of the first."""
-    if not state.moves:
-        tool = state.cell.tools.get(state.cell.default_tool)
+    if not at.moves:
+        tool = at.station.tools.get(at.station.default_tool)
         return np.broadcast_to((tool.X_MT if tool else Pose()).matrix(), (len(ticks), 4, 4))
     poses: list[Pose] = []
-    for move in state.moves:
+    for move in at.moves:
         if move.X_MT not in poses:
             poses.append(move.X_MT)
-    which = np.array([poses.index(move.X_MT) for move in state.moves])
-    index = np.searchsorted(np.array([move.start for move in state.moves]), ticks, side="left") - 1
+    which = np.array([poses.index(move.X_MT) for move in at.moves])
+    index = np.searchsorted(np.array([move.start for move in at.moves]), ticks, side="left") - 1
     matrices: Array = np.stack([pose.matrix() for pose in poses])
     return np.asarray(matrices[which[np.maximum(index, 0)]])
 
 
-def _moves_with_errors(state: CellRun, ticks: Array, errors: Array) -> list[Event]:
+def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array) -> list[Event]:
     """Return the events; LIN moves get the largest path error on their way."""
+    ticks = rows / at.cell_ticks
 
     def with_error(event: Event) -> Event:
         if not isinstance(event, MoveEvent) or event.motion is not MotionKind.LIN:
             return event
-        move = state.moves[event.ordinal]
+        move = at.moves[event.ordinal]
         first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
         return replace(event, path_error_max=float(np.max(errors[first:last], initial=0.0)))
 
-    return [with_error(event) for event in state.events]
+    return [with_error(event) for event in events]

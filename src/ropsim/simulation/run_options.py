@@ -1,6 +1,6 @@
 """How true a run is, and how it is recorded."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
@@ -23,8 +23,9 @@ class RunOptions:
         record_hz: recorded rows per second; every row falls on a control tick, so it may be a few more.
         longest: simulated time after which a program is stopped [s].
         progress: is told after every move what was done.
-        chain: other entities between instruction and joint controller; None takes the standard ones.
-        law: another joint controller than that of the cell; None takes the cell's.
+        chains: other entities between instruction and joint controller, by station; the others take the
+            standard ones.
+        laws: other joint controllers than those of the cell, by station.
         sensors: delivers the channels that the program reads; None takes the signals of the cell.
         inputs: changes of inputs beside those of the cell, as an earlier run was given them.
         longest_wait: simulated time after which a wait for a signal ends the program [s].
@@ -36,8 +37,8 @@ class RunOptions:
     record_hz: int = 250
     longest: float = 3600.0
     progress: Callable[[str], None] = silent
-    chain: MotionChain | None = None
-    law: CompiledLaw | PythonLaw | None = None
+    chains: Mapping[str, MotionChain] = field(default_factory=dict)
+    laws: Mapping[str, CompiledLaw | PythonLaw] = field(default_factory=dict)
     sensors: SensorInterface | None = None
     inputs: tuple[InputChange, ...] = ()
     longest_wait: float = 600.0

@@ -1,6 +1,6 @@
 """On what parts stand that have come into the cell or have been released."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -10,34 +10,68 @@ from ropsim.flow import Origin
 from ropsim.kinematics import Blocks, Standing, height_above, part_blocks, stacked, standings
 from ropsim.model import WORLD, SupportLimits
 from ropsim.simulation.diagnostics import RELEASED_IN_THE_AIR, RELEASED_INSIDE
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.scenery import Scenery
+from ropsim.spatial import Pose
 
 MANY = 20
 """From so many parts on all others are looked at at once, instead of those in reach."""
 
 
 def stood(
-    state: Placements, names: Collection[str], scenery: Scenery, limits: SupportLimits
+    state: Placements, names: Collection[str], scenery: Scenery, limits: SupportLimits, moment: Moment
 ) -> tuple[Placements, dict[str, Standing]]:
-    """Return placements in which some resting parts hang on what carries them, and how each one stands.
+    """Return placements in which some parts hang on what carries them, and how each one stands.
 
     A part keeps its pose, however far it is above or in its support; what nothing carries hangs on the world.
+    It moves with what carries it.
 
     Args:
         state: where the parts are.
         names: of parts that rest.
         scenery: what stands still.
         limits: what counts as standing on something.
+        moment: where everything is now.
     """
-    blocks = part_blocks((scenery.parts[name], state.seats[name].pose) for name in names)
-    found = dict(zip(names, standings(blocks, _others(state, names, scenery), limits.gap), strict=True))
-    seats = {name: replace(state.seats[name], parent=one.on or WORLD) for name, one in found.items()}
-    return state.with_seats(seats), found
+    poses = moment.poses(state)
+    blocks = part_blocks((scenery.parts[name], poses[name]) for name in names)
+    others = _others(state, poses, names, scenery, moment)
+    found = dict(zip(names, standings(blocks, others, limits.gap), strict=True))
+    state = state.with_seats(
+        {name: replace(state.seats[name], parent=_parent(one, scenery)) for name, one in found.items()}
+    )
+    carriers = {name: _carrier(state, name, scenery, moment) for name in names}
+    moved = {
+        name: replace(state.seats[name], rides=carrier, pose=moment.on(carrier, poses[name]))
+        for name, carrier in carriers.items()
+        if carrier != state.seats[name].rides
+    }
+    return state.with_seats(moved), found
+
+
+def _parent(standing: Standing, scenery: Scenery) -> str:
+    """Return on what a part hangs that stands so."""
+    return scenery.belts.get(standing.on or WORLD, standing.on or WORLD)
+
+
+def _carrier(state: Placements, name: str, scenery: Scenery, moment: Moment) -> str:
+    """Return with what a part moves, by what it hangs on."""
+    while name in state.seats:
+        name = state.seats[name].parent
+    if name in moment.carriers:
+        return name
+    return scenery.objects[name].rides if name in scenery.objects else WORLD
 
 
 def release_findings(
-    state: Placements, name: str, standing: Standing, scenery: Scenery, limits: SupportLimits, origin: Origin
+    state: Placements,
+    name: str,
+    standing: Standing,
+    scenery: Scenery,
+    limits: SupportLimits,
+    moment: Moment,
+    origin: Origin,
 ) -> list[Diagnostic]:
     """Return what is wrong with the place where a part has been released; nothing where nobody can know.
 
@@ -47,6 +81,7 @@ def release_findings(
         standing: how it stands.
         scenery: what stands still.
         limits: what counts as standing on something, and as being in it.
+        moment: where everything is now.
         origin: of the instruction.
     """
     if not scenery.ground.known:
@@ -55,8 +90,9 @@ def release_findings(
     data: dict[str, object] = {"pass": origin.visit, "part": name}
     label = f"pass {origin.visit}"
     if standing.on is None:
-        block = part_blocks([(scenery.parts[name], state.seats[name].pose)])
-        height, below = height_above(block, 0, _others(state, [name], scenery))
+        poses = moment.poses(state)
+        block = part_blocks([(scenery.parts[name], poses[name])])
+        height, below = height_above(block, 0, _others(state, poses, [name], scenery, moment))
         what = f"`{below}`" if below else "the floor"
         where = f"{abs(height) * 1e3:.1f} mm {'above' if height >= 0.0 else 'below'} {what}"
         found.append(
@@ -82,18 +118,21 @@ def release_findings(
     return found
 
 
-def _others(state: Placements, names: Collection[str], scenery: Scenery) -> Blocks:
-    """Return what can carry one of some parts: fixed objects, and resting parts within reach in plan."""
-    resting = {other: seat for other, seat in state.seats.items() if seat.rides == WORLD}
+def _others(
+    state: Placements, poses: Mapping[str, Pose], names: Collection[str], scenery: Scenery, moment: Moment
+) -> Blocks:
+    """Return what can carry one of some parts: objects, devices, and near parts that no tool holds."""
+    held = scenery.tools
+    resting = {other: poses[other] for other, seat in state.seats.items() if seat.rides not in held}
     if len(names) < MANY:
         family = {one for name in names for one in state.family(name)}
-        centres = np.array([resting[name].pose.position[:2] for name in names]).reshape(-1, 2)
+        centres = np.array([poses[name].position[:2] for name in names]).reshape(-1, 2)
         reach = max((float(np.linalg.norm(scenery.parts[name].size)) for name in names), default=0.0)
         resting = {
-            other: seat
-            for other, seat in resting.items()
+            other: pose
+            for other, pose in resting.items()
             if other not in family
-            and (np.hypot(*(centres - seat.pose.position[:2]).T) <= reach + scenery.largest).any()
+            and (np.hypot(*(centres - pose.position[:2]).T) <= reach + scenery.largest).any()
         }
-    parts = part_blocks((scenery.parts[other], seat.pose) for other, seat in resting.items())
-    return stacked([scenery.ground.blocks, parts])
+    parts = part_blocks((scenery.parts[other], pose) for other, pose in resting.items())
+    return stacked([scenery.ground.blocks, moment.solids, parts])

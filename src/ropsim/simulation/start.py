@@ -1,59 +1,110 @@
 """The state of a run at time 0."""
 
+import math
+
 from ropsim.controller import ScriptedSensors, SensorInterface, standard_chain
 from ropsim.flow import Fidelity
-from ropsim.model import Cell, Payload
+from ropsim.model import Cell, Device, Payload, Station, link_name
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.devices.course import Course, Piece
+from ropsim.simulation.devices.device_run import DeviceRun
+from ropsim.simulation.devices.table import DRIVINGS
 from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import initial_parts, payload
-from ropsim.simulation.placements import at_start
+from ropsim.simulation.placements import Placements, at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import RunOptions
-from ropsim.simulation.scenery import scenery_of
+from ropsim.simulation.scenery import Scenery, scenery_of
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
-from ropsim.spatial import Array, frozen
+from ropsim.simulation.station_run import StationRun
+from ropsim.spatial import frozen
 
 
 def start_run(cell: Cell, options: RunOptions) -> CellRun:
-    """Return the running state of a cell whose arm stands at its start position."""
+    """Return the running state of a cell whose arms stand at their start positions."""
     inputs, findings = usable_inputs(cell, options.inputs)
     cell = with_inputs(cell, inputs)
-    q: Array = cell.start if len(cell.start) else cell.robot.home
+    hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))
     scenery, parts = scenery_of(cell), initial_parts(cell)
-    parts, _ = stood(parts, tuple(parts.seats), scenery, cell.supports)
-    tool = cell.tools.get(cell.default_tool)
-    load = payload(parts, scenery.parts, tool)
     sensors = ScriptedSensors(cell.signals)
-    state = CellRun(
+    stations = {
+        name: _station_run(cell, station, hz, scenery, parts, options, options.sensors or sensors)
+        for name, station in cell.stations.items()
+    }
+    devices = {name: _device_run(cell, device, hz) for name, device in cell.devices.items()}
+    carriers = {body: pose for one in devices.values() for body, pose in one.poses(0.0).items()}
+    parts, _ = stood(
+        parts, tuple(parts.seats), scenery, cell.supports, Moment(carriers, scenery.moving(carriers))
+    )
+    return CellRun(
         cell=cell,
-        chain=options.chain or standard_chain(cell),
-        plant=_plant(cell, q, load, options, options.sensors or sensors),
+        stations=stations,
+        devices=devices,
         sensors=sensors,
-        q_command=frozen(q),
         scenery=scenery,
         parts=parts,
-        tool=tool,
-        payload=load,
+        hz=hz,
         progress=options.progress,
-        last_tick=round(options.longest * cell.controller.rates.control_hz),
         watch=options.watch,
         findings=list(findings),
-        placements=list(at_start(scenery.tree, parts, scenery.ground.poses)),
+        placements=list(at_start(scenery.tree, parts, scenery.objects)),
+        tracks={f"signal.{name}": signal_track(signal, hz) for name, signal in cell.signals.items()},
         inputs=list(inputs),
     )
-    state.track("line", 0.0)
-    state.track("move", -1.0)
-    state.track("gripper", 0.0)
-    state.track("payload", load.mass)
-    for name, signal in cell.signals.items():
-        state.tracks[f"signal.{name}"] = signal_track(signal, cell.controller.rates.control_hz)
-    return state
 
 
-def _plant(cell: Cell, q: Array, load: Payload, options: RunOptions, sensors: SensorInterface) -> Plant:
+def _device_run(cell: Cell, device: Device, hz: int) -> DeviceRun:
+    bodies = tuple(link_name(k + 1, device.name) for k in range(len(device.mechanism.joints)))
+    changes = [
+        change for name in device.listens if name in cell.signals for change in cell.signals[name].changes
+    ]
+    scripted = tuple(sorted(math.ceil(time * hz) for time, _ in changes))
+    return DeviceRun(
+        device,
+        DRIVINGS[type(device.drive)](device.drive),
+        bodies,
+        scripted,
+        Course([Piece(0.0, device.q_start, 0.0, 0.0)]),
+    )
+
+
+def _station_run(
+    cell: Cell,
+    station: Station,
+    hz: int,
+    scenery: Scenery,
+    parts: Placements,
+    options: RunOptions,
+    sensors: SensorInterface,
+) -> StationRun:
+    tool = station.tools.get(station.default_tool)
+    load = payload({}, scenery.parts, tool)
+    control_hz = station.controller.rates.control_hz
+    at = StationRun(
+        station=station,
+        chain=options.chains.get(station.name) or standard_chain(cell, station),
+        plant=_plant(cell, station, load, options, sensors),
+        q_command=frozen(station.q_start),
+        tool=tool,
+        payload=load,
+        laden=parts,
+        last_tick=round(options.longest * control_hz),
+        cell_ticks=hz // control_hz,
+    )
+    at.track("line", 0.0)
+    at.track("move", -1.0)
+    at.track("gripper", 0.0)
+    at.track("payload", load.mass)
+    return at
+
+
+def _plant(
+    cell: Cell, station: Station, load: Payload, options: RunOptions, sensors: SensorInterface
+) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
-        record_ticks = options.record_ticks(cell.controller.rates.control_hz)
-        return KinematicPlant(q, record_ticks, options.most_rows)
-    return ServoPlant(cell, q, load, options, sensors)
+        record_ticks = options.record_ticks(station.controller.rates.control_hz)
+        return KinematicPlant(station.q_start, record_ticks, options.most_rows)
+    return ServoPlant(cell, station, load, options, sensors)

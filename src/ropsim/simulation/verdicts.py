@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.flow import Channel
-from ropsim.model import SPEED_OVERSHOOT, Cell, JointType, RobotModel
+from ropsim.model import SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     COMMAND_SATURATED,
     CURRENT_EXCEEDED,
@@ -55,25 +55,25 @@ class _Check:
     limits: Array
 
 
-def verdicts(cell: Cell, time: Array, channels: Mapping[str, Channel], source: str) -> tuple[Diagnostic, ...]:
+def verdicts(
+    robot: RobotModel, time: Array, channels: Mapping[str, Channel], source: str
+) -> tuple[Diagnostic, ...]:
     """Return one finding per joint and kind of limit that was broken, at the line of the worst moment.
 
     Args:
-        cell: with the limits.
+        robot: with the limits.
         time: [s], shape (k,).
         channels: as recorded.
         source: name of the text that the channel `line` counts in.
     """
     lines = channels["line"].rows(time)
     found = []
-    for check in _checks(cell.robot, time, channels):
+    for check in _checks(robot, time, channels):
         rows = np.argmax(np.abs(check.values), axis=0)
         for joint, row in enumerate(rows):
             value = float(abs(check.values[row, joint]))
             if value > check.limits[joint]:
-                found.append(
-                    _finding(cell.robot, check, joint, value, float(time[row]), int(lines[row]), source)
-                )
+                found.append(_finding(robot, check, joint, value, float(time[row]), int(lines[row]), source))
     return tuple(found)
 
 

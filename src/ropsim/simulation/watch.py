@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from ropsim.flow import Event, Placement
-from ropsim.model import Cell, Tool
-from ropsim.simulation.move_span import MoveSpan
-from ropsim.simulation.plant import Plant
+from ropsim.model import Cell
+from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.scenery import Scenery
+from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 
 
@@ -21,17 +21,27 @@ class RunView(Protocol):
 
     @property
     def tick(self) -> int:
-        """Return the control ticks done."""
+        """Return the tick of the cell's clock up to which all stations at work have come."""
         ...
 
     @property
     def time(self) -> float:
-        """Return the simulated time [s]."""
+        """Return the same as a time [s]."""
         ...
 
     @property
-    def plant(self) -> Plant:
-        """Return what follows the references; its log goes up to `tick`."""
+    def hz(self) -> int:
+        """Return the ticks of the cell's clock per second."""
+        ...
+
+    @property
+    def stations(self) -> Mapping[str, StationRun]:
+        """Return the running states of the stations by name; their logs go at least up to `tick`."""
+        ...
+
+    @property
+    def devices(self) -> Mapping[str, DeviceRun]:
+        """Return the running states of the devices by name."""
         ...
 
     @property
@@ -45,23 +55,13 @@ class RunView(Protocol):
         ...
 
     @property
-    def tool(self) -> Tool | None:
-        """Return the tool of the cell that is in force."""
-        ...
-
-    @property
-    def moves(self) -> Sequence[MoveSpan]:
-        """Return the moves done."""
-        ...
-
-    @property
     def events(self) -> Sequence[Event]:
         """Return what happened."""
         ...
 
     @property
     def tracks(self) -> Mapping[str, Track]:
-        """Return the piecewise constant channels by name."""
+        """Return the signals by the name of their channel, over ticks of the cell's clock."""
         ...
 
     def press(self, signal: str, tick: int, value: float) -> None:

@@ -5,6 +5,7 @@ from ropsim.workbench.checked_text import check_text as check_text
 from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import compile_program as compile_program
+from ropsim.workbench.compiled_project import found_in as found_in
 from ropsim.workbench.environment import environment_of as environment_of
 from ropsim.workbench.example_projects import STARTER as STARTER
 from ropsim.workbench.example_projects import example_names as example_names

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from ropsim import language
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import Cell
+from ropsim.model import Cell, Station
 from ropsim.workbench.compiled_project import compile_program, unbound
 
 
@@ -25,7 +25,11 @@ class CheckedText:
 
 
 def check_text(
-    text: SourceText, environment: language.Environment, cell: Cell | None, cache: language.LineCache
+    text: SourceText,
+    environment: language.Environment,
+    cell: Cell | None,
+    station: Station | None,
+    cache: language.LineCache,
 ) -> CheckedText:
     """Return the findings of a task text or an ICR text (by its ending), quickly.
 
@@ -35,10 +39,11 @@ def check_text(
         text: the program.
         environment: what the cell gives names to.
         cell: the cell, None for a text outside of a project.
+        station: that runs the program, None for the first one.
         cache: kept between versions of the text.
     """
     if text.name.endswith(".icr"):
-        return CheckedText(text, compile_program(text, environment, cell).diagnostics)
+        return CheckedText(text, compile_program(text, cell, station).diagnostics)
     compiled = language.compile(text.text, environment, text.name, cache)
-    missing = () if compiled.icr is None else unbound(compiled.icr, cell)
+    missing = () if compiled.icr is None else unbound(compiled.icr, cell, station)
     return CheckedText(text, (*compiled.diagnostics, *missing), compiled.tasks)

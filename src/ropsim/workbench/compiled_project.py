@@ -1,11 +1,12 @@
 """Programs after compilation, from task text or from ICR text."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ropsim import icr, language, program
 from ropsim.core import Diagnostic, SourceText, did_you_mean
-from ropsim.model import Cell
+from ropsim.model import Cell, Station
+from ropsim.workbench.environment import environment_of
 from ropsim.workbench.project_diagnostics import UNBOUND
 
 
@@ -34,28 +35,38 @@ class CompiledProject:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def compile_program(
-    text: SourceText, environment: language.Environment, cell: Cell | None
-) -> CompiledProgram:
-    """Return the compiled form of a task text or an ICR text (by its ending)."""
+def compile_program(text: SourceText, cell: Cell | None, station: Station | None = None) -> CompiledProgram:
+    """Return the compiled form of a task text or an ICR text (by its ending).
+
+    Args:
+        text: of the program.
+        cell: None for a program without one.
+        station: that runs it; None for the first one of the cell.
+    """
     if not text.name.endswith(".icr"):
-        compiled = language.compile(text.text, environment, name=text.name)
+        compiled = language.compile(text.text, environment_of(cell, station), name=text.name)
         findings = compiled.diagnostics
         if compiled.icr is not None and not any(one.is_error for one in findings):
-            findings = (*findings, *icr.verify(compiled.icr), *unbound(compiled.icr, cell))
+            findings = (*findings, *icr.verify(compiled.icr), *unbound(compiled.icr, cell, station))
         return CompiledProgram(text, compiled.program, compiled.icr, findings)
     code, findings = icr.read_text(text.text, text.name)
     if code is not None:
-        findings = (*findings, *icr.verify(code), *unbound(code, cell))
+        findings = (*findings, *icr.verify(code), *unbound(code, cell, station))
     return CompiledProgram(text, None, code, findings)
 
 
-def unbound(code: icr.Program, cell: Cell | None) -> tuple[Diagnostic, ...]:
-    """Return the channels and tools that a program names and the cell does not have (rule V11)."""
+def found_in(programs: Iterable[CompiledProgram]) -> tuple[Diagnostic, ...]:
+    """Return the findings of some programs, each once."""
+    return tuple(dict.fromkeys(found for program in programs for found in program.diagnostics))
+
+
+def unbound(code: icr.Program, cell: Cell | None, station: Station | None) -> tuple[Diagnostic, ...]:
+    """Return the channels and tools that a program names and its station does not have (rule V11)."""
     if cell is None:
         return ()
+    station = station or cell.first
     signals = [("signals", channel.name, tuple(cell.signals)) for channel in code.channels]
-    tools = [("tools", tool.name, tuple(cell.tools)) for tool in code.tools if tool.pose is None]
+    tools = [("tools", tool.name, tuple(station.tools)) for tool in code.tools if tool.pose is None]
     return tuple(
         UNBOUND.at(
             None,

@@ -1,22 +1,27 @@
 """What programs can name in a cell, for the compiler."""
 
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import Cell, in_base
+from ropsim.model import Cell, Station, in_base
 from ropsim.program import SignalUse, ValueType
 
 
-def environment_of(cell: Cell | None) -> Environment:
+def environment_of(cell: Cell | None, station: Station | None = None) -> Environment:
     """Return frames, tools, locations and signals of a cell as the compiler's environment.
 
     Programs give poses in the base frame B of their robot, so frames are X_BK and locations X_BT here.
+
+    Args:
+        cell: None for a program without one.
+        station: that runs the program; None for the first one of the cell.
     """
     if cell is None:
         return NO_SIGNATURES
+    at = station or cell.first
     return Environment(
-        frames={name: pose.as_tuple() for name, pose in in_base(cell.X_WB, cell.frames).items()},
-        tools={name: tool.X_MT.as_tuple() for name, tool in cell.tools.items()},
-        default_tool=cell.default_tool,
-        locations={name: pose.as_tuple() for name, pose in in_base(cell.X_WB, cell.locations).items()},
+        frames={name: pose.as_tuple() for name, pose in in_base(at.X_WB, cell.frames).items()},
+        tools={name: tool.X_MT.as_tuple() for name, tool in at.tools.items()},
+        default_tool=at.default_tool,
+        locations={name: pose.as_tuple() for name, pose in in_base(at.X_WB, cell.locations).items()},
         signals={
             name: SignalUse(name, signal.is_input, ValueType.REAL if signal.analog else ValueType.BOOL)
             for name, signal in cell.signals.items()

@@ -58,7 +58,10 @@ def _only(project: Project, program: Path) -> Project:
     wanted = {name: text for name, text in project.sources.items() if Path(text.name).name == program.name}
     cell = project.cell
     if cell is not None and wanted:
-        cell = replace(cell, program=next(iter(wanted)))
+        if len(cell.stations) > 1:  # the others go on with their own programs
+            return project
+        station = replace(cell.first, program=next(iter(wanted)))
+        cell = replace(cell, stations={station.name: station})
     return replace(project, cell=cell, sources=wanted)
 
 

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 from ropsim import icr
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
-from ropsim.model import Cell
+from ropsim.model import ROBOT, Cell, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program
-from ropsim.workbench.environment import environment_of
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 
 if TYPE_CHECKING:
@@ -74,25 +73,47 @@ class Project:
         """Return all programs compiled, with the findings of the whole project."""
         if self.is_broken:
             return CompiledProject({}, self.diagnostics)
-        environment = environment_of(self.cell)
         programs = {
-            name: compile_program(text, environment, self.cell) for name, text in self.sources.items()
+            name: compile_program(text, self.cell, self.cell.station_of(name) if self.cell else None)
+            for name, text in self.sources.items()
         }
         found = [diagnostic for program in programs.values() for diagnostic in program.diagnostics]
         return CompiledProject(programs, (*self.diagnostics, *found))
 
     def program(self, name: str | None = None) -> CompiledProgram:
-        """Return one compiled program; without a name the one of `cell.toml`, else `main` or the only one.
+        """Return one compiled program; without a name that of the first station, else `main` or the only one.
 
         Raises:
             ProjectError: the project is broken, or there is no such program.
         """
+        wanted = name or (self.cell.first.program if self.cell else DEFAULT_PROGRAM)
+        return self._compiled(wanted, self.cell.station_of(wanted) if self.cell else None, name)
+
+    def programs(self, name: str | None = None) -> dict[str, CompiledProgram]:
+        """Return what the stations of the cell run, compiled, by station.
+
+        Args:
+            name: a program that runs at its own station, or at the first one in place of its own.
+
+        Raises:
+            ProjectError: the project is broken, or there is no such program.
+        """
+        if self.cell is None:
+            return {ROBOT: self.program(name)}
+        chosen = self.cell.station_of(name) if name else None
+        found = {}
+        for station in self.cell.stations.values():
+            given = name if station is chosen else None
+            if given or station.program:
+                found[station.name] = self._compiled(given or station.program, station, given)
+        return found
+
+    def _compiled(self, wanted: str, station: Station | None, given: str | None) -> CompiledProgram:
         for diagnostic in self.diagnostics:
             if diagnostic.is_error:
                 raise ProjectError(diagnostic)
-        wanted = name or (self.cell.program if self.cell else DEFAULT_PROGRAM)
         if (
-            name is None
+            given is None
             and wanted == DEFAULT_PROGRAM
             and wanted not in self.sources
             and len(self.sources) == 1
@@ -103,17 +124,17 @@ class Project:
             known = ", ".join(f"`{one}`" for one in sorted(self.sources)) or "none"
             message = f"the project has no program `{wanted}`, it has {known}"
             raise ProjectError(NO_PROGRAM.at(None, message, hint=did_you_mean(wanted, self.sources)))
-        return compile_program(text, environment_of(self.cell), self.cell)
+        return compile_program(text, self.cell, station)
 
     def simulate(
         self, program: str | None = None, options: "RunOptions | None" = None, *, strict: bool = False
     ) -> "Recording":
-        """Compile and run a program in the cell.
+        """Compile and run the programs of the cell.
 
         A move that cannot be made is skipped and becomes a finding: look at `ok` of the recording.
 
         Args:
-            program: name; None for the default program.
+            program: name of one; its station runs it, the others their own. None for the default programs.
             options: fidelity and recording.
             strict: raise where the recording is not ok, after the whole run.
 
@@ -123,24 +144,29 @@ class Project:
         """
         from ropsim.simulation import RunOptions, run
 
-        cell, code = self.runnable(self.program(program))
-        recording = run(cell, code, options or RunOptions())
+        cell, codes = self.runnable(self.programs(program))
+        recording = run(cell, codes, options or RunOptions())
         if strict and not recording.ok:
             raise FailedRunError(recording)
         return recording
 
-    def runnable(self, compiled: CompiledProgram) -> tuple[Cell, icr.Program]:
-        """Return the cell and the verified code of a compiled program.
+    def runnable(self, programs: Mapping[str, CompiledProgram]) -> tuple[Cell, dict[str, icr.Program]]:
+        """Return the cell and the verified code of compiled programs, by station.
 
         Raises:
             ProjectError: what stands in the way; see `.diagnostic`.
         """
-        for diagnostic in compiled.diagnostics:
-            if diagnostic.is_error:
-                raise ProjectError(diagnostic)
-        if self.cell is None or compiled.icr is None:
-            raise ProjectError(NO_CELL.at(None, f"`{compiled.source.name}` belongs to no cell"))
-        return self.cell, compiled.icr
+        codes = {}
+        for station, compiled in programs.items():
+            for diagnostic in compiled.diagnostics:
+                if diagnostic.is_error:
+                    raise ProjectError(diagnostic)
+            if self.cell is None or compiled.icr is None:
+                raise ProjectError(NO_CELL.at(None, f"`{compiled.source.name}` belongs to no cell"))
+            codes[station] = compiled.icr
+        if self.cell is None:
+            raise ProjectError(NO_CELL.at(None, f"`{self.folder}` has no cell"))
+        return self.cell, codes
 
     def report(self, recording: "Recording", before: Iterable[Diagnostic] = ()) -> "Report":
         """Return the report of a recording; it quotes the programs and shows the run in the cell.

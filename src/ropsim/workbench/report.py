@@ -107,7 +107,7 @@ class Report:
         if self.setting is None or self.setting.meshes is None:
             return None
         cell, meshes, q = self.setting.cell, self.setting.meshes, self.recording.channels.get("q")
-        if q is None or q.values.shape[1:] != (cell.robot.n,):
+        if q is None or q.values.shape[1:] != (cell.first.robot.n,):
             return NoReplay(OTHER_ARM)
         viewer = built_viewer()
         if viewer is None:

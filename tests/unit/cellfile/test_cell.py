@@ -23,19 +23,19 @@ def cell_of(text: str) -> Cell:
 def test_the_smallest_file_gives_the_robot_at_home_with_its_own_controller() -> None:
     cell = cell_of("")
     assert cell.name == "folder"
-    assert cell.program == "main"
-    assert cell.robot.name == "puma560"
-    assert np.array_equal(cell.start, cell.robot.home)
-    assert cell.controller.speed_override == 1.0
-    assert cell.default_tool == ""
+    assert cell.first.program == "main"
+    assert cell.first.robot.name == "puma560"
+    assert np.array_equal(cell.first.start, cell.first.robot.home)
+    assert cell.first.controller.speed_override == 1.0
+    assert cell.first.default_tool == ""
     assert cell.classic.length == 0.01
     assert not cell.parts
-    assert not cell.tools
+    assert not cell.first.tools
 
 
 def test_name_and_default_program_come_from_the_section_cell() -> None:
     cell = cell_of('[cell]\nname = "line 3"\nprogram = "stack"\n')
-    assert (cell.name, cell.program) == ("line 3", "stack")
+    assert (cell.name, cell.first.program) == ("line 3", "stack")
 
 
 @pytest.mark.parametrize(("unit", "metres"), [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("inch", 0.0254)])
@@ -75,7 +75,7 @@ def test_file_and_cell_speak_of_the_world_wherever_the_base_stands() -> None:
         '[[parts]]\nname = "box"\nsize = [1, 2, 3]\nmass = 1\nposition = [110, 0, 0]\n'
     )
     cell = cell_of(text)
-    assert np.allclose(cell.X_WB.position, [0.1, 0, 0], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.first.X_WB.position, [0.1, 0, 0], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.frames["f"].position, [0.1, 0.2, 0.3], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.locations["l"].position, [0, 0, 0], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.sinks[0].position, [0.1, 0.05, 0], rtol=0, atol=POSE_TOLERANCE)
@@ -85,8 +85,8 @@ def test_file_and_cell_speak_of_the_world_wherever_the_base_stands() -> None:
 def test_a_tilted_base_turns_gravity_and_an_upright_one_leaves_the_model_alone() -> None:
     upright = cell_of("base = { rpy = [0, 0, 33] }\n")
     wall = cell_of("base = { rpy = [0, 90, 0] }\n")
-    assert upright.robot is cell_of("").robot
-    assert np.allclose(wall.robot.gravity, [9.81, 0, 0], rtol=0, atol=1e-9)
+    assert upright.first.robot is cell_of("").first.robot
+    assert np.allclose(wall.first.robot.gravity, [9.81, 0, 0], rtol=0, atol=1e-9)
 
 
 def test_a_location_points_the_tool_straight_down_unless_told_otherwise() -> None:
@@ -119,14 +119,14 @@ def test_a_tool_has_pose_mass_inertia_and_gripper() -> None:
         "[tools.pen]\nposition = [0, 0, 80]\n"
     )
     cell = cell_of(text)
-    jaws = cell.tools["jaws"]
-    assert cell.default_tool == "jaws"
+    jaws = cell.first.tools["jaws"]
+    assert cell.first.default_tool == "jaws"
     assert jaws.X_MT.position[2] == pytest.approx(0.12)
     assert (jaws.mass, jaws.com.tolist()) == (0.8, [0.0, 0.001, 0.06])
     assert jaws.inertia.tolist() == [[0.003, 0.0001, 0.0], [0.0001, 0.002, 0.0002], [0.0, 0.0002, 0.002]]
     assert jaws.gripper is not None
     assert (jaws.gripper.open_time, jaws.gripper.close_time, jaws.gripper.capture) == (0.3, 0.25, 0.004)
-    assert cell.tools["pen"].gripper is None
+    assert cell.first.tools["pen"].gripper is None
 
 
 def test_a_grid_makes_parts_that_run_along_the_first_direction_first() -> None:
@@ -172,9 +172,9 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
         "orientation_speed = 90\nin_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
     )
     cell = cell_of(text)
-    controller, own = cell.controller, cell_of("").controller
+    controller, own = cell.first.controller, cell_of("").first.controller
     assert controller.speed_override == 0.5
-    assert cell.start[1] == pytest.approx(math.pi / 2)
+    assert cell.first.start[1] == pytest.approx(math.pi / 2)
     assert controller.rates.control_hz == 500
     assert controller.gains.kp.tolist() == [1, 2, 3, 4, 5, 6]
     assert controller.path.speed == pytest.approx(0.15)

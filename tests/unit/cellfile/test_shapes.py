@@ -132,7 +132,7 @@ def test_tools_have_shapes_and_parts_have_colours() -> None:
     tool = '[tools.t]\nposition = [0, 0, 100]\ncolour = "#123456"\nshapes = [{ box = [10, 10, 100] }]\n'
     supply = '[[supplies]]\nname = "s"\nsize = [1, 1, 1]\nmass = 0\nposition = [0, 0, 0]\ncount = 2\n'
     cell = cell_of(ROBOT + tool + PARTS + 'colour = "#abcdef"\n' + supply + 'colour = "#654321"\n')
-    assert cell.tools["t"].shapes[0].colour == "#123456"
+    assert cell.first.tools["t"].shapes[0].colour == "#123456"
     assert [part.colour for part in cell.parts] == ["#abcdef", "#654321", "#654321"]
 
 

@@ -5,18 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.controller import StandardPathPlanner, standard_chain
+from ropsim.controller import StandardPathPlanner
 from ropsim.flow import ModalState
 from ropsim.kinematics import forward_batch, posture
 from ropsim.motion import JointTrajectory, LineTrajectory, OrientationMode
 from ropsim.spatial import Array, Pose
+from support.cells import chain_of, with_station
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, planned, ptp, shifted
 
 AT_SAMPLES = 1e-9  # [m] inverse kinematics promises 1e-9 m
 BETWEEN_SAMPLES = 20e-6  # [m] what the spline between two poses 4 ms apart may leave the line
 ANGLE = 1e-9  # [rad]
-TICKS = CELL.controller.rates.interpolation_ticks
-PERIOD = CELL.controller.rates.interpolation_period
+TICKS = CELL.first.controller.rates.interpolation_ticks
+PERIOD = CELL.first.controller.rates.interpolation_period
 
 
 def off_line(matrices: Array, start: Array, end: Array) -> Array:
@@ -86,7 +87,7 @@ def test_lin_has_a_plateau_of_the_commanded_speed() -> None:
 
 
 def test_tcp_of_a_tool_stays_on_the_straight_line_and_turns_to_the_goal() -> None:
-    X_MT = CELL.tools["torch"].X_MT
+    X_MT = CELL.first.tools["torch"].X_MT
     start = interface_pose(START) @ X_MT
     turned = Pose(start.position + np.array([0.06, 0.1, 0.05]), (start @ _turn(0.4)).orientation)
     move = planned(lin(turned, ModalState(tool="torch")))
@@ -128,7 +129,7 @@ def test_a_task_frame_of_the_program_holds_where_the_cell_has_none() -> None:
 
 def test_tools_of_the_cell_override_those_of_the_program() -> None:
     nominal = Pose(np.array([0.5, 0.5, 0.5]))
-    X_BT = interface_pose(START) @ CELL.tools["gripper"].X_MT
+    X_BT = interface_pose(START) @ CELL.first.tools["gripper"].X_MT
     move = planned(ptp(X_BT, ModalState(tool="gripper", X_MT=nominal)))
     assert np.abs(move.q_end - START).max() < ANGLE
 
@@ -140,10 +141,10 @@ def test_a_tool_of_the_program_holds_where_the_cell_has_none() -> None:
 
 
 def test_the_default_tool_of_the_cell_holds_where_the_program_names_none() -> None:
-    chain = standard_chain(replace(CELL, default_tool="gripper"))
-    move = planned(ptp(interface_pose(START) @ CELL.tools["gripper"].X_MT), START, chain)
+    chain = chain_of(with_station(CELL, default_tool="gripper"))
+    move = planned(ptp(interface_pose(START) @ CELL.first.tools["gripper"].X_MT), START, chain)
     assert np.abs(move.q_end - START).max() < ANGLE
-    assert chain.tool_pose(move.move) == CELL.tools["gripper"].X_MT
+    assert chain.tool_pose(move.move) == CELL.first.tools["gripper"].X_MT
 
 
 def test_without_any_tool_the_mechanical_interface_is_the_tool() -> None:
@@ -206,7 +207,7 @@ def test_all_joints_of_a_ptp_move_start_and_end_together() -> None:
 
 def test_ptp_speed_share_and_override_slow_the_leading_joint_down() -> None:
     goal = (1.5, 1.1, -2.9, -0.4, -0.9, 0.3)  # joint 1 turns 1.3 rad
-    half = standard_chain(replace(CELL, controller=replace(CELL.controller, speed_override=0.5)))
+    half = chain_of(with_station(CELL, controller=replace(CELL.first.controller, speed_override=0.5)))
     for move in (planned(ptp(goal, ModalState(ptp_speed=0.5))), planned(ptp(goal), START, half)):
         peak = np.abs(move.reference.qd[:, 0]).max()
         assert peak == pytest.approx(0.5 * PUMA.joints[0].max_speed, rel=0.01)

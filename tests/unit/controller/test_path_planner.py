@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.controller import Refusal, plan_move, standard_chain
+from ropsim.controller import Refusal, plan_move
 from ropsim.controller.posture_choice import JointRange, choose
 from ropsim.core import Severity
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, inverse
-from ropsim.model import Cell
 from ropsim.motion import JointMotionLimits
 from ropsim.spatial import Pose
 from support.arms import random_arm
+from support.cells import chain_of, one_station
 from support.motion import (
     CELL,
     CHAIN,
@@ -171,7 +171,7 @@ def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
 
 
 TWO_LINK = robots.load("two_link")
-TWO_LINK_CHAIN = standard_chain(Cell("two", TWO_LINK, CELL.controller))
+TWO_LINK_CHAIN = chain_of(one_station("two", TWO_LINK, CELL.first.controller))
 
 
 def test_an_arm_of_two_joints_is_told_which_poses_it_cannot_take() -> None:
@@ -201,7 +201,7 @@ def test_a_line_that_an_arm_of_two_joints_cannot_follow_is_refused_where_it_leav
 
 def test_an_arm_without_closed_form_moves_to_poses_and_on_lines_with_a_hint() -> None:
     arm = random_arm(3, "RRRRRR")
-    chain = standard_chain(Cell("free", arm, CELL.controller))
+    chain = chain_of(one_station("free", arm, CELL.first.controller))
     q_start, goal = np.array([0.3, -0.4, 0.5, 0.2, -0.6, 0.1]), np.array([0.35, -0.3, 0.45, 0.3, -0.5, 0.0])
     for make in (ptp, lin):
         move = planned(make(forward(arm, goal), visit=1), q_start, chain)
@@ -216,7 +216,7 @@ def test_an_arm_without_closed_form_moves_to_poses_and_on_lines_with_a_hint() ->
 
 
 SCARA = scara()
-SCARA_CHAIN = standard_chain(Cell("cobra", SCARA, CELL.controller))
+SCARA_CHAIN = chain_of(one_station("cobra", SCARA, CELL.first.controller))
 SCARA_START = np.array([0.3, 0.8, 0.05, 0.2])
 
 

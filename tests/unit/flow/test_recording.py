@@ -4,6 +4,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.flow import (
+    ROBOT,
     Channel,
     GripEvent,
     MotionKind,
@@ -104,7 +105,7 @@ def test_events_of_one_kind_are_given_with_their_own_fields() -> None:
     assert run_of().events_of(GripEvent) == ()
 
 
-def test_channels_of_several_stations_have_their_names_before_the_quantity() -> None:
-    left, right = StationFacts("left"), StationFacts("right")
-    assert RunFacts(stations=(left,)).channel("q", "left") == "q"
-    assert RunFacts(stations=(left, right)).channel("q", "right") == "right/q"
+def test_channels_have_the_name_of_their_station_before_the_quantity_where_it_has_one() -> None:
+    facts = RunFacts(stations=(StationFacts(ROBOT), StationFacts("right")))
+    assert facts.channel("q", ROBOT) == "q"
+    assert facts.channel("q", "right") == "right/q"

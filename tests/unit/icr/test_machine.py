@@ -59,11 +59,13 @@ def program(main: str, rest: str = "") -> Program:
 
 def flow(main: str, rest: str = "", **inputs: bool | float) -> list[Instruction | Finished]:
     """Return everything that the machine hands out, the end last."""
-    machine = Machine(program(main, rest), StillWorld(inputs))
-    handed: list[Instruction | Finished] = [machine.advance()]
-    while not isinstance(handed[-1], Finished):
-        handed.append(machine.advance())
-    return handed
+    world = StillWorld(inputs)
+    machine = Machine(program(main, rest), world)
+    handed: list[Instruction | Finished] = []
+    while not isinstance(step := machine.advance(), Finished):
+        world.carry_out(step)
+        handed.append(step)
+    return [*handed, step]
 
 
 def trap(main: str, rest: str = "", **inputs: bool | float) -> str:

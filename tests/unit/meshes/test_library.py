@@ -21,9 +21,10 @@ from ropsim.meshes.triangles import shaded
 from ropsim.model import Cell, FixedObject, Mesh, Shape
 from ropsim.spatial import Pose
 from ropsim.views import scene
+from support.cells import one_station
 from support.meshes import cube_soup, drum, obj, ply, stl, stl_text
 
-EMPTY = Cell("c", robots.load("puma560"), robots.default_controller("puma560"))
+EMPTY = one_station("c", robots.load("puma560"), robots.default_controller("puma560"))
 SINGLE = 1e-6  # relative, of single precision
 
 

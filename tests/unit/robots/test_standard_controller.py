@@ -11,10 +11,11 @@ from ropsim import dynamics, robots
 from ropsim.dynamics import axis_inertias
 from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import configurations
-from ropsim.model import Cell, Drive, Rates, RobotModel, Tool, ideal_drive
+from ropsim.model import Drive, Rates, RobotModel, Tool, ideal_drive
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Array, Pose
 from support.arms import drive, random_arm
+from support.cells import one_station
 from support.dc_drives import dc_motor
 
 PUMA = robots.load("puma560")
@@ -148,12 +149,12 @@ def test_the_puma_settles_within_20_ms_after_every_fine_stop(load: str) -> None:
     from ropsim.workbench import environment_of
 
     tool = heavy_tool(LOADS[load])
-    cell = Cell(
+    cell = one_station(
         "c", PUMA, robots.default_controller(PUMA), tools={"load": tool}, default_tool="load", start=PUMA.home
     )
     compiled = ropsim.language.compile(random_program(PUMA, 40, seed=11), environment_of(cell))
     assert compiled.icr is not None
-    recording = run(cell, compiled.icr, RunOptions())
+    recording = run(cell, {"robot": compiled.icr}, RunOptions())
     times = settling_times(recording)
     assert [finding.code for finding in recording.findings if finding.is_error] == []
     assert len(times) == 40

@@ -7,14 +7,17 @@ import pytest
 
 import ropsim
 from ropsim.flow import Destinations, Recording
+from ropsim.kinematics import NO_BLOCKS
 from ropsim.model import Cell, Destination, Gripper, Part, Sink, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.arrivals import arrivals
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import initial_parts
 from ropsim.spatial import Pose
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.workbench import environment_of
+from support.cells import one_station
 
 ARM = load("puma560")
 
@@ -28,7 +31,7 @@ def part(name: str, y: float, destination: Destination | None) -> Part:
     return Part(name, np.full(3, 0.05), 0.2, Pose(np.array([0.5, y, 0.3])), destination=destination)
 
 
-CELL = Cell(
+CELL = one_station(
     "c",
     ARM,
     default_controller("puma560"),
@@ -44,7 +47,7 @@ def ran(*lines: str, cell: Cell = CELL, longest: float = 1e3) -> Recording:
     text = "\n".join(("program p", "units mm, deg, s", *lines))
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None
-    return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC, longest=longest))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, longest=longest))
 
 
 def with_goal(destination: Destination | None) -> Cell:
@@ -106,7 +109,7 @@ def test_a_part_that_nobody_has_moved_and_one_that_is_gone_are_found() -> None:
 def test_a_part_that_waits_in_its_supply_is_found() -> None:
     second = replace(CELL.parts[0], name="a2", supply="s", turn=1)
     cell = replace(CELL, parts=(replace(CELL.parts[0], supply="s"), second))
-    found = arrivals(initial_parts(cell), {one.name: one for one in cell.parts}, Pose())
+    found = arrivals(initial_parts(cell), {one.name: one for one in cell.parts}, (), Moment({}, NO_BLOCKS))
     assert found.wanted == 2
     assert "part `a2` still waits in its supply" in found.findings[1].message
 

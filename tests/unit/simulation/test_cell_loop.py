@@ -13,6 +13,7 @@ from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
+from support.cells import one_station, with_station
 
 JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.12])), 2.0, gripper=Gripper(0.2, 0.3, 0.005))
 CUP = Tool("cup", Pose(np.array([0.05, 0.0, 0.2])), 0.75, gripper=Gripper(0.4, 0.5, 0.005))
@@ -37,7 +38,7 @@ def cell() -> Cell:
     robot = replace(robot, joints=tuple(replace(one, lower=-FREE, upper=FREE) for one in robot.joints))
     part = Part("box", np.full(3, WIDE), 0.5, Pose(np.array(PLACE)))
     tools = {tool.name: tool for tool in (JAWS, CUP, PROBE)}
-    return Cell(
+    return one_station(
         "c",
         robot,
         default_controller("puma560"),
@@ -53,7 +54,7 @@ def ran(cell: Cell, *lines: str) -> Recording:
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert [str(found) for found in compiled.diagnostics if found.is_error] == []
     assert compiled.icr is not None
-    return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC))
 
 
 def at(recording: Recording, name: str, time: float) -> np.ndarray:
@@ -86,7 +87,7 @@ def test_each_tool_brings_its_own_tip_to_the_place(cell: Cell) -> None:
     for move, tool in ((first, JAWS), (second, CUP)):
         end = move.time + move.duration
         np.testing.assert_allclose(at(recording, "command_position", end), [0.45, -0.15, 0.3], atol=NEAR)
-        flange = forward(cell.robot, at(recording, "q_ref", end))
+        flange = forward(cell.first.robot, at(recording, "q_ref", end))
         np.testing.assert_allclose((flange @ tool.X_MT).position, [0.45, -0.15, 0.3], atol=NEAR)
 
 
@@ -139,7 +140,7 @@ def test_the_gripper_channel_says_closed_from_the_end_of_closing_to_the_end_of_o
 
 def test_an_arm_without_drives_can_be_run_kinematically(cell: Cell) -> None:
     lines = ("mov (450, -150, 100)", "close", "lin (450, -150, 200)")
-    bare = ran(replace(cell, robot=replace(cell.robot, drives=())), *lines)
+    bare = ran(with_station(cell, robot=replace(cell.first.robot, drives=())), *lines)
     driven = ran(cell, *lines)
     assert codes(bare) == []
     np.testing.assert_array_equal(bare.channels["q"].values, driven.channels["q"].values)
@@ -152,8 +153,7 @@ def test_a_cell_that_is_moved_as_a_whole_makes_the_same_run(cell: Cell) -> None:
     (box,) = cell.parts
     here = replace(cell, frames={"k": Pose(np.array([0.45, 0.0, 0.3]))})
     there = replace(
-        here,
-        X_WB=moved,
+        with_station(here, X_WB=moved),
         parts=(replace(box, X_WO=moved @ box.X_WO),),
         frames={name: moved @ pose for name, pose in here.frames.items()},
     )

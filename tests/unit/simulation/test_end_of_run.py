@@ -11,6 +11,7 @@ from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
 from ropsim.workbench import environment_of
+from support.cells import one_station, with_station
 
 LONGEST = 2.0
 SIGNALS = {
@@ -23,7 +24,7 @@ SIGNALS = {
 def cell() -> Cell:
     robot = robots.load("puma560")
     controller = robots.default_controller("puma560")
-    return Cell("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
+    return one_station("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
 
 
 def code(cell: Cell, *lines: str) -> icr.Program:
@@ -35,7 +36,7 @@ def code(cell: Cell, *lines: str) -> icr.Program:
 
 
 def ideal(cell: Cell, *lines: str) -> Recording:
-    return run(cell, code(cell, *lines), RunOptions(Fidelity.KINEMATIC, longest=LONGEST))
+    return run(cell, {"robot": code(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, longest=LONGEST))
 
 
 @pytest.mark.parametrize(
@@ -66,9 +67,9 @@ def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
     cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program = code(cell, "mov joints (0, 60, -150, 0, -60, 0)", "wait 0.5 s")
-    whole = run(cell, program, RunOptions())
-    monkeypatch.setattr("ropsim.simulation.cell_run._SLICE", 7)
-    sliced = run(cell, program, RunOptions())
+    whole = run(cell, {"robot": program}, RunOptions())
+    monkeypatch.setattr("ropsim.simulation.station_run._SLICE", 7)
+    sliced = run(cell, {"robot": program}, RunOptions())
     assert np.array_equal(whole.channels["q"].values, sliced.channels["q"].values)
     assert np.array_equal(whole.time, sliced.time)
 
@@ -81,13 +82,14 @@ def test_an_output_of_the_program_alone_is_off_until_it_is_set(cell: Cell) -> No
 
 
 def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Cell) -> None:
-    coarse = replace(
-        cell, controller=replace(cell.controller, rates=replace(cell.controller.rates, control_hz=50))
+    controller = cell.first.controller
+    coarse = with_station(
+        cell, controller=replace(controller, rates=replace(controller.rates, control_hz=50))
     )
-    assert coarse.controller.rates == Rates(50, 4, 2)
+    assert coarse.first.controller.rates == Rates(50, 4, 2)
     program = code(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
     with pytest.raises(DivergedError) as caught:
-        run(coarse, program, RunOptions())
+        run(coarse, {"robot": program}, RunOptions())
     found = caught.value.diagnostic
     assert found.span is not None
     assert (found.code, found.span.line, found.label) == ("S701", 5, "pass 1")
@@ -95,9 +97,9 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
 
 def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> None:
     window = np.full(6, 1e-5)  # so narrow that no arm is within it when a move ends
-    controller = replace(cell.controller, settle_timeout=0.0, in_position=window)
-    hasty = replace(cell, controller=controller)
-    recording = run(hasty, code(hasty, "mov joints (60, 60, -150, 0, -60, 0)"), RunOptions())
+    controller = replace(cell.first.controller, settle_timeout=0.0, in_position=window)
+    hasty = with_station(cell, controller=controller)
+    recording = run(hasty, {"robot": code(hasty, "mov joints (60, 60, -150, 0, -60, 0)")}, RunOptions())
     (found,) = (one for one in recording.findings if one.code == "S720")
     degrees = np.degrees(float(str(found.data["error_rad"])))
     assert f"is {degrees:.4g}° from its target" in found.message
@@ -105,10 +107,10 @@ def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> Non
 
 def test_a_move_ends_when_every_joint_is_in_position(cell: Cell) -> None:
     window = np.full(6, 1e-5)  # an arm that has just been moved needs a while until it is within this
-    strict = replace(cell, controller=replace(cell.controller, in_position=window))
+    strict = with_station(cell, controller=replace(cell.first.controller, in_position=window))
     # joint 1 stands where it stands: it is in position all the time
     program = code(strict, "mov joints (0, 60, -150, 0, -60, 0)", "mov joints (0, 60, -150, 60, -30, 0)")
-    recording = run(strict, program, RunOptions(record_hz=1000))
+    recording = run(strict, {"robot": program}, RunOptions(record_hz=1000))
     last = recording.events_of(MoveEvent)[-1]
     assert last.settle > 0.0
     row = np.searchsorted(recording.time, last.end - 1e-9)

@@ -21,6 +21,7 @@ from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
+from support.cells import one_station
 
 PLACE = (0.45, -0.15, 0.1)
 JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.12])), 2.0, gripper=Gripper(0.2, 0.301, 0.005))
@@ -46,7 +47,7 @@ print "end"
 def cell() -> Cell:
     robot = load("puma560")
     part = Part("box", np.full(3, 0.06), 0.5, Pose(np.array(PLACE)))
-    return Cell(
+    return one_station(
         "c",
         robot,
         default_controller("puma560"),
@@ -62,7 +63,7 @@ def ran(cell: Cell, record_hz: int, fidelity: Fidelity = Fidelity.KINEMATIC) -> 
     compiled = ropsim.language.compile(PROGRAM, environment_of(cell))
     assert compiled.icr is not None, compiled.diagnostics
     given = (InputChange(1.001, "start", 1.0), InputChange(900.0, "start", 0.0))
-    return run(cell, compiled.icr, RunOptions(fidelity, record_hz=record_hz, inputs=given))
+    return run(cell, {"robot": compiled.icr}, RunOptions(fidelity, record_hz=record_hz, inputs=given))
 
 
 @pytest.fixture(scope="module")

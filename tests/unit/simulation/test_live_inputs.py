@@ -13,6 +13,7 @@ from ropsim.records.inputs import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.simulation.inputs import usable_inputs, with_inputs
 from ropsim.workbench import environment_of
+from support.cells import one_station, with_station
 
 SIGNALS = {
     "go": Signal("go", is_input=True, changes=((2.0, 0.0),)),
@@ -32,7 +33,7 @@ wait 0.5 s
 def cell() -> Cell:
     robot = robots.load("puma560")
     controller = robots.default_controller("puma560")
-    return Cell("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
+    return one_station("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +44,7 @@ def program(cell: Cell) -> icr.Program:
 
 
 def ideal(cell: Cell, program: icr.Program, *inputs: InputChange) -> Recording:
-    return run(cell, program, RunOptions(Fidelity.KINEMATIC, inputs=inputs, longest=5.0))
+    return run(cell, {"robot": program}, RunOptions(Fidelity.KINEMATIC, inputs=inputs, longest=5.0))
 
 
 def test_a_run_goes_on_at_the_time_of_the_input(cell: Cell, program: icr.Program) -> None:
@@ -112,7 +113,7 @@ def test_a_run_that_is_ended_by_hand_says_so_and_keeps_what_it_has(cell: Cell, l
     text = f"program p\nunits mm, deg, s\n{line}\nmov home\n"
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None
-    recording = run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC, watch=Stopper(2.0)))
+    recording = run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, watch=Stopper(2.0)))
     assert [found.code for found in recording.findings] == ["S761"]
     assert 2.0 <= recording.duration <= 3.0
     assert not [event for event in recording.events if event.kind == "move"]
@@ -120,7 +121,10 @@ def test_a_run_that_is_ended_by_hand_says_so_and_keeps_what_it_has(cell: Cell, l
 
 def test_many_rows_are_thinned_and_the_facts_tell_the_rate(cell: Cell, program: icr.Program) -> None:
     options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(1.0, "go", 1.0),))
-    full, thin = run(cell, program, options), run(cell, program, replace(options, most_rows=100))
+    full, thin = (
+        run(cell, {"robot": program}, options),
+        run(cell, {"robot": program}, replace(options, most_rows=100)),
+    )
     assert len(thin.time) <= 100
     assert thin.facts.record_hz == pytest.approx(full.facts.record_hz / 4)
     rows = np.searchsorted(full.time, thin.time)
@@ -133,21 +137,21 @@ def test_a_run_may_be_ended_while_the_arm_settles(cell: Cell) -> None:
         "program p\nunits mm, deg\nmov joints (60, 60, -150, 0, -60, 0)\n", environment_of(cell)
     )
     assert compiled.icr is not None
-    narrow = replace(cell, controller=replace(cell.controller, in_position=np.full(6, 1e-6)))
-    whole = run(narrow, compiled.icr, RunOptions())
+    narrow = with_station(cell, controller=replace(cell.first.controller, in_position=np.full(6, 1e-6)))
+    whole = run(narrow, {"robot": compiled.icr}, RunOptions())
     (move,) = whole.events_of(MoveEvent)
     settling = move.travel + 0.01
     assert move.settle > 0.01
     for options in (RunOptions(watch=Stopper(settling)), RunOptions(longest=settling)):
-        recording = run(narrow, compiled.icr, options)
+        recording = run(narrow, {"robot": compiled.icr}, options)
         assert recording.duration < whole.duration
         assert {found.code for found in recording.findings} <= {"S761", "S723"}
 
 
 def test_a_wait_for_an_input_ends_after_the_longest_wait(cell: Cell, program: icr.Program) -> None:
     options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(1.5, "go", 1.0),))
-    waited = run(cell, program, options)
-    given_up = run(cell, program, replace(options, longest_wait=1.0))
+    waited = run(cell, {"robot": program}, options)
+    given_up = run(cell, {"robot": program}, replace(options, longest_wait=1.0))
     assert waited.findings == ()
     assert given_up.duration == pytest.approx(1.0, abs=0.01)
     assert [found.is_error for found in given_up.findings] == [True]

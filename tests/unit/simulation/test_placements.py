@@ -8,15 +8,17 @@ import pytest
 
 import ropsim
 from ropsim.flow import Placement, Recording
-from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, BodyKind, Cell, FixedObject, Gripper, Part, Sink, Tool, body_tree
+from ropsim.kinematics import NO_BLOCKS, body_poses
+from ropsim.model import BodyKind, Cell, FixedObject, Gripper, Part, Sink, Tool, body_tree
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import close_on, initial_parts, payload, release
 from ropsim.simulation.placements import Placements, changes
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
+from support.cells import one_station
 
 JAWS = Tool("jaws", Pose(np.array([0.0, 0.0, 0.12])), 1.0, gripper=Gripper(0.2, 0.2, 0.005))
 ARM = load("puma560")
@@ -25,11 +27,14 @@ ROUNDING = 1e-12
 """Of poses that are composed a few times, with coordinates below two metres."""
 
 
+HAND = "tool:jaws"
+
+
 def part(name: str, x: float, y: float, supply: str = "", turn: int = 0) -> Part:
     return Part(name, np.full(3, 0.05), 0.25, Pose(np.array([x, y, 0.3])), supply, turn)
 
 
-CELL = Cell(
+CELL = one_station(
     "c",
     ARM,
     default_controller("puma560"),
@@ -57,8 +62,7 @@ class Looker:
 
     def advanced(self, run: RunView) -> None:
         assert isinstance(run, CellRun)
-        X_WM = run.attained()
-        poses = {**run.parts.resting, **{name: X_WM @ X_MO for name, X_MO in run.parts.carried.items()}}
+        poses = run.moment(run.tick).poses(run.parts)
         self.seen[run.time] = poses  # the last look at a time is that after the gripper has acted
 
     def reading(self, run: RunView) -> None:
@@ -72,7 +76,7 @@ def ran(cell: Cell, watch: Looker | None = None, lines: Iterable[str] = LINES) -
     text = "\n".join(("program p", "units mm, deg, s", *lines))
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None
-    return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC, watch=watch or Looker()))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, watch=watch or Looker()))
 
 
 def hanging(recording: Recording, time: float) -> Mapping[str, Placement]:
@@ -87,7 +91,7 @@ def in_world(cell: Cell, recording: Recording, time: float) -> dict[str, np.ndar
     tree = body_tree(cell)
     parts = [name for name in tree.names(BodyKind.PART) if name in now]
     elsewhere = {name: (now[name].parent, now[name].X_PB) for name in parts}
-    poses = body_poses(tree, {ROBOT: np.array([q])}, parts, elsewhere)
+    poses = body_poses(tree, {"robot": np.array([q])}, parts, elsewhere)
     return {name: matrices[0] for name, matrices in poses.items()}
 
 
@@ -133,32 +137,33 @@ def test_an_object_elsewhere_in_the_cell_changes_no_placement_of_a_part() -> Non
     assert [placement for placement in other.placements if placement.body != "far"] == list(one.placements)
 
 
-def held_with_load() -> tuple[Placements, Placements, Pose]:
-    """Return parts before and after the gripper has taken `a`, on which `c` lies, and X_WM."""
+def held_with_load() -> tuple[Placements, Placements, Moment]:
+    """Return parts before and after the gripper has taken `a`, on which `c` lies, and that moment."""
     state = initial_parts(CELL)
     state = state.with_seats({"c": replace(state.seats["c"], parent="a")})
     X_WM = Pose(np.array([0.5001, 0.1, 0.4202]), np.array([0.005, 1.0, 0.03, 0.004]))
-    return state, close_on(state, CELL, JAWS, X_WM), X_WM
+    moment = Moment({HAND: X_WM}, NO_BLOCKS)
+    return state, close_on(state, CELL, JAWS, HAND, moment), moment
 
 
 def test_taking_and_leaving_move_no_part() -> None:
-    before, held, X_WM = held_with_load()
-    after = release(held, CELL, X_WM)
-    assert held.held == "a"
+    before, held, moment = held_with_load()
+    after = release(held, CELL, {HAND}, moment)
+    assert held.held({HAND}) == "a"
     for name in ("a", "c"):
-        pose = before.resting[name].matrix()
-        np.testing.assert_allclose((X_WM @ held.carried[name]).matrix(), pose, atol=ROUNDING)
-        np.testing.assert_allclose(after.resting[name].matrix(), pose, atol=ROUNDING)
+        pose = before.seats[name].pose.matrix()
+        np.testing.assert_allclose(moment.pose(held.seats[name]).matrix(), pose, atol=ROUNDING)
+        np.testing.assert_allclose(after.seats[name].pose.matrix(), pose, atol=ROUNDING)
 
 
 def test_what_lies_on_a_part_comes_along_and_weighs() -> None:
-    before, held, X_WM = held_with_load()
+    before, held, moment = held_with_load()
     parts = {one.name: one for one in CELL.parts}
-    assert set(held.carried) == {"a", "c"}
+    assert set(held.carried({HAND})) == {"a", "c"}
     assert (held.seats["a"].parent, held.seats["c"].parent) == ("tool:jaws", "a")
-    assert payload(held, parts, JAWS).mass == pytest.approx(1.5)
+    assert payload(held.carried({HAND}), parts, JAWS).mass == pytest.approx(1.5)
     told = [one.body for one in changes(1.0, before, held, {})]
     assert told == ["a", "b"]  # `c` hangs on `a` as before, `b` is the next one of the supply
-    gone = release(held, replace(CELL, sinks=(Sink("here", (0.5, 0.1, 0.3), 0.1),)), X_WM)
+    gone = release(held, replace(CELL, sinks=(Sink("here", (0.5, 0.1, 0.3), 0.1),)), {HAND}, moment)
     assert set(gone.left) == {"a", "c"}
     assert [(one.body, one.visible) for one in changes(2.0, held, gone, {})] == [("a", False), ("c", False)]

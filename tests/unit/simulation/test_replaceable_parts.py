@@ -17,13 +17,13 @@ from ropsim.controller import (
     Sample,
     SplineJointInterpolator,
     StandardInterpolator,
-    standard_chain,
 )
 from ropsim.flow import JointReference, JointSamples, MoveEvent, MoveInstruction, PoseSetpoints, Recording
 from ropsim.model import Cell, Signal, Tool
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Array
+from support.cells import chain_of, one_station
 
 PROGRAM = """\
 program replace_me
@@ -39,7 +39,7 @@ mov home
 @pytest.fixture(scope="module")
 def cell() -> Cell:
     robot = robots.load("puma560")
-    return Cell(
+    return one_station(
         "c",
         robot,
         robots.default_controller("puma560"),
@@ -61,7 +61,7 @@ def program(cell: Cell) -> icr.Program:
 
 @pytest.fixture(scope="module")
 def standard(cell: Cell, program: icr.Program) -> Recording:
-    recording = run(cell, program, RunOptions())
+    recording = run(cell, {"robot": program}, RunOptions())
     assert [str(found) for found in recording.findings if found.is_error] == []
     return recording
 
@@ -79,8 +79,9 @@ class SlowPlanner:
 
 
 def test_another_path_planner(cell: Cell, program: icr.Program, standard: Recording) -> None:
-    chain = standard_chain(cell)
-    slow = run(cell, program, RunOptions(chain=replace(chain, planner=SlowPlanner(chain.planner))))
+    chain = chain_of(cell)
+    other = replace(chain, planner=SlowPlanner(chain.planner))
+    slow = run(cell, {"robot": program}, RunOptions(chains={"robot": other}))
     times = [[event.travel for event in one.events_of(MoveEvent)] for one in (slow, standard)]
     assert times[0][1] == pytest.approx(2 * times[1][1], rel=0.2)
     assert times[0][0] == times[1][0]
@@ -99,8 +100,8 @@ class CountingInterpolator(StandardInterpolator):
 
 
 def test_another_interpolator(cell: Cell, program: icr.Program, standard: Recording) -> None:
-    chain = replace(standard_chain(cell), interpolator=CountingInterpolator())
-    again = run(cell, program, RunOptions(chain=chain))
+    chain = replace(chain_of(cell), interpolator=CountingInterpolator())
+    again = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     assert CountingInterpolator.asked == 3
     np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
 
@@ -121,8 +122,9 @@ class CoarseInverse:
 def test_another_inverse_transform_shows_in_the_line(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
-    chain = standard_chain(cell)
-    coarse = run(cell, program, RunOptions(chain=replace(chain, inverse=CoarseInverse(chain.inverse))))
+    chain = chain_of(cell)
+    other = replace(chain, inverse=CoarseInverse(chain.inverse))
+    coarse = run(cell, {"robot": program}, RunOptions(chains={"robot": other}))
     off = np.abs(coarse.channels["q_ref"].values[:500] - standard.channels["q_ref"].values[:500])
     assert 1e-6 < off.max() < 1e-3
 
@@ -139,9 +141,9 @@ class StepInterpolator:
 def test_another_joint_interpolator_shows_in_the_following_error(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
-    assert isinstance(standard_chain(cell).joint_interpolator, SplineJointInterpolator)
-    chain = replace(standard_chain(cell), joint_interpolator=StepInterpolator())
-    crude = run(cell, program, RunOptions(chain=chain))
+    assert isinstance(chain_of(cell).joint_interpolator, SplineJointInterpolator)
+    chain = replace(chain_of(cell), joint_interpolator=StepInterpolator())
+    crude = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     worst = [np.abs(one.channels["q_error"].values).max() for one in (crude, standard)]
     assert worst[0] > 3 * worst[1]
 
@@ -158,11 +160,11 @@ class PdLaw:
 
 
 def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard: Recording) -> None:
-    recording = run(cell, program, RunOptions(law=PdLaw()))
+    recording = run(cell, {"robot": program}, RunOptions(laws={"robot": PdLaw()}))
     final = [one.channels["q"].values[-1] for one in (recording, standard)]
     offset = np.abs(final[0] - final[1]).max()
     # without an integral gravity keeps the arm out of position, further than two arms in position can differ
-    assert 2 * cell.controller.in_position.max() < offset < 2e-2
+    assert 2 * cell.first.controller.in_position.max() < offset < 2e-2
 
 
 class EarlySensor:
@@ -175,7 +177,7 @@ class EarlySensor:
 def test_another_sensor_interface_ends_a_wait_earlier(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
-    early = run(cell, program, RunOptions(sensors=EarlySensor()))
+    early = run(cell, {"robot": program}, RunOptions(sensors=EarlySensor()))
     assert early.duration < standard.duration - 0.5
 
 
@@ -208,8 +210,8 @@ class BrokenPlanner:
 def test_a_planner_that_fails_is_told_at_every_line_and_the_program_goes_on(
     cell: Cell, program: icr.Program, standard: Recording, answer: object, told: str
 ) -> None:
-    chain = replace(standard_chain(cell), planner=BrokenPlanner(answer))
-    recording = run(cell, program, RunOptions(chain=chain))
+    chain = replace(chain_of(cell), planner=BrokenPlanner(answer))
+    recording = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     found = [one for one in recording.findings if one.code == "C603"]
     moves = [event for event in standard.events if event.kind == "move"]
     assert len(found) == len(moves)
@@ -235,8 +237,8 @@ class BrokenJointInterpolator:
 def test_a_reference_that_no_arm_can_follow_is_refused(
     cell: Cell, program: icr.Program, columns: int, value: float, told: str
 ) -> None:
-    chain = replace(standard_chain(cell), joint_interpolator=BrokenJointInterpolator(columns, value))
-    recording = run(cell, program, RunOptions(chain=chain))
+    chain = replace(chain_of(cell), joint_interpolator=BrokenJointInterpolator(columns, value))
+    recording = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     found = [one for one in recording.findings if one.code == "C603"]
     assert found
     assert told in found[0].message

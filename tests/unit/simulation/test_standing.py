@@ -14,6 +14,7 @@ from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
+from support.cells import one_station, with_station
 
 ARM = load("puma560")
 DOWN = np.array([0.0, 1.0, 0.0, 0.0])
@@ -29,7 +30,7 @@ def part(name: str, y: float, z: float) -> Part:
     return Part(name, np.array([0.06, 0.06, 0.04]), 0.25, Pose(np.array([0.5, y, z])))
 
 
-CELL = Cell(
+CELL = one_station(
     "c",
     ARM,
     default_controller("puma560"),
@@ -46,7 +47,7 @@ def ran(*lines: str, cell: Cell = CELL) -> Recording:
     text = "\n".join(("program p", "units mm, deg, s", *lines))
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None
-    return run(cell, compiled.icr, RunOptions(Fidelity.KINEMATIC))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC))
 
 
 def put_at(height: float, cell: Cell = CELL) -> Recording:
@@ -129,8 +130,8 @@ def test_a_part_that_is_set_on_another_one_comes_along_when_that_is_taken() -> N
     assert codes(stacked.findings) == []
     assert last(stacked, "a").parent == "b"
     # the gripper takes `b` from the side: its grasp point is below `a`
-    wide = replace(CELL.tools["jaws"], gripper=Gripper(0.2, 0.2, 0.005))
-    cell = replace(CELL, tools={"jaws": wide})
+    wide = replace(CELL.first.tools["jaws"], gripper=Gripper(0.2, 0.2, 0.005))
+    cell = with_station(CELL, tools={"jaws": wide})
     carried = ran(
         *lines, "mov (500, -200, 460)", "lin (500, -200, 340)", "close", "lin (500, -200, 460)", cell=cell
     )

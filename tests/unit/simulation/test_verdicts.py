@@ -7,9 +7,10 @@ from ropsim import robots
 from ropsim.flow import Channel
 from ropsim.model import Cell, ideal_drive
 from ropsim.simulation.verdicts import verdicts
+from support.cells import one_station, with_station
 
 ROBOT = robots.load("puma560")
-CELL = Cell("c", ROBOT, robots.default_controller("puma560"), start=ROBOT.home)
+CELL = one_station("c", ROBOT, robots.default_controller("puma560"), start=ROBOT.home)
 TIME = np.arange(100.0) / 250.0
 
 
@@ -23,7 +24,7 @@ def quiet() -> dict[str, Channel]:
 
 
 def test_an_arm_at_rest_breaks_no_limit() -> None:
-    assert verdicts(CELL, TIME, quiet(), "a.task") == ()
+    assert verdicts(CELL.first.robot, TIME, quiet(), "a.task") == ()
 
 
 @pytest.mark.parametrize(
@@ -42,7 +43,7 @@ def test_a_peak_beyond_a_limit_is_found_with_joint_and_line(
 ) -> None:
     channels = quiet()
     channels[channel].values[row, joint] = value
-    (found,) = verdicts(CELL, TIME, channels, "a.task")
+    (found,) = verdicts(CELL.first.robot, TIME, channels, "a.task")
     assert found.code == code
     assert found.span is not None
     assert found.span.line == row
@@ -52,17 +53,17 @@ def test_a_peak_beyond_a_limit_is_found_with_joint_and_line(
 def test_a_servo_may_overshoot_the_speed_limit_by_two_per_cent() -> None:
     channels = quiet()
     channels["qd"].values[10, 0] = 1.019 * ROBOT.max_speeds[0]
-    assert verdicts(CELL, TIME, channels, "a.task") == ()
+    assert verdicts(CELL.first.robot, TIME, channels, "a.task") == ()
     channels["qd"].values[10, 0] = 1.021 * ROBOT.max_speeds[0]
-    assert [found.code for found in verdicts(CELL, TIME, channels, "a.task")] == ["S732"]
+    assert [found.code for found in verdicts(CELL.first.robot, TIME, channels, "a.task")] == ["S732"]
 
 
 def test_full_voltage_counts_only_when_it_lasts() -> None:
     channels = quiet()
     channels["voltage"].values[20:30, 3] = 40.0
-    assert verdicts(CELL, TIME, channels, "a.task") == ()
+    assert verdicts(CELL.first.robot, TIME, channels, "a.task") == ()
     channels["voltage"].values[20:35, 3] = -40.0
-    (found,) = verdicts(CELL, TIME, channels, "a.task")
+    (found,) = verdicts(CELL.first.robot, TIME, channels, "a.task")
     assert (found.code, found.data["value"]) == ("S734", pytest.approx(0.060))
 
 
@@ -75,21 +76,21 @@ def _mixed() -> tuple[Cell, dict[str, Channel]]:
     for name in ("current", "voltage"):
         channels[name] = Channel(np.zeros((100, 5)), "", others)
     channels["command"] = Channel(np.zeros((100, 1)), "", ("2",))
-    return replace(CELL, robot=robot), channels
+    return with_station(CELL, robot=robot), channels
 
 
 def test_a_limit_of_a_drive_is_looked_at_where_the_drive_has_it() -> None:
     cell, channels = _mixed()
-    assert verdicts(cell, TIME, channels, "a.task") == ()
+    assert verdicts(cell.first.robot, TIME, channels, "a.task") == ()
     channels["current"].values[41, 1] = 9.5  # the second of the joints with a motor current is joint 3
-    (found,) = verdicts(cell, TIME, channels, "a.task")
+    (found,) = verdicts(cell.first.robot, TIME, channels, "a.task")
     assert (found.code, found.data["joint"]) == ("S731", 3)
 
 
 def test_an_ideal_drive_at_its_limit_counts_only_when_it_lasts() -> None:
     cell, channels = _mixed()
     channels["command"].values[20:30, 0] = 30.0
-    assert verdicts(cell, TIME, channels, "a.task") == ()
+    assert verdicts(cell.first.robot, TIME, channels, "a.task") == ()
     channels["command"].values[20:35, 0] = -30.0
-    (found,) = verdicts(cell, TIME, channels, "a.task")
+    (found,) = verdicts(cell.first.robot, TIME, channels, "a.task")
     assert (found.code, found.data["joint"], found.data["value"]) == ("S740", 2, pytest.approx(0.060))

@@ -7,14 +7,15 @@ import pytest
 
 from ropsim.flow import Placement
 from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, Cell, FixedObject, Gripper, Part, Tool, body_tree
+from ropsim.model import FixedObject, Gripper, Part, Tool, body_tree
 from ropsim.robots import default_controller, load
 from ropsim.spatial import Pose, frozen
 from ropsim.views import ShownPlacements
+from support.cells import one_station
 
 ARM = load("puma560")
 ROUNDING = 1e-12
-CELL = Cell(
+CELL = one_station(
     "c",
     ARM,
     default_controller("puma560"),
@@ -54,7 +55,7 @@ def test_what_lies_on_a_part_is_told_again_when_that_is_taken() -> None:
         ("b", 2.0, 6),
     ]
     pose = Pose(frozen(entries[-1][1]["pose"][:3]), frozen(entries[-1][1]["pose"][3:]))
-    q = {ROBOT: ARM.home[None]}
+    q = {"robot": ARM.home[None]}
     poses = body_poses(TREE, q, ["link6", "b"], {"b": ("a", Y), "a": ("tool:jaws", X)})
     np.testing.assert_allclose(poses["link6"][0] @ pose.matrix(), poses["b"][0], atol=ROUNDING)
 

@@ -1,6 +1,6 @@
 """Operations of inputs, outputs, time and messages."""
 
-from ropsim.flow import Instruction, MessageInstruction, OutputInstruction, WaitInstruction
+from ropsim.flow import AwaitInstruction, Instruction, MessageInstruction, OutputInstruction, WaitInstruction
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
@@ -14,7 +14,7 @@ def _input(registers: Registers, world: World, site: Site) -> Instruction | None
     if (sync := barrier(registers, site)) is not None:
         return sync
     name, kind = site.operand
-    value = registers.outputs[name] if name in registers.outputs else world.read(name)
+    value = world.read(name)
     try:
         number = float(value)
     except OverflowError:
@@ -27,7 +27,6 @@ def _input(registers: Registers, world: World, site: Site) -> Instruction | None
 
 def _output(registers: Registers, _world: World, site: Site) -> Instruction:
     value = registers.stack.pop()
-    registers.outputs[site.operand] = value
     return OutputInstruction(site.operand, value, registers.modal, registers.origin(site.key, site.span))
 
 
@@ -39,11 +38,12 @@ def _wait_time(registers: Registers, _world: World, site: Site) -> Instruction:
 
 
 def _wait_input(registers: Registers, world: World, site: Site) -> Instruction | None:
+    value, timeout = registers.stack[-2:]
+    limit = timeout if timeout > 0.0 else None
     if (sync := barrier(registers, site)) is not None:
-        return sync
-    timeout = registers.stack.pop()
-    value = registers.stack.pop()
-    came = world.wait(site.operand, value, timeout if timeout > 0.0 else None)
+        return AwaitInstruction(sync.modal, sync.origin, site.operand, value, limit)
+    del registers.stack[-2:]
+    came = world.wait(site.operand, value, limit)
     if not came and timeout <= 0.0:
         level = "TRUE" if value else "FALSE"
         message = f"channel `{site.operand}` never became {level}, and the wait has no timeout"

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.controller import SensorInterface
 from ropsim.flow import JointReference
-from ropsim.model import Cell, Payload
+from ropsim.model import Cell, Payload, Station
 from ropsim.simulation.plant import constant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo.checks import check_signals
@@ -17,8 +17,8 @@ class ServoPlant:
     """Follows references as drives, gears, friction and inertia allow.
 
     Args:
-        cell: with the arm and its controller.
-        q: joint coordinates at time 0 [rad | m], shape (n,).
+        cell: with the signals.
+        station: the arm and its controller.
         payload: body at the mechanical interface at time 0.
         options: the joint controller and how densely to record.
         sensors: delivers the signals that the law reads.
@@ -28,15 +28,16 @@ class ServoPlant:
     """
 
     def __init__(
-        self, cell: Cell, q: Array, payload: Payload, options: RunOptions, sensors: SensorInterface
+        self, cell: Cell, station: Station, payload: Payload, options: RunOptions, sensors: SensorInterface
     ) -> None:
-        self._servo = Servo.build(cell.robot, cell.controller, options.law)
+        robot, law = station.robot, options.laws.get(station.name)
+        self._servo = Servo.build(robot, station.controller, law)
         self._sensors = sensors
         if options.sensors is None:
             check_signals(self._servo.law, cell)
-        self._state = self._servo.initial_state(q, payload)
+        self._state = self._servo.initial_state(station.q_start, payload)
         record_ticks = options.record_ticks(self._servo.control_hz)
-        self._recorder = Recorder(cell.robot, self._state, record_ticks, options.most_rows)
+        self._recorder = Recorder(robot, self._state, record_ticks, options.most_rows)
 
     @property
     def q(self) -> Array:

@@ -15,19 +15,20 @@ from ropsim.model import Cell
 from ropsim.studio.jobs import Simulate
 
 
-def content_of(cell: Cell, code: Program, job: Simulate) -> str:
-    """Return what makes two runs the same: cell, program without its source lines, fidelity and inputs.
+def content_of(cell: Cell, codes: Mapping[str, Program], job: Simulate) -> str:
+    """Return what makes two runs the same: cell, programs without their source lines, fidelity and inputs.
 
     Comments, blank lines and names of the text have no part in it.
 
     Args:
         cell: where the program runs.
-        code: compiled.
+        codes: compiled, by station.
         job: how it is run.
     """
     # the records of a cell are made in the order of its file, so equal cells have equal bytes
     plain = pickle.dumps((cell, job.fidelity, job.inputs), protocol=5)
-    return f"{program_id(code)} {hashlib.sha256(plain).hexdigest()}"
+    programs = " ".join(program_id(code) for code in codes.values())
+    return f"{programs} {hashlib.sha256(plain).hexdigest()}"
 
 
 def moved_lines(before: Program, after: Program) -> Mapping[int, int]:

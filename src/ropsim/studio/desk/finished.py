@@ -35,8 +35,10 @@ class FinishedRun:
             number: of the job that asks for it.
             ready: compiled from that text.
         """
-        lines = moved_lines(self.ready.code, ready.code)
-        recording = on_lines(self.recording, self.ready.code.source, lines)
+        recording = self.recording
+        for station, code in self.ready.codes.items():
+            lines = moved_lines(code, ready.codes[station])
+            recording = on_lines(recording, code.source, lines)
         return FinishedRun(number, self.content, ready, recording)
 
     def file(self, form: RunForm) -> SavedRun:

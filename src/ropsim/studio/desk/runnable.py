@@ -1,6 +1,6 @@
 """A project made ready to run: opened with its unsaved texts and compiled."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from ropsim.model import Cell
 from ropsim.records import inputs_of
 from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
 from ropsim.views import plain_findings
-from ropsim.workbench import Project, open_overlaid, pack_of
+from ropsim.workbench import Project, found_in, open_overlaid, pack_of
 
 MOST_ROWS = 400_000
 """Recorded rows of a run in the studio: 26 minutes at the full rate, 53 at half of it, and so on."""
@@ -25,15 +25,20 @@ class Runnable:
         project: as it would be if the texts were saved.
         name: of the program.
         cell: where it runs.
-        code: its verified code.
+        codes: verified code of what the stations run, by station.
         findings: warnings of reading and compiling.
     """
 
     project: Project
     name: str
     cell: Cell
-    code: icr.Program
+    codes: Mapping[str, icr.Program]
     findings: tuple[Diagnostic, ...]
+
+    @property
+    def code(self) -> icr.Program:
+        """Return the verified code of the program that has the name."""
+        return self.codes[self.cell.station_of(self.name).name]
 
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
@@ -67,8 +72,9 @@ def made_ready(job: Simulate | LiveStart) -> Runnable | RunReply:
         return RunReply("refused", job.program, findings=plain_findings(project.diagnostics))
     compiled = project.program(job.program or None)
     name = next(key for key, text in project.sources.items() if text is compiled.source)
-    findings = (*project.diagnostics, *compiled.diagnostics)
+    programs = project.programs(job.program or None)
+    findings = (*project.diagnostics, *found_in(programs.values()))
     if any(one.is_error for one in findings):
         return RunReply("refused", name, findings=plain_findings(findings))
-    cell, code = project.runnable(compiled)
-    return Runnable(project, name, cell, code, findings)
+    cell, codes = project.runnable(programs)
+    return Runnable(project, name, cell, codes, findings)

@@ -39,7 +39,7 @@ def simulate(job: Simulate, line: Line, shelf: Shelf) -> RunReply:
     """
 
     def run(ready: Runnable) -> RunReply:
-        content = content_of(ready.cell, ready.code, job)
+        content = content_of(ready.cell, ready.codes, job)
         kept = shelf.run
         if kept is not None and kept.content == content:
             shelf.run = kept.shown_on(line.number, ready)
@@ -70,7 +70,7 @@ def _carried_out(job: Simulate, ready: Runnable, listener: "Listener", purpose: 
         options = RunOptions(Fidelity.KINEMATIC, record_hz=PLANNING_ROWS, most_rows=MOST_ROWS, watch=listener)
     else:
         options = RunOptions(Fidelity(job.fidelity), most_rows=MOST_ROWS, watch=listener)
-    return run_program(ready.cell, ready.code, with_inputs(options, inputs))
+    return run_program(ready.cell, ready.codes, with_inputs(options, inputs))
 
 
 @dataclass(slots=True)
@@ -123,7 +123,7 @@ class Listener:
             ready = made_ready(order.job)
         except RopsimError as error:
             raise Cancelled from error
-        if isinstance(ready, RunReply) or content_of(ready.cell, ready.code, order.job) != self.content:
+        if isinstance(ready, RunReply) or content_of(ready.cell, ready.codes, order.job) != self.content:
             raise Cancelled
         self.ready = ready
         self.line.report(Renewed(order.run))

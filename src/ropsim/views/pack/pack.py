@@ -62,7 +62,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
         "source": first.source,
         "fidelity": facts.fidelity.value,
         "project": cell.name,
-        "base": plain_pose(cell.X_WB),
+        "base": plain_pose(cell.first.X_WB),
         "channels": packed_channels(recording, times, body),
         "bodies": packed_bodies(recording, cell, times, body),
         "events": [packed_event(event) for event in recording.events],

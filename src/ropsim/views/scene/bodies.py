@@ -53,7 +53,7 @@ def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
 
 def _looks(cell: Cell) -> dict[str, tuple[Shape, ...]]:
     """Return how arm and tools are drawn, by name of their bodies: by their own shapes, else by stand-ins."""
-    robot, width = cell.robot, grip_width(cell)
+    robot, width = cell.first.robot, grip_width(cell)
     links = {link_name(number): link_shapes(robot, number) for number in range(1, len(robot.joints) + 1)}
-    tools = {tool_body(name): tool_shapes(tool, width) for name, tool in cell.tools.items()}
+    tools = {tool_body(name): tool_shapes(tool, width) for name, tool in cell.first.tools.items()}
     return {BASE: base_shapes(robot), **links, **tools}

@@ -45,13 +45,13 @@ def scene(cell: Cell, meshes: Mapping[Mesh, MeshSource] = NO_MESHES) -> dict[str
             }
             for signal in cell.signals.values()
         ],
-        "base": plain_pose(cell.X_WB),
+        "base": plain_pose(cell.first.X_WB),
         "extent": _extent(cell, bodies, meshes),
     }
 
 
 def _robot(cell: Cell) -> dict[str, object]:
-    robot = cell.robot
+    robot = cell.first.robot
     joints = [
         {
             "name": joint.name,
@@ -77,14 +77,14 @@ def _body(body: SceneBody, meshes: Mapping[Mesh, MeshSource]) -> dict[str, objec
 
 
 def _frames(cell: Cell) -> list[dict[str, object]]:
-    tool = cell.tools.get(cell.default_tool)
-    X_nT = cell.robot.X_nM @ tool.X_MT if tool else cell.robot.X_nM
+    tool = cell.first.tools.get(cell.first.default_tool)
+    X_nT = cell.first.robot.X_nM @ tool.X_MT if tool else cell.first.robot.X_nM
     marks = [
         ("world", "world", NO_BODY, Pose()),
-        ("base", "base", NO_BODY, cell.X_WB),
+        ("base", "base", NO_BODY, cell.first.X_WB),
         *((name, "frame", NO_BODY, X_WK) for name, X_WK in cell.frames.items()),
         *((name, "location", NO_BODY, X_WT) for name, X_WT in cell.locations.items()),
-        ("tcp", "tcp", cell.robot.tip + 1, X_nT),
+        ("tcp", "tcp", cell.first.robot.tip + 1, X_nT),
     ]
     return [
         {"name": name, "kind": kind, "parent": parent, "pose": plain_pose(pose)}
@@ -96,10 +96,10 @@ def _extent(
     cell: Cell, bodies: tuple[SceneBody, ...], meshes: Mapping[Mesh, MeshSource]
 ) -> dict[str, list[float]]:
     """Return the box around everything and around the reach of the arm, which stops at the floor."""
-    tool = cell.tools.get(cell.default_tool)
-    centre, radius = reach(cell.robot)
+    tool = cell.first.tools.get(cell.first.default_tool)
+    centre, radius = reach(cell.first.robot)
     radius += float(np.linalg.norm(tool.X_MT.position)) if tool else 0.0
-    shoulder = (cell.X_WB @ Pose(centre)).position
+    shoulder = (cell.first.X_WB @ Pose(centre)).position
     points = np.vstack([np.zeros((1, 3)), *_corners_in_world(bodies, meshes)])
     low, high = points.min(axis=0), points.max(axis=0)
     floor = low[2]

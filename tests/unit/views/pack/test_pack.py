@@ -12,7 +12,7 @@ import pytest
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, GripEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward_batch
-from ropsim.model import Cell, body_tree
+from ropsim.model import WORLD, Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.cell_run import CellRun
 from ropsim.views import pack, result_figures, scene, summarize
@@ -79,9 +79,11 @@ def test_the_last_link_is_where_forward_kinematics_has_it(shown: Shown) -> None:
     q = np.stack(
         [np.interp(times, shown.recording.time, one) for one in shown.recording.channels["q"].values.T]
     )
-    expected = cell.X_WB.matrix() @ forward_batch(cell.robot, q.T)
+    expected = cell.first.X_WB.matrix() @ forward_batch(cell.first.robot, q.T)
     for time, X_WM in zip(times, expected, strict=True):
-        shown_pose = (shown.pack.pose(f"link{cell.robot.n}", float(time)) @ cell.robot.X_nM).matrix()
+        shown_pose = (
+            shown.pack.pose(f"link{cell.first.robot.n}", float(time)) @ cell.first.robot.X_nM
+        ).matrix()
         assert np.max(np.abs(shown_pose - X_WM)) < 2e-4
 
 
@@ -101,8 +103,8 @@ def test_parts_end_where_the_simulation_has_them(shown: Shown) -> None:
     for part in shown.cell.parts:
         gone = part.name in end.queued or part.name in end.left
         assert shown.pack.visible(part.name, duration) == (not gone)
-        if part.name in end.resting:
-            X_WO = end.resting[part.name]
+        if part.name in end.seats and end.seats[part.name].rides == WORLD:
+            X_WO = end.seats[part.name].pose
             error = shown.pack.pose(part.name, duration).position - X_WO.position
             assert np.max(np.abs(error)) < RESTING
 

@@ -13,7 +13,6 @@ from ropsim import robots
 from ropsim.kinematics import frames_batch, joint_frames
 from ropsim.model import (
     Box,
-    Cell,
     Cylinder,
     FixedObject,
     Gripper,
@@ -30,6 +29,7 @@ from ropsim.model import (
 )
 from ropsim.spatial import Pose, frozen
 from ropsim.views import MeshSource, scene
+from support.cells import one_station, with_station
 
 ROUNDING = 1e-12
 TYPES = (Path(__file__).parents[4] / "frontend" / "src" / "scene" / "description.ts").read_text("utf-8")
@@ -48,7 +48,7 @@ ARM = robots.load("puma560")
 TURNED = Pose(frozen([1.0, 2.0, 0.5]), frozen([1.0, 0.0, 0.0, 1.0]))
 JAWS = Tool("jaws", Pose(frozen([0.0, 0.0, 0.2])), gripper=Gripper(0.2, 0.2, 0.005))
 PEN = Tool("pen", Pose(frozen([0.05, 0.0, 0.1])))
-CELL = Cell(
+CELL = one_station(
     name="test",
     robot=ARM,
     controller=robots.default_controller("puma560"),
@@ -116,7 +116,7 @@ def test_links_stand_in_the_world_where_the_kinematics_has_them() -> None:
 
 def test_the_start_of_the_cell_moves_the_links() -> None:
     q = frozen([0.3, -0.4, 0.2, 0.1, 0.5, -0.6])
-    bodies: Any = scene(replace(CELL, start=q))["bodies"]
+    bodies: Any = scene(with_station(CELL, start=q))["bodies"]
     expected = TURNED.matrix() @ joint_frames(ARM, q)[5]
     assert matrix(bodies[6]["pose"]) == pytest.approx(expected, abs=ROUNDING)
 
@@ -174,6 +174,6 @@ def test_the_extent_holds_every_place_that_the_tool_can_reach_above_the_floor() 
 
 def test_the_extent_holds_the_corners_of_every_box() -> None:
     far = FixedObject("far", Pose(frozen([5.0, 0.0, -1.0])), (Shape(Box((2.0, 2.0, 2.0))),))
-    extent: Any = scene(replace(CELL, X_WB=Pose(), objects=(far,), parts=()))["extent"]
+    extent: Any = scene(replace(with_station(CELL, X_WB=Pose()), objects=(far,), parts=()))["extent"]
     assert extent["max"][0] == pytest.approx(6.0)
     assert extent["min"][2] == pytest.approx(-2.0)

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.model import Box, Cell, Cylinder, Gripper, Part, Shape, Tool
+from ropsim.model import Box, Cylinder, Gripper, Part, Shape, Tool
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.views.scene.arm import base_shapes, link_shapes, reach
 from ropsim.views.scene.tool import grip_width, tool_shapes
 from support.arms import random_arm
+from support.cells import one_station
 
 TOUCH = 1e-9  # [m]
 ASIDE = Pose(frozen([-0.16, 0.0, 0.06]), frozen([np.sqrt(0.5), 0.0, -np.sqrt(0.5), 0.0]))
@@ -95,7 +96,7 @@ def test_a_tool_at_the_interface_needs_no_bracket() -> None:
 
 
 def test_the_narrowest_part_tells_the_width_of_the_grip() -> None:
-    cell = Cell("c", robots.load("puma560"), robots.default_controller("puma560"))
+    cell = one_station("c", robots.load("puma560"), robots.default_controller("puma560"))
     parts = tuple(
         Part(f"p{k}", frozen(size), 0.1, Pose())
         for k, size in enumerate(([0.3, 0.2, 0.01], [0.08, 0.07, 0.2]))

@@ -39,7 +39,7 @@ class JoggedArm:
 
     def warm(self) -> None:
         """Load the compiled kinematics."""
-        robot = self.cell.robot
+        robot = self.cell.first.robot
         inverse(robot, forward(robot, robot.home), IkOptions(near=robot.home))
 
     def to_joints(self, job: JogJoints) -> JogReply | Failed:
@@ -49,7 +49,7 @@ class JoggedArm:
         if wrong or X_MT is None:
             return Failed(wrong or self._no_tool(job.tool))
         wanted = np.array(job.q, dtype=np.float64)
-        robot = self.cell.robot
+        robot = self.cell.first.robot
         q = np.clip(wanted, robot.lower_limits, robot.upper_limits)
         return self._reply(q, X_MT, limit_words(robot, q, wanted))
 
@@ -60,8 +60,8 @@ class JoggedArm:
         if wrong or X_MT is None:
             return Failed(wrong or self._no_tool(job.tool))
         here = np.array(job.q, dtype=np.float64)
-        robot = self.cell.robot
-        X_BM = self.cell.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
+        robot = self.cell.first.robot
+        X_BM = self.cell.first.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:
             return self._reply(here, X_MT, refusal_words(robot, found))
@@ -72,7 +72,7 @@ class JoggedArm:
         return self._reply(choice.q, X_MT, words)
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:
-        robot, places = self.cell.robot, self.tree.places()
+        robot, places = self.cell.first.robot, self.tree.places()
         moving = self.tree.names(BodyKind.BASE, BodyKind.LINK)
         found = body_poses(self.tree, {ROBOT: q[None]}, moving)
         poses = {name: Pose.from_matrix(matrix[0]) for name, matrix in found.items()}
@@ -84,17 +84,17 @@ class JoggedArm:
 
     def _tool(self, name: str) -> Pose | None:
         """Return X_MT of a tool; without a name that of the cell's default tool."""
-        tool = self.cell.tools.get(name or self.cell.default_tool)
+        tool = self.cell.first.tools.get(name or self.cell.first.default_tool)
         if tool is not None:
             return tool.X_MT
         return None if name else Pose()
 
     def _no_tool(self, name: str) -> str:
-        known = ", ".join(f"`{one}`" for one in self.cell.tools) or "none"
+        known = ", ".join(f"`{one}`" for one in self.cell.first.tools) or "none"
         return f"the cell has no tool `{name[:60]}`, it has {known}"
 
     def _wrong(self, q: tuple[float, ...]) -> str:
-        n = self.cell.robot.n
+        n = self.cell.first.robot.n
         if len(q) != n:
             return f"{len(q)} joint coordinates were given, the arm has {n} joints"
         return "" if np.isfinite(q).all() else "a joint coordinate is no finite number"

@@ -20,7 +20,7 @@ In a live run keys set inputs of the cell, which stand under `[signals]` in `cel
 
 @dataclass(frozen=True, slots=True)
 class Stamp:
-    """A change of an input with its control tick."""
+    """A change of an input with its tick."""
 
     signal: str
     tick: int
@@ -31,17 +31,19 @@ class Stamp:
 class Keys:
     """Gives key presses their times.
 
-    A press becomes part of the run at the next control tick of the clock that is shown, later than anything
+    A press becomes part of the run at the next tick of the clock that is shown, later than anything
     the program has read and later than the press before on the same signal. A run that is given the same
     changes at the same ticks reads the same values.
 
     Attributes:
         cell: whose inputs they are.
-        looked: control tick of the latest reading of the program, -1 before the first.
+        hz: ticks of the cell's clock per second.
+        looked: tick of the latest reading of the program, -1 before the first.
         last: tick of the latest change by signal.
     """
 
     cell: Cell
+    hz: int
     looked: int = -1
     last: dict[str, int] = field(default_factory=dict)
 
@@ -62,7 +64,7 @@ class Keys:
         if not math.isfinite(value):
             return NO_INPUT.at(None, f"`{name}` cannot be set to {value}, needed is a number")
         level = value if signal.analog else float(value != 0.0)
-        due = math.ceil(now * self.cell.controller.rates.control_hz - 1e-9)
+        due = math.ceil(now * self.hz - 1e-9)
         tick = max(due, self.looked + 1, self.last.get(name, -1) + 1)
         self.last[name] = tick
         return Stamp(name, tick, level)

@@ -96,7 +96,7 @@ class LivePace:
 
     def _begin(self, run: RunView) -> None:
         if self.frames is None:
-            self.keys = Keys(run.cell)
+            self.keys = Keys(run.cell, run.hz)
             self.frames = Frames(run)
             self.placed = ShownPlacements(run.scenery.tree)
             self.line.report(self.frames.layout())
@@ -166,7 +166,7 @@ class LivePace:
         stamp = keys.stamp(order.name, order.value, self.clock.now())
         if isinstance(stamp, Stamp):
             run.press(stamp.signal, stamp.tick, stamp.value)
-            time = stamp.tick / run.cell.controller.rates.control_hz
+            time = stamp.tick / run.hz
             news = {"type": "stamped", "name": stamp.signal, "value": stamp.value, "time": time}
         else:
             news = {

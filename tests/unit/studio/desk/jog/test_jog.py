@@ -10,15 +10,16 @@ from hypothesis import strategies as st
 from ropsim import robots
 from ropsim.kinematics import forward, posture, solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
-from ropsim.model import Cell, Tool
+from ropsim.model import Tool
 from ropsim.spatial import Pose, frozen
 from ropsim.studio.desk.jog.jog import JoggedArm
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp, PoseNumbers
 from support.arms import random_arm
+from support.cells import one_station
 
 PUMA = robots.load("puma560")
 TOOL = Tool("probe", Pose(frozen([0.0, 0.05, 0.12])))
-CELL = Cell(
+CELL = one_station(
     "c",
     PUMA,
     robots.default_controller("puma560"),
@@ -53,13 +54,13 @@ def moved(target: PoseNumbers, dx: float, dy: float, dz: float) -> PoseNumbers:
 
 
 def test_the_tcp_is_that_of_the_forward_kinematics_in_the_world() -> None:
-    expected = CELL.X_WB @ forward(PUMA, BENT) @ TOOL.X_MT
+    expected = CELL.first.X_WB @ forward(PUMA, BENT) @ TOOL.X_MT
     assert joints(BENT).tcp == pytest.approx(expected.as_tuple(), abs=1e-12)
 
 
 def test_base_and_links_are_told_by_their_place_in_the_scene() -> None:
     assert [body for body, _ in joints(BENT).bodies] == [0, 1, 2, 3, 4, 5, 6]
-    assert joints(BENT).bodies[0][1] == pytest.approx(CELL.X_WB.as_tuple(), abs=1e-15)
+    assert joints(BENT).bodies[0][1] == pytest.approx(CELL.first.X_WB.as_tuple(), abs=1e-15)
 
 
 @given(steps=STEPS)
@@ -136,7 +137,7 @@ def test_a_pose_out_of_reach_is_told_in_millimetres_and_the_arm_stays() -> None:
 
 def test_a_pose_beyond_a_limit_is_told_with_the_joint_and_by_how_much() -> None:
     q = np.array([0.4, 1.0, -4.1, 0.4, -1.8, 0.8])
-    target = CELL.X_WB @ forward(PUMA, q) @ TOOL.X_MT
+    target = CELL.first.X_WB @ forward(PUMA, q) @ TOOL.X_MT
     reply = pose(BENT, target.as_tuple())
     assert (reply.q, reply.reached) == (BENT, False)
     assert reply.words[:2] == (
@@ -147,7 +148,7 @@ def test_a_pose_beyond_a_limit_is_told_with_the_joint_and_by_how_much() -> None:
 
 def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others() -> None:
     robot = robots.load("two_link")
-    arm = JoggedArm.of(Cell("c", robot, CELL.controller))
+    arm = JoggedArm.of(one_station("c", robot, CELL.first.controller))
     stretched = arm.to_joints(JogJoints((0.3, 0.0), ""))
     assert isinstance(stretched, JogReply)
     assert any("singularity" in text for _, text in stretched.words)
@@ -163,7 +164,7 @@ def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others()
 
 def test_an_arm_without_closed_form_is_jogged_and_told_that_it_was_solved_numerically() -> None:
     robot = random_arm(3, "RRRRRR")
-    arm = JoggedArm.of(Cell("c", robot, CELL.controller))
+    arm = JoggedArm.of(one_station("c", robot, CELL.first.controller))
     here, there = (0.3, -0.4, 0.5, 0.2, -0.6, 0.1), (0.32, -0.41, 0.52, 0.2, -0.58, 0.1)
     reply = arm.to_pose(JogTcp(here, "", forward(robot, there).as_tuple()))
     assert isinstance(reply, JogReply)

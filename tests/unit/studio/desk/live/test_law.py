@@ -30,15 +30,15 @@ def keys(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def play(opened: Project, line: FakeLine, speed: float, options: RunOptions) -> Played:
-    cell, code = opened.runnable(opened.program())
+    cell, codes = opened.runnable(opened.programs())
     clock = PacedClock(line.now, speed)
     pace = LivePace("main", clock, line, line.now, line.now)
-    return Played(run(cell, code, replace(options, watch=pace)), line)
+    return Played(run(cell, codes, replace(options, watch=pace)), line)
 
 
 def again(opened: Project, recording: Recording, options: RunOptions) -> Recording:
-    cell, code = opened.runnable(opened.program())
-    return run(cell, code, with_inputs(options, inputs_of(recording)))
+    cell, codes = opened.runnable(opened.programs())
+    return run(cell, codes, with_inputs(options, inputs_of(recording)))
 
 
 ORDERS: st.SearchStrategy[Order] = st.one_of(

@@ -1,0 +1,145 @@
+"""The devices of a cell file: `[devices.NAME]`, what moves beside the robots."""
+
+from collections.abc import Mapping
+
+from ropsim import robots
+from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.poses import read_base
+from ropsim.cellfile.quantity import Quantity, Units
+from ropsim.cellfile.shapes import Look, read_look, read_shapes
+from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.model import (
+    Barrier,
+    BeltDrive,
+    Box,
+    Cylinder,
+    Device,
+    DeviceDrive,
+    IndexDrive,
+    JointType,
+    Mechanism,
+    Shape,
+    Signal,
+    SwitchDrive,
+)
+from ropsim.spatial import Pose, frozen
+
+KINDS = ("conveyor", "slide", "turntable")
+_SMALL = 0.05  # [m], stands in while a wrong size is being reported
+_FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
+_HARDEST = {JointType.PRISMATIC: 1e3, JointType.REVOLUTE: 1e4}
+
+
+def read_devices(
+    tables: Mapping[str, TomlTable], signals: Mapping[str, Signal], units: Units
+) -> dict[str, Device]:
+    """Return the devices by name.
+
+    Args:
+        tables: `[devices.NAME]`.
+        signals: of the cell, by name.
+        units: of the file.
+    """
+    devices = {}
+    for name, table in tables.items():
+        table.require("kind")
+        X_WB = read_base(table, units)
+        kind = table.choice("kind", KINDS, KINDS[0])
+        drive: DeviceDrive
+        if kind == "conveyor":
+            mechanism, drive = _conveyor(table, signals, units)
+        else:
+            mechanism = _slide(table, units) if kind == "slide" else _turntable(table, units)
+            drive = _axis_drive(table, mechanism.joints[0].type, signals, units)
+        table.finish()
+        devices[name] = Device(name, mechanism, drive, X_WB)
+    return devices
+
+
+def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> tuple[Mechanism, BeltDrive]:
+    table.require("length", "width", "speed")
+    length = table.number("length", units.extent, _SMALL)
+    width = table.number("width", units.extent, _SMALL)
+    height = table.number("height", units.extent, 0.1)
+    speed = table.number("speed", units.path(1, _FASTEST[JointType.PRISMATIC]), 0.1)
+    acceleration = table.number("acceleration", units.path(2, _HARDEST[JointType.PRISMATIC]), 1.0)
+    run = table.reference("run", signals, "signal")
+    barrier = _barrier(table.table("stop"), length, signals, units) if "stop" in table else None
+    colour = read_look(table, Look()).colour
+    return robots.belt(length, width, height, colour), BeltDrive(speed, acceleration, run, length, barrier)
+
+
+def _barrier(table: TomlTable, length: float, signals: Mapping[str, Signal], units: Units) -> Barrier:
+    table.require("at", "signal")
+    at = table.number("at", units.position.within(0.0, length), length)
+    signal = _input(table, "signal", signals)
+    table.finish()
+    return Barrier(at, signal)
+
+
+def _slide(table: TomlTable, units: Units) -> Mechanism:
+    return robots.slide(_shapes(table, units))
+
+
+def _turntable(table: TomlTable, units: Units) -> Mechanism:
+    return robots.turntable(_shapes(table, units))
+
+
+def _shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
+    """Return what the moving body looks like: `shapes`, or a block or disc whose top is at its frame."""
+    look = read_look(table, Look())
+    given = [key for key in ("size", "diameter", "shapes") if key in table]
+    if len(given) > 1:
+        message = f"`{given[0]}` and `{given[1]}` both say what the device looks like"
+        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(given[1]), message, "keep one of them")
+    if not given:
+        table.require("size")
+        return ()
+    if given[0] == "shapes":
+        return read_shapes(table, units, look)
+    if given[0] == "size":
+        x, y, z = table.numbers("size", 3, units.extent, (_SMALL,) * 3)
+        return (look.shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0]))),)
+    diameter = table.number("diameter", units.extent, _SMALL)
+    height = table.number("height", units.extent, 0.05)
+    return (look.shape(Cylinder(diameter / 2.0, height), Pose(frozen([0.0, 0.0, -height / 2.0]))),)
+
+
+def _axis_drive(
+    table: TomlTable, type_: JointType, signals: Mapping[str, Signal], units: Units
+) -> DeviceDrive:
+    table.require("signal", "speed", "acceleration")
+    turns = type_ is JointType.REVOLUTE
+    way = units.turn if turns else units.position
+    rate = units.orientation if turns else units.path
+    signal = table.reference("signal", signals, "signal")
+    speed = table.number("speed", rate(1, _FASTEST[type_]), 1.0)
+    acceleration = table.number("acceleration", rate(2, _HARDEST[type_]), 1.0)
+    if "step" in table:
+        step = _away_from_zero(table, "step", way)
+        return IndexDrive(signal, step, speed, acceleration, _input(table, "in_place", signals))
+    table.require("on")
+    off, on = table.number("off", way, 0.0), table.number("on", way, 0.1)
+    is_off, is_on = _input(table, "is_off", signals), _input(table, "is_on", signals)
+    return SwitchDrive(signal, off, on, speed, acceleration, is_off, is_on)
+
+
+def _away_from_zero(table: TomlTable, key: str, quantity: Quantity) -> float:
+    value = table.number(key, quantity, 1.0)
+    if abs(value) < 1e-9:
+        message = f"`{table.name_of(key)}` is 0, the device would never move"
+        table.findings.add(kinds.VALUE_OUT_OF_RANGE, table.value_span(key), message)
+        return 1.0
+    return value
+
+
+def _input(table: TomlTable, key: str, signals: Mapping[str, Signal]) -> str:
+    """Return the name of an on/off input that the device sets; empty where the key is absent."""
+    name = table.reference(key, signals, "signal")
+    signal = signals.get(name)
+    if signal is not None and (not signal.is_input or signal.analog):
+        message = f"`{name}` is no on/off input, the device tells by it where it is"
+        hint = f"make it an input: `[signals.{name}]` with `input = 1`"
+        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span(key), message, hint)
+        return ""
+    return name

@@ -1,0 +1,24 @@
+"""Signals: the channels between programs, devices and whoever presses keys."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Signal:
+    """A digital or analog channel of the cell.
+
+    Attributes:
+        name: as programs call it.
+        is_input: input to the controller, else output.
+        analog: real-valued, else on/off.
+        initial: value at time 0.
+        changes: later values of an input as (time [s], value), in order of time.
+        channel: number at the controller's terminals, 0 where it is not known.
+    """
+
+    name: str
+    is_input: bool
+    analog: bool = False
+    initial: float = 0.0
+    changes: tuple[tuple[float, float], ...] = ()
+    channel: int = 0

@@ -1,0 +1,51 @@
+"""What stands around in a cell: fixed objects, sinks, and when a part lies on something."""
+
+from dataclasses import dataclass
+
+from ropsim.model.geometry import Shape
+from ropsim.spatial import Pose
+
+
+@dataclass(frozen=True, slots=True)
+class FixedObject:
+    """A thing of the cell that never moves; parts can lie on it.
+
+    Attributes:
+        name: unique among the bodies of the cell.
+        X_PO: its frame in that of its parent; in the world frame without one.
+        shapes: what it looks like, in its frame.
+        parent: name of the object that it hangs on, empty for none.
+    """
+
+    name: str
+    X_PO: Pose
+    shapes: tuple[Shape, ...]
+    parent: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sink:
+    """A place where released parts leave the cell.
+
+    Attributes:
+        name: unique.
+        position: centre in the world frame [m].
+        radius: [m].
+    """
+
+    name: str
+    position: tuple[float, float, float]
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class SupportLimits:
+    """When a part lies on something, and when it is in it.
+
+    Attributes:
+        gap: greatest height of a part above its support [m].
+        depth: greatest depth of a released part in something else [m].
+    """
+
+    gap: float = 0.005
+    depth: float = 0.002

@@ -1,0 +1,81 @@
+"""Mechanisms of devices: one axis each, of a belt, a slide or a turntable; without drives."""
+
+import math
+from dataclasses import replace
+
+from ropsim.model import Box, Joint, JointType, Link, Material, Mechanism, Shape, rod
+from ropsim.spatial import Pose, frozen
+
+_FREE = 1e9
+"""Limit of an axis that has none [rad | m]."""
+
+_ALONG_X = Pose(frozen([0.0, 0.0, 0.0]), frozen([math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0]))
+"""Turns z into x: the axis of a joint is its z axis."""
+
+_DARK, _STEEL = "#3d4248", "#9aa0a6"
+
+
+def belt(length: float, width: float, height: float, colour: str = _DARK) -> Mechanism:
+    """Return a conveyor: its base frame is at the start of the belt, amid its surface, x along it.
+
+    What lies on it moves with its one link; the belt itself is drawn as standing still.
+
+    Args:
+        length: of the belt [m].
+        width: of the belt [m].
+        height: of belt and frame below the surface [m].
+        colour: of the belt, `#rrggbb`.
+    """
+    thick = min(0.03, height / 2.0)
+    base = (
+        Shape(
+            Box((length, width, thick)),
+            _at(length / 2.0, 0.0, -thick / 2.0),
+            colour,
+            material=Material.RUBBER,
+        ),
+        Shape(
+            Box((length, 0.8 * width, height - thick)),
+            _at(length / 2.0, 0.0, -(height + thick) / 2.0),
+            _STEEL,
+        ),
+    )
+    return _mechanism("belt", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), base)
+
+
+def slide(shapes: tuple[Shape, ...]) -> Mechanism:
+    """Return a body that slides along x of the base frame: a door, a clamp, an axis of a gantry.
+
+    Args:
+        shapes: of the body, in its frame, which is the base frame at coordinate 0.
+    """
+    back = Pose(_ALONG_X.position, _ALONG_X.inverse().orientation)
+    turned = tuple(replace(one, pose=back @ one.pose) for one in shapes)
+    return _mechanism("slide", "Slide", JointType.PRISMATIC, _ALONG_X, turned, ())
+
+
+def turntable(shapes: tuple[Shape, ...]) -> Mechanism:
+    """Return a body that turns about z of the base frame.
+
+    Args:
+        shapes: of the body, in its frame, which is the base frame at coordinate 0.
+    """
+    post = rod([0.0, 0.0, -0.06], [0.0, 0.0, -0.05], 0.05, colour=_STEEL)
+    return _mechanism("turntable", "Turntable", JointType.REVOLUTE, Pose(), shapes, (post,))
+
+
+def _at(x: float, y: float, z: float) -> Pose:
+    return Pose(frozen([x, y, z]))
+
+
+def _mechanism(
+    name: str,
+    title: str,
+    type_: JointType,
+    placement: Pose,
+    shapes: tuple[Shape, ...],
+    base: tuple[Shape, ...],
+) -> Mechanism:
+    joint = Joint("1", type_, placement, 0.0, -_FREE, _FREE, _FREE, _FREE, _FREE)
+    link = Link(0.0, frozen([0.0] * 3), frozen([[0.0] * 3] * 3), shapes)
+    return Mechanism(name, title, (joint,), (link,), (), frozen([0.0]), base_shapes=base)

@@ -1,0 +1,71 @@
+"""A device at work: it looks at its signals, moves, carries parts and tells by its inputs where it is."""
+
+import math
+from bisect import bisect_right
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.model import Part
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
+from ropsim.simulation.diagnostics import RUN_OFF
+from ropsim.simulation.placements import Placements
+from ropsim.spatial import Pose
+
+
+def act(run: CellRun, device: DeviceRun) -> None:
+    """Let a device act at the tick at which it is due."""
+    tick = device.due
+    time = tick / run.hz
+    carried = tuple(_carried(name, run) for name in _riders(run.parts, device))
+    told = device.driving.act(device.course, Now(time, lambda name: run.is_on(name, time), carried))
+    place = bisect_right(device.scripted, tick)
+    nexts = list(device.scripted[place : place + 1])
+    if told.due < math.inf:
+        nexts.append(max(math.ceil(told.due * run.hz), tick + 1))
+    device.due = min(nexts, default=NEVER)
+    for name, level in device.heard(told.levels):
+        run.set_input(name, tick, float(level))
+    if told.lost:
+        _lose(run, device, told.lost, tick)
+
+
+def _riders(parts: Placements, device: DeviceRun) -> list[str]:
+    """Return the names of the parts that move with a device."""
+    return [name for name, seat in parts.seats.items() if seat.rides in device.bodies]
+
+
+def _carried(name: str, run: CellRun) -> Carried:
+    seat, part = run.parts.seats[name], run.scenery.parts[name]
+    centre, half = _along(part, seat.pose)
+    return Carried(name, centre + half, 2.0 * half)
+
+
+def _along(part: Part, pose: Pose) -> tuple[float, float]:
+    """Return the middle of a part along z of the body that it moves with, and half its length [m]."""
+    R = pose.rotation()
+    centre = pose.position[2] - R[2, 2] * part.size[2] / 2.0
+    return float(centre), float(np.abs(R[2]) @ part.size / 2.0)
+
+
+def _lose(run: CellRun, device: DeviceRun, names: tuple[str, ...], tick: int) -> None:
+    """Let parts leave the cell at the end of a belt; that is as it should be where there is a sink."""
+    moment = run.moment(tick)
+    gone = {one: moment.pose(run.parts.seats[one]) for name in names for one in run.parts.family(name)}
+    for name in names:
+        position = gone[name].position
+        if not any(
+            np.linalg.norm(position - np.array(sink.position)) <= sink.radius for sink in run.cell.sinks
+        ):
+            run.findings.append(_run_off(name, device.device.name, tick / run.hz))
+    run.place(run.parts.without(gone), tick)
+
+
+def _run_off(part: str, device: str, time: float) -> Diagnostic:
+    return RUN_OFF.at(
+        None,
+        f"part `{part}` has run off the end of `{device}` at t = {time:.2f} s",
+        hint="stop the belt earlier, by its `run` signal or a `stop`, or put a sink at its end",
+        data={"part": part, "device": device, "time_s": time},
+    )

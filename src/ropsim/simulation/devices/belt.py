@@ -1,0 +1,58 @@
+"""A belt that moves on as long as its signal is on and no part is in its barrier."""
+
+import math
+from dataclasses import dataclass
+
+from ropsim.model import BeltDrive
+from ropsim.simulation.devices.course import Course, to_rest, to_speed
+from ropsim.simulation.devices.device_run import Carried, Now, Told
+
+TOUCH = 1e-6
+"""A part this near to the barrier is in it [m]."""
+
+
+@dataclass(slots=True)
+class Belt:
+    """Running state; all that changes is in the course."""
+
+    drive: BeltDrive
+
+    def act(self, course: Course, now: Now) -> Told:
+        """Start, stop or go on, so that the front of the next part comes to rest at the barrier."""
+        drive, barrier = self.drive, self.drive.barrier
+        q, qd = course.at(now.time)
+        lost = tuple(one.name for one in now.carried if self._leaves(one) <= q + TOUCH)
+        carried = [one for one in now.carried if one.name not in lost]
+        blocked = barrier is not None and any(_covers(one, q, barrier.at) for one in carried)
+        runs = not blocked and (not drive.run or now.signals(drive.run))
+        target = math.inf
+        if barrier is not None:
+            target = min(
+                (barrier.at - one.front for one in carried if one.front + q < barrier.at - TOUCH),
+                default=math.inf,
+            )
+        brake = qd * qd / (2.0 * drive.acceleration)
+        if not runs:
+            course.go(to_speed(now.time, q, qd, 0.0, drive.acceleration))
+        elif target < math.inf and target - q >= brake - TOUCH:
+            course.go(to_rest(now.time, q, qd, max(target, q + brake), drive.speed, drive.acceleration))
+        else:
+            course.go(to_speed(now.time, q, qd, drive.speed, drive.acceleration))
+        levels = ((barrier.signal, blocked),) if barrier is not None else ()
+        return Told(levels, self._next(course, now.time, carried), lost)
+
+    def _leaves(self, part: Carried) -> float:
+        """Return the coordinate at which the centre of a part is at the end of the belt [m]."""
+        return self.drive.length - part.front + part.length / 2.0
+
+    def _next(self, course: Course, time: float, carried: list[Carried]) -> float:
+        """Return when the belt comes to rest or loses a part [s]."""
+        last = course.pieces[-1]
+        rest = last.time if last.qd == 0.0 and last.time > time else math.inf
+        return min([rest, *(course.time_of(self._leaves(one)) for one in carried)])
+
+
+def _covers(part: Carried, q: float, at: float) -> bool:
+    """Return whether a part is in the barrier."""
+    front = part.front + q
+    return front >= at - TOUCH and front - part.length < at - TOUCH

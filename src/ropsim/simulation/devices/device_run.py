@@ -1,0 +1,108 @@
+"""The running state of one device, and what all kinds of drives have in common."""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from ropsim.kinematics import frames_batch
+from ropsim.model import Device
+from ropsim.simulation.devices.course import Course
+from ropsim.spatial import Pose
+
+NEVER = -1
+"""No tick at which something is due."""
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """A part that moves with a device.
+
+    Attributes:
+        name: of the part.
+        front: how far its front is before the coordinate of the device: it is at `front` + coordinate [m].
+        length: of the part along the axis [m].
+    """
+
+    name: str
+    front: float
+    length: float
+
+
+@dataclass(frozen=True, slots=True)
+class Now:
+    """What a drive is told when it acts.
+
+    Attributes:
+        time: [s].
+        signals: returns whether a signal is on.
+        carried: what moves with the device.
+    """
+
+    time: float
+    signals: Callable[[str], bool]
+    carried: tuple[Carried, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """What a drive says after it has acted.
+
+    Attributes:
+        levels: inputs of the cell that it sets, by name.
+        due: when it has to act again if nothing else happens [s]; inf for never.
+        lost: names of the parts that have run off its end.
+    """
+
+    levels: tuple[tuple[str, bool], ...] = ()
+    due: float = math.inf
+    lost: tuple[str, ...] = ()
+
+
+class Driving(Protocol):
+    """The running state of one kind of drive."""
+
+    def act(self, course: Course, now: Now) -> Told:
+        """Look at the signals, change the course from now on, and tell what there is to tell."""
+        ...
+
+
+@dataclass(slots=True)
+class DeviceRun:
+    """Running state.
+
+    Attributes:
+        device: static model.
+        driving: the running state of its drive.
+        course: its coordinate over time.
+        bodies: names of the bodies that it moves.
+        scripted: ticks at which the cell changes a signal that it follows, ascending.
+        due: tick of the cell's clock at which it acts next, `NEVER` for none.
+        levels: of the inputs that it sets, as told last.
+    """
+
+    device: Device
+    driving: Driving
+    bodies: tuple[str, ...]
+    scripted: tuple[int, ...] = ()
+    course: Course = field(default_factory=Course)
+    due: int = 0
+    levels: dict[str, bool] = field(default_factory=dict)
+
+    def poses(self, time: float) -> dict[str, Pose]:
+        """Return X_WB of each body that it moves at a time [s], by name."""
+        frames = frames_batch(self.device.mechanism, [[self.course.at(time)[0]]])[0, :-1]
+        return {
+            name: self.device.X_WB @ Pose.from_matrix(frame)
+            for name, frame in zip(self.bodies, frames, strict=True)
+        }
+
+    def wake(self, tick: int) -> None:
+        """Let it act at a tick at the latest."""
+        self.due = tick if self.due == NEVER else min(self.due, tick)
+
+    def heard(self, told: Iterable[tuple[str, bool]]) -> list[tuple[str, bool]]:
+        """Return which of the levels that it tells are new."""
+        news = [(name, level) for name, level in told if name and self.levels.get(name) is not level]
+        self.levels.update(news)
+        return news

@@ -1,0 +1,36 @@
+"""An axis that moves on by one step at a time."""
+
+from dataclasses import dataclass
+
+from ropsim.model import IndexDrive
+from ropsim.simulation.devices.course import Course, to_rest
+from ropsim.simulation.devices.device_run import Now, Told
+
+
+@dataclass(slots=True)
+class Index:
+    """Running state.
+
+    Attributes:
+        drive: static model.
+        steps: made or begun.
+        was_on: level of the signal when it was looked at last.
+    """
+
+    drive: IndexDrive
+    steps: int = 0
+    was_on: bool = False
+
+    def act(self, course: Course, now: Now) -> Told:
+        """Begin a step where the signal has come on while it stood."""
+        drive, is_on = self.drive, now.signals(self.drive.signal)
+        if is_on and not self.was_on and course.pieces[-1].time <= now.time:
+            self.steps += 1
+            q, qd = course.at(now.time)
+            target = self.steps * drive.step
+            course.go(to_rest(now.time, q, qd, target, drive.speed, drive.acceleration))
+        self.was_on = is_on
+        there = course.pieces[-1].time
+        stands = there <= now.time
+        levels = ((drive.in_place, stands),)
+        return Told(levels) if stands else Told(levels, there)

@@ -1,0 +1,39 @@
+"""An axis with two positions."""
+
+from dataclasses import dataclass, field
+
+from ropsim.model import SwitchDrive
+from ropsim.simulation.devices.course import Course, to_rest
+from ropsim.simulation.devices.device_run import Now, Told
+
+
+@dataclass(slots=True)
+class Switch:
+    """Running state.
+
+    Attributes:
+        drive: static model.
+        target: where it goes to or stands [rad | m].
+    """
+
+    drive: SwitchDrive
+    target: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.target = self.drive.off
+
+    def act(self, course: Course, now: Now) -> Told:
+        """Go to the position that the signal asks for; also from the middle of the way to the other one."""
+        drive = self.drive
+        wanted = drive.on if now.signals(drive.signal) else drive.off
+        if wanted != self.target:
+            self.target = wanted
+            q, qd = course.at(now.time)
+            course.go(to_rest(now.time, q, qd, wanted, drive.speed, drive.acceleration))
+        there = course.pieces[-1].time
+        stands = there <= now.time
+        levels = (
+            (drive.is_off, stands and self.target == drive.off),
+            (drive.is_on, stands and self.target == drive.on),
+        )
+        return Told(levels) if stands else Told(levels, there)

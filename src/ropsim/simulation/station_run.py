@@ -1,0 +1,131 @@
+"""The running state of one station: its controller, drives and arm, and how far they are."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ropsim.controller import MotionChain
+from ropsim.flow import JointReference, Origin
+from ropsim.kinematics import forward
+from ropsim.model import Payload, Station, Tool, tool_body
+from ropsim.simulation.activation import Activations
+from ropsim.simulation.move_span import MoveSpan
+from ropsim.simulation.placements import Placements
+from ropsim.simulation.plant import Plant
+from ropsim.simulation.track import Track
+from ropsim.spatial import Array, Pose
+
+_SLICE = 1_000
+"""Longest reference of an arm that stands still [control ticks]."""
+
+
+@dataclass(slots=True)
+class StationRun:
+    """Running state.
+
+    Attributes:
+        station: static model.
+        chain: the slow side of the controller.
+        plant: joint controller, drives and arm, advanced by references.
+        q_command: command coordinates reached so far, shape (n,).
+        tool: tool in force.
+        payload: tool and grasped part as one body; one object as long as it does not change.
+        laden: with which parts the payload was looked at last.
+        last_tick: control tick at which standing still ends at the latest.
+        cell_ticks: ticks of the cell's clock in one control tick.
+        tick: control ticks done.
+        moves: moves done.
+        tracks: piecewise constant channels by name, over control ticks.
+        activations: times of the tasks.
+        waiting: whether the last instruction did nothing but wait for the ones before it.
+        cut_short: whether standing still was ended by `last_tick`; the program is over then.
+    """
+
+    station: Station
+    chain: MotionChain
+    plant: Plant
+    q_command: Array
+    tool: Tool | None
+    payload: Payload
+    laden: Placements
+    last_tick: int
+    cell_ticks: int
+    tick: int = 0
+    moves: list[MoveSpan] = field(default_factory=list)
+    tracks: dict[str, Track] = field(default_factory=dict)
+    activations: Activations = field(default_factory=Activations)
+    waiting: bool = False
+    cut_short: bool = False
+
+    @property
+    def hz(self) -> int:
+        """Return the rate of the joint controller [Hz]."""
+        return self.station.controller.rates.control_hz
+
+    @property
+    def is_over(self) -> bool:
+        """Return whether the longest simulated time has passed."""
+        return self.cut_short or self.tick >= self.last_tick
+
+    @property
+    def due(self) -> int:
+        """Return how far the station is [ticks of the cell's clock]."""
+        return self.tick * self.cell_ticks
+
+    @property
+    def time(self) -> float:
+        """Return the simulated time [s]."""
+        return self.tick / self.hz
+
+    @property
+    def hand(self) -> str:
+        """Return the name of the body of the tool in force, empty for none."""
+        return tool_body(self.tool.name, self.station.name) if self.tool else ""
+
+    @property
+    def hands(self) -> frozenset[str]:
+        """Return the names of the bodies of its tools."""
+        return frozenset(tool_body(name, self.station.name) for name in self.station.tools)
+
+    def attained(self, due: int) -> Pose:
+        """Return the attained pose of the mechanical interface X_WM at a tick of the cell's clock.
+
+        At the tick the station has come to it is that of the arm, before it that of its recording.
+        """
+        q = self.plant.q if due >= self.due else self.plant.at(due / self.cell_ticks)["q"]
+        return self.station.X_WB @ forward(self.station.robot, q)
+
+    def follow(self, reference: JointReference) -> None:
+        """Let the arm follow a reference to its end."""
+        if reference.ticks:
+            self.plant.follow(reference, self.payload)
+            self.tick += reference.ticks
+
+    def stand(self, ticks: int) -> Iterator[None]:
+        """Hold the command position for a number of control ticks, at the longest until `last_tick`.
+
+        However long that is, it takes the memory of `_SLICE` ticks only; it yields after so many.
+        """
+        left = max(self.last_tick - self.tick, 0)
+        self.cut_short |= ticks > left
+        until = self.tick + min(ticks, left)
+        while self.tick < min(until, self.last_tick):  # who watches may end the run
+            self.rest(min(until - self.tick, _SLICE))
+            yield
+
+    def rest(self, ticks: int) -> None:
+        """Hold the command position for a number of control ticks, whoever else waits meanwhile."""
+        if ticks:
+            self.plant.hold(self.q_command, ticks, self.payload)
+            self.tick += ticks
+
+    def track(self, name: str, value: float) -> None:
+        """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
+        self.tracks.setdefault(name, Track([0], [0.0])).set(self.tick, value)
+
+    def when(self, since: int) -> tuple[float, float, str]:
+        """Return time [s], duration [s] and station of an event that began at tick `since` and ends now."""
+        return since / self.hz, (self.tick - since) / self.hz, self.station.name
+
+    def ran(self, origin: Origin, since: int) -> None:
+        """Count an instruction that began at tick `since` and ends now for the tasks around it."""
+        self.activations.add(origin, since, self.tick)

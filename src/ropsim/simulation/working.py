@@ -1,0 +1,144 @@
+"""A station at work: it carries out its program, instruction by instruction."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+from ropsim.controller import LawError
+from ropsim.core import Diagnostic
+from ropsim.flow import (
+    AwaitInstruction,
+    GripInstruction,
+    Instruction,
+    MessageEvent,
+    MessageInstruction,
+    ModalState,
+    MoveInstruction,
+    Origin,
+    OutputEvent,
+    OutputInstruction,
+    SyncInstruction,
+    WaitEvent,
+    WaitInstruction,
+)
+from ropsim.icr import Finished, Machine, Program
+from ropsim.model import Station, Tool
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.diagnostics import RUN_TOO_LONG
+from ropsim.simulation.gripping import grip
+from ropsim.simulation.input_diagnostics import STOPPED
+from ropsim.simulation.moving import move
+from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
+from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.world import SimulatedWorld
+
+
+def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) -> Iterator[None]:
+    """Carry out a program at a station to its end.
+
+    Where it yields, time has passed for the station; it goes on when all others have come to that time, so
+    whatever it reads, sets, grips or leaves is in order of time with what the others do.
+
+    Args:
+        run: the cell.
+        at: the station.
+        program: verified ICR.
+        options: how long a wait and a program may last.
+
+    Raises:
+        DivergedError: S701, the state has become NaN or infinite; it names the source line.
+    """
+    world = SimulatedWorld(
+        options.sensors or run.sensors, lambda: at.time, lambda: run.watch.reading(run), options.longest_wait
+    )
+    machine = Machine(program, world)
+    step = last = machine.advance()
+    while not isinstance(step, Finished) and not at.is_over:
+        with _blamed(step):
+            yield from _carry_out(run, at, step, world)
+            yield
+            last, step = step, machine.advance()
+    if run.stopped:
+        run.findings.append(_stopped(last))
+    elif at.cut_short or not isinstance(step, Finished):
+        run.findings.append(_too_long(last, options))
+    elif step.trap is not None:
+        run.findings.append(step.trap)
+
+
+def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld) -> Iterator[None]:
+    span = step.origin.span
+    at.track("line", span.line if span else 0)
+    run.take(at, _tool_in_force(at.station, step.modal), run.parts)
+    match step:
+        case MoveInstruction():
+            yield from move(run, at, step)
+        case GripInstruction():
+            yield from grip(run, at, step)
+        case WaitInstruction():
+            since = at.tick
+            yield from at.stand(round(step.duration * at.hz))
+            run.note(at, since, WaitEvent(*at.when(since), step.origin, pause=step.duration))
+        case OutputInstruction(channel=channel, value=value):
+            run.set_output(at, channel, value)
+            done = OutputEvent(*at.when(at.tick), step.origin, channel=channel, value=value)
+            run.note(at, at.tick, done)
+        case MessageInstruction():
+            run.note(at, at.tick, MessageEvent(*at.when(at.tick), step.origin, text=step.text))
+        case SyncInstruction():
+            # A program that does nothing but look at channels must see time pass.
+            if at.waiting:
+                yield from at.stand(at.station.controller.rates.interpolation_ticks)
+            if isinstance(step, AwaitInstruction):
+                yield from _await(run, at, step, world)
+    at.waiting = isinstance(step, SyncInstruction)
+
+
+def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
+    """Stand until a channel has a value, or its timeout is over; tell the program which it was."""
+    start, period = at.time, at.station.controller.rates.interpolation_period
+    limit = world.longest_wait if step.timeout is None else step.timeout
+    world.came = True
+    while world.read(step.channel) != step.value:
+        if at.time - start >= limit:
+            world.came = False
+            return
+        until = min(at.time + period, start + limit)
+        yield from at.stand(max(1, round(until * at.hz) - at.tick))
+        if at.cut_short:
+            world.came = False
+            return
+        run.take(at, at.tool, run.parts)
+
+
+def _tool_in_force(station: Station, modal: ModalState) -> Tool | None:
+    """Return the tool of the cell that is in force; None for the bare interface or a tool of the program."""
+    return station.tools.get(modal.tool or (station.default_tool if modal.X_MT is None else ""))
+
+
+@contextmanager
+def _blamed(step: Instruction) -> Iterator[None]:
+    """Put the source line and the pass of `step` on what the servo raises."""
+    try:
+        yield
+    except (DivergedError, LawError, ServoArrayError) as error:
+        found, visit = error.diagnostic, step.origin.visit
+        data = {**found.data, "pass": visit}
+        raise type(error)(replace(found, span=step.origin.span, label=f"pass {visit}", data=data)) from error
+
+
+def _stopped(step: Instruction | Finished) -> Diagnostic:
+    span = None if isinstance(step, Finished) else step.origin.span
+    return STOPPED.at(span, "the run was ended here by hand")
+
+
+def _too_long(step: Instruction | Finished, options: RunOptions) -> Diagnostic:
+    origin = Origin() if isinstance(step, Finished) else step.origin
+    return RUN_TOO_LONG.at(
+        origin.span,
+        f"the program still runs after {options.longest:g} s of simulated time, it was stopped here",
+        label=f"pass {origin.visit}",
+        hint="give the loop an end, or simulate fewer passes of it",
+        data={"pass": origin.visit},
+    )
