@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ropsim.cli.catalogue import all_kinds
+from ropsim.cli import all_kinds
 from ropsim.core import Kind
 
 FOLDER = Path(__file__).parent.parent / "docs" / "reference" / "diagnostics"

@@ -17,8 +17,7 @@ from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.spatial import Pose
 from ropsim.views import scene
-from ropsim.workbench import open_project
-from ropsim.workbench.replay import pack_of
+from ropsim.workbench import open_project, pack_of
 
 ROOT = Path(__file__).parent.parent
 FIXTURE = ROOT / "frontend" / "src" / "run" / "fixtures" / "first_cell.json"

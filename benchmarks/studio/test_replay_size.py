@@ -6,8 +6,7 @@ from typing import Any
 import pytest
 from measuring import Measure
 
-from ropsim.workbench import open_project
-from ropsim.workbench.replay import pack_of
+from ropsim.workbench import open_project, pack_of
 from ropsim.workbench.viewer import built_viewer
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -1,6 +1,6 @@
 """`python -m ropsim` is the command `ropsim`."""
 
-from ropsim.cli.main import entry
+from ropsim.cli import entry
 
 if __name__ == "__main__":
     entry()

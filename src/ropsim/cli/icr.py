@@ -15,8 +15,7 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.records import diagnostic_document
-from ropsim.spatial import Pose
-from ropsim.spatial.quaternion import to_zyx
+from ropsim.spatial import Pose, quaternion
 from ropsim.workbench import CompiledProgram, Project, ProjectError, open_project
 
 
@@ -74,7 +73,7 @@ def instruction_text(one: Instruction) -> str:
         case MoveInstruction(kind=kind, target=Pose() as pose):
             x, y, z = (1e3 * float(c) for c in pose.position)
             w, i, j, k = (float(c) for c in pose.orientation)
-            yaw, pitch, roll = (57.29577951308232 * angle for angle in to_zyx((w, i, j, k)))
+            yaw, pitch, roll = (57.29577951308232 * angle for angle in quaternion.to_zyx((w, i, j, k)))
             what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
             what += f"roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
             what += f" in {one.modal.frame}" if one.modal.frame else ""

@@ -13,8 +13,7 @@ from ropsim.cli.output import Output
 from ropsim.cli.solver_words import remarks, solver_document
 from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
 from ropsim.model import RobotModel
-from ropsim.spatial import Array, Pose
-from ropsim.spatial.quaternion import from_zyx
+from ropsim.spatial import Array, Pose, quaternion
 
 _WIDTH = 9
 _ALL = IkOptions(limits=Limits.IGNORE)
@@ -32,7 +31,7 @@ class _Branch:
 def ik(options: argparse.Namespace, output: Output) -> int:
     """Print every joint vector that reaches a pose: first those inside the limits, then those beyond."""
     robot = robots.load(options.name)
-    turn = from_zyx(*(math.radians(angle) for angle in (options.yaw, options.pitch, options.roll)))
+    turn = quaternion.from_zyx(*(math.radians(angle) for angle in (options.yaw, options.pitch, options.roll)))
     pose = Pose(np.array([options.x, options.y, options.z]) / 1e3, np.array(turn))
     result = kinematics.inverse(robot, pose)
     beyond = list(_beyond(robot, kinematics.inverse(robot, pose, _ALL)))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import NoReturn, TypeAlias
 
-from ropsim.core.suggest import did_you_mean
+from ropsim.core import did_you_mean
 from ropsim.version import __version__
 
 Commands: TypeAlias = "argparse._SubParsersAction[_Parser]"

@@ -14,7 +14,7 @@ from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
-from ropsim.spatial.quaternion import to_zyx
+from ropsim.spatial import quaternion
 
 WRONG_COUNT = define(
     "U901",
@@ -84,7 +84,7 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
     x, y, z = (shown(1e3 * float(c), 3) for c in pose.position)
     w, i, j, k = (float(c) for c in pose.orientation)
-    yaw, pitch, roll = (shown(math.degrees(angle), 4) for angle in to_zyx((w, i, j, k)))
+    yaw, pitch, roll = (shown(math.degrees(angle), 4) for angle in quaternion.to_zyx((w, i, j, k)))
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0

@@ -10,7 +10,7 @@ from ropsim.cli.streams import say
 
 def studio(options: argparse.Namespace, output: Output) -> int:
     """Serve a project until Ctrl+C and return the exit code."""
-    from ropsim.studio.server import Browser, StudioOptions, serve
+    from ropsim.studio import Browser, StudioOptions, serve
 
     del output
     browser = Browser.LEFT_ALONE if options.no_browser else Browser.OPENED

@@ -1,0 +1,131 @@
+"""Fronts: what a package offers stands in its `__init__.py`, and nobody reaches behind it from outside.
+
+The packages are those directly below `ropsim`; inside one of them modules import each other. A contract of
+import-linter cannot say this: to it `from ropsim.simulation import run` is an import of the module `run`,
+although the front offers a function of that name.
+"""
+
+import ast
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import ropsim
+
+SOURCE = Path(ropsim.__file__).parent
+ROOT = Path(__file__).parents[2]
+PACKAGES = frozenset(path.parent.name for path in SOURCE.glob("*/__init__.py"))
+PYTHON = re.compile(r"^```python[^\n]*\n(.*?)^```", re.DOTALL | re.MULTILINE)
+
+
+@cache
+def offered(package: str) -> frozenset[str]:
+    """Return the names that the front of a package binds, those for type checkers included."""
+    tree = ast.parse((SOURCE / package / "__init__.py").read_text("utf-8"))
+    names = [
+        alias.asname or alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    ]
+    return frozenset(names)
+
+
+def behind_fronts(text: str, own: str = "") -> list[str]:
+    """Return what a module of the package `own` takes from others except through their fronts."""
+    tree = ast.parse(text)
+    return [found for node in ast.walk(tree) for found in _behind(node, own)] + _through(tree, own)
+
+
+def _behind(node: ast.AST, own: str) -> Iterator[str]:
+    match node:
+        case ast.Import(names=names):
+            for alias in names:
+                root, _, rest = alias.name.partition(".")
+                package, dot, _ = rest.partition(".")
+                if root == "ropsim" and dot and package != own:
+                    yield alias.name
+        case ast.ImportFrom(module=str() as module, level=0, names=names) if module.startswith("ropsim."):
+            package, dot, _ = module.removeprefix("ropsim.").partition(".")
+            if package in PACKAGES - {own}:
+                known = frozenset() if dot else offered(package)
+                yield from (f"{module}.{alias.name}" for alias in names if alias.name not in known)
+        case _:
+            pass
+
+
+def _through(tree: ast.AST, own: str) -> list[str]:
+    """Return modules that are reached as attributes, as `icr.machine` is after `from ropsim import icr`."""
+    called = {
+        alias.asname or alias.name: alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module == "ropsim"
+        for alias in node.names
+        if alias.name in PACKAGES - {own}
+    }
+    return [
+        f"ropsim.{package}.{node.attr}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute)
+        and isinstance(node.value, ast.Name)
+        and (package := called.get(node.value.id)) is not None
+        and (SOURCE / package / f"{node.attr}.py").exists()
+        and node.attr not in offered(package)
+    ]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import ropsim.views.terminal",
+        "from ropsim.views.html.report import html_report",
+        "from ropsim.views import terminal",
+        "from ropsim import views\nviews.terminal.terminal_report(summary)",
+        "def f() -> None:\n    from ropsim.views.summary import summarize",
+    ],
+)
+def test_reaching_behind_a_front_is_found(line: str) -> None:
+    assert behind_fronts(line, "simulation")
+    assert behind_fronts(line, "views") == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import ropsim.views",
+        "from ropsim.views import summarize as shortened, scene",
+        "from ropsim import views\nviews.summarize(recording)",
+        "from ropsim.version import __version__",
+    ],
+)
+def test_what_a_front_offers_may_be_used(line: str) -> None:
+    assert behind_fronts(line, "simulation") == []
+
+
+def in_folder(folder: Path, own: str = "") -> set[str]:
+    return {
+        f"{path.relative_to(folder)}: {found}"
+        for path in folder.rglob("*.py")
+        for found in behind_fronts(path.read_text("utf-8"), own)
+    }
+
+
+@pytest.mark.parametrize("package", sorted(PACKAGES))
+def test_a_package_enters_others_through_their_fronts(package: str) -> None:
+    assert in_folder(SOURCE / package, package) == set()
+
+
+@pytest.mark.parametrize("folder", ["tools", "examples"])
+def test_tools_and_examples_use_what_the_fronts_offer(folder: str) -> None:
+    assert in_folder(ROOT / folder) == set()
+
+
+def test_pages_show_what_the_fronts_offer() -> None:
+    pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+    blocks = [(page, block) for page in pages for block in PYTHON.findall(page.read_text("utf-8"))]
+    assert len(blocks) > 10
+    found = {f"{page.relative_to(ROOT)}: {one}" for page, block in blocks for one in behind_fronts(block)}
+    assert found == set()
