@@ -11,7 +11,7 @@ help:
 	@echo 'make test    run the whole test suite'
 	@echo 'make check   lint, format, types, import contracts, spelling, generated pages; the pages of the studio'
 	@echo 'make bench   run the benchmarks'
-	@echo 'make docs    write the generated pages and tables'
+	@echo 'make docs    write the generated pages, tables and types'
 	@echo 'make pictures  take the pictures of README and docs (needs Chromium)'
 	@echo 'make clean   remove .venv, node_modules, caches, build and example output'
 
@@ -33,6 +33,7 @@ check:
 	.venv/bin/python tools/diagnostic_pages.py --check
 	.venv/bin/python tools/icr_table.py --check
 	.venv/bin/python tools/import_table.py --check
+	.venv/bin/python tools/wire_types.py --check
 	.venv/bin/python -m tools.frontend
 
 bench:
@@ -44,6 +45,7 @@ docs:
 	.venv/bin/python tools/diagnostic_pages.py
 	.venv/bin/python tools/icr_table.py
 	.venv/bin/python tools/import_table.py
+	.venv/bin/python tools/wire_types.py
 
 pictures:
 	@$(VENV) test

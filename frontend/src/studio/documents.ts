@@ -1,6 +1,6 @@
 /** The texts of the project in this page: what was typed, what the server has, what must still be sent. */
 import type { Edit } from '../wire/commands'
-import type { DocumentState, Documents as DocumentsMessage } from '../wire/messages'
+import type { DocumentState, DocumentsChanged } from '../wire/messages'
 import { TextHistory } from './text_history'
 
 /** A document as the page shows it. For the newest text ask `Documents.text`. */
@@ -54,7 +54,7 @@ export class Documents {
         entry.sentVersion = 0
         entry.shown = { ...stateOf(state, entry.shown.revision), unsaved: true }
       } else {
-        this.#adopt(state, state.text)
+        this.#adopt(state, state.text ?? '')
         const adopted = this.#entries.get(state.name)
         if (adopted) adopted.pending = false
       }
@@ -63,7 +63,7 @@ export class Documents {
   }
 
   /** Take states that the server announces; a text is newer than ours unless ours is still on its way. */
-  update(states: DocumentsMessage['documents']): void {
+  update(states: DocumentsChanged['documents']): void {
     for (const state of states) {
       const entry = this.#entries.get(state.name)
       if (!entry) {

@@ -1,10 +1,11 @@
 /**
- * What the page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
- * `ropsim.studio.commands` is the other side, `messages.ts` is what the server answers.
+ * What a page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
+ *
+ * Written by `tools/wire_types.py` from `ropsim.studio.commands`: change the records there.
  */
 import type { Pose } from '../scene/description'
 
-/** First message of a connection. `tab` is a random name that lives as long as the tab. */
+/** First message of a connection; `tab` is a random name that lives as long as the tab. */
 export interface Hello {
   readonly type: 'hello'
   readonly tab: string
@@ -13,13 +14,15 @@ export interface Hello {
 /** New text of a document; the server journals it, then compiles and simulates in the background. */
 export interface Edit {
   readonly type: 'edit'
+  /** Its name. */
   readonly document: string
+  /** All of it. */
   readonly text: string
   /** Counts up in the tab; comes back in `documents`. */
   readonly version: number
 }
 
-/** Write a document to its file. `overwrite` also when the file has changed on the disk since it was read. */
+/** Write a document to its file; `overwrite` also over a file that has changed since it was read. */
 export interface Save {
   readonly type: 'save'
   readonly document: string
@@ -32,7 +35,7 @@ export interface Revert {
   readonly document: string
 }
 
-/** Make a new program `programs/NAME.task` with a text; never over one that is there. */
+/** Make a new program `programs/NAME.task`, or `.icr`, with a text; never over one that is there. */
 export interface Create {
   readonly type: 'create'
   readonly document: string
@@ -64,6 +67,7 @@ export interface RunNow {
   readonly fidelity: 'dynamic' | 'kinematic'
 }
 
+/** Give up the simulation that is running. */
 export interface CancelRun {
   readonly type: 'cancel'
 }
@@ -75,12 +79,13 @@ export interface LiveStart {
   readonly speed: number
 }
 
-/** Pause, go on, change speed, end; ending keeps what was recorded so far. */
+/** Pause a live run, go on, or end it; ending keeps what was recorded so far. */
 export interface LiveControl {
   readonly type: 'live_control'
   readonly action: 'pause' | 'resume' | 'stop'
 }
 
+/** Simulated seconds per second of the live run. */
 export interface LiveSpeed {
   readonly type: 'live_speed'
   readonly speed: number
@@ -98,7 +103,7 @@ export interface ForgetInputs {
   readonly type: 'forget_inputs'
 }
 
-/** Move the jogged robot: to joint coordinates, or its TCP to a pose in `frame` nearest to `q`. */
+/** Put the jogged arm at joint coordinates `q` [rad | m]. */
 export interface JogJoints {
   readonly type: 'jog_joints'
   readonly id: number
@@ -106,13 +111,12 @@ export interface JogJoints {
   readonly tool: string
 }
 
+/** Move the TCP of the jogged arm, standing at `q`, to a pose in W. */
 export interface JogTcp {
   readonly type: 'jog_tcp'
   readonly id: number
-  /** Where the arm stands now [rad | m]. */
   readonly q: readonly number[]
   readonly tool: string
-  /** Target pose of the TCP in W. */
   readonly target: Pose
 }
 

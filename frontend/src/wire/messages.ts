@@ -1,18 +1,22 @@
 /**
- * What the server says to the page over `/ws/studio`: JSON texts, told apart by `type`.
- * Binary messages are state frames of a live run (`frame.ts`). `ropsim.studio.messages` is the other side.
+ * What the server says to a page over `/ws/studio`: JSON texts, told apart by `type`.
+ *
+ * Written by `tools/wire_types.py` from `ropsim.studio.messages`: change the records there.
  */
 import type { Finding } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
 
+/** A text of the project. */
 export interface DocumentState {
   /** Path inside the project, such as `programs/main.task` or `cell.toml`. */
   readonly name: string
-  /** URI under which the language server knows it. */
+  /** Under which the language server knows it. */
   readonly uri: string
+  /** By the ending of its name. */
   readonly language: 'task' | 'toml' | 'icr'
-  readonly text: string
-  /** The last `version` of the editing tab that the server has; 0 for the text of the file. */
+  /** Null where the tab has it already. */
+  readonly text: string | null
+  /** The last one of the editing tab that the server has; 0 for the text of the file. */
   readonly version: number
   /** Differs from its file. */
   readonly unsaved: boolean
@@ -22,106 +26,146 @@ export interface DocumentState {
   readonly recovered: boolean
 }
 
+/** Whether the project folder is trusted, and what in it is code. */
+export interface TrustState {
+  /** Whether code in the project may run. */
+  readonly trusted: boolean
+  /** Files that are code and stay inert until the project is trusted. */
+  readonly code: readonly string[]
+}
+
+/** An example from which a project can be made. */
+export interface ExampleState {
+  readonly name: string
+  readonly summary: string
+}
+
+/** The project; sent on connection and when documents have come or gone. */
 export interface Welcome {
   readonly type: 'welcome'
+  /** Version of the server. */
   readonly ropsim: string
+  /** Name of the project. */
   readonly project: string
+  /** In which it lies. */
   readonly folder: string
+  /** Names of its programs. */
   readonly programs: readonly string[]
-  /** The program that runs when none is named. */
+  /** The one that runs when none is named. */
   readonly program: string
+  /** All texts. */
   readonly documents: readonly DocumentState[]
   /** Whether this tab may edit; one tab at a time does. */
   readonly editing: boolean
+  /** Of the folder. */
   readonly trust: TrustState
   /** Folders of other projects that were open last, newest first. */
   readonly recent: readonly string[]
   /** From which a project can be made. */
-  readonly examples: readonly { readonly name: string; readonly summary: string }[]
+  readonly examples: readonly ExampleState[]
 }
 
-export interface TrustState {
+/** The user has trusted the folder, or does no more. */
+export interface TrustChanged {
+  readonly type: 'trust'
   readonly trusted: boolean
-  /** Files of the project that are code and stay inert until it is trusted. */
   readonly code: readonly string[]
 }
 
-export interface TrustChanged extends TrustState {
-  readonly type: 'trust'
-}
-
-/** The cell as it is drawn; sent on connection and when the cell file changes. Null while it is broken. */
+/** The cell as it is drawn; sent on connection and when the cell file changes. */
 export interface SceneMessage {
   readonly type: 'scene'
+  /** Null while the cell is broken. */
   readonly scene: SceneDescription | null
-  /** Findings of cell file and geometry. */
+  /** Of cell file and geometry. */
   readonly findings: readonly Finding[]
 }
 
-/** States of documents after an edit, save, revert or change on the disk (texts only where they are new to the tab). */
-export interface Documents {
+/** States of documents after an edit, save, revert or change on the disk; texts where new to the tab. */
+export interface DocumentsChanged {
   readonly type: 'documents'
-  readonly documents: readonly (Omit<DocumentState, 'text'> & { readonly text: string | null })[]
+  readonly documents: readonly DocumentState[]
 }
 
+/** Whether the tab may edit. */
 export interface EditingRight {
   readonly type: 'editing'
   readonly editing: boolean
 }
 
 /**
- * How the newest run stands. `done`: its pack is at `/run/<id>.pack`. `refused`: the program has errors, the
- * run before stays and is stale. `failed`: the simulator gave up; `message` says why.
+ * How the newest run stands.
+ *
+ * `done`: its pack is at `/run/<id>.pack`. `refused`: the program has errors, the run before stays and is
+ * stale. `failed`: the simulator gave up; `message` says why.
  */
 export interface RunStatus {
   readonly type: 'run'
+  /** Number of the run. */
   readonly id: number
+  /** How it stands. */
   readonly state: 'waiting' | 'running' | 'done' | 'refused' | 'cancelled' | 'failed'
+  /** Its name. */
   readonly program: string
+  /** Why there is no run. */
   readonly message: string
   /** Of compiling, and of planning too where `planned`; those of a finished run are in its pack. */
   readonly findings: readonly Finding[]
-  readonly planned: boolean
-  /** Key presses that the run took as inputs. */
+  /** Number of key presses that the run took as inputs. */
   readonly inputs: number
+  /** Whether planning has come to its end. */
+  readonly planned: boolean
   /** The run that was carried out: an earlier one where the texts still say the same; 0 while not known. */
   readonly simulated: number
-  /** Versions of the documents to which lines in findings and run refer. */
+  /** Of the documents to which lines in findings and run refer. */
   readonly versions: Readonly<Record<string, number>>
 }
 
+/** How a live run stands. */
 export interface LiveStatus {
   readonly type: 'live'
+  /** Of the run. */
   readonly state: 'starting' | 'running' | 'paused' | 'over'
+  /** Simulated seconds per second. */
   readonly speed: number
+  /** Its name. */
   readonly program: string
+}
+
+/** What one number in the state frames of a live run is. */
+export interface LiveChannel {
+  readonly name: string
+  readonly column: string
+  readonly unit: string
+  readonly description: string
+  readonly group: string
 }
 
 /** Names of the numbers in the state frames that follow. */
 export interface LiveLayout {
   readonly type: 'layout'
-  readonly channels: readonly {
-    readonly name: string
-    readonly column: string
-    readonly unit: string
-    readonly description: string
-    readonly group: string
-  }[]
+  /** One for each number. */
+  readonly channels: readonly LiveChannel[]
   /** Indices of the scene's bodies whose poses are in the frames. */
   readonly bodies: readonly number[]
 }
 
-/** From a time on a body rides on another one (or rests in W: parent -1), or is not there. */
+/** From a time on a body rides on another one, or is not there. */
 export interface Placed {
   readonly type: 'placed'
+  /** [s]. */
   readonly time: number
+  /** Index of the body in the scene. */
   readonly body: number
+  /** Index of the body that it rides on; -1 where it rests in W. */
   readonly parent: number
+  /** In the frame of the parent. */
   readonly pose: Pose
+  /** Whether it is there. */
   readonly visible: boolean
 }
 
-/** An input that a key has set, with the simulated time that it was given. */
+/** An input that a key has set, with the simulated time [s] that it was given. */
 export interface SignalStamped {
   readonly type: 'stamped'
   readonly name: string
@@ -132,26 +176,43 @@ export interface SignalStamped {
 /** A message of the program in a live run. */
 export interface Printed {
   readonly type: 'printed'
+  /** [s]. */
   readonly time: number
+  /** Of the message. */
   readonly text: string
+  /** Name of the program text. */
   readonly source: string
   /** 0 where it has none. */
   readonly line: number
 }
 
+/** World pose of a body of the jogged arm. */
+export interface JogBody {
+  readonly body: number
+  readonly pose: Pose
+}
+
+/** What limits, reach or singularity have to say. */
+export interface JogWords {
+  readonly level: 'error' | 'warning' | 'info'
+  readonly text: string
+}
+
 /** Answer to a jog. */
 export interface Jogged {
   readonly type: 'jogged'
+  /** Of the jog. */
   readonly id: number
   /** Joint coordinates that were reached; those of the request where the target cannot be reached. */
   readonly q: readonly number[]
   /** Pose of the TCP in W. */
   readonly tcp: Pose
-  /** World poses of the bodies of the arm, by index. */
-  readonly bodies: readonly { readonly body: number; readonly pose: Pose }[]
+  /** World poses of the bodies of the arm. */
+  readonly bodies: readonly JogBody[]
+  /** Whether the arm stands where it was to. */
   readonly reached: boolean
-  /** What limits, reach and singularity have to say, worst first; empty when all is well. */
-  readonly words: readonly { readonly level: 'error' | 'warning' | 'info'; readonly text: string }[]
+  /** Worst first; empty when all is well. */
+  readonly words: readonly JogWords[]
 }
 
 /** Something to tell the user. */
@@ -167,7 +228,7 @@ export type Message =
   | Welcome
   | TrustChanged
   | SceneMessage
-  | Documents
+  | DocumentsChanged
   | EditingRight
   | RunStatus
   | LiveStatus

@@ -1,24 +1,31 @@
 """The browser studio: a web process that serves the pages, and worker processes that compute for it.
 
-The front loads the server when it is asked for it: the worker processes come through here too and shall not
-load a web server.
+The front loads what it offers when it is asked for it: the worker processes come through here too and
+shall not load a web server.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ropsim.studio.commands import Command as Command
+    from ropsim.studio.messages import Message as Message
     from ropsim.studio.server import Browser as Browser
     from ropsim.studio.server import StudioOptions as StudioOptions
     from ropsim.studio.server import serve as serve
 
-_OF_THE_SERVER = ("Browser", "StudioOptions", "serve")
+_HOMES = {
+    "Browser": "server",
+    "Command": "commands",
+    "Message": "messages",
+    "StudioOptions": "server",
+    "serve": "server",
+}
 
 
 def __getattr__(name: str) -> object:
-    """Return what starts the server, importing it on first use (PEP 562)."""
-    if name not in _OF_THE_SERVER:
+    """Return what the front offers, importing it on first use (PEP 562)."""
+    if name not in _HOMES:
         raise AttributeError(f"module 'ropsim.studio' has no attribute {name!r}")
-    from ropsim.studio import server
-
-    value: object = getattr(server, name)
+    value: object = getattr(import_module(f"ropsim.studio.{_HOMES[name]}"), name)
     return value

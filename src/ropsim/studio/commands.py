@@ -1,9 +1,14 @@
-"""What a page says to the server over `/ws/studio`; `frontend/src/wire/commands.ts` is the other side."""
+"""What a page says to the server over `/ws/studio`: JSON texts, told apart by `type`.
+
+`frontend/src/wire/commands.ts` is written from these records by `tools/wire_types.py`.
+"""
 
 from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 from msgspec import Meta, Struct
+
+from ropsim.studio.jobs import PoseNumbers
 
 Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
 Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
@@ -20,7 +25,13 @@ class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
 
 
 class Edit(Struct, frozen=True, tag_field="type", tag="edit"):
-    """New text of a document; `version` counts up in the tab."""
+    """New text of a document; the server journals it, then compiles and simulates in the background.
+
+    Attributes:
+        document: its name.
+        text: all of it.
+        version: counts up in the tab; comes back in `documents`.
+    """
 
     document: Name
     text: str
@@ -83,7 +94,7 @@ class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
 
 
 class LiveControl(Struct, frozen=True, tag_field="type", tag="live_control"):
-    """Pause a live run, go on, or end it."""
+    """Pause a live run, go on, or end it; ending keeps what was recorded so far."""
 
     action: Literal["pause", "resume", "stop"]
 
@@ -95,14 +106,14 @@ class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
 
 
 class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
-    """Set an input of the cell in a live run."""
+    """Set an input of the cell in a live run; the simulator stamps it with simulated time."""
 
     name: Name
     value: float
 
 
 class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):
-    """Forget recorded key presses."""
+    """Forget recorded key presses: the next runs take the cell's own signal changes only."""
 
 
 class JogJoints(Struct, frozen=True, tag_field="type", tag="jog_joints"):
@@ -119,7 +130,7 @@ class JogTcp(Struct, frozen=True, tag_field="type", tag="jog_tcp"):
     id: Number
     q: Coordinates
     tool: Name
-    target: tuple[float, float, float, float, float, float, float]
+    target: PoseNumbers
 
 
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):

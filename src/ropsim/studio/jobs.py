@@ -12,6 +12,9 @@ Fidelity: TypeAlias = Literal["dynamic", "kinematic"]
 RunForm: TypeAlias = Literal["recording", "inputs", "report", "code"]
 """A run as a file: NPZ, inputs as `ropsim run --inputs` takes them, HTML, text of the neutral code."""
 
+Level: TypeAlias = Literal["error", "warning", "info"]
+"""How much something matters that the user is told."""
+
 PoseNumbers: TypeAlias = tuple[float, float, float, float, float, float, float]
 """Position x, y, z [m] and unit quaternion w, x, y, z; in W unless told otherwise."""
 
@@ -220,7 +223,7 @@ class JogReply:
     tcp: PoseNumbers
     bodies: tuple[tuple[int, PoseNumbers], ...]
     reached: bool
-    words: tuple[tuple[str, str], ...]
+    words: tuple[tuple[Level, str], ...]
 
 
 @dataclass(frozen=True, slots=True)

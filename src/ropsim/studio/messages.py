@@ -1,20 +1,38 @@
-"""What the server says to a page over `/ws/studio`; `frontend/src/wire/messages.ts` is the other side."""
+"""What the server says to a page over `/ws/studio`: JSON texts, told apart by `type`.
+
+Binary messages are state frames of a live run (`desk/live/frame.py`). `frontend/src/wire/messages.ts` is
+written from these records by `tools/wire_types.py`.
+"""
 
 from collections.abc import Mapping
-from typing import Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from ropsim.core import Diagnostic
-from ropsim.studio.jobs import PoseNumbers
+from ropsim.studio.jobs import Level, PoseNumbers
 
-Finding: TypeAlias = Mapping[str, object]
+Finding: TypeAlias = Annotated[Mapping[str, object], Meta(title="Finding")]
 """A finding as plain JSON values; its `time` [s] is null where it has none."""
+
+Scene: TypeAlias = Annotated[Mapping[str, object], Meta(title="SceneDescription")]
+"""A cell as it is drawn, as plain JSON values."""
 
 
 class DocumentState(Struct, frozen=True):
-    """A text of the project; `text` is None where the tab has it already."""
+    """A text of the project.
+
+    Attributes:
+        name: path inside the project, such as `programs/main.task` or `cell.toml`.
+        uri: under which the language server knows it.
+        language: by the ending of its name.
+        text: None where the tab has it already.
+        version: the last one of the editing tab that the server has; 0 for the text of the file.
+        unsaved: differs from its file.
+        conflict: the file has changed on the disk since it was read.
+        recovered: unsaved text of an earlier session has been brought back.
+    """
 
     name: str
     uri: str
@@ -27,7 +45,12 @@ class DocumentState(Struct, frozen=True):
 
 
 class TrustState(Struct, frozen=True):
-    """Whether the project folder is trusted, and what in it is code."""
+    """Whether the project folder is trusted, and what in it is code.
+
+    Attributes:
+        trusted: whether code in the project may run.
+        code: files that are code and stay inert until the project is trusted.
+    """
 
     trusted: bool
     code: tuple[str, ...]
@@ -41,7 +64,20 @@ class ExampleState(Struct, frozen=True):
 
 
 class Welcome(Struct, frozen=True, tag_field="type", tag="welcome"):
-    """The project; sent on connection and when documents have come or gone."""
+    """The project; sent on connection and when documents have come or gone.
+
+    Attributes:
+        ropsim: version of the server.
+        project: name of the project.
+        folder: in which it lies.
+        programs: names of its programs.
+        program: the one that runs when none is named.
+        documents: all texts.
+        editing: whether this tab may edit; one tab at a time does.
+        trust: of the folder.
+        recent: folders of other projects that were open last, newest first.
+        examples: from which a project can be made.
+    """
 
     ropsim: str
     project: str
@@ -63,14 +99,19 @@ class TrustChanged(Struct, frozen=True, tag_field="type", tag="trust"):
 
 
 class SceneMessage(Struct, frozen=True, tag_field="type", tag="scene"):
-    """The cell as it is drawn, None while it is broken."""
+    """The cell as it is drawn; sent on connection and when the cell file changes.
 
-    scene: Mapping[str, object] | None
+    Attributes:
+        scene: None while the cell is broken.
+        findings: of cell file and geometry.
+    """
+
+    scene: Scene | None
     findings: tuple[Finding, ...]
 
 
 class DocumentsChanged(Struct, frozen=True, tag_field="type", tag="documents"):
-    """States of documents after an edit, save, revert or change on the disk."""
+    """States of documents after an edit, save, revert or change on the disk; texts where new to the tab."""
 
     documents: tuple[DocumentState, ...]
 
@@ -82,11 +123,22 @@ class EditingRight(Struct, frozen=True, tag_field="type", tag="editing"):
 
 
 class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
-    """How a run stands; a `done` one has its pack at `/run/<id>.pack`.
+    """How the newest run stands.
 
-    `findings` are those of compiling, and of planning where `planned` says so; a finished run has its own.
-    `simulated` is the run that was carried out: an earlier one where the texts still say the same, 0 before
-    that is known. `versions` are those of the texts, to which lines in findings and run refer.
+    `done`: its pack is at `/run/<id>.pack`. `refused`: the program has errors, the run before stays and is
+    stale. `failed`: the simulator gave up; `message` says why.
+
+    Attributes:
+        id: number of the run.
+        state: how it stands.
+        program: its name.
+        message: why there is no run.
+        findings: of compiling, and of planning too where `planned`; those of a finished run are in its pack.
+        inputs: number of key presses that the run took as inputs.
+        planned: whether planning has come to its end.
+        simulated: the run that was carried out: an earlier one where the texts still say the same; 0 while
+            not known.
+        versions: of the documents to which lines in findings and run refer.
     """
 
     id: int
@@ -101,17 +153,87 @@ class RunStatus(Struct, frozen=True, tag_field="type", tag="run"):
 
 
 class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
-    """How a live run stands."""
+    """How a live run stands.
+
+    Attributes:
+        state: of the run.
+        speed: simulated seconds per second.
+        program: its name.
+    """
 
     state: Literal["starting", "running", "paused", "over"]
     speed: float
     program: str
 
 
+class LiveChannel(Struct, frozen=True):
+    """What one number in the state frames of a live run is."""
+
+    name: str
+    column: str
+    unit: str
+    description: str
+    group: str
+
+
+class LiveLayout(Struct, frozen=True, tag_field="type", tag="layout"):
+    """Names of the numbers in the state frames that follow.
+
+    Attributes:
+        channels: one for each number.
+        bodies: indices of the scene's bodies whose poses are in the frames.
+    """
+
+    channels: tuple[LiveChannel, ...]
+    bodies: tuple[int, ...]
+
+
+class Placed(Struct, frozen=True, tag_field="type", tag="placed"):
+    """From a time on a body rides on another one, or is not there.
+
+    Attributes:
+        time: [s].
+        body: index of the body in the scene.
+        parent: index of the body that it rides on; -1 where it rests in W.
+        pose: in the frame of the parent.
+        visible: whether it is there.
+    """
+
+    time: float
+    body: int
+    parent: int
+    pose: PoseNumbers
+    visible: bool
+
+
+class SignalStamped(Struct, frozen=True, tag_field="type", tag="stamped"):
+    """An input that a key has set, with the simulated time [s] that it was given."""
+
+    name: str
+    value: float
+    time: float
+
+
+class Printed(Struct, frozen=True, tag_field="type", tag="printed"):
+    """A message of the program in a live run.
+
+    Attributes:
+        time: [s].
+        text: of the message.
+        source: name of the program text.
+        line: 0 where it has none.
+    """
+
+    time: float
+    text: str
+    source: str
+    line: int
+
+
 class JogWords(Struct, frozen=True):
     """What limits, reach or singularity have to say."""
 
-    level: str
+    level: Level
     text: str
 
 
@@ -123,7 +245,16 @@ class JogBody(Struct, frozen=True):
 
 
 class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
-    """Answer to a jog."""
+    """Answer to a jog.
+
+    Attributes:
+        id: of the jog.
+        q: joint coordinates that were reached; those of the request where the target cannot be reached.
+        tcp: pose of the TCP in W.
+        bodies: world poses of the bodies of the arm.
+        reached: whether the arm stands where it was to.
+        words: worst first; empty when all is well.
+    """
 
     id: int
     q: tuple[float, ...]
@@ -136,7 +267,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
 class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
     """Something to tell the user."""
 
-    level: Literal["error", "warning", "info"]
+    level: Level
     code: str
     text: str
     hint: str
@@ -150,11 +281,21 @@ Message: TypeAlias = (
     | EditingRight
     | RunStatus
     | LiveStatus
+    | LiveLayout
+    | Placed
+    | SignalStamped
+    | Printed
     | Jogged
     | Notice
     | Mapping[str, object]
 )
-"""Mappings are messages of a live run, which the simulator has put together."""
+"""Mappings are messages of a live run, as they come from the worker: see `plain`."""
+
+
+def plain(message: Struct) -> Mapping[str, object]:
+    """Return a message as the plain JSON values that it is sent as."""
+    values: Mapping[str, object] = msgspec.to_builtins(message)
+    return values
 
 
 def wire(message: Message) -> bytes:
@@ -182,6 +323,6 @@ def _sendable(value: object) -> object:
 
 def notice(finding: Diagnostic) -> Notice:
     """Return a diagnostic as a notice."""
-    levels: dict[str, Literal["error", "warning", "info"]] = {"error": "error", "warning": "warning"}
+    levels: dict[str, Level] = {"error": "error", "warning": "warning"}
     level = levels.get(finding.severity.value, "info")
     return Notice(level, finding.code, finding.message, finding.hint)

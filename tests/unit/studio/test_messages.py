@@ -1,60 +1,78 @@
-"""Both sides of `/ws/studio` know the same messages with the same fields."""
+"""Both sides of `/ws/studio` know the same messages: the types of the pages are written from the records."""
 
 import json
 import math
-import re
+import subprocess
+import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import get_args
+from typing import Literal
 
 import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tools import wire_types
 
 from ropsim.studio import commands, messages
+from ropsim.studio.jobs import PoseNumbers
 
-PAGE_SIDE = Path(__file__).parents[3] / "frontend" / "src" / "wire"
-BY_THE_WORKER = {"layout", "placed", "printed", "stamped"}
-"""Messages of a live run that are put together in the worker."""
-
-INTERFACE = re.compile(r"^export interface (\w+)(?: extends (\w+))? \{\n(.*?)^\}", re.MULTILINE | re.DOTALL)
-FIELD = re.compile(r"^  readonly (\w+): ([^\n]+)", re.MULTILINE)
-
-
-def page_side() -> dict[str, dict[str, str]]:
-    """Return the fields of each interface of the page, with their types."""
-    text = "".join((PAGE_SIDE / name).read_text("utf-8") for name in ("commands.ts", "messages.ts"))
-    found = {name: (base, dict(FIELD.findall(body))) for name, base, body in INTERFACE.findall(text)}
-    return {name: {**(found[base][1] if base else {}), **fields} for name, (base, fields) in found.items()}
-
-
-def by_tag() -> dict[str, set[str]]:
-    """Return the fields of the page's messages by their tag."""
-    return {
-        fields["type"].strip("'"): set(fields) - {"type"}
-        for fields in page_side().values()
-        if "type" in fields
-    }
-
-
-def structs() -> dict[str, set[str]]:
-    """Return the fields of the server's messages by their tag."""
-    kinds = [*get_args(commands.Command), *get_args(messages.Message)]
-    tagged = [kind for kind in kinds if isinstance(kind, type) and issubclass(kind, msgspec.Struct)]
-    return {str(kind.__struct_config__.tag): set(kind.__struct_fields__) for kind in tagged}
+ROOT = Path(__file__).parents[3]
+PAGE_SIDE = ROOT / "frontend" / "src" / "wire"
 
 
 @pytest.mark.skipif(not PAGE_SIDE.exists(), reason="the sources of the pages are not part of this tree")
-def test_messages_have_the_same_fields_on_both_sides() -> None:
-    theirs = {tag: fields for tag, fields in by_tag().items() if tag not in BY_THE_WORKER}
-    assert structs() == theirs
+def test_the_types_of_the_pages_are_those_of_the_records() -> None:
+    command = [sys.executable, "tools/wire_types.py", "--check"]
+    result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (result.returncode, result.stderr) == (0, ""), result.stdout
 
 
-@pytest.mark.skipif(not PAGE_SIDE.exists(), reason="the sources of the pages are not part of this tree")
-def test_parts_of_messages_have_the_same_fields_on_both_sides() -> None:
-    theirs = page_side()
-    assert set(messages.DocumentState.__struct_fields__) == set(theirs["DocumentState"])
-    assert set(messages.TrustState.__struct_fields__) == set(theirs["TrustState"])
+class Sample(msgspec.Struct, frozen=True, tag_field="type", tag="sample"):
+    """A record.
+
+    Attributes:
+        pose: None where it
+            has none.
+    """
+
+    pose: PoseNumbers | None
+    level: Literal["low", "high"]
+    names: tuple[messages.JogWords, ...]
+    counts: Mapping[str, int]
+    pair: tuple[int, str]
+    either: tuple[int | str, ...]
+    scene: messages.Scene | None
+    place: commands.Place
+
+
+def test_a_record_becomes_an_interface() -> None:
+    assert wire_types.interface(Sample) == "\n".join(
+        [
+            "/** A record. */",
+            "export interface Sample {",
+            "  readonly type: 'sample'",
+            "  /** Null where it has none. */",
+            "  readonly pose: Pose | null",
+            "  readonly level: 'low' | 'high'",
+            "  readonly names: readonly JogWords[]",
+            "  readonly counts: Readonly<Record<string, number>>",
+            "  readonly pair: readonly [number, string]",
+            "  readonly either: readonly (number | string)[]",
+            "  readonly scene: SceneDescription | null",
+            "  readonly place: string",
+            "}",
+        ]
+    )
+
+
+def test_a_record_comes_after_those_that_it_holds() -> None:
+    assert list(wire_types.parts(Sample)) == [messages.JogWords, Sample]
+
+
+def test_a_type_without_a_rule_is_refused() -> None:
+    with pytest.raises(TypeError, match="no TypeScript for"):
+        wire_types.typescript(set[int])
 
 
 def test_a_command_is_read_from_its_json() -> None:

@@ -9,11 +9,12 @@ import numpy as np
 from ropsim.kinematics import IkResult, Shortfall, jacobian, singular_distances
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.spatial import Array
+from ropsim.studio.jobs import Level
 
-Words: TypeAlias = list[tuple[str, str]]
+Words: TypeAlias = list[tuple[Level, str]]
 """Pairs of a level and a text."""
 
-LEVELS = ("error", "warning", "info")
+LEVELS: tuple[Level, ...] = ("error", "warning", "info")
 
 AT_LIMIT = 1e-6
 """A coordinate this near to its limit is at it [rad | m]."""
@@ -29,7 +30,7 @@ NEAR_RATIO, TIGHT_RATIO = 0.05, 0.01
 """Ratios of the least to the greatest singular value of the Jacobian that are mentioned, and a warning."""
 
 
-def worst_first(words: Words) -> tuple[tuple[str, str], ...]:
+def worst_first(words: Words) -> tuple[tuple[Level, str], ...]:
     """Return the words in order of their level."""
     return tuple(sorted(words, key=lambda one: LEVELS.index(one[0])))
 
@@ -120,7 +121,7 @@ def _shortfall_text(shortfall: Shortfall) -> str:
     return f"{shortfall.status.value}: {miss.why}; {missing}"
 
 
-def _near(left: float, bounds: tuple[float, float], text: str) -> Iterable[tuple[str, str]]:
+def _near(left: float, bounds: tuple[float, float], text: str) -> Iterable[tuple[Level, str]]:
     near, tight = bounds
     if left <= near:
         yield ("warning" if left <= tight else "info", f"near a singularity, {text}")

@@ -9,6 +9,7 @@ from ropsim.model import ROBOT, BodyKind, body_tree
 from ropsim.simulation import RunView, live_sample
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.studio.jobs import LiveFrame, LiveMessage
+from ropsim.studio.messages import LiveChannel, LiveLayout, plain
 
 HEADER = struct.Struct("<2sBBIddHHI")
 """Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""
@@ -31,20 +32,13 @@ class Frames:
 
     def layout(self) -> LiveMessage:
         """Return the message that names the numbers of the frames."""
-        columns = [
-            {
-                "name": name,
-                "column": column,
-                "unit": channel.unit,
-                "description": channel.description,
-                "group": channel.group.value,
-            }
+        columns = tuple(
+            LiveChannel(name, column, channel.unit, channel.description, channel.group.value)
             for name, channel in self._layout.items()
             for column in channel.columns or ("",)
-        ]
+        )
         places = self._tree.places()
-        bodies = [places[name] for name in self._links]
-        return LiveMessage({"type": "layout", "channels": columns, "bodies": bodies})
+        return LiveMessage(plain(LiveLayout(columns, tuple(places[name] for name in self._links))))
 
     def frame(self, run: RunView, time: float, wall: float) -> LiveFrame:
         """Return the state at a time.

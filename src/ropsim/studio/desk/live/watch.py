@@ -3,6 +3,9 @@
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Literal
+
+from msgspec import convert
 
 from ropsim.flow import MessageEvent
 from ropsim.simulation import RunView
@@ -11,6 +14,7 @@ from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.frame import Frames
 from ropsim.studio.desk.live.keys import Keys, Stamp
 from ropsim.studio.jobs import LiveControl, LiveMessage, LiveSpeed, Order, SetSignal
+from ropsim.studio.messages import LiveStatus, Placed, Printed, SignalStamped, notice, plain
 from ropsim.views import ShownPlacements
 
 FRAME = 1.0 / 60.0
@@ -108,7 +112,7 @@ class LivePace:
             return []
         known, placed = len(self.placed.places), self.placed
         news = [
-            LiveMessage({"type": "placed", "body": placed.places[name], **told})
+            LiveMessage(plain(convert({"type": "placed", "body": placed.places[name], **told}, Placed)))
             for number, placement in enumerate(run.placements[self.told :], start=self.told)
             for name, told in placed.take(placement)
             if number >= known  # the first ones, one for each body, are what the scene shows
@@ -167,32 +171,17 @@ class LivePace:
         if isinstance(stamp, Stamp):
             run.press(stamp.signal, stamp.tick, stamp.value)
             time = stamp.tick / run.hz
-            news = {"type": "stamped", "name": stamp.signal, "value": stamp.value, "time": time}
+            news = plain(SignalStamped(stamp.signal, stamp.value, time))
         else:
-            news = {
-                "type": "notice",
-                "level": stamp.severity.value,
-                "code": stamp.code,
-                "text": stamp.message,
-                "hint": stamp.hint,
-            }
+            news = plain(notice(stamp))
         self.line.report(LiveMessage(news))
 
     def _tell_state(self) -> None:
-        state = "paused" if self.clock.paused else "running"
-        news = {"type": "live", "state": state, "speed": self.clock.speed, "program": self.program}
-        self.line.report(LiveMessage(news))
+        state: Literal["paused", "running"] = "paused" if self.clock.paused else "running"
+        self.line.report(LiveMessage(plain(LiveStatus(state, self.clock.speed, self.program))))
 
 
 def printed(message: MessageEvent) -> LiveMessage:
     """Return what the page is told of a message of the program."""
-    span = message.span
-    return LiveMessage(
-        {
-            "type": "printed",
-            "time": message.time,
-            "text": message.text,
-            "source": span.source if span is not None else "",
-            "line": message.line,
-        }
-    )
+    source, line = (message.span.source, message.span.line) if message.span is not None else ("", 0)
+    return LiveMessage(plain(Printed(message.time, message.text, source, line)))

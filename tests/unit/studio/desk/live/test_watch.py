@@ -56,8 +56,8 @@ def test_the_layout_comes_first_and_names_every_number_of_a_frame(folder: Path) 
     live(folder, WAITING, line)
     (layout,) = line.messages("layout")
     channels, bodies = layout["channels"], layout["bodies"]
-    assert isinstance(channels, list)
-    assert bodies == [1, 2, 3, 4, 5, 6]
+    assert isinstance(channels, tuple)
+    assert bodies == (1, 2, 3, 4, 5, 6)
     for frame in line.frames:
         magic, version, kind, _, _, wall, values, count, events = header(frame)
         assert (magic, version, kind, wall, events) == (b"RS", 1, 1, DAY * 1e3, 0)
@@ -85,7 +85,7 @@ def test_a_part_is_placed_when_the_clock_comes_to_its_grasp_and_does_not_jump(fo
     assert (left["body"], left["parent"], left["visible"]) == (8, -1, True)
     assert supplied["pose"] == pytest.approx([0.5, -0.15, 0.15, 1, 0, 0, 0], abs=1e-12)
     pose = left["pose"]
-    assert isinstance(pose, list)
+    assert isinstance(pose, tuple)
     assert pose[:3] == pytest.approx([0.5, -0.15, 0.18], abs=1e-3)
     at = line.reports.index(next(one for one in line.reports if getattr(one, "payload", None) == taken))
     before = next(one for one in reversed(line.reports[:at]) if isinstance(one, LiveFrame))
@@ -97,7 +97,7 @@ def test_the_channels_are_those_of_the_recording_but_for_the_path_error(folder: 
     live(folder, GRIP, line)
     (layout,) = line.messages("layout")
     channels = layout["channels"]
-    assert isinstance(channels, list)
+    assert isinstance(channels, tuple)
     project_ = open_overlaid(folder, {"programs/main.task": GRIP})
     recorded = project_.simulate().channels
     told = {(one["name"], one["column"], one["unit"], one["description"]) for one in channels}
