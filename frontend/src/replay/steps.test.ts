@@ -8,6 +8,7 @@ const step = (time: number, line: number, source = 'main.task', kind = 'move') =
   kind,
   text: '',
   span: { source, line, column: 1, end_line: line, end_column: 1 },
+  station: '',
   data: {},
 })
 const events = [step(4, 7), step(1, 7), step(2, 8), step(3, 7, 'other.task'), step(0, 7, 'main.task', 'task')]

@@ -6,7 +6,7 @@ import type { Run, RunEvent, Series } from './run'
 const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
 
 function event(time: number, duration: number, kind: string, data: RunEvent['data'] = {}): RunEvent {
-  return { time, duration, kind, text: kind, span: kind === 'task' ? null : span, data }
+  return { time, duration, kind, text: kind, station: '', span: kind === 'task' ? null : span, data }
 }
 
 function series(times: readonly number[], values: readonly number[]): Series {

@@ -16,12 +16,20 @@ const scene = {
   ],
 } as unknown as SceneDescription
 
-const channel = (name: string, column: string) => ({ name, column, unit: '', description: '', group: '' })
+const channel = (name: string, column: string, held = false) => ({
+  name,
+  column,
+  unit: '',
+  description: '',
+  group: '',
+  subject: 'robot',
+  held,
+})
 const layout: LiveLayout = {
   type: 'layout',
   channels: [
     channel('q', 'a'),
-    channel('line', ''),
+    channel('line', '', true),
     ...['x', 'y', 'z'].map(axis => channel('attained_position', axis)),
   ],
   bodies: [1],

@@ -14,6 +14,8 @@ interface LiveChannel extends ChannelInfo {
   readonly max: number[]
   /** Place of its first column in a row. */
   readonly first: number
+  /** Its value holds between changes. */
+  readonly held: boolean
 }
 
 export class LiveRun implements Run {
@@ -82,33 +84,35 @@ export class LiveRun implements Run {
 
   /** Remember the press of a key as an event. */
   stamp({ name, value, time }: SignalStamped): void {
-    const data = { channel: name, value }
-    this.events.push({ time, duration: 0, kind: 'input', text: `${name} = ${value}`, span: null, data })
+    const data = { signal: name, value }
+    const text = `${name} = ${value}`
+    this.events.push({ time, duration: 0, kind: 'input', text, station: '', span: null, data })
   }
 
   /** Take a message of the program as an event. */
   print({ time, text, source, line }: Printed): void {
     const span = line > 0 ? { source, line, column: 1, end_line: line, end_column: 1 } : null
-    this.events.push({ time, duration: 0, kind: 'message', text, span, data: {} })
+    this.events.push({ time, duration: 0, kind: 'message', text, station: '', span, data: {} })
   }
 
   value(channel: string, column: number, time: number): number {
-    const place = this.#placeOf(channel, column)
-    if (place === undefined || this.#store.count === 0) return Number.NaN
+    const found = this.#find(channel, column)
+    if (!found || this.#store.count === 0) return Number.NaN
+    const { place, held } = found
     const { index, share } = this.#store.locate(time)
     const from = this.#store.at(index, place)
-    if (share === 0 || isHeld(channel)) return from
+    if (share === 0 || held) return from
     return from + (this.#store.at(index + 1, place) - from) * share
   }
 
   series(channel: string, column: number): Series | undefined {
-    const place = this.#placeOf(channel, column)
-    if (place === undefined) return undefined
+    const found = this.#find(channel, column)
+    if (!found) return undefined
     const key = `${channel} ${column}`
     const known = this.#series.get(key)
     if (known) return known
     const store = this.#store
-    const made = { times: store.times(), values: store.column(place), held: isHeld(channel) }
+    const made = { times: store.times(), values: store.column(found.place), held: found.held }
     this.#series.set(key, made)
     return made
   }
@@ -137,9 +141,11 @@ export class LiveRun implements Run {
     return made
   }
 
-  #placeOf(name: string, column: number): number | undefined {
+  /** Place of a column in a row, and whether it holds its value between changes. */
+  #find(name: string, column: number): { readonly place: number; readonly held: boolean } | undefined {
     const channel = this.channels.find(one => one.name === name)
-    return channel && column >= 0 && column < channel.columns.length ? channel.first + column : undefined
+    if (!channel || column < 0 || column >= channel.columns.length) return undefined
+    return { place: channel.first + column, held: channel.held }
   }
 
   #widen(values: Float32Array): void {
@@ -156,20 +162,14 @@ export class LiveRun implements Run {
 }
 
 const NONE = new Uint8Array(0)
-const HELD = new Set(['line', 'move', 'gripper', 'payload'])
-
-/** Channels whose values hold between changes; finished runs say so in their pack. */
-function isHeld(channel: string): boolean {
-  return HELD.has(channel) || channel.startsWith('signal.')
-}
 
 /** Neighbouring entries of one name are the columns of one channel. */
 function channelsOf(layout: LiveLayout): LiveChannel[] {
   const channels: LiveChannel[] = []
-  for (const [place, { name, column, unit, description, group }] of layout.channels.entries()) {
+  for (const [place, { name, column, unit, description, group, held }] of layout.channels.entries()) {
     let channel = channels.at(-1)
     if (channel?.name !== name) {
-      channel = { name, unit, description, group, columns: [], min: [], max: [], first: place }
+      channel = { name, unit, description, group, columns: [], min: [], max: [], first: place, held }
       channels.push(channel)
     }
     channel.columns.push(column)

@@ -3,7 +3,15 @@ import { firstAfter, lastBefore, marksOf, nearest, stepAt, worstLast } from './m
 import type { Run } from './run'
 
 const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
-const event = (time: number, kind: string) => ({ time, duration: 0.5, kind, text: kind, span, data: {} })
+const event = (time: number, kind: string) => ({
+  time,
+  duration: 0.5,
+  kind,
+  text: kind,
+  station: '',
+  span,
+  data: {},
+})
 
 const run = {
   events: [

@@ -1,5 +1,6 @@
 /** The file of a pack: gzip around a mark, a JSON header and the bytes of its columns (docs/reference/pack.md). */
 import type { Pose } from '../scene/description'
+import type { RunFacts } from './facts'
 import type { Finding, RunEvent } from './run'
 
 export type ColumnCode =
@@ -29,6 +30,8 @@ export interface PackedChannel {
   readonly unit: string
   readonly description: string
   readonly group: string
+  /** Name of the station that it is of; empty for what belongs to the cell. */
+  readonly subject: string
   readonly columns: readonly PackedColumn[]
 }
 
@@ -95,25 +98,21 @@ export interface PackHeader {
   readonly duration: number
   readonly rate: number
   readonly count: number
-  readonly program: string
-  readonly source: string
-  readonly fidelity: 'dynamic' | 'kinematic'
   readonly project: string
   readonly base: Pose
   readonly channels: readonly PackedChannel[]
   readonly bodies: readonly PackedBody[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
-  /** Absent in packs of older versions of ropsim. */
-  readonly result?: ResultFigures
-  readonly recording: Readonly<Record<string, unknown>>
+  readonly result: ResultFigures
+  readonly facts: RunFacts
 }
 
 /** A pack that cannot be read; the message is for the user. */
 export class PackError extends Error {}
 
 const MARK = 'RPK1'
-const VERSION = 1
+const VERSION = 2
 const HEAD = 8
 
 /** Unpack the file. Throws `PackError` for anything that is not a whole pack of a known version. */

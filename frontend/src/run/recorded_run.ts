@@ -1,6 +1,7 @@
 /** A finished run, read from its pack. */
 import type { SceneDescription } from '../scene/description'
 import { Clock, Column } from './column'
+import type { RunFacts } from './facts'
 import { openPack, type PackHeader, type ResultFigures } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
@@ -18,10 +19,9 @@ export class RecordedRun implements Run {
   readonly channels: readonly ChannelInfo[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
-  /** Undefined for a run from a pack of an older version of ropsim. */
-  readonly result: ResultFigures | undefined
-  /** What the recording says about itself: robot, limits, rates. */
-  readonly about: Readonly<Record<string, unknown>>
+  readonly result: ResultFigures
+  /** What the recording says about the run: stations with robot, limits and rates. */
+  readonly facts: RunFacts
   readonly #header: PackHeader
   readonly #body: Uint8Array
   readonly #clock: Clock
@@ -36,15 +36,16 @@ export class RecordedRun implements Run {
   private constructor(header: PackHeader, body: Uint8Array, scene: SceneDescription) {
     this.#header = header
     this.#body = body
-    this.program = header.program
-    this.source = header.source
-    this.fidelity = header.fidelity
+    const [station] = header.facts.stations
+    this.program = station?.program ?? ''
+    this.source = station?.source ?? ''
+    this.fidelity = header.facts.fidelity
     this.project = header.project
     this.duration = header.duration
     this.events = header.events
     this.findings = header.findings
     this.result = header.result
-    this.about = header.recording
+    this.facts = header.facts
     this.#clock = new Clock(header.rate, header.duration, header.count)
     for (const channel of header.channels) {
       const columns = channel.columns.map(column => new Column(column.code, body, this.#clock))

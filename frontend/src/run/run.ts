@@ -24,6 +24,8 @@ export interface RunEvent {
   readonly duration: number
   readonly kind: string
   readonly text: string
+  /** Name of the station whose program made it; empty for what belongs to the cell. */
+  readonly station: string
   readonly span: Span | null
   readonly data: Readonly<Record<string, unknown>>
 }

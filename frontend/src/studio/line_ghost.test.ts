@@ -9,7 +9,7 @@ import { RunLines } from './run_lines'
 import { createStudioStore } from './state'
 
 const DOCUMENT = 'programs/main.task'
-const LINE = { name: 'line', column: '', unit: '', description: '', group: '' }
+const LINE = { name: 'line', column: '', unit: '', description: '', group: '', subject: '', held: true }
 const LAYOUT: LiveLayout = { type: 'layout', channels: [LINE], bodies: [] }
 
 function ghostOf(run: LiveRun): LineGhost {

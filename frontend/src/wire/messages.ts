@@ -134,11 +134,20 @@ export interface LiveStatus {
 
 /** What one number in the state frames of a live run is. */
 export interface LiveChannel {
+  /** Of the channel. */
   readonly name: string
+  /** Of the channel that it is, empty for a channel with one. */
   readonly column: string
+  /** SI unit as text. */
   readonly unit: string
+  /** What the channel is. */
   readonly description: string
+  /** Under what lists show it. */
   readonly group: string
+  /** Name of the station or device that it is of; empty for what belongs to the cell. */
+  readonly subject: string
+  /** Its value holds between changes, else it is linear. */
+  readonly held: boolean
 }
 
 /** Names of the numbers in the state frames that follow. */

@@ -167,13 +167,25 @@ class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
 
 
 class LiveChannel(Struct, frozen=True):
-    """What one number in the state frames of a live run is."""
+    """What one number in the state frames of a live run is.
+
+    Attributes:
+        name: of the channel.
+        column: of the channel that it is, empty for a channel with one.
+        unit: SI unit as text.
+        description: what the channel is.
+        group: under what lists show it.
+        subject: name of the station or device that it is of; empty for what belongs to the cell.
+        held: its value holds between changes, else it is linear.
+    """
 
     name: str
     column: str
     unit: str
     description: str
     group: str
+    subject: str
+    held: bool
 
 
 class LiveLayout(Struct, frozen=True, tag_field="type", tag="layout"):

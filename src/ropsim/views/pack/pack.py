@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, Recording, StationFacts
+from ropsim.flow import Event, Recording
 from ropsim.model import Cell
 from ropsim.spatial import Array
 from ropsim.views.pack.bodies import packed_bodies
@@ -22,7 +22,7 @@ from ropsim.views.result import result_figures
 from ropsim.views.scene.shapes import plain_pose
 from ropsim.views.summary import Summary
 
-VERSION = 1
+VERSION = 2
 RATE = 60
 """Samples per second: as many as a screen shows."""
 
@@ -51,16 +51,11 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
     """
     body = Body()
     times = sample_times(recording.duration)
-    facts = recording.facts
-    first = facts.stations[0] if facts.stations else StationFacts("")
     header: dict[str, object] = {
         "version": VERSION,
         "duration": recording.duration,
         "rate": RATE,
         "count": len(times),
-        "program": first.program,
-        "source": first.source,
-        "fidelity": facts.fidelity.value,
         "project": cell.name,
         "base": plain_pose(cell.first.X_WB),
         "channels": packed_channels(recording, times, body),
@@ -71,7 +66,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
             *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
         ],
         "result": result_figures(summary),
-        "recording": asdict(facts),
+        "facts": asdict(recording.facts),
     }
     return Pack(header, body.content())
 

@@ -185,8 +185,8 @@ def test_values_that_are_no_numbers_become_null() -> None:
     about = replace(recording.facts, record_hz=float("nan"), checked=("a", "b"))
     made = replace(recording, channels={**recording.channels, "strange": strange}, facts=about)
     shown = read_pack(pack_of(project, made))
-    assert shown.header["recording"]["record_hz"] is None
-    assert shown.header["recording"]["checked"] == ["a", "b"]
+    assert shown.header["facts"]["record_hz"] is None
+    assert shown.header["facts"]["checked"] == ["a", "b"]
     assert np.all(np.isnan(shown.column("strange")))
     json.dumps(shown.header, allow_nan=False)
 
