@@ -54,15 +54,14 @@ def held(rows: Channel, time: Array) -> Channel:
     When a change was between two rows is not known: it counts from halfway.
 
     Args:
-        rows: the channel, of one column.
+        rows: the channel; one that has no row, or several columns, stays as it is.
         time: of the rows [s], shape (n,).
     """
-    values = rows.values.reshape(-1)
-    if not len(values):
-        changed = np.zeros(0, dtype=np.intp)
-    else:
-        same = (values[1:] == values[:-1]) | (np.isnan(values[1:]) & np.isnan(values[:-1]))
-        changed = np.concatenate([[0], np.flatnonzero(~same) + 1])
+    values = rows.values
+    if values.ndim != 1 or not len(values):
+        return rows
+    same = (values[1:] == values[:-1]) | (np.isnan(values[1:]) & np.isnan(values[:-1]))
+    changed = np.concatenate([[0], np.flatnonzero(~same) + 1])
     times = 0.5 * (time[np.maximum(changed - 1, 0)] + time[changed])
     return Channel(
         frozen(values[changed]), rows.unit, (), rows.description, rows.group, rows.subject, frozen(times)

@@ -85,7 +85,7 @@ def _form(hint: Any) -> _Form:  # noqa: ANN401 - a type or what stands for one, 
 
 
 def _one_of(kinds: tuple[Any, ...]) -> _Form:
-    """Return the form of a union: of scalars and None, or of one record or enum and None."""
+    """Return the form of a union: of numbers, or of one type and None."""
     own = [kind for kind in kinds if kind is not NoneType]
     if len(own) == 1:
         form = _form(own[0])
@@ -93,6 +93,9 @@ def _one_of(kinds: tuple[Any, ...]) -> _Form:
             lambda value: None if value is None else form.write(value),
             lambda plain, name: None if plain is None else form.read(plain, name),
         )
+
+    if not set(own) <= {bool, int, float}:
+        raise TypeError(f"values of {kinds} have no plain form")
 
     def read(plain: object, name: str) -> object:
         kind = next((kind for kind in (bool, int) if kind in own and type(plain) is kind), own[-1])

@@ -41,9 +41,9 @@ def move(run: CellRun, at: StationRun, instruction: MoveInstruction) -> Iterator
         instruction.origin,
         motion=instruction.kind,
         ordinal=ordinal,
-        travel=planned.duration,
+        travel=float(planned.duration),
         settle=settle,
-        zone=instruction.modal.zone,
+        zone=float(instruction.modal.zone),
     )
     run.note(at, since, done)
     run.progress(f"move {ordinal + 1}")

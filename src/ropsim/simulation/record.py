@@ -135,7 +135,8 @@ def _arrivals(run: CellRun) -> Arrivals:
 
 def inputs_taken(run: CellRun) -> list[InputChange]:
     """Return the changes of inputs that fell into the run, in order of time."""
-    return sorted(one for one in run.inputs if one.time <= run.time)
+    taken = (one for one in run.inputs if one.time <= run.time)
+    return sorted(InputChange(float(one.time), one.signal, float(one.value)) for one in taken)
 
 
 def path_errors(moves: list[MoveSpan], robot: RobotModel, ticks: Array, attained: Array) -> Array:

@@ -16,7 +16,7 @@ def station_facts(name: str, robot: RobotModel, controller: ControllerModel) -> 
     rates = controller.rates
     return StationFacts(
         name,
-        control_hz=rates.control_hz,
+        control_hz=float(rates.control_hz),
         interpolation_ticks=rates.interpolation_ticks,
         plant_steps=rates.plant_steps,
         robot=robot.name,

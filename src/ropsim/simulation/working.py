@@ -79,7 +79,7 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
         case WaitInstruction():
             since = at.tick
             yield from at.stand(round(step.duration * at.hz))
-            run.note(at, since, WaitEvent(*at.when(since), step.origin, pause=step.duration))
+            run.note(at, since, WaitEvent(*at.when(since), step.origin, pause=float(step.duration)))
         case OutputInstruction(channel=channel, value=value):
             run.set_output(at, channel, value)
             done = OutputEvent(*at.when(at.tick), step.origin, channel=channel, value=value)

@@ -11,7 +11,7 @@ from ropsim.cellfile import mesh_in_cell_file
 from ropsim.core import Diagnostic, SourceText, replace_file
 from ropsim.flow import Recording
 from ropsim.meshes import MeshLibrary, load_meshes
-from ropsim.model import Cell
+from ropsim.model import Cell, body_tree
 from ropsim.records import numeric, pack_bytes
 from ropsim.views import (
     NoReplay,
@@ -103,11 +103,19 @@ class Report:
         """
         replace_file(Path(path), self.html().encode())
 
+    def _is_of(self, cell: Cell) -> bool:
+        """Return whether the recording has joint coordinates of every mechanism of a cell."""
+        for name, mechanism in body_tree(cell).mechanisms.items():
+            q = self.recording.channels.get(self.recording.facts.channel("q", name))
+            if q is None or q.values.shape[1:] != (mechanism.n,):
+                return False
+        return True
+
     def _replay(self) -> Replay | NoReplay | None:
         if self.setting is None or self.setting.meshes is None:
             return None
-        cell, meshes, q = self.setting.cell, self.setting.meshes, self.recording.channels.get("q")
-        if q is None or q.values.shape[1:] != (cell.first.robot.n,):
+        cell, meshes = self.setting.cell, self.setting.meshes
+        if not self._is_of(cell):
             return NoReplay(OTHER_ARM)
         viewer = built_viewer()
         if viewer is None:

@@ -1,8 +1,6 @@
 """Recordings of older formats: a run as ropsim wrote it in version 2 is read with typed facts and events."""
 
-import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,22 +25,12 @@ from ropsim.flow import (
 )
 from ropsim.records import RecordingFileError, npz, read_recording, recording_bytes
 from ropsim.views import event_text, summarize
-from support.golden import GOLDEN
-
-KEPT: dict[str, Any] = json.loads((GOLDEN / "recordings" / "version_2.json").read_text("utf-8"))
-"""The document of a run, and those of its arrays that hold their values; the others are not needed here."""
+from support.older_recordings import KEPT, version_2
 
 
 def file_of(path: Path, **changes: object) -> Path:
     """Write the run in its old format, with some entries of the document changed."""
-    document, rows = KEPT["document"] | changes, len(KEPT["arrays"]["time"])
-    arrays: dict[str, npz.AnyArray] = {"header": np.frombuffer(json.dumps(document).encode(), np.uint8)}
-    for name, about in KEPT["document"]["channels"].items():
-        width = len(about["columns"])
-        known = KEPT["arrays"].get(f"channel/{name}")
-        arrays[f"channel/{name}"] = np.array(known) if known else np.zeros((rows, width) if width else rows)
-    arrays["time"] = np.array(KEPT["arrays"]["time"])
-    path.write_bytes(npz.pack(arrays))
+    path.write_bytes(version_2(**changes))
     return path
 
 
@@ -141,3 +129,12 @@ def test_an_odd_document_is_told(tmp_path: Path, change: dict[str, object]) -> N
     with pytest.raises(RecordingFileError) as caught:
         read_recording(file_of(tmp_path / "odd.npz", **change))
     assert caught.value.diagnostic.code == "X874"
+
+
+def test_a_channel_with_columns_where_one_was_held_stays_in_rows(tmp_path: Path) -> None:
+    channels = KEPT["document"]["channels"]
+    wide = channels | {"line": channels["q"]}
+    arrays = npz.unpack(version_2(channels=wide))
+    arrays["channel/line"] = np.zeros((len(KEPT["arrays"]["time"]), 6))
+    (tmp_path / "wide.npz").write_bytes(npz.pack(arrays))
+    assert not read_recording(tmp_path / "wide.npz").channels["line"].held

@@ -4,7 +4,7 @@ from collections import defaultdict
 
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree
+from ropsim.model import BodyKind, BodyTree, Cell, body_tree
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.views.pack.channels import QUATERNION_STEP, continuous, resampled
 from ropsim.views.pack.columns import Body, Code, smooth
@@ -35,8 +35,8 @@ def packed_bodies(recording: Recording, cell: Cell, times: Array, body: Body) ->
 
 def _link_columns(recording: Recording, tree: BodyTree, times: Array, body: Body) -> dict[str, list[Code]]:
     """Return seven column codes for each link: its joint's frame in W."""
-    q = resampled(recording.channels["q"].values, recording, times)
-    poses = body_poses(tree, {ROBOT: q}, tree.names(BodyKind.LINK))
+    Q = {name: _coordinates(recording, name, times) for name in tree.mechanisms}
+    poses = body_poses(tree, Q, tree.names(BodyKind.LINK))
     found = {}
     for name, matrices in poses.items():
         turned = continuous(quaternions_from_matrices(matrices[:, :3, :3]))
@@ -45,6 +45,11 @@ def _link_columns(recording: Recording, tree: BodyTree, times: Array, body: Body
             *(smooth(column, QUATERNION_STEP, body) for column in turned.T),
         ]
     return found
+
+
+def _coordinates(recording: Recording, mechanism: str, times: Array) -> Array:
+    """Return the joint coordinates of a mechanism at some times, shape (k, n)."""
+    return resampled(recording.channels[recording.facts.channel("q", mechanism)].values, recording, times)
 
 
 def _placements(recording: Recording, tree: BodyTree) -> dict[str, list[dict[str, object]]]:

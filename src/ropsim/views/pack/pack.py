@@ -44,7 +44,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
     """Return the pack of a run.
 
     Args:
-        recording: of a run in this cell; it must have the channel `q`.
+        recording: of a run in this cell; it must have the channel `q` of every mechanism.
         cell: as it was simulated.
         summary: of the recording and these findings.
         findings: of compiling, shown before those of the run.

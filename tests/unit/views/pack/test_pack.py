@@ -13,6 +13,7 @@ from ropsim.core import Diagnostic, Severity
 from ropsim.flow import Channel, GripEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward_batch
 from ropsim.model import WORLD, Cell, body_tree
+from ropsim.records import read_recording, write_recording
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.cell_run import CellRun
 from ropsim.views import pack, result_figures, scene, summarize
@@ -151,6 +152,14 @@ def test_the_36_boxes_end_on_the_pallet() -> None:
 
 def test_the_same_run_gives_the_same_bytes(shown: Shown) -> None:
     assert pack_of(shown.project, shown.recording) == pack_of(shown.project, shown.recording)
+
+
+def test_what_was_saved_is_equal_and_shown_as_before(shown: Shown, tmp_path: Path) -> None:
+    write_recording(shown.recording, tmp_path / "run.npz")
+    again = read_recording(tmp_path / "run.npz")
+    assert again == shown.recording
+    assert pack_of(shown.project, again) == pack_of(shown.project, shown.recording)
+    assert shown.project.report(again).text() == shown.project.report(shown.recording).text()
 
 
 def test_a_minute_takes_little_room() -> None:

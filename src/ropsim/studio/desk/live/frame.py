@@ -33,7 +33,15 @@ class Frames:
     def layout(self) -> LiveMessage:
         """Return the message that names the numbers of the frames."""
         columns = tuple(
-            LiveChannel(name, column, channel.unit, channel.description, channel.group.value, channel.subject, channel.held)
+            LiveChannel(
+                name,
+                column,
+                channel.unit,
+                channel.description,
+                channel.group.value,
+                channel.subject,
+                channel.held,
+            )
             for name, channel in self._layout.items()
             for column in channel.columns or ("",)
         )
