@@ -17,6 +17,7 @@ from ropsim.model import (
 )
 from ropsim.spatial import Array
 from support.dc_drives import voltage_amplifier
+from support.gains import cascaded
 
 START = np.array([0.0, -1.2, -0.3, 0.1, 0.9, 0.2])
 GOAL = np.array([0.3, -1.0, -0.1, -0.2, 0.7, 0.5])
@@ -59,7 +60,7 @@ class CascadeInPython:
     traits = LawTraits(state_names=("integral",), hold_row=0)
 
     def __init__(self, model: ControllerModel, robot: RobotModel) -> None:
-        self.gains = model.gains
+        self.gains = cascaded(model)
         self.period = model.rates.control_period
         self.limits = np.array([voltage_amplifier(one).max_voltage for one in robot.drives])
         self.times: list[float] = []

@@ -66,7 +66,9 @@ def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> 
     run = table.reference("run", signals, "signal")
     barrier = _barrier(table.table("stop"), length, signals, units) if "stop" in table else None
     colour = read_look(table, Look()).colour
-    return robots.belt(length, width, height, colour), BeltDrive(speed, acceleration, run, length, barrier)
+    return robots.conveyor(length, width, height, colour), BeltDrive(
+        speed, acceleration, run, length, barrier
+    )
 
 
 def _barrier(table: TomlTable, length: float, signals: Mapping[str, Signal], units: Units) -> Barrier:
@@ -82,7 +84,7 @@ def _slide(table: TomlTable, units: Units) -> Mechanism:
 
 
 def _turntable(table: TomlTable, units: Units) -> Mechanism:
-    return robots.turntable(_shapes(table, units))
+    return robots.rotary(_shapes(table, units))
 
 
 def _shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:

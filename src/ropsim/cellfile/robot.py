@@ -11,18 +11,18 @@ from ropsim.cellfile.quantity import NUMBER, SHARE, TIME, Quantity, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import RopsimError
 from ropsim.model import (
-    GAIN_NAMES,
-    CascadedGains,
     ControllerModel,
     JointType,
     ParameterOrigin,
     PathDefaults,
     Rates,
     RobotModel,
+    gain_names,
 )
 from ropsim.spatial import Array, Pose, frozen, record
 
-_GAINS = dict.fromkeys(GAIN_NAMES, NUMBER.within(0.0, 1e6)) | {"kf": NUMBER.within(0.0, 2.0)}
+_GAIN = NUMBER.within(0.0, 1e6)
+_SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
 _NARROWEST = 1e-9  # [rad | m], least window of a fine stop
 _WIDEST = 0.1  # [rad | m]
@@ -124,14 +124,15 @@ def _controller(
     table: TomlTable, controller: ControllerModel, model: RobotModel, units: Units
 ) -> ControllerModel:
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
-    given = [name for name in GAIN_NAMES if name in table]
+    names = gain_names(controller.gains)
+    given = [name for name in names if name in table]
     gains = {
-        name: _per_joint(table, name, [_GAINS[name]] * model.n, getattr(controller.gains, name))
-        for name in GAIN_NAMES
+        name: _per_joint(table, name, [_SHARES.get(name, _GAIN)] * model.n, getattr(controller.gains, name))
+        for name in names
     }
     return replace(
         controller,
-        gains=CascadedGains(**gains),
+        gains=type(controller.gains)(**gains),
         path=_path(table, controller.path, units),
         in_position=_per_joint(table, "in_position", windows, controller.in_position),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),

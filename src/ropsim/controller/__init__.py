@@ -1,7 +1,6 @@
 """The generic controller: path planner, interpolator, inverse transform, joint interpolation and control."""
 
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
-from ropsim.controller.cascaded_p_pi import law_of as law_of
 from ropsim.controller.chain import MotionChain as MotionChain
 from ropsim.controller.chain import PlannedMove as PlannedMove
 from ropsim.controller.chain import plan_move as plan_move
@@ -24,6 +23,7 @@ from ropsim.controller.law import compiled_half as compiled_half
 from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_FIT
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
+from ropsim.controller.laws import law_of as law_of
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse

@@ -1,14 +1,13 @@
-"""The cascaded P-PI law, and the table of laws that a controller model can ask for."""
+"""The cascaded P-PI law."""
 
 from sys import float_info
 
 import numpy as np
 
 from ropsim.controller.law import CompiledLaw, LawTraits
-from ropsim.controller.law_diagnostics import GAIN_COUNT, GainError
+from ropsim.controller.law_gains import gain_rows
 from ropsim.dynamics import command_limit
-from ropsim.model import GAIN_NAMES, ControllerKind, ControllerModel, Drive
-from ropsim.spatial import Array
+from ropsim.model import GAIN_NAMES, CascadedGains, ControllerModel, RobotModel
 
 CASCADED_P_PI_SOURCE = '''\
 def law(par, state, ref, meas, load, aux, out):
@@ -27,23 +26,19 @@ def law(par, state, ref, meas, load, aux, out):
 '''
 
 
-def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> CompiledLaw:
+def cascaded_p_pi(model: ControllerModel, robot: RobotModel) -> CompiledLaw:
     """Return the cascaded P-PI law of a controller; see `model.CascadedGains` for the equations.
 
     Args:
         model: gains and control period.
-        drives: their amplifiers say at which output the integral has to stand still.
+        robot: the amplifiers of its drives say at which output the integral has to stand still.
 
     Raises:
-        GainError: a gain does not have one number per drive.
+        GainError: the gains are those of another law, or one does not have one number per drive.
     """
-    n = len(drives)
-    gains: list[Array] = [getattr(model.gains, name) for name in GAIN_NAMES]
-    for name, values in zip(GAIN_NAMES, gains, strict=True):
-        if values.shape != (n,):
-            message = f"gain `{name}` has shape `{values.shape}`; allowed is `({n},)`, one number per joint"
-            raise GainError(GAIN_COUNT.at(None, message, hint="give one number per joint"))
-    limits = [min(command_limit(drive), float_info.max) for drive in drives]
+    n = robot.n
+    gains = gain_rows(model, CascadedGains, n)
+    limits = [min(command_limit(drive), float_info.max) for drive in robot.drives]
     period = np.full(n, model.rates.control_period)
     return CompiledLaw(
         name="cascaded_p_pi",
@@ -52,15 +47,3 @@ def cascaded_p_pi(model: ControllerModel, drives: tuple[Drive, ...]) -> Compiled
         parameters=np.stack([*gains, np.array(limits), period]),
         traits=LawTraits(state_names=("integral",), hold_row=0),
     )
-
-
-_LAWS = {ControllerKind.CASCADED_P_PI: cascaded_p_pi}
-
-
-def law_of(model: ControllerModel, drives: tuple[Drive, ...]) -> CompiledLaw:
-    """Return the law that a controller model asks for.
-
-    Raises:
-        GainError: the gains do not fit the arm.
-    """
-    return _LAWS[model.kind](model, drives)

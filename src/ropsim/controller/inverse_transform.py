@@ -70,7 +70,7 @@ class StandardInverseTransform:
         if solver_of(self.robot).method is Method.NUMERIC:
             found = follower.follow_numerically(matrices, q_start)
         else:
-            found = follower.follow(matrices, inverse_batch(self.robot, matrices), q_start)
+            found = follower.follow(matrices, inverse_batch(self.robot, matrices, q_start), q_start)
         p_start = (forward_batch(self.robot, q_start[None])[0] @ X_MT.matrix())[:3, 3]
         line = Line(move, setpoints, p_start, q_start)
         refusals = limit_refusals(line, found.q, self.robot, self._range)

@@ -20,6 +20,18 @@ kp = [25.0, 25.0, 25.0, 30.0, 30.0, 30.0]
 )
 
 
+GAINS_OF_ANOTHER_LAW = define(
+    "C604",
+    "gains-of-another-law",
+    Severity.ERROR,
+    "a controller has gains that its law does not take",
+    """
+The kind of a controller model says which law it is, and each law has gains of its own: `CascadedGains` for
+`cascaded_p_pi`, `ComputedTorqueGains` for `computed_torque`.
+""",
+)
+
+
 class GainError(RopsimError):
     """The gains do not fit the arm."""
 

@@ -9,7 +9,7 @@ from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, figures, passes, rate, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PoseSetpoints
-from ropsim.kinematics import IkStatus, inverse, jacobian, singular_distances
+from ropsim.kinematics import IkOptions, IkStatus, inverse, jacobian, singular_distances
 from ropsim.model import RobotModel
 from ropsim.motion import (
     ACCELERATION_LIMIT,
@@ -67,7 +67,8 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
     span, label = line.move.origin.span, passes(line.move.origin)
     q = found.q[-1] if row else line.q_start
     if not found.reachable:
-        shortfall = inverse(robot, Pose.from_matrix(matrices[row])).shortfall
+        options = IkOptions(near=line.q_start)
+        shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
         beside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
         left = "the poses that this arm can take" if beside else "the reach of the arm"
         x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()

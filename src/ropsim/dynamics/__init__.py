@@ -28,12 +28,14 @@ from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.inertia import barycentric as barycentric
+from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
 from ropsim.dynamics.long_arm import ACCELERATIONS as ACCELERATIONS
 from ropsim.dynamics.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.structure import ArmStructure as ArmStructure
 from ropsim.dynamics.structure import arm_numbers as arm_numbers
+from ropsim.dynamics.structure import split_numbers as split_numbers
 from ropsim.dynamics.structure import structure_of as structure_of
 from ropsim.dynamics.structure import traced_numbers as traced_numbers
 from ropsim.dynamics.traced_arm import trace_arm as trace_arm

@@ -26,8 +26,8 @@ def trace_mass_matrix(arm: TracedArm) -> list[list[Scalar]]:
             rows[i][j] = _along_axis(arm, j, force, moment)
         parent = arm.parents[i]
         if parent >= 0:
-            moved = _moved(composites[i], arm.rotations[i], arm.origins[i])
-            composites[parent] = _joined(composites[parent], moved)
+            moved = moved_body(composites[i], arm.rotations[i], arm.origins[i])
+            composites[parent] = joined_bodies(composites[parent], moved)
     return _of_axes(arm, rows) if arm.spread else rows
 
 
@@ -52,7 +52,7 @@ def _along_axis(arm: TracedArm, i: int, force: Vector, moment: Vector) -> Scalar
     return moment[2] if arm.types[i] is JointType.REVOLUTE else force[2]
 
 
-def _moved(body: Body, R: Matrix, p: Vector) -> Body:
+def moved_body(body: Body, R: Matrix, p: Vector) -> Body:
     """Return the body in the frame in which its own frame has rotation R and origin p."""
     h = apply(R, body.moment)
     turned = product(product(R, body.inertia), transpose(R))
@@ -69,6 +69,7 @@ def _moved(body: Body, R: Matrix, p: Vector) -> Body:
     return Body(body.mass, ends, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
 
-def _joined(a: Body, b: Body) -> Body:
+def joined_bodies(a: Body, b: Body) -> Body:
+    """Return two bodies in the same frame as one."""
     x, y, z = (add(row, other) for row, other in zip(a.inertia, b.inertia, strict=True))
     return Body(a.mass + b.mass, add(a.moment, b.moment), (x, y, z))

@@ -136,7 +136,11 @@ def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
 
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
     """Return the numbers of an arm of this structure as scalars; those that are zero are constants."""
-    numbers = given(tracer, structure.present)
+    return split_numbers(structure, given(tracer, structure.present))
+
+
+def split_numbers(structure: ArmStructure, numbers: list[Scalar]) -> TracedNumbers:
+    """Return scalars in the order of `arm_numbers` as what they stand for."""
     first = 3 + BODY * structure.m
     bodies = [numbers[k : k + BODY] for k in range(3, first, BODY)]
     drives = []

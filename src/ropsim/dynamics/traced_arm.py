@@ -103,7 +103,7 @@ def trace_arm(
         tuple(row[:-1] for row in structure.spread),
         tuple(rotations),
         tuple(origins),
-        tuple(_body(parameters) for parameters in numbers.bodies),
+        tuple(traced_body(parameters) for parameters in numbers.bodies),
         (x, y, z),
         structure.tip,
         *_placed(tracer, structure.interface),
@@ -118,7 +118,8 @@ def _sum(tracer: Tracer, factors: Sequence[float], values: Sequence[Scalar]) -> 
     return total
 
 
-def _body(parameters: list[Scalar]) -> Body:
+def traced_body(parameters: list[Scalar]) -> Body:
+    """Return the body of ten barycentric parameters."""
     m, hx, hy, hz, xx, yy, zz, xy, xz, yz = parameters
     return Body(m, (hx, hy, hz), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 

@@ -1,5 +1,6 @@
 """Inverse kinematics: from a pose to all joint coordinates that reach it. The one door for all arms."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -9,6 +10,7 @@ from ropsim.kinematics import selection_kernel
 from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows, turning_axes
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.forward import forward_batch
+from ropsim.kinematics.held import in_arm_base, of_robot, result_of_robot
 from ropsim.kinematics.limits import limit_violations
 from ropsim.kinematics.polish import polished
 from ropsim.kinematics.posture import Posture
@@ -16,7 +18,7 @@ from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
 from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
 from ropsim.kinematics.solver import InverseSolver
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array, Pose, frozen, record
 
 NEIGHBOUR = 0.1
@@ -39,12 +41,14 @@ class _Desk:
     rest: Array
 
 
-def inverse_batch(robot: RobotModel, T: npt.ArrayLike) -> Array:
+def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | None = None) -> Array:
     """Return all branches of many poses, limits ignored; compiled.
 
     Args:
-        robot: arm with n joints.
+        robot: arm with n axes.
         T: poses X_BM of the mechanical interface as homogeneous matrices, shape (k, 4, 4).
+        held: coordinates of the axes [rad | m], shape (n,), at whose external ones the arm is solved; None
+            for those of the home position.
 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, b, n); row i has the posture
@@ -52,15 +56,20 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike) -> Array:
         Branches that coincide in a singular pose fill both rows; a joint that the pose leaves free is 0.
 
     Raises:
-        ArrayShapeError: M551, T has another shape.
+        ArrayShapeError: M551, T or `held` has another shape.
+        NotFiniteError: M552, `held` holds NaN or infinity.
     """
+    if robot.external:
+        whole, q = held_arm(robot), _external(robot, held)
+        return of_robot(whole, q, inverse_batch(whole.arm, in_arm_base(robot, whole, q, pose_rows(T))))
     return solver_of(robot).branches(pose_rows(T), np.zeros(robot.n))
 
 
 def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> IkResult:
     """Return all joint coordinates that bring the mechanical interface to a pose.
 
-    The solver is that of the arm's class, see `solver_of`. Every answer reaches the pose to 1e-9 m and per
+    The solver is that of the arm's class, see `solver_of`. External axes stay where `options.near` has them,
+    without one at home. Every answer reaches the pose to 1e-9 m and per
     entry of the rotation matrix, by forward kinematics; for arms with fewer than six joints, what they
     cannot choose of a pose may be off by `TASK_SLACK`.
 
@@ -73,6 +82,8 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
         ArrayShapeError: M551, `options.near` has another shape than (n,).
         NotFiniteError: M552, the pose or `options.near` holds NaN or infinity.
     """
+    if robot.external:
+        return _with_held_axes(robot, pose, options or IkOptions())
     desk = _desk(robot)
     near = desk.rest if options is None or options.near is None else joint_vector(robot, options.near)
     respected = options is None or options.limits is Limits.RESPECT
@@ -116,13 +127,28 @@ def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    return solver_of(robot).posture(joint_vector(robot, q))
+    values = joint_vector(robot, q)
+    return solver_of(robot).posture(values[list(held_arm(robot).axes)] if robot.external else values)
 
 
 def branch(result: IkResult, posture: Posture) -> Array | None:
     """Return the joint coordinates [rad | m] of a posture, limits ignored, shape (n,); None if absent."""
     rows = [q for q, name in zip(result.branches, result.names, strict=True) if name == posture]
     return next((q for q in rows if q[0] == q[0]), None)
+
+
+def _with_held_axes(robot: RobotModel, pose: Pose, options: IkOptions) -> IkResult:
+    """Return the answers of the arm of a robot, in its moved base, with its external axes added."""
+    whole, q = held_arm(robot), _external(robot, options.near)
+    near = None if options.near is None else frozen(q[list(whole.axes)])
+    X = in_arm_base(robot, whole, q, pose.matrix()[np.newaxis])[0]
+    found = inverse(whole.arm, Pose.from_matrix(X), replace(options, near=near))
+    return result_of_robot(whole, q, found)
+
+
+def _external(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
+    """Return the coordinates at which external axes are held, those of the others beside them, shape (n,)."""
+    return robot.home if held is None else joint_vector(robot, held)
 
 
 def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:

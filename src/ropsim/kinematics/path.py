@@ -3,14 +3,17 @@
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
+from ropsim.kinematics.held import in_arm_base, of_robot
 from ropsim.kinematics.polish import continued
 from ropsim.kinematics.recognition import solver_of
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array
 
 
 def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) -> Array:
     """Return joint coordinates along a path, each found numerically from the one before it; for any arm.
+
+    External axes stay where they are at the start.
 
     Args:
         robot: arm with n joints.
@@ -25,4 +28,8 @@ def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) ->
         ArrayShapeError: M551, T or `q_start` has another shape.
         NotFiniteError: M552, `q_start` holds NaN or infinity.
     """
+    if robot.external:
+        whole, q = held_arm(robot), joint_vector(robot, q_start)
+        poses = in_arm_base(robot, whole, q, pose_rows(T))
+        return of_robot(whole, q, inverse_path(whole.arm, poses, q[list(whole.axes)]))
     return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)

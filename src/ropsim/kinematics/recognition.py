@@ -4,21 +4,27 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from ropsim.kinematics.solver import InverseSolver
-from ropsim.kinematics.solvers import planar_two_link, scara, spherical_wrist
+from ropsim.kinematics.solvers import level_wrist, planar_two_link, scara, spherical_wrist
 from ropsim.kinematics.solvers.numeric import numeric
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, held_arm
 
 CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("spherical wrist", spherical_wrist.recognise),
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
+    ("level wrist", level_wrist.recognise),
 )
 """The classes of arms with a closed form; each returns its solver, or the condition that an arm misses."""
 
 
 @lru_cache(maxsize=64)
 def solver_of(robot: RobotModel) -> InverseSolver:
-    """Return the solver of an arm, that of the first class which recognises it, else the numeric one."""
+    """Return the solver of an arm, that of the first class which recognises it, else the numeric one.
+
+    Of a robot with external axes it is that of its arm, `held_arm`, and takes poses in the base of that.
+    """
+    if robot.external:
+        return solver_of(held_arm(robot).arm)
     for _, recognise in CLASSES:
         found = recognise(robot)
         if not isinstance(found, str):
@@ -28,5 +34,6 @@ def solver_of(robot: RobotModel) -> InverseSolver:
 
 def classes_missed(robot: RobotModel) -> dict[str, str]:
     """Return for each class with a closed form that an arm is not in, the condition that it misses."""
-    found = {name: recognise(robot) for name, recognise in CLASSES}
+    arm = held_arm(robot).arm if robot.external else robot
+    found = {name: recognise(arm) for name, recognise in CLASSES}
     return {name: reason for name, reason in found.items() if isinstance(reason, str)}

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from ropsim.kinematics.arrays import joint_vector
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, held_arm
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +34,15 @@ def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances
 
     Args:
         robot: the arm.
-        q: joint coordinates [rad], shape (6,).
+        q: coordinates of the axes [rad], shape (6,), and of external ones.
 
     Raises:
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
     values = joint_vector(robot, q)
+    if robot.external:
+        values = values[list(held_arm(robot).axes)]
     solver = solver_of(robot)
     if not isinstance(solver, SphericalWristSolver):
         return None

@@ -20,12 +20,17 @@ from ropsim.model.cell_bodies import link_name as link_name
 from ropsim.model.cell_bodies import part_shape as part_shape
 from ropsim.model.cell_bodies import start_of as start_of
 from ropsim.model.cell_bodies import tool_body as tool_body
+from ropsim.model.composition import beside as beside
+from ropsim.model.composition import on_track as on_track
 from ropsim.model.controller import GAIN_NAMES as GAIN_NAMES
 from ropsim.model.controller import CascadedGains as CascadedGains
+from ropsim.model.controller import ComputedTorqueGains as ComputedTorqueGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
+from ropsim.model.controller import Gains as Gains
 from ropsim.model.controller import PathDefaults as PathDefaults
 from ropsim.model.controller import Rates as Rates
+from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.coordinates import Coordinates as Coordinates
 from ropsim.model.coordinates import coordinates as coordinates
 from ropsim.model.coupling import Coupling as Coupling
@@ -38,6 +43,7 @@ from ropsim.model.device import SwitchDrive as SwitchDrive
 from ropsim.model.dh import JointLimits as JointLimits
 from ropsim.model.dh import interface_from_dh as interface_from_dh
 from ropsim.model.dh import joints_from_dh as joints_from_dh
+from ropsim.model.dh import limited as limited
 from ropsim.model.dh import links_from_dh as links_from_dh
 from ropsim.model.dh_row import DhRow as DhRow
 from ropsim.model.drive import Amplifier as Amplifier
@@ -66,6 +72,8 @@ from ropsim.model.geometry import Revolve as Revolve
 from ropsim.model.geometry import Shape as Shape
 from ropsim.model.geometry import Solid as Solid
 from ropsim.model.geometry import Sphere as Sphere
+from ropsim.model.held_arm import HeldArm as HeldArm
+from ropsim.model.held_arm import held_arm as held_arm
 from ropsim.model.joint import BASE_LINK as BASE_LINK
 from ropsim.model.joint import PREVIOUS as PREVIOUS
 from ropsim.model.joint import Joint as Joint

@@ -1,6 +1,6 @@
 """The controller of an arm as data: rates, gains, default speeds."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from enum import Enum
 
 from ropsim.flow import ParameterOrigin
@@ -11,6 +11,7 @@ class ControllerKind(Enum):
     """The law of the joint controller."""
 
     CASCADED_P_PI = "cascaded_p_pi"
+    COMPUTED_TORQUE = "computed_torque"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +73,36 @@ class CascadedGains:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
+@record
+class ComputedTorqueGains:
+    """Gains of the computed-torque joint controller, each of shape (n,).
+
+    u = D(q, qd, qdd_ref + kd·(qd_ref - qd) + kp·(q_ref - q)), the torque or force that the model of the arm
+    with its drives, its tool and the grasped part needs for that acceleration; friction is taken at the speed
+    of the reference. As far as the model is true the
+    error of each axis obeys ë + kd·ė + kp·e = 0, whatever the others do (Luh, Walker & Paul 1980).
+
+    Attributes:
+        kp: [1/s²].
+        kd: [1/s].
+    """
+
+    kp: Array
+    kd: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "kp", frozen(self.kp))
+        object.__setattr__(self, "kd", frozen(self.kd))
+
+
+Gains = CascadedGains | ComputedTorqueGains
+
+
+def gain_names(gains: Gains) -> tuple[str, ...]:
+    """Return the names of the gains of a law, in the order of its parameters."""
+    return tuple(one.name for one in fields(gains))
+
+
 @dataclass(frozen=True, slots=True)
 class PathDefaults:
     """What holds on LIN paths where the program says nothing.
@@ -100,7 +131,7 @@ class ControllerModel:
     Attributes:
         kind: law of the joint controller.
         rates: periods.
-        gains: gains of the joint controller.
+        gains: gains of the joint controller, those of its law.
         path: defaults on LIN paths.
         in_position: a fine stop is over when every joint is this near its target [rad | m], shape (n,).
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
@@ -110,7 +141,7 @@ class ControllerModel:
 
     kind: ControllerKind
     rates: Rates
-    gains: CascadedGains
+    gains: Gains
     path: PathDefaults
     in_position: Array
     settle_timeout: float = 1.0

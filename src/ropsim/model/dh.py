@@ -13,7 +13,7 @@ from math import cos, inf, sin
 import numpy as np
 
 from ropsim.model.dh_row import DhRow
-from ropsim.model.joint import Joint, JointType
+from ropsim.model.joint import PREVIOUS, Joint, JointType
 from ropsim.model.link import Link
 from ropsim.model.placements import snapped
 from ropsim.spatial import Array, Pose
@@ -29,6 +29,25 @@ class JointLimits:
     max_acceleration: float
     max_jerk: float
     max_effort: float = inf
+
+
+def limited(
+    name: str, type_: JointType, placement: Pose, limits: JointLimits, parent: int = PREVIOUS
+) -> Joint:
+    """Return a joint without offset; arguments as in `Joint`."""
+    return Joint(
+        name=name,
+        type=type_,
+        placement=placement,
+        offset=0.0,
+        lower=limits.lower,
+        upper=limits.upper,
+        max_speed=limits.max_speed,
+        max_acceleration=limits.max_acceleration,
+        max_jerk=limits.max_jerk,
+        max_effort=limits.max_effort,
+        parent=parent,
+    )
 
 
 def fixed_part(row: DhRow) -> Array:

@@ -65,7 +65,7 @@ def mechanism_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
 @lru_cache(maxsize=256)
 def tree_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
     """Return what is wrong with joints, axes, couplings and loops; without that kinematics has a meaning."""
-    tree = (*_names(mechanism), *_parents(mechanism), *_axes(mechanism))
+    tree = (*_names(mechanism), *_parents(mechanism), *_axes(mechanism), *_external(mechanism))
     return tree or tuple(chain(_couplings(mechanism), _loops(mechanism)))
 
 
@@ -177,6 +177,18 @@ def _axes(mechanism: Mechanism) -> Iterator[Diagnostic]:
             f"axis {place + 1} of `{mechanism.name}` is {why}",
             hint="an axis drives a joint with one freedom that nothing else determines, each one once",
             data={"found": number},
+        )
+
+
+def _external(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    external: tuple[int, ...] = getattr(mechanism, "external", ())
+    twice = len(set(external)) != len(external)
+    if twice or not set(external) <= set(range(mechanism.n)) or (external and len(external) >= mechanism.n):
+        yield kinds.BAD_EXTERNAL.at(
+            None,
+            f"`{mechanism.name}` has the external axes {list(external)} of {mechanism.n} axes",
+            hint="name axes by their numbers from 0, each once, and leave one to the arm",
+            data={"found": external, "allowed": mechanism.n},
         )
 
 

@@ -1,4 +1,4 @@
-"""What can be wrong with the joints, axes, couplings and loops of a mechanism (codes X830 to X839)."""
+"""What can be wrong with the joints, axes, couplings and loops of a mechanism (codes X828 to X839)."""
 
 from ropsim.core import Severity, define
 
@@ -106,6 +106,28 @@ LOOP_TWICE = define(
 A loop is described either exactly by couplings (a parallelogram, whose angles are linear functions of each
 other) or by one cut. Two cuts of the same place, or a cut of a loop whose coordinates are all axes or
 coupled, would constrain it twice.
+""",
+)
+
+MIXED_AXES = define(
+    "X829",
+    "external-axis-coupled-to-arm",
+    Severity.ERROR,
+    "a joint follows external axes and axes of the arm together",
+    """
+Inverse kinematics leaves external axes where they are and solves the arm. A joint that follows both by a
+coupling belongs to neither of the two.
+""",
+)
+
+BAD_EXTERNAL = define(
+    "X828",
+    "impossible-external-axis",
+    Severity.ERROR,
+    "a robot names an external axis that it does not have, or has external axes only",
+    """
+`external` holds numbers of axes, counted from 0, each once, and leaves at least one axis to the arm: these
+are what inverse kinematics moves.
 """,
 )
 

@@ -1,8 +1,8 @@
 """The built-in robots: names to models and to their controllers."""
 
-from ropsim.robots.devices import belt as belt
+from ropsim.robots.devices import conveyor as conveyor
+from ropsim.robots.devices import rotary as rotary
 from ropsim.robots.devices import slide as slide
-from ropsim.robots.devices import turntable as turntable
 from ropsim.robots.diagnostics import NoControllerError as NoControllerError
 from ropsim.robots.diagnostics import UnknownRobotError as UnknownRobotError
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
@@ -12,3 +12,7 @@ from ropsim.robots.library import names as names
 from ropsim.robots.standard_controller import LoopBandwidths as LoopBandwidths
 from ropsim.robots.standard_controller import standard_bandwidths as standard_bandwidths
 from ropsim.robots.standard_controller import standard_gains as standard_gains
+from ropsim.robots.station_mechanisms import belt as belt
+from ropsim.robots.station_mechanisms import linear_track as linear_track
+from ropsim.robots.station_mechanisms import sliding_door as sliding_door
+from ropsim.robots.station_mechanisms import turntable as turntable

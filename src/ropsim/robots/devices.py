@@ -15,7 +15,7 @@ _ALONG_X = Pose(frozen([0.0, 0.0, 0.0]), frozen([math.sqrt(0.5), 0.0, math.sqrt(
 _DARK, _STEEL = "#3d4248", "#9aa0a6"
 
 
-def belt(length: float, width: float, height: float, colour: str = _DARK) -> Mechanism:
+def conveyor(length: float, width: float, height: float, colour: str = _DARK) -> Mechanism:
     """Return a conveyor: its base frame is at the start of the belt, amid its surface, x along it.
 
     What lies on it moves with its one link; the belt itself is drawn as standing still.
@@ -40,7 +40,7 @@ def belt(length: float, width: float, height: float, colour: str = _DARK) -> Mec
             _STEEL,
         ),
     )
-    return _mechanism("belt", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), base)
+    return _mechanism("conveyor", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), base)
 
 
 def slide(shapes: tuple[Shape, ...]) -> Mechanism:
@@ -54,14 +54,14 @@ def slide(shapes: tuple[Shape, ...]) -> Mechanism:
     return _mechanism("slide", "Slide", JointType.PRISMATIC, _ALONG_X, turned, ())
 
 
-def turntable(shapes: tuple[Shape, ...]) -> Mechanism:
+def rotary(shapes: tuple[Shape, ...]) -> Mechanism:
     """Return a body that turns about z of the base frame.
 
     Args:
         shapes: of the body, in its frame, which is the base frame at coordinate 0.
     """
     post = rod([0.0, 0.0, -0.06], [0.0, 0.0, -0.05], 0.05, colour=_STEEL)
-    return _mechanism("turntable", "Turntable", JointType.REVOLUTE, Pose(), shapes, (post,))
+    return _mechanism("rotary", "Turntable", JointType.REVOLUTE, Pose(), shapes, (post,))
 
 
 def _at(x: float, y: float, z: float) -> Pose:

@@ -5,12 +5,17 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from ropsim.model import ControllerModel, Rates, RobotModel
-from ropsim.robots import puma560, two_link
+from ropsim.robots import palletizer, puma560, scara, two_link
 from ropsim.robots.diagnostics import UnknownRobotError
 from ropsim.robots.standard_controller import standard_controller
 
 _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
-    {"puma560": puma560.model, "two_link": two_link.model}
+    {
+        "palletizer": palletizer.model,
+        "puma560": puma560.model,
+        "scara": scara.model,
+        "two_link": two_link.model,
+    }
 )
 STANDARD_RATES = Rates()
 """Rates of a controller for which nobody says others."""

@@ -1,4 +1,9 @@
-"""The standard controller of an arm: cascaded loops, gains from its model by stated bandwidths."""
+"""The standard controller of an arm: its law and gains follow from its model by stated bandwidths.
+
+An arm with geared motors gets cascaded loops, joint by joint. Where motors act on the joints directly,
+without an inertia of their own, the links push each other as hard as the motors do, and loops of single
+joints have to be slow; such an arm gets the computed-torque law.
+"""
 
 from functools import lru_cache
 
@@ -8,8 +13,11 @@ from ropsim.dynamics import axis_inertias, chain_of, free_inertias, steady_drive
 from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
+    ComputedTorqueGains,
     ControllerKind,
     ControllerModel,
+    Drive,
+    InputKind,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -33,6 +41,11 @@ POSITION_SHARE = 0.3
 INTEGRAL_SHARE = 0.4
 """Corner of the integral action over the crossover of the speed loop: it costs about 22 degrees, and the
 Coulomb friction that vanishes at a stop is made up for within the last milliseconds of the move."""
+
+TORQUE_SHARE = 0.06
+"""Rate at which errors die out under computed torque [rad/s] over the control rate [Hz]: the held output
+costs
+about 7 degrees where its speed loop, twice as fast, crosses over."""
 
 IN_POSITION = 0.2e-3
 """Window of a fine stop [rad | m]."""
@@ -111,19 +124,51 @@ def _inertias(robot: RobotModel) -> tuple[Array, Array]:
     return np.sqrt(inertias.min(axis=0) * inertias.max(axis=0)), free_inertias(robot, Q).min(axis=0)
 
 
+def standard_torque_gains(robot: RobotModel, rates: Rates) -> ComputedTorqueGains:
+    """Return gains that let the error of every axis die out as fast as the control rate allows.
+
+    ë + 2ω·ė + ω²·e = 0 with ω = `TORQUE_SHARE` times the control rate: critically damped.
+    """
+    rate = np.full(robot.n, TORQUE_SHARE * rates.control_hz)
+    return ComputedTorqueGains(kp=rate**2, kd=2.0 * rate)
+
+
 def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:
-    """Return the cascaded P-PI controller of an arm with drives.
+    """Return the standard controller of an arm with drives.
 
     Raises:
         NoControllerError: X861, the arm has no drives.
     """
+    if not robot.drives:
+        raise NoControllerError(robot.name)
+    direct = all(map(_is_direct, robot.drives))
     return ControllerModel(
-        kind=ControllerKind.CASCADED_P_PI,
+        kind=ControllerKind.COMPUTED_TORQUE if direct else ControllerKind.CASCADED_P_PI,
         rates=rates,
-        gains=standard_gains(robot, rates),
+        gains=standard_torque_gains(robot, rates) if direct else standard_gains(robot, rates),
         path=PathDefaults(),
         in_position=np.full(robot.n, IN_POSITION),
-        origins=(ParameterOrigin("controller gains", "derived", _statement(robot, rates)),),
+        origins=(
+            ParameterOrigin(
+                "controller gains",
+                "derived",
+                _torque_statement(rates) if direct else _statement(robot, rates),
+            ),
+        ),
+    )
+
+
+def _is_direct(drive: Drive) -> bool:
+    """Return whether a drive passes a commanded effort on to its joint at once, and adds no inertia."""
+    chain = chain_of(drive)
+    takes_effort = chain.amplifier.kind is InputKind.EFFORT and not chain.states
+    return takes_effort and drive.motor.rotor_inertia == 0.0
+
+
+def _torque_statement(rates: Rates) -> str:
+    return (
+        "computed torque with the masses of the model: errors die out at "
+        f"{TORQUE_SHARE * rates.control_hz:.3g} rad/s, critically damped; tool and part are known"
     )
 
 

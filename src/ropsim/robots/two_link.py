@@ -14,6 +14,7 @@ from ropsim.model import (
     RobotModel,
     Shape,
     around,
+    ideal_drive,
     interface_from_dh,
     joints_from_dh,
     links_from_dh,
@@ -22,12 +23,16 @@ from ropsim.model import (
 from ropsim.spatial import Pose, frozen
 
 _DH = (DhRow(a=1.0, alpha=0.0, d=0.0), DhRow(a=1.0, alpha=0.0, d=0.0))
-_LIMITS = JointLimits(-pi, pi, max_speed=3.0, max_acceleration=10.0, max_jerk=100.0)
+_MOST = (120.0, 50.0)  # torques [N·m]: three times what holds the stretched arm with 1 kg at its end
+_LIMITS = tuple(
+    JointLimits(-pi, pi, max_speed=3.0, max_acceleration=10.0, max_jerk=100.0, max_effort=most)
+    for most in _MOST
+)
 
 
 @lru_cache(maxsize=1)
 def model() -> RobotModel:
-    """Return two links of 1 m with point masses of 1 kg in their middles, without drives.
+    """Return two links of 1 m with point masses of 1 kg in their middles, each on its own motor.
 
     The arm moves in the x-z plane of the base frame; positive angles lift it. At rest the torques are
     9.81·(2, 0.5) N·m for q = (0, 0) and 9.81·(1.5, 0) N·m for q = (0, π/2).
@@ -36,9 +41,9 @@ def model() -> RobotModel:
     return RobotModel(
         name="two_link",
         title="Planar two-link arm",
-        joints=joints_from_dh(_DH, (_LIMITS, _LIMITS), upright),
+        joints=joints_from_dh(_DH, _LIMITS, upright),
         links=_links(),
-        drives=(),
+        drives=(ideal_drive(_MOST[0]), ideal_drive(_MOST[1])),
         X_nM=interface_from_dh(_DH),
         home=frozen([0.5, 1.0]),
         dh=_DH,
@@ -47,6 +52,9 @@ def model() -> RobotModel:
                 "lengths and masses", "published", "two-link case of Corke's Robotics Toolbox (unit tests)"
             ),
             ParameterOrigin("limits and home position", "estimated", "round numbers for teaching"),
+            ParameterOrigin(
+                "drives", "estimated", "torque sources without inertia or friction; torques that carry 1 kg"
+            ),
         ),
         base_shapes=(
             Shape(Box((0.3, 0.03, 0.3)), Pose(frozen([0.0, 0.115, 0.0])), "#3d464f"),

@@ -8,6 +8,7 @@ import pytest
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.model import Cell
+from support.gains import cascaded
 
 POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates below 1 m
 HEAD = '[robot]\nmodel = "puma560"\n'
@@ -180,8 +181,8 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert controller.path.speed == pytest.approx(0.15)
     assert controller.path.orientation_speed == pytest.approx(math.pi / 2)
     assert controller.in_position[0] == pytest.approx(math.radians(0.1))
-    assert (controller.gains.kv < own.gains.kv).all()  # slower loops at half the control rate
-    assert controller.gains.ke.tolist() == own.gains.ke.tolist()
+    assert (cascaded(controller).kv < cascaded(own).kv).all()  # slower loops at half the control rate
+    assert cascaded(controller).ke.tolist() == cascaded(own).ke.tolist()
     assert controller.origins[0].source.startswith("kp as in the cell file; the others from masses")
     assert controller.path.jerk == own.path.jerk
 

@@ -65,7 +65,6 @@ CASES = [
     pytest.param(ROBOT + "[units]\nlength = 'feet'\n", "X808", "'feet'", "", id="feet"),
     pytest.param('[robot]\nmodel = "puma650"\n', "X860", '"puma650"', "did you mean `puma560`?", id="robot"),
     pytest.param('[robot]\nmodel = ""\n', "X860", '""', "choose one of these names", id="no name"),
-    pytest.param('[robot]\nmodel = "two_link"\n', "X861", '"two_link"', "", id="robot without drives"),
     pytest.param(ROBOT + "tool = 'jaw'\n" + TOOL, "X809", "'jaw'", "did you mean `jaws`?", id="unknown tool"),
     pytest.param(
         ROBOT + "[locations.l]\nframe = 'f'\nposition = [0, 0, 0]\n",

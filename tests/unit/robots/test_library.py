@@ -6,11 +6,14 @@ from ropsim import robots
 from ropsim.core import RopsimError
 from ropsim.model import GAIN_NAMES, audit
 from support.dc_drives import dc_motor
+from support.gains import cascaded
 
 
 def test_all_names_load_a_robot_of_that_name() -> None:
     assert {name: robots.load(name).name for name in robots.names()} == {
+        "palletizer": "palletizer",
         "puma560": "puma560",
+        "scara": "scara",
         "two_link": "two_link",
     }
 
@@ -41,13 +44,13 @@ def test_the_controller_of_a_changed_model_follows_the_model() -> None:
     motors = [replace(dc_motor(one), resistance=0.5 * dc_motor(one).resistance) for one in robot.drives]
     drives = tuple(replace(one, motor=motor) for one, motor in zip(robot.drives, motors, strict=True))
     own, changed = robots.default_controller(robot), robots.default_controller(replace(robot, drives=drives))
-    assert (changed.gains.kv < own.gains.kv).all()
-    assert (changed.gains.ka == 0.5 * own.gains.ka).all()
+    assert (cascaded(changed).kv < cascaded(own).kv).all()
+    assert (cascaded(changed).ka == 0.5 * cascaded(own).ka).all()
 
 
 def test_a_robot_without_drives_has_no_controller() -> None:
     with pytest.raises(robots.NoControllerError, match="X861"):
-        robots.default_controller("two_link")
+        robots.default_controller(replace(robots.load("two_link"), drives=()))
 
 
 def test_the_controller_of_an_unknown_robot_is_an_unknown_robot() -> None:

@@ -137,7 +137,7 @@ def test_a_delayed_output_acts_so_many_ticks_later(delay: int) -> None:
 
 def test_a_delayed_law_holds_the_arm_from_the_first_tick() -> None:
     robot, model = puma()
-    law = cascaded_p_pi(model, robot.drives)
+    law = cascaded_p_pi(model, robot)
     late = replace(law, traits=replace(law.traits, delay=1))
     servo = Servo.build(robot, model, late, Engine.PYTHON)
     start = servo.initial_state(START)
@@ -147,7 +147,7 @@ def test_a_delayed_law_holds_the_arm_from_the_first_tick() -> None:
 
 def test_slices_of_any_length_give_a_delayed_law_the_same_bits() -> None:
     robot, model = puma()
-    law = cascaded_p_pi(model, robot.drives)
+    law = cascaded_p_pi(model, robot)
     servo = Servo.build(robot, model, replace(law, traits=replace(law.traits, delay=3)), Engine.PYTHON)
     reference = quintic(START, GOAL, 20)
     start = servo.initial_state(START)

@@ -96,7 +96,7 @@ class Servo:
         check_drives(robot)
         check_model(robot)
         check_rates(controller.rates)
-        chosen = law or law_of(controller, robot.drives)
+        chosen = law or law_of(controller, robot)
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)

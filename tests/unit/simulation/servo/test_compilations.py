@@ -14,6 +14,7 @@ from ropsim.codegen.compiled import compiled
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation import Servo, ServoState
 from support.dc_drives import dc_motor
+from support.gains import cascaded
 from support.servo_cases import START, puma, standing
 
 Arm = tuple[RobotModel, ControllerModel]
@@ -40,7 +41,7 @@ def _rewound(arm: Arm) -> Arm:
 
 def _tuned(arm: Arm) -> Arm:
     robot, model = arm
-    return robot, replace(model, gains=replace(model.gains, kv=1.2 * model.gains.kv))
+    return robot, replace(model, gains=replace(cascaded(model), kv=1.2 * cascaded(model).kv))
 
 
 def _compilations(robot: RobotModel, model: ControllerModel, payload: Payload) -> tuple[int, ServoState]:

@@ -28,6 +28,7 @@ from ropsim.simulation import (
 from ropsim.spatial import Array
 from support.arms import drive, random_arm
 from support.dc_drives import dc_motor, voltage_amplifier
+from support.gains import cascaded
 from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, quintic, standing, with_rates
 
 NOTHING = Payload()
@@ -68,7 +69,7 @@ def test_the_arm_follows_a_slow_reference(servo: Servo) -> None:
 
 def _friction_over_stiffness(servo: Servo) -> Array:
     """Return how far the proportional loops alone yield to Coulomb friction [rad]: R·Tc/Kt / (kp·kv)."""
-    gains = puma()[1].gains
+    gains = cascaded(puma()[1])
     volts = [
         dc_motor(one).resistance
         * max(one.friction.coulomb_positive, -one.friction.coulomb_negative)
@@ -182,7 +183,7 @@ def test_another_law_takes_the_place_of_the_built_in_one() -> None:
 
 def test_other_gains_run_the_same_compiled_code(servo: Servo) -> None:
     robot, model = puma()
-    soft = replace(model.gains, kp=model.gains.kp * 0.5)
+    soft = replace(cascaded(model), kp=cascaded(model).kp * 0.5)
     softer = Servo.build(robot, replace(model, gains=soft))
     assert softer.kernel is servo.kernel
     reference = quintic(START, GOAL, TICKS)

@@ -1,0 +1,113 @@
+"""The arm of a robot with external axes: what inverse kinematics solves while they stand still."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+from ropsim.model import mechanism_diagnostics as kinds
+from ropsim.model.coordinates import coordinates
+from ropsim.model.coupling import Coupling
+from ropsim.model.joint import BASE_LINK
+from ropsim.model.mechanism import first_coordinates
+from ropsim.model.mechanism_check import MechanismError, check_mechanism
+from ropsim.model.robot import RobotModel
+from ropsim.spatial import frozen, record
+
+
+@record
+class HeldArm:
+    """The arm of a robot with external axes.
+
+    Attributes:
+        arm: by itself; its base frame is the frame of `carrier`.
+        carrier: link of the robot on which it hangs, `BASE_LINK` where its base stands still.
+        axes: number of each axis of the arm among those of the robot.
+    """
+
+    arm: RobotModel
+    carrier: int
+    axes: tuple[int, ...]
+
+
+@lru_cache(maxsize=64)
+def held_arm(robot: RobotModel) -> HeldArm:
+    """Return the arm of a robot whose external axes stand still.
+
+    It is what hangs on the last link on the way to the interface that external axes move.
+
+    Raises:
+        MechanismError: the robot cannot be, or a coupling mixes external axes with those of the arm.
+    """
+    check_mechanism(robot)
+    external = set(_external_joints(robot))
+    way, link = [], robot.tip
+    while link != BASE_LINK:
+        way.append(link)
+        link = robot.joints[link].parent
+    carrier = next((link for link in way if link in external), BASE_LINK)
+    kept = [
+        number
+        for number in range(len(robot.joints))
+        if number not in external and (carrier == BASE_LINK or carrier in _above(robot, number))
+    ]
+    places = {number: place for place, number in enumerate(kept)} | {carrier: BASE_LINK}
+    joints = tuple(
+        replace(robot.joints[number], parent=places.get(robot.joints[number].parent, BASE_LINK))
+        for number in kept
+    )
+    axes = tuple(k for k in range(robot.n) if k not in robot.external and robot.axes[k] in places)
+    drives = robot.drives
+    arm = replace(
+        robot,
+        joints=joints,
+        links=tuple(robot.links[number] for number in kept) if robot.links else (),
+        drives=tuple(drives[k] for k in axes) if drives else (),
+        home=frozen([robot.home[k] for k in axes]),
+        axes=tuple(places[robot.axes[k]] for k in axes),
+        couplings=tuple(_couplings(robot, kept)),
+        cuts=(),
+        tip=places[robot.tip],
+        external=(),
+    )
+    return HeldArm(arm, carrier, axes)
+
+
+def _external_joints(robot: RobotModel) -> list[int]:
+    """Return the joints that external axes alone move, and those that are fixed to them."""
+    T, first = coordinates(robot).T, first_coordinates(robot.joints)
+    inner = [k for k in range(robot.n) if k not in robot.external]
+    found: list[int] = []
+    for number, joint in enumerate(robot.joints):
+        rows = T[first[number] : first[number + 1]]
+        moved, by_arm = bool(rows.any()), bool(rows[:, inner].any())
+        if moved and by_arm and rows[:, list(robot.external)].any():
+            raise MechanismError(
+                kinds.MIXED_AXES.at(
+                    None,
+                    f"joint `{joint.name}` of `{robot.name}` follows external axes and axes of the arm",
+                    hint="make the axes that it follows all external, or none of them",
+                )
+            )
+        if (moved and not by_arm) or (not moved and joint.parent in found):
+            found.append(number)
+    return found
+
+
+def _above(robot: RobotModel, number: int) -> set[int]:
+    found = set()
+    link = robot.joints[number].parent
+    while link != BASE_LINK:
+        found.add(link)
+        link = robot.joints[link].parent
+    return found
+
+
+def _couplings(robot: RobotModel, kept: list[int]) -> list[Coupling]:
+    """Return the couplings of the joints that are kept, with their coordinates counted anew."""
+    first = first_coordinates(robot.joints)
+    old = [number for joint in kept for number in range(first[joint], first[joint + 1])]
+    new = {number: place for place, number in enumerate(old)}
+    return [
+        Coupling(new[one.dependent], tuple((new[k], factor) for k, factor in one.terms), one.constant)
+        for one in robot.couplings
+        if one.dependent in new
+    ]
