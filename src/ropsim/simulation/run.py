@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
-from ropsim.simulation.devices.acting import act
+from ropsim.simulation.acting import act
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.start import start_run
