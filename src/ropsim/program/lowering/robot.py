@@ -83,9 +83,9 @@ def lower_wait(scope: Scope, wait: st.Wait) -> None:
 
 
 def lower_wait_until(scope: Scope, wait: st.WaitUntil) -> None:
-    """Emit WAIT.IN where a digital input is waited for, else a loop that tests the condition."""
+    """Emit WAIT.IN where a digital signal is waited for, else a loop that tests the condition."""
     holds = Label()
-    simple = _plain_input(scope, wait.condition)
+    simple = _plain_signal(scope, wait.condition)
     if simple:
         name, value = simple
         push(scope, Type.BOOL, value)
@@ -133,16 +133,19 @@ def _text(scope: Scope, parts: tuple[sir.Expression, ...]) -> None:
             scope.emitter.emit("CAT")
 
 
-def _plain_input(scope: Scope, condition: sir.Expression) -> tuple[str, bool] | None:
-    """Return channel and value where the condition compares one digital input with a constant."""
+def _plain_signal(scope: Scope, condition: sir.Expression) -> tuple[str, bool] | None:
+    """Return channel and value where the condition compares one digital signal with a constant.
+
+    It may be an output: another station sets it.
+    """
     match condition:
-        case sir.SignalValue(name=name) if scope.channel(name).kind == "DI":
+        case sir.SignalValue(name=name) if scope.channel(name).kind in ("DI", "DO"):
             return name, True
         case sir.Unary(op="not", operand=operand):
-            inner = _plain_input(scope, operand)
+            inner = _plain_signal(scope, operand)
             return (inner[0], not inner[1]) if inner else None
         case sir.Binary(op="eq" | "ne", left=left, right=sir.Constant(value=bool() as value)):
-            inner = _plain_input(scope, left)
+            inner = _plain_signal(scope, left)
             is_same = value is (condition.op == "eq")
             return (inner[0], inner[1] is is_same) if inner else None
         case _:
