@@ -4,8 +4,8 @@ Version 1 had no placements. Versions 1 and 2 had the facts as an untyped mappin
 as one, and rows for what a channel holds between changes.
 """
 
-import ast
 from collections.abc import Mapping
+from contextlib import suppress
 
 import numpy as np
 
@@ -23,6 +23,7 @@ _HELD = ("line", "move", "gripper", "payload")
 _TCP = ("attained_", "command_", "path_")
 _PROGRAM = ("program", "source", "icr_id", "skipped_moves")
 _RUN = ("ropsim", "project", "fidelity", "record_hz", "checked", "inputs", "parts_left", "destinations")
+_WORDS = {"True": True, "False": False}
 _AXIS = ("lower", "upper", "max_speed", "max_effort", "max_current")
 
 Entry = Mapping[str, object]
@@ -125,18 +126,20 @@ def _event(entry: Entry) -> dict[str, object]:
         case "message":
             fields["text"] = text
         case "output":
-            fields["value"] = _value(str(text).partition(" = ")[2])
+            fields["value"] = _value(str(text).partition(" = ")[2][:40])
         case "input":
             fields["signal"] = data.get("channel")
     return fields
 
 
 def _value(text: str) -> object:
-    """Return the value of an output, which the text of the event told."""
-    try:
-        return ast.literal_eval(text[:40])
-    except (ValueError, SyntaxError, MemoryError, RecursionError):
-        return None
+    """Return the value of an output, which the text of the event told; None where it is none."""
+    if text in _WORDS:
+        return _WORDS[text]
+    for kind in (int, float):
+        with suppress(ValueError):
+            return kind(text)
+    return None
 
 
 def _at(robot: Entry, key: str, name: str, k: int) -> dict[str, object]:

@@ -149,7 +149,8 @@ def _path_accuracy(station: StationView) -> str:
 
 def _suffix(station: StationView) -> str:
     """Return what makes names inside the page differ between stations."""
-    return "" if len(station.recording.facts.stations) == 1 else f"-{station.facts.name}"
+    stations = station.recording.facts.stations
+    return "" if len(stations) == 1 else f"-{stations.index(station.facts) + 1}"
 
 
 def _straight_moves(station: StationView) -> list[Stretch]:

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ropsim.flow import Channel, ChannelGroup, MoveEvent, Recording, TaskEvent
+from ropsim.flow import ChannelGroup, MoveEvent, Recording, TaskEvent
 from ropsim.spatial import Array
-from ropsim.views.channels import labelled, station_views
+from ropsim.views.channels import labelled, series, station_views
 from ropsim.views.chart.chart import SpanRow, Stretch, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.html.figure import figure
 from ropsim.views.summary import Summary
@@ -50,14 +50,13 @@ def signals(recording: Recording) -> str:
     """Return gripper, payload and signals over time; empty where none was recorded."""
     rows: list[TraceRow | SpanRow] = []
     for station in station_views(recording):
-        gripper, payload = (recording.channels.get(station.name(one)) for one in ("gripper", "payload"))
-        if gripper is not None:
-            rows.append(_row(recording, station.label("gripper"), gripper))
-        if payload is not None:
-            trace = Trace("payload", payload.rows(recording.time))
-            rows.append(TraceRow(station.label("payload"), "kg", (trace,), height=40.0))
-    signals = [(name, one) for name, one in recording.channels.items() if one.group is ChannelGroup.SIGNALS]
-    rows += [_row(recording, name.removeprefix("signal."), one) for name, one in signals[:SHOWN_SIGNALS]]
+        if np.any(np.isfinite(station.series("gripper"))):
+            rows.append(_row(recording, station.name("gripper"), station.label("gripper")))
+        payload = station.series("payload")
+        if np.any(np.isfinite(payload)):
+            rows.append(TraceRow(station.label("payload"), "kg", (Trace("payload", payload),), height=40.0))
+    names = [name for name, one in recording.channels.items() if one.group is ChannelGroup.SIGNALS]
+    rows += [_row(recording, name, name.removeprefix("signal.")) for name in names[:SHOWN_SIGNALS]]
     if not rows:
         return ""
     chart = TimeChart(
@@ -70,12 +69,13 @@ def signals(recording: Recording) -> str:
     return figure("Gripper, payload and signals", (), time_chart(chart))
 
 
-def _row(recording: Recording, label: str, channel: Channel) -> TraceRow | SpanRow:
+def _row(recording: Recording, name: str, label: str) -> TraceRow | SpanRow:
     """Return the row of a channel: bars where it is on or off, else its course."""
+    channel = recording.channels[name]
     known = channel.values[np.isfinite(channel.values)]
     if channel.times is not None and np.all(np.isin(known, (0.0, 1.0))):
         return SpanRow(label, _active(channel.times, channel.values, recording.duration))
-    return TraceRow(label, channel.unit, (Trace(label, channel.rows(recording.time)),), height=40.0)
+    return TraceRow(label, channel.unit, (Trace(label, series(recording, name)),), height=40.0)
 
 
 def _active(times: Array, values: Array, end: float) -> list[Stretch]:
