@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.flow import Channel, MotionKind, MoveEvent, Recording, RunFacts, SkipEvent, TaskEvent, WaitEvent
 from ropsim.views import summarize
-from support.recordings import empty_recording, facts, pick_and_place, station, two_findings
+from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 ROUNDING = 1e-12
 """Sums of a few dozen floats."""
@@ -160,15 +160,7 @@ def test_a_run_that_does_not_name_its_stations_has_no_joints() -> None:
 
 def test_several_stations_are_told_apart_by_their_names() -> None:
     one = pick_and_place(1)
-    left, right = station(name="left"), station(name="right", program="other")
-    channels = {
-        f"{name}/{quantity}": channel
-        for name in ("left", "right")
-        for quantity, channel in one.channels.items()
-    }
-    events = tuple(replace(event, station=name) for event in one.events for name in ("left", "right"))
-    about = facts(stations=(left, right))
-    summary = summarize(replace(one, channels=channels, events=events, facts=about))
+    summary = summarize(two_stations())
     alone = summarize(one)
     assert [joint.name for joint in summary.joints[::6]] == ["left 1", "right 1"]
     assert [joint.effort for joint in summary.joints[6:]] == [joint.effort for joint in alone.joints]

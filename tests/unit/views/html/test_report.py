@@ -15,6 +15,7 @@ from support.recordings import (
     pick_and_place,
     station,
     two_findings,
+    two_stations,
 )
 
 VOID = {"meta", "br"}
@@ -168,3 +169,13 @@ def test_run_that_is_not_finite_has_a_page() -> None:
 
 def test_same_recording_gives_the_same_page() -> None:
     assert page(pick_and_place(1)) == page(pick_and_place(1))
+
+
+def test_every_station_has_its_own_charts_and_rows() -> None:
+    recording = two_stations()
+    text = html_report(recording, summarize(recording), {SOURCE.name: SOURCE})
+    for name in ("tcp-1", "tcp-2", "top-1", "top-2", "q", "schedule", "signals"):
+        assert text.count(f'id="chart-{name}-t"') == 1, name
+    for label in ("left joint 1", "right joint 1", "left gripper", "right payload", "left pick"):
+        assert label in text, label
+    assert text.count(">lamp<") == 1
