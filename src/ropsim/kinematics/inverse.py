@@ -180,5 +180,6 @@ def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array
 
 @lru_cache(maxsize=64)
 def _desk(robot: RobotModel) -> _Desk:
+    solver = solver_of(robot)
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
-    return _Desk(solver_of(robot), limits, frozen(np.zeros(robot.n)))
+    return _Desk(solver, limits, frozen(np.zeros(robot.n)))

@@ -192,16 +192,22 @@ def _external(mechanism: Mechanism) -> Iterator[Diagnostic]:
         )
 
 
-def _couplings(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    first = first_coordinates(mechanism.joints)
+def _couplings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with couplings; only where that is nothing, which coordinates nobody moves."""
+    wrong = (*_impossible_couplings(mechanism), *_coupling_circle(mechanism))
+    return wrong or tuple(_free_coordinates(mechanism))
+
+
+def _impossible_couplings(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    count = first_coordinates(mechanism.joints)[-1]
     seen: set[int] = set()
     for coupling in mechanism.couplings:
         numbers = (coupling.dependent, *(number for number, _ in coupling.terms))
-        absent = [number for number in numbers if not 0 <= number < first[-1]]
+        absent = [number for number in numbers if not 0 <= number < count]
         name = coordinate_name(mechanism, coupling.dependent)
         values = (coupling.constant, *(factor for _, factor in coupling.terms))
         if absent:
-            why = f"names coordinate {absent[0]}, there are {first[-1]}, counted from 0"
+            why = f"names coordinate {absent[0]}, there are {count}, counted from 0"
         elif coupling.dependent in seen:
             why = f"determines {name} a second time"
         elif not all(map(isfinite, values)):
@@ -209,9 +215,11 @@ def _couplings(mechanism: Mechanism) -> Iterator[Diagnostic]:
         else:
             seen.add(coupling.dependent)
             continue
-        yield kinds.BAD_COUPLING.at(
-            None, f"a coupling of `{mechanism.name}` {why}", hint="look at its numbers"
-        )
+        message = f"a coupling of `{mechanism.name}` {why}"
+        yield kinds.BAD_COUPLING.at(None, message, hint="look at its numbers")
+
+
+def _coupling_circle(mechanism: Mechanism) -> Iterator[Diagnostic]:
     way = circle(mechanism.couplings)
     if way:
         names = " → ".join(coordinate_name(mechanism, number) for number in (*way, way[0]))
@@ -221,9 +229,13 @@ def _couplings(mechanism: Mechanism) -> Iterator[Diagnostic]:
             hint="let each coordinate follow axes, or coordinates that follow axes",
             data={"found": way},
         )
-    driven = {first[number] for number in mechanism.axes}
-    for number in range(first[-1] if not mechanism.cuts else 0):
-        if number not in driven and number not in seen:
+
+
+def _free_coordinates(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    held = _held_coordinates(mechanism)
+    count = first_coordinates(mechanism.joints)[-1] if not mechanism.cuts else 0
+    for number in range(count):
+        if number not in held:
             yield kinds.FREE_COORDINATE.at(
                 None,
                 f"{coordinate_name(mechanism, number)} of `{mechanism.name}` is no axis and not coupled",
@@ -234,7 +246,7 @@ def _couplings(mechanism: Mechanism) -> Iterator[Diagnostic]:
 
 def _loops(mechanism: Mechanism) -> Iterator[Diagnostic]:
     cuts = mechanism.cuts
-    known = {first for first in _held_coordinates(mechanism)}
+    known = _held_coordinates(mechanism)
     for place, cut in enumerate(cuts):
         ends = (cut.first, cut.second)
         if not all(BASE_LINK <= link < len(mechanism.joints) for link in ends) or cut.first == cut.second:

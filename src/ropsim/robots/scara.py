@@ -43,10 +43,10 @@ _INERTIAS = ((0.05, 0.18, 0.18), (0.06, 0.14, 0.13), (0.02, 0.02, 5e-4), (3e-4, 
 # Ratios motor to joint (of the slide rad/m: a ball screw of 20 mm lead behind a belt 1:1), rotor inertias and
 # largest torques of the motors; viscous and Coulomb friction at the motor.
 _DRIVES = (
-    (80.0, 1.3e-4, 2.3, 6e-4, 0.045),
-    (50.0, 8e-5, 1.8, 4e-4, 0.03),
-    (2.0 * pi / 0.02, 3e-5, 1.3, 1e-4, 0.02),
-    (20.0, 1e-5, 0.4, 5e-5, 0.008),
+    (80.0, 1.3e-4, 2.3, 6e-4, 0.02),
+    (50.0, 8e-5, 1.8, 4e-4, 0.014),
+    (2.0 * pi / 0.02, 3e-5, 1.3, 1e-4, 0.008),
+    (20.0, 4e-5, 0.4, 5e-5, 0.002),
 )
 
 _ORIGINS = (
