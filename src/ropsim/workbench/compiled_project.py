@@ -57,7 +57,7 @@ def compile_program(text: SourceText, cell: Cell | None, station: Station | None
 
 def found_in(programs: Iterable[CompiledProgram]) -> tuple[Diagnostic, ...]:
     """Return the findings of some programs, each once."""
-    return tuple(dict.fromkeys(found for program in programs for found in program.diagnostics))
+    return tuple(dict.fromkeys(found for one in programs for found in one.diagnostics))
 
 
 def unbound(code: icr.Program, cell: Cell | None, station: Station | None) -> tuple[Diagnostic, ...]:

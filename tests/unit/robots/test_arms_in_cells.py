@@ -7,15 +7,16 @@ import pytest
 
 import ropsim
 from ropsim import robots
-from ropsim.flow import Recording
+from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import forward, frames_batch
-from ropsim.model import Cell, RobotModel, beside, on_track
+from ropsim.model import RobotModel, beside, on_track
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Pose
-from ropsim.studio.desk.jog import JoggedArm
+from ropsim.studio.desk.jog.jog import JoggedArm
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp
 from ropsim.views import scene
 from ropsim.workbench import environment_of
+from support.cells import one_station
 
 PROGRAMS = {
     "scara": """\
@@ -59,9 +60,9 @@ def opened(name: str, folder: Path) -> "ropsim.workbench.Project":
 def test_a_program_runs_to_its_end_and_the_arm_follows(name: str, tmp_path: Path) -> None:
     recording = opened(name, tmp_path).simulate()
     assert [str(finding) for finding in recording.findings if finding.is_error] == []
-    moves = [event for event in recording.events if event.kind == "move"]
+    moves = recording.events_of(MoveEvent)
     assert len(moves) == PROGRAMS[name].count("mov ") + PROGRAMS[name].count("lin ")
-    assert max(float(str(move.data["settle"])) for move in moves) < LONGEST_SETTLING
+    assert max(move.settle for move in moves) < LONGEST_SETTLING
     robot = robots.load(name)
     channels = recording.channels
     np.testing.assert_allclose(channels["q"].values[-1], robot.home, rtol=0, atol=0.2e-3)
@@ -72,7 +73,7 @@ def test_a_program_runs_to_its_end_and_the_arm_follows(name: str, tmp_path: Path
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_it_is_jogged_by_axes_and_by_its_tool(name: str) -> None:
     robot = robots.load(name)
-    arm = JoggedArm.of(Cell("c", robot, robots.default_controller(robot)))
+    arm = JoggedArm.of(one_station("c", robot, robots.default_controller(robot)))
     here = tuple((robot.home + 0.02).tolist())
     by_axes = arm.to_joints(JogJoints(here, ""))
     assert isinstance(by_axes, JogReply)
@@ -87,7 +88,7 @@ def test_it_is_jogged_by_axes_and_by_its_tool(name: str) -> None:
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_every_link_is_drawn_where_it_is(name: str) -> None:
     robot = robots.load(name)
-    found = scene(Cell("c", robot, robots.default_controller(robot)), {})
+    found = scene(one_station("c", robot, robots.default_controller(robot)), {})
     bodies = {str(body["name"]): body for body in found["bodies"]}  # type: ignore[attr-defined]
     frames = frames_batch(robot, robot.home[np.newaxis])[0]
     for number in range(1, len(robot.joints) + 1):
@@ -106,10 +107,10 @@ def station() -> RobotModel:
 
 
 def simulated(robot: RobotModel, text: str) -> Recording:
-    cell = Cell("station", robot, robots.default_controller(robot))
+    cell = one_station("station", robot, robots.default_controller(robot))
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None, [str(one) for one in compiled.diagnostics]
-    return run(cell, compiled.icr, RunOptions())
+    return run(cell, {"robot": compiled.icr}, RunOptions())
 
 
 def test_a_station_drives_its_arm_and_its_external_axes_together() -> None:
@@ -125,7 +126,7 @@ lin (900, -100, 900) speed 200 mm/s
     assert [str(finding) for finding in recording.findings if finding.is_error] == []
     q = recording.channels["q"].values
     assert q.shape[1] == 8
-    moves = [event for event in recording.events if event.kind == "move"]
+    moves = recording.events_of(MoveEvent)
     along = recording.time >= moves[1].time
     assert np.abs(q[along, 6] - 0.4).max() < 0.3e-3
     assert np.abs(q[along, 7] - np.pi / 2.0).max() < 0.3e-3
@@ -134,7 +135,7 @@ lin (900, -100, 900) speed 200 mm/s
 
 def test_a_station_is_drawn_and_jogged_with_its_track() -> None:
     robot = station()
-    cell = Cell("station", robot, robots.default_controller(robot))
+    cell = one_station("station", robot, robots.default_controller(robot))
     assert scene(cell, {})["robot"]
     here = (*robot.home.tolist()[:6], 0.5, 0.3)
     arm = JoggedArm.of(cell)
