@@ -16,6 +16,7 @@ from ropsim.model.cell import Cell as Cell
 from ropsim.model.cell import ClassicSettings as ClassicSettings
 from ropsim.model.cell_bodies import BASE as BASE
 from ropsim.model.cell_bodies import body_tree as body_tree
+from ropsim.model.cell_bodies import fingers_of as fingers_of
 from ropsim.model.cell_bodies import link_name as link_name
 from ropsim.model.cell_bodies import part_shape as part_shape
 from ropsim.model.cell_bodies import start_of as start_of
@@ -110,5 +111,7 @@ from ropsim.model.surroundings import FixedObject as FixedObject
 from ropsim.model.surroundings import Sink as Sink
 from ropsim.model.surroundings import SupportLimits as SupportLimits
 from ropsim.model.tolerance import SPEED_OVERSHOOT as SPEED_OVERSHOOT
+from ropsim.model.tool import Fingers as Fingers
 from ropsim.model.tool import Gripper as Gripper
 from ropsim.model.tool import Tool as Tool
+from ropsim.model.tool import ToolPart as ToolPart

@@ -15,6 +15,7 @@ class BodyKind(StrEnum):
     BASE = "base"
     LINK = "link"
     TOOL = "tool"
+    FINGER = "finger"
     DEVICE = "device"
     OBJECT = "object"
     PART = "part"

@@ -11,6 +11,7 @@ from ropsim.model.geometry import Box, Shape
 from ropsim.model.mechanism import Mechanism
 from ropsim.model.part import Part
 from ropsim.model.station import Station
+from ropsim.model.tool import Fingers
 from ropsim.spatial import Array, Pose, frozen
 
 BASE = "base"
@@ -27,13 +28,23 @@ def body_tree(cell: Cell) -> BodyTree:
     devices = [body for one in cell.devices.values() for body in _device(one)]
     mechanisms: dict[str, Mechanism] = {name: one.robot for name, one in cell.stations.items()}
     mechanisms |= {name: one.mechanism for name, one in cell.devices.items()}
+    mechanisms |= {name: fingers.mechanism for name, fingers in fingers_of(cell).items()}
     return BodyTree((*stations, *devices, *_objects(cell), *_parts(cell)), mechanisms)
 
 
 def start_of(cell: Cell) -> dict[str, Array]:
     """Return the joint coordinates at time 0 [rad | m], shape (n,), by mechanism."""
     start = {name: one.q_start for name, one in cell.stations.items()}
-    return start | {name: frozen([one.q_start]) for name, one in cell.devices.items()}
+    start |= {name: frozen([one.q_start]) for name, one in cell.devices.items()}
+    return start | {name: frozen([fingers.opened]) for name, fingers in fingers_of(cell).items()}
+
+
+def fingers_of(cell: Cell) -> dict[str, Fingers]:
+    """Return the fingers of all tools of a cell by the names of the bodies of the tools."""
+    tools = (
+        (tool_body(name, at.name), tool) for at in cell.stations.values() for name, tool in at.tools.items()
+    )
+    return {name: tool.fingers for name, tool in tools if tool.fingers}
 
 
 def link_name(number: int, station: str = ROBOT) -> str:
@@ -76,7 +87,12 @@ def _tools(station: Station) -> Iterator[Body]:
     for name, tool in station.tools.items():
         mounted = name == station.default_tool
         body = tool_body(name, station.name)
-        yield Body(body, BodyKind.TOOL, last, X_nM, tool.shapes, visible=mounted)
+        yield Body(body, BodyKind.TOOL, last, X_nM, tool.look, visible=mounted)
+        mechanism = tool.fingers.mechanism if tool.fingers else None
+        for k, joint in enumerate(mechanism.joints if mechanism else ()):
+            shapes = mechanism.links[k].shapes if mechanism else ()
+            finger, mover = f"{body}/finger{k + 1}", Mover(body, k)
+            yield Body(finger, BodyKind.FINGER, body, joint.placement, shapes, mover, mounted)
 
 
 def _objects(cell: Cell) -> Iterator[Body]:

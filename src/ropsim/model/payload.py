@@ -4,7 +4,7 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.spatial import Array, frozen, record
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
@@ -24,6 +24,17 @@ class Payload:
     def __post_init__(self) -> None:
         object.__setattr__(self, "com", frozen(self.com))
         object.__setattr__(self, "inertia", frozen(self.inertia))
+
+
+def moved(payload: Payload, X: Pose) -> Payload:
+    """Return a body that is given in one frame, in another one.
+
+    Args:
+        payload: in the frame of its own.
+        X: that frame in the other one.
+    """
+    R = X.rotation()
+    return Payload(payload.mass, X.position + R @ payload.com, R @ payload.inertia @ R.T)
 
 
 def combine(payloads: tuple[Payload, ...]) -> Payload:

@@ -5,6 +5,7 @@ from ropsim.robots.devices import rotary as rotary
 from ropsim.robots.devices import slide as slide
 from ropsim.robots.diagnostics import NoControllerError as NoControllerError
 from ropsim.robots.diagnostics import UnknownRobotError as UnknownRobotError
+from ropsim.robots.fingers import parallel_fingers as parallel_fingers
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load

@@ -38,6 +38,12 @@ def joint_channels(station: str, robot: RobotModel, log: Mapping[str, Array]) ->
     return channels
 
 
+def finger_channel(station: str, q: Array) -> Channel:
+    """Return the channel of the fingers of a tool at rows of the recording, shape (rows,)."""
+    text = "half the distance between the fingers"
+    return Channel(q[:, np.newaxis], "m", ("finger",), text, ChannelGroup.DEVICES, station)
+
+
 def device_channel(device: Device, q: Array) -> Channel:
     """Return the channel of the coordinate of a device at rows of the recording, shape (rows,)."""
     joints = device.mechanism.axis_joints

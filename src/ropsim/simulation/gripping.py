@@ -7,10 +7,12 @@ from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
 from ropsim.model import Gripper, Tool, tool_body
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
+from ropsim.simulation.fingering import closed_on, go
 from ropsim.simulation.parts import close_on, release
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.standing import release_findings, stood
 from ropsim.simulation.station_run import StationRun
+from ropsim.spatial import Pose
 
 
 def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator[None]:
@@ -20,6 +22,7 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
     if tool is None or tool.gripper is None:
         run.findings.append(_cannot_grasp(instruction, tool))
         return
+    _move_fingers(run, at, tool, instruction.action)
     yield from at.stand(round(_dwell(tool.gripper, instruction.action) * at.hz))
     if instruction.action is GripAction.CLOSE:
         run.take(at, at.tool, _picked_up(run, at, tool))
@@ -37,6 +40,21 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
 
 def _dwell(gripper: Gripper, action: GripAction) -> float:
     return gripper.close_time if action is GripAction.CLOSE else gripper.open_time
+
+
+def _move_fingers(run: CellRun, at: StationRun, tool: Tool, action: GripAction) -> None:
+    """Let the fingers of a gripper go, on the part that is between them now where they close."""
+    hand, fingers = tool_body(tool.name, at.station.name), tool.fingers
+    if fingers is None or tool.gripper is None:
+        return
+    target = fingers.opened
+    if action is GripAction.CLOSE:
+        moment, parts = run.moment(at.due), _picked_up(run, at, tool)
+        name = parts.held({hand})
+        X_WT = moment.carriers[hand] @ tool.X_MT
+        X_TO = X_WT.inverse() @ moment.pose(parts.seats[name]) if name else Pose()
+        target = closed_on(fingers, run.scenery.parts.get(name), X_TO)
+    go(at.fingers[hand], at.time, _dwell(tool.gripper, action), target)
 
 
 def _picked_up(run: CellRun, at: StationRun, tool: Tool) -> Placements:

@@ -6,7 +6,13 @@ import numpy as np
 
 from ropsim.flow import Channel, channel_name
 from ropsim.kinematics import forward_batch
-from ropsim.simulation.channels import device_channel, joint_channels, pose_channels, track_channel
+from ropsim.simulation.channels import (
+    device_channel,
+    finger_channel,
+    joint_channels,
+    pose_channels,
+    track_channel,
+)
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import RunView
@@ -27,6 +33,9 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
     for name, at in run.stations.items():
         own = _station_sample(at, time * at.hz)
         channels |= {channel_name(quantity, name): channel for quantity, channel in own.items()}
+    for at in run.stations.values():
+        for body, course in at.fingers.items():
+            channels[channel_name("q", body)] = finger_channel(at.station.name, course.rows(np.array([time])))
     for name, device in run.devices.items():
         q = device.course.rows(np.array([time]))
         channels[channel_name("q", name)] = device_channel(device.device, q)

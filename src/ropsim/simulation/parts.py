@@ -80,7 +80,7 @@ def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool |
     """
     bodies: tuple[Payload, ...] = ()
     if tool is not None:
-        bodies += (Payload(tool.mass, tool.com, tool.inertia),)
+        bodies += tool.loads
     for name, X_MO in carried.items():
         part, R_MO = parts[name], X_MO.rotation()
         centre = X_MO.position + R_MO @ np.array([0.0, 0.0, -part.size[2] / 2.0])

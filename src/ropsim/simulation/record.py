@@ -27,6 +27,7 @@ from ropsim.simulation.arrivals import Arrivals, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
     device_channel,
+    finger_channel,
     joint_channels,
     path_error_channel,
     pose_channels,
@@ -58,6 +59,9 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         events += at.activations.events(name, at.hz)
         judged += verdicts(at.station.robot, time, own, source)
         judged += settling_findings(mine, run.time, source)
+    for at in run.stations.values():
+        for body, course in at.fingers.items():
+            channels[channel_name("q", body)] = finger_channel(at.station.name, course.rows(time))
     for name, device in run.devices.items():
         channels[channel_name("q", name)] = device_channel(device.device, device.course.rows(time))
     for name in sorted(run.tracks):

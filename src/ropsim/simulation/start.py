@@ -4,7 +4,7 @@ import math
 
 from ropsim.controller import ScriptedSensors, SensorInterface, standard_chain
 from ropsim.flow import Fidelity
-from ropsim.model import Cell, Device, Payload, Station, link_name
+from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.course import Course, Piece
 from ropsim.simulation.devices.device_run import DeviceRun
@@ -80,20 +80,23 @@ def _station_run(
     options: RunOptions,
     sensors: SensorInterface,
 ) -> StationRun:
-    tool = station.tools.get(station.default_tool)
-    load = payload({}, scenery.parts, tool)
+    mounted = station.tools.get(station.default_tool)
+    load = payload({}, scenery.parts, mounted)
     control_hz = station.controller.rates.control_hz
     at = StationRun(
         station=station,
         chain=options.chains.get(station.name) or standard_chain(cell, station),
         plant=_plant(cell, station, load, options, sensors),
         q_command=frozen(station.q_start),
-        tool=tool,
+        tool=mounted,
         payload=load,
         laden=parts,
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
     )
+    for name, tool in station.tools.items():
+        if tool.fingers:
+            at.fingers[tool_body(name, station.name)] = Course([Piece(0.0, tool.fingers.opened, 0.0, 0.0)])
     at.track("line", 0.0)
     at.track("move", -1.0)
     at.track("gripper", 0.0)

@@ -8,6 +8,7 @@ from ropsim.flow import JointReference, Origin
 from ropsim.kinematics import forward
 from ropsim.model import Payload, Station, Tool, tool_body
 from ropsim.simulation.activation import Activations
+from ropsim.simulation.devices.course import Course
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.plant import Plant
@@ -36,6 +37,7 @@ class StationRun:
         moves: moves done.
         tracks: piecewise constant channels by name, over control ticks.
         activations: times of the tasks.
+        fingers: courses of the fingers of its tools, by the name of the body of the tool.
         waiting: whether the last instruction did nothing but wait for the ones before it.
         cut_short: whether standing still was ended by `last_tick`; the program is over then.
     """
@@ -53,6 +55,7 @@ class StationRun:
     moves: list[MoveSpan] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
+    fingers: dict[str, Course] = field(default_factory=dict)
     waiting: bool = False
     cut_short: bool = False
 

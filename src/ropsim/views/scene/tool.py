@@ -31,8 +31,8 @@ def tool_shapes(tool: Tool, width: float) -> tuple[Shape, ...]:
         tool: with or without shapes.
         width: distance between the fingers of a gripper [m].
     """
-    if tool.shapes:
-        return tool.shapes
+    if tool.look:
+        return tool.look
     tip = tool.X_MT.position
     approach = tool.X_MT.rotation()[:, 2]
     distance = float(np.linalg.norm(tip))
@@ -44,7 +44,8 @@ def tool_shapes(tool: Tool, width: float) -> tuple[Shape, ...]:
         return (*_bracket(neck, radius), rod(neck, tip, 0.8 * radius, 0.1 * radius, _STEEL, Material.STEEL))
     length = min(max(0.3 * distance, 0.01), 0.06)
     palm = tip - length * approach
-    return (*_bracket(palm, radius), *_fingers(tool.X_MT, length, width, radius))
+    drawn = _fingers(tool.X_MT, length, width, radius)
+    return (*_bracket(palm, radius), *(drawn[:1] if tool.fingers else drawn))
 
 
 def _bracket(end: Array, radius: float) -> tuple[Shape, ...]:
