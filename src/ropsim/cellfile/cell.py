@@ -18,7 +18,17 @@ from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.cellfile.tools import read_tools
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import ROBOT, Cell, ClassicSettings, Device, Signal, Station, link_name, tool_body
+from ropsim.model import (
+    ROBOT,
+    Cell,
+    ClassicSettings,
+    Device,
+    Signal,
+    Station,
+    link_name,
+    mount_of,
+    tool_body,
+)
 from ropsim.spatial import Pose
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
@@ -61,7 +71,8 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     classic = _classic(root.table("classic"), frames)
     devices = _read_devices(root, signals, stations, units)
     taken = _bodies(stations, devices)
-    objects = read_objects(root.tables("objects"), taken, units)
+    mounts = {name: mount_of(device) for name, device in devices.items()}
+    objects = read_objects(root.tables("objects"), taken, mounts, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
     groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
     supports = read_supports(root.table("supports"), units)
@@ -111,7 +122,9 @@ def _bodies(stations: Mapping[str, Station | None], devices: Mapping[str, Device
         count = len(station.robot.joints) if station else 0
         taken |= {link_name(number, name): _OF_ROBOT for number in range(count + 1)}
         taken |= {tool_body(tool, name): _OF_ROBOT for tool in (station.tools if station else ())}
+    taken |= {name: "a station of this cell has it" for name in stations if name != ROBOT}
     for name, device in devices.items():
+        taken[name] = "a device of this cell has it"
         count = len(device.mechanism.joints)
         taken |= {link_name(number, name): "a body of a device has it" for number in range(count + 1)}
     return taken

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TypeAlias
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.objects import body_name, report_doubles
@@ -13,31 +14,37 @@ from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
 
+Mount: TypeAlias = tuple[str, Pose]
+"""Name of a body that objects hang on, and the frame in it that they are given in."""
+
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
 def read_objects(
-    tables: tuple[TomlTable, ...], taken: Mapping[str, str], units: Units
+    tables: tuple[TomlTable, ...], taken: Mapping[str, str], mounts: Mapping[str, Mount], units: Units
 ) -> tuple[FixedObject, ...]:
     """Return the objects in the order of the file; one may hang on another, wherever that stands in the file.
 
     Args:
         tables: `[[objects]]`.
         taken: who has them, for names that no object may have.
+        mounts: body of each device that objects hang on, and the frame in it, by the name of the device.
         units: of the file.
     """
-    names = {str(table.values.get("name", "")): table for table in tables}
-    objects = tuple(_object(table, names, units) for table in tables)
+    parents = dict.fromkeys((*(str(table.values.get("name", "")) for table in tables), *mounts))
+    objects = tuple(_object(table, parents, mounts, units) for table in tables)
     if tables:
         spans = ((thing.name, table.value_span("name")) for table, thing in zip(tables, objects, strict=True))
         report_doubles(tables[0].findings, spans, taken)
     return _without_rings(objects, tables)
 
 
-def _object(table: TomlTable, names: Mapping[str, TomlTable], units: Units) -> FixedObject:
+def _object(
+    table: TomlTable, parents: Mapping[str, None], mounts: Mapping[str, Mount], units: Units
+) -> FixedObject:
     table.require("name", "position")
     name = body_name(table)
-    parent = table.reference("parent", names, "object")
+    parent = table.reference("parent", parents, "object")
     X_PO = read_pose(table, units)
     look = read_look(table, Look())
     short = "size" in table
@@ -48,6 +55,9 @@ def _object(table: TomlTable, names: Mapping[str, TomlTable], units: Units) -> F
         table.require("shapes")
     shapes = _block(table, units, look) if short else read_shapes(table, units, look)
     table.finish()
+    if parent in mounts:
+        body, X_BM = mounts[parent]
+        return FixedObject(name, X_BM @ X_PO, shapes, body)
     return FixedObject(name, X_PO, shapes, parent)
 
 

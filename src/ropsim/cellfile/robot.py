@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.external_axes import ExternalAxes, read_external_axes
 from ropsim.cellfile.quantity import NUMBER, SHARE, TIME, Quantity, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import RopsimError
@@ -35,7 +36,7 @@ class RobotSection:
     """What `[robot]` and `[controller]` say.
 
     Attributes:
-        model: the arm.
+        model: the arm, with the external axes of its station.
         controller: its controller.
         start: joint coordinates at time 0 [rad | m], shape (n,).
     """
@@ -57,13 +58,15 @@ def read_robot(
         table: section `[robot]` or `[stations.NAME]`.
         key: of the model in it.
         settings: section `[controller]` or `[stations.NAME.controller]`.
-        X_WB: base frame in the world frame; a tilted base turns gravity in the base frame.
+        X_WB: base frame in the world frame, of the track where the arm is on one; a tilted base turns gravity
+            in the base frame.
         units: units of the file.
     """
     table.require(key)
     override = table.number("speed_override", SHARE, 1.0)
     start_given = "start" in table
-    loaded = _load(table, key, settings)
+    external = read_external_axes(table, units)
+    loaded = _load(table, key, settings, external, X_WB)
     if loaded is None:
         table.finish()
         return None
@@ -75,13 +78,15 @@ def read_robot(
     return RobotSection(_with_base(model, X_WB), controller, start)
 
 
-def _load(table: TomlTable, key: str, settings: TomlTable) -> tuple[RobotModel, ControllerModel] | None:
-    """Return the arm with its standard controller at the rates of `settings`."""
+def _load(
+    table: TomlTable, key: str, settings: TomlTable, external: ExternalAxes, X_WB: Pose
+) -> tuple[RobotModel, ControllerModel] | None:
+    """Return the arm and its external axes with their standard controller at the rates of `settings`."""
     name = table.text(key, "")
     if not name and table.values.get(key) != "":  # it is absent or no text, which has been said
         return None
     try:
-        model = robots.load(name)
+        model = external.joined(robots.load(name), X_WB)
         return model, robots.default_controller(model, _rates(settings))
     except RopsimError as error:
         table.findings.items.append(replace(error.diagnostic, span=table.value_span(key)))

@@ -36,6 +36,8 @@ class Environment:
         length: metres per bare unit where a text has no `units` line for lengths.
         angle: radians per bare unit, likewise.
         frame: name of the frame in which texts give their locations, empty for the base frame.
+        axes: what each axis of the robot is measured as, `angle` or `length`; empty where nobody knows, then
+            a bare joint coordinate is an angle.
     """
 
     frames: Mapping[str, PoseTuple] = field(default_factory=dict)
@@ -47,6 +49,7 @@ class Environment:
     length: float = 0.01
     angle: float = math.pi / 180.0
     frame: str = ""
+    axes: tuple[str, ...] = ()
 
 
 NO_SIGNATURES = Environment()

@@ -18,6 +18,7 @@ from ropsim.model.cell_bodies import BASE as BASE
 from ropsim.model.cell_bodies import body_tree as body_tree
 from ropsim.model.cell_bodies import fingers_of as fingers_of
 from ropsim.model.cell_bodies import link_name as link_name
+from ropsim.model.cell_bodies import mount_of as mount_of
 from ropsim.model.cell_bodies import part_shape as part_shape
 from ropsim.model.cell_bodies import start_of as start_of
 from ropsim.model.cell_bodies import tool_body as tool_body

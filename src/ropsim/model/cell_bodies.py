@@ -6,7 +6,7 @@ from ropsim.flow import ROBOT, prefix_of
 from ropsim.model.body import WORLD, Body, BodyKind, Mover
 from ropsim.model.body_tree import BodyTree
 from ropsim.model.cell import Cell
-from ropsim.model.device import Device
+from ropsim.model.device import BeltDrive, Device
 from ropsim.model.geometry import Box, Shape
 from ropsim.model.mechanism import Mechanism
 from ropsim.model.part import Part
@@ -55,6 +55,16 @@ def link_name(number: int, station: str = ROBOT) -> str:
 def tool_body(name: str, station: str = ROBOT) -> str:
     """Return the name of the body of a tool of a station."""
     return f"{prefix_of(station)}tool:{name}"
+
+
+def mount_of(device: Device) -> tuple[str, Pose]:
+    """Return the body of a device that things hang on, and the frame in it that they are given in.
+
+    That is its moving body, with the base frame at coordinate 0; of a belt its base, with the base frame.
+    """
+    if isinstance(device.drive, BeltDrive):
+        return link_name(0, device.name), Pose()
+    return link_name(1, device.name), device.mechanism.joints[0].placement.inverse()
 
 
 def part_shape(part: Part) -> Shape:

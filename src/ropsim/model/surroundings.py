@@ -8,13 +8,13 @@ from ropsim.spatial import Pose
 
 @dataclass(frozen=True, slots=True)
 class FixedObject:
-    """A thing of the cell that never moves; parts can lie on it.
+    """A thing of the cell that moves with its parent only; parts can lie on it.
 
     Attributes:
         name: unique among the bodies of the cell.
         X_PO: its frame in that of its parent; in the world frame without one.
         shapes: what it looks like, in its frame.
-        parent: name of the object that it hangs on, empty for none.
+        parent: name of the object, or of the body of a device, that it hangs on; empty for none.
     """
 
     name: str

@@ -1,8 +1,10 @@
 """What programs can name in a cell, for the compiler."""
 
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import Cell, Station, in_base
+from ropsim.model import Cell, JointType, Station, in_base
 from ropsim.program import SignalUse, ValueType
+
+_MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 
 
 def environment_of(cell: Cell | None, station: Station | None = None) -> Environment:
@@ -29,4 +31,5 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         length=cell.classic.length,
         angle=cell.classic.angle,
         frame=cell.classic.frame,
+        axes=tuple(_MEASURES[joint.measure] for joint in at.robot.axis_joints),
     )

@@ -4,6 +4,8 @@ import re
 import tomllib
 from pathlib import Path
 
+import pytest
+
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 
@@ -19,12 +21,23 @@ def keys_of(value: object) -> set[str]:
     return set()
 
 
-def test_the_example_is_a_right_cell_file() -> None:
-    (example,) = EXAMPLES
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_every_example_is_a_right_cell_file(example: str) -> None:
     cell, findings = read_cell(SourceText("cell.toml", example), "folder")
     assert findings == ()
     assert cell is not None
-    assert len(cell.parts) == 37
+
+
+def test_the_examples_show_what_they_are_about() -> None:
+    first, external, stations, devices = (read_cell(SourceText("", one), "")[0] for one in EXAMPLES)
+    assert first is not None
+    assert len(first.parts) == 37
+    assert external is not None
+    assert external.first.robot.n == 8
+    assert stations is not None
+    assert list(stations.stations) == ["left", "right"]
+    assert devices is not None
+    assert list(devices.devices) == ["belt", "door", "table"]
 
 
 def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
@@ -44,6 +57,18 @@ def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
         for found in findings:
             if found.code == "X802":
                 asked.update(re.findall(r"`(\w+)`", found.hint))
+    for text in (
+        *("[stations.a]\n", "[stations.a.controller]\n", "[stations.a]\ntrack = { qqqqqqqqqqqq = 1 }\n"),
+        *("[stations.a]\npositioner = { qqqqqqqqqqqq = 1 }\n", '[devices.a]\nkind = "conveyor"\n'),
+        *('[devices.a]\nkind = "slide"\n', '[devices.a]\nkind = "turntable"\ndiameter = 1\n'),
+        *('[devices.a]\nkind = "slide"\nstep = 1\n',),
+        '[devices.a]\nkind = "conveyor"\nstop = { qqqqqqqqqqqq = 1 }\n',
+    ):
+        _, findings = read_cell(SourceText("cell.toml", f"{text}qqqqqqqqqqqq = 1\n"), "")
+        for found in findings:
+            if found.code == "X802":
+                asked.update(re.findall(r"`(\w+)`", found.hint))
+    assert {"carriage_mass", "inertia", "tools", "program", "run", "stop", "at", "is_on", "step"} <= asked
     assert {"kp", "speed_override", "gripper", "down", "changes", "size", "shapes", "grid", "arc"} <= asked
     assert [key for key in sorted(asked) if f"`{key}`" not in MANUAL] == []
 

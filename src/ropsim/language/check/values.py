@@ -176,10 +176,11 @@ def _state(body: Body, node: nodes.State) -> Value:
 
 def _joints(body: Body, node: nodes.Joints) -> Value:
     expressions = []
-    for k, item in enumerate(node.values, 1):
+    axes = body.world.environment.axes
+    for k, item in enumerate(node.values):
         value = check(body, item)
-        is_length = known(value.type) == LENGTH
-        expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k}"))
+        is_length = axes[k] == "length" if k < len(axes) else known(value.type) == LENGTH
+        expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k + 1}"))
     numbers = [fold.number_of(e) for e in expressions]
     if None in numbers:
         return Value(MakeJoints(tuple(expressions)), JOINTS)

@@ -1,0 +1,138 @@
+"""External axes in the cell file: an arm on a track, and a positioner beside it."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.cellfile import read_cell
+from ropsim.core import Diagnostic, SourceText
+from ropsim.kinematics import body_poses, forward
+from ropsim.model import Cell, JointType, Station, body_tree
+
+ROBOT = '[robot]\nmodel = "puma560"\n'
+TRACK = "track = { length = 3000, speed = 1500, acceleration = 2000 }\n"
+TABLE = (
+    "positioner = { radius = 400, height = 600, base = { position = [200, 1500, 0], rpy = [0, 0, 90] } }\n"
+)
+POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates of some metres
+
+
+def read(text: str) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
+    return read_cell(SourceText("cell.toml", ROBOT + text), "folder")
+
+
+def station_of(text: str) -> Station:
+    cell, findings = read(text)
+    assert [str(found) for found in findings] == []
+    assert cell is not None
+    return cell.first
+
+
+def one(text: str) -> Diagnostic:
+    cell, (found,) = read(text)
+    assert cell is None
+    return found
+
+
+def test_an_arm_on_a_track_has_one_more_axis_behind_its_own() -> None:
+    robot = station_of(TRACK).robot
+    track = robot.axis_joints[6]
+    assert (robot.n, robot.external, track.name, track.measure) == (7, (6,), "E1", JointType.PRISMATIC)
+    assert (track.lower, track.upper) == (-1.5, 1.5)
+    assert (track.max_speed, track.max_acceleration, track.max_jerk) == (1.5, 2.0, 20.0)
+    assert [joint.name for joint in robot.axis_joints[:6]] == ["1", "2", "3", "4", "5", "6"]
+
+
+def test_track_comes_before_positioner() -> None:
+    robot = station_of(TRACK + TABLE).robot
+    assert [joint.name for joint in robot.axis_joints[6:]] == ["E1", "E2"]
+    assert [joint.measure for joint in robot.axis_joints[6:]] == [JointType.PRISMATIC, JointType.REVOLUTE]
+
+
+def test_the_arm_comes_along_with_its_carriage() -> None:
+    robot, arm = station_of(TRACK + "base = { position = [100, 0, 0] }\n").robot, robots.load("puma560")
+    q = np.append(arm.home, 0.7)
+    moved = forward(robot, q).position - forward(arm, arm.home).position
+    assert moved == pytest.approx([0.7, 0.0, 0.35], abs=POSE_TOLERANCE)  # the carriage is 0.35 m high
+
+
+def test_the_arm_may_be_turned_on_its_carriage() -> None:
+    mounted = TRACK.replace(" }", ", mount = { position = [0, 0, 20], rpy = [0, 0, 90] } }")
+    robot, arm = station_of(mounted).robot, robots.load("puma560")
+    x, y, z = forward(arm, arm.home).position
+    found = forward(robot, np.append(arm.home, 0.0)).position
+    assert found == pytest.approx([-y, x, z + 0.37], abs=POSE_TOLERANCE)
+
+
+def test_the_positioner_stands_in_the_world_wherever_the_robot_is() -> None:
+    base = "base = { position = [300, -200, 0], rpy = [0, 0, 30] }\n"
+    cell, _ = read(base + TABLE)
+    assert cell is not None
+    poses = body_poses(body_tree(cell), {"robot": [np.append(cell.first.robot.home[:6], 0.0)]})
+    plate = poses["link7"][0]
+    assert plate[:3, 3] == pytest.approx([0.2, 1.5, 0.6], abs=POSE_TOLERANCE)
+    assert plate[:3, 0] == pytest.approx([0.0, 1.0, 0.0], abs=POSE_TOLERANCE)
+
+
+def test_start_has_a_value_for_every_axis_in_its_own_unit() -> None:
+    station = station_of(TRACK + TABLE + "start = [0, 75, -180, 0, -75, 0, -1200, 45]\n")
+    assert station.start[6:] == pytest.approx([-1.2, math.pi / 4])
+    assert station_of(TRACK).start[6] == 0.0
+
+
+def test_a_start_beyond_the_track_is_named_by_its_axis() -> None:
+    found = one(TRACK + "start = [0, 75, -180, 0, -75, 0, 1600]\n")
+    assert (found.code, found.message) == (
+        "X815",
+        "joint `E1` would start at 1600 mm, its limits are -1500 mm and 1500 mm",
+    )
+
+
+def test_the_gains_follow_from_the_drives_of_all_axes() -> None:
+    controller = station_of(TRACK + TABLE).controller
+    assert len(controller.in_position) == 8
+    changed = station_of(TRACK + "[controller]\nin_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 2]\n").controller
+    assert changed.in_position[5:] == pytest.approx([math.radians(0.1), 0.002])
+
+
+def test_gravity_of_a_tilted_track_is_felt_by_all_of_it() -> None:
+    robot = station_of(TRACK + "base = { rpy = [0, 90, 0] }\n").robot
+    assert robot.gravity == pytest.approx([9.81, 0.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "words"),
+    [
+        ("track = {}\n", "X803", "`robot.track` needs `length`"),
+        ("track = 3\n", "X804", "`robot.track` is a whole number"),
+        ("track = { length = 0 }\n", "X806", "allowed is 10 to 50000 mm"),
+        ("track = { length = inf }\n", "X807", "`inf`"),
+        ("track = { length = 1000, sped = 1 }\n", "X802", "`robot.track.sped`"),
+        ("track = { length = 1000, speed = nan }\n", "X807", "`nan`"),
+        ("track = { length = 1000, carriage_mass = 0 }\n", "X806", "allowed is 1 to 10000 kg"),
+        ("positioner = { radius = 300 }\n", "X803", "`robot.positioner` needs `base`"),
+        ("positioner = { radius = -1, base = {} }\n", "X806", "allowed is 10 to 50000 mm"),
+        (TRACK + "start = [0, 75, -180, 0, -75, 0]\n", "X805", "6 items, needed are 7"),
+    ],
+)
+def test_each_mistake_gets_one_finding(text: str, code: str, words: str) -> None:
+    found = one(text)
+    assert found.code == code
+    assert words in found.message
+    assert found.span is not None
+    assert found.span.line in {3, 4}
+
+
+def test_stations_have_external_axes_of_their_own() -> None:
+    text = (
+        '[stations.left]\nrobot = "puma560"\n'
+        '[stations.right]\nrobot = "scara"\nbase = { position = [0, 4000, 0] }\n' + TRACK
+    )
+    cell, findings = read_cell(SourceText("cell.toml", text), "folder")
+    assert findings == ()
+    assert cell is not None
+    axes: dict[str, Any] = {name: station.robot.n for name, station in cell.stations.items()}
+    assert axes == {"left": 6, "right": robots.load("scara").n + 1}
