@@ -83,7 +83,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     head.finish()
     root.finish()
     known = {name: station for name, station in stations.items() if station is not None}
-    if len(known) < len(stations):
+    if not known or len(known) < len(stations):
         return None
     cell = Cell(
         name=name,

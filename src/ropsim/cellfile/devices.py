@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.device_signals import check_device_signals
 from ropsim.cellfile.poses import read_base
 from ropsim.cellfile.quantity import Quantity, Units
 from ropsim.cellfile.shapes import Look, read_look, read_shapes
@@ -25,6 +26,9 @@ from ropsim.model import (
 from ropsim.spatial import Pose, frozen
 
 KINDS = ("conveyor", "slide", "turntable")
+_UNKNOWN = SwitchDrive("", 0.0, 0.1, 1.0, 1.0)
+"""Stands in while the kind of a device is being reported."""
+
 _SMALL = 0.05  # [m], stands in while a wrong size is being reported
 _FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
 _HARDEST = {JointType.PRISMATIC: 1e3, JointType.REVOLUTE: 1e4}
@@ -42,9 +46,11 @@ def read_devices(
     """
     devices = {}
     for name, table in tables.items():
-        table.require("kind")
+        kind = _kind(table)
+        if not kind:
+            devices[name] = Device(name, robots.slide(()), _UNKNOWN, Pose())
+            continue
         X_WB = read_base(table, units)
-        kind = table.choice("kind", KINDS, KINDS[0])
         drive: DeviceDrive
         if kind == "conveyor":
             mechanism, drive = _conveyor(table, signals, units)
@@ -53,7 +59,21 @@ def read_devices(
             drive = _axis_drive(table, mechanism.joints[0].type, signals, units)
         table.finish()
         devices[name] = Device(name, mechanism, drive, X_WB)
+    check_device_signals(devices, tables, signals)
     return devices
+
+
+def _kind(table: TomlTable) -> str:
+    """Return the kind of a device; empty where it is missing or unknown, then nothing else is looked at."""
+    if "kind" in table:
+        return table.choice("kind", KINDS, "") if table.text("kind", "") else ""
+    if table.present:
+        words = ", ".join(f'`"{kind}"`' for kind in KINDS)
+        message = f"`{table.name_of('kind').rpartition('.')[0]}` needs `kind`"
+        table.findings.add(
+            kinds.MISSING_CELL_KEY, table.findings.places.key(table.path), message, f"add it: one of {words}"
+        )
+    return ""
 
 
 def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> tuple[Mechanism, BeltDrive]:
@@ -63,7 +83,7 @@ def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> 
     height = table.number("height", units.extent, 0.1)
     speed = table.number("speed", units.path(1, _FASTEST[JointType.PRISMATIC]), 0.1)
     acceleration = table.number("acceleration", units.path(2, _HARDEST[JointType.PRISMATIC]), 1.0)
-    run = table.reference("run", signals, "signal")
+    run = _followed(table, "run", signals)
     barrier = _barrier(table.table("stop"), length, signals, units) if "stop" in table else None
     colour = read_look(table, Look()).colour
     return robots.conveyor(length, width, height, colour), BeltDrive(
@@ -114,7 +134,10 @@ def _axis_drive(
     turns = type_ is JointType.REVOLUTE
     way = units.turn if turns else units.position
     rate = units.orientation if turns else units.path
-    signal = table.reference("signal", signals, "signal")
+    signal = _followed(table, "signal", signals)
+    if table.values.get("signal") == "":
+        message = f"`{table.name_of('signal')}` is empty, the device would never move"
+        table.findings.add(kinds.MISSING_CELL_KEY, table.value_span("signal"), message, "name a signal")
     speed = table.number("speed", rate(1, _FASTEST[type_]), 1.0)
     acceleration = table.number("acceleration", rate(2, _HARDEST[type_]), 1.0)
     if "step" in table:
@@ -133,6 +156,16 @@ def _away_from_zero(table: TomlTable, key: str, quantity: Quantity) -> float:
         table.findings.add(kinds.VALUE_OUT_OF_RANGE, table.value_span(key), message)
         return 1.0
     return value
+
+
+def _followed(table: TomlTable, key: str, signals: Mapping[str, Signal]) -> str:
+    """Return the name of an on/off signal that the device follows; empty where the key is absent."""
+    name = table.reference(key, signals, "signal")
+    if name and signals[name].analog:
+        message = f"`{name}` is an analog signal, a device follows one that is on or off"
+        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span(key), message)
+        return ""
+    return name
 
 
 def _input(table: TomlTable, key: str, signals: Mapping[str, Signal]) -> str:

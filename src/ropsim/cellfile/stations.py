@@ -20,7 +20,8 @@ def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> d
     """
     tables = root.named("stations")
     stations: dict[str, Station | None] = {}
-    if "robot" in root or not tables:
+    told = not isinstance(root.values.get("stations", {}), dict)  # that they are no section
+    if "robot" in root or not (tables or told):
         root.require("robot")
         stations[ROBOT] = _short(root, tools, units)
     for name, table in tables.items():

@@ -53,7 +53,7 @@ class Blocks:
         start = np.einsum("psi,pij->psj", beside, R[:, :2])  # point of the line at the height of the centre
         along = R[:, np.newaxis, 2]  # direction of the line in axes of the block, (p, 1, 3)
         flat = np.abs(along) < 1e-12
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             one, other = (-half - start) / along, (half - start) / along
         inside = np.abs(start) <= half
         lower = np.where(flat, np.where(inside, -np.inf, np.inf), np.minimum(one, other)).max(axis=2)

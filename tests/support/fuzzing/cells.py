@@ -1,4 +1,4 @@
-"""A cell file with every table that there is."""
+"""Cell files with every table that there is."""
 
 RIGHT = """
 [cell]
@@ -63,4 +63,80 @@ changes = [[0.5, true], [1.5, false]]
 [classic]
 length = "cm"
 frame = "pallet"
+"""
+
+STATIONS = """
+[stations.left]
+robot = "puma560"
+tool = "jaws"
+program = "left"
+track = { length = 2000, carriage_mass = 200, speed = 999, acceleration = 2e3, mount = { rpy = [0, 0, 9] } }
+start = [0, 75, -180, 0, -75, 0, 500]
+[stations.left.controller]
+control_hz = 500
+in_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 2]
+[stations.right]
+robot = "scara"
+base = { position = [1200, 0, 0], rpy = [0, 0, 180] }
+positioner = { radius = 300, height = 600, inertia = 20, base = { position = [2000, 0, 0] } }
+tools = ["jaws", "pen"]
+tool = "pen"
+speed_override = 0.5
+[tools.jaws]
+position = [0, 0, 120]
+gripper = {}
+[tools.pen]
+position = [0, 0, 80]
+[devices.belt]
+kind = "conveyor"
+base = { position = [350, -1400, 500], rpy = [0, 0, 90] }
+length = 1200
+width = 200
+height = 120
+speed = 250
+acceleration = 1000
+run = "belt_on"
+stop = { at = 1000, signal = "part_there" }
+[devices.door]
+kind = "slide"
+size = [900, 30, 1200]
+signal = "open_door"
+off = 0
+on = 900
+speed = 800
+acceleration = 2000
+is_off = "closed"
+is_on = "opened"
+[devices.table]
+kind = "turntable"
+base = { position = [600, 600, 500] }
+diameter = 500
+height = 40
+signal = "closed"
+step = 90
+speed = 120
+acceleration = 400
+in_place = "stands"
+[[objects]]
+name = "fixture"
+parent = "table"
+position = [180, 0, 20]
+size = [80, 80, 20]
+[[parts]]
+name = "post"
+size = [40, 40, 160]
+mass = 0.4
+position = [350, -1000, 660]
+[signals.belt_on]
+output = 1
+[signals.open_door]
+output = 2
+[signals.part_there]
+input = 1
+[signals.closed]
+input = 2
+[signals.opened]
+input = 3
+[signals.stands]
+input = 4
 """

@@ -10,12 +10,12 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.records.plain_values import numeric
 from ropsim.views import Style, diagnostics_text, scene
 from ropsim.workbench.environment import environment_of
-from support.fuzzing.cells import RIGHT
+from support.fuzzing.cells import RIGHT, STATIONS
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word
 from support.fuzzing.target import Target
 
 _ROOT = Path(__file__).parents[3]
-_CELLS = (RIGHT.encode(), (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes())
+_CELLS = (RIGHT.encode(), STATIONS.encode(), (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes())
 _ICRS = tuple(
     path.read_bytes() for path in sorted(_ROOT.glob("tests/golden/icr/*.icr")) if path.stat().st_size < 2_000
 )

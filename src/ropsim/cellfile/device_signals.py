@@ -1,0 +1,90 @@
+"""The signals of all devices of a cell file together: each input is set once, and nothing follows itself."""
+
+from collections.abc import Iterator, Mapping
+
+from ropsim.cellfile.device_diagnostics import DEVICES_IN_A_CIRCLE, INPUT_SET_TWICE
+from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.cellfile.tomltext.words import cut
+from ropsim.model import BeltDrive, Device, IndexDrive, Signal, SwitchDrive
+
+Place = tuple[str, ...]
+"""Keys from the table of a device to a value."""
+
+
+def check_device_signals(
+    devices: Mapping[str, Device], tables: Mapping[str, TomlTable], signals: Mapping[str, Signal]
+) -> None:
+    """Note inputs that are set twice, and the first circle in which devices follow each other.
+
+    Args:
+        devices: of the cell, by name.
+        tables: where each one is described.
+        signals: of the cell, by name.
+    """
+    setters: dict[str, str] = {}
+    for name, device in devices.items():
+        for place, signal in _told(device):
+            if signal in setters:
+                again = "" if setters[signal] != name else " for something else"
+                _note_twice(tables[name], place, signal, f"is set by device `{cut(setters[signal])}`{again}")
+            elif signals[signal].changes:
+                _note_twice(tables[name], place, signal, "has `changes` of its own")
+            setters.setdefault(signal, name)
+    followed = {
+        name: [setters[signal] for signal in device.listens if signal in setters]
+        for name, device in devices.items()
+    }
+    ring = _ring(followed)
+    if ring:
+        table, (key, signal) = tables[ring[0]], _listened(devices[ring[0]])
+        way = " follows ".join(f"`{cut(name)}`" for name in (*ring, ring[0]))
+        hint = "follow an output, and let a program set it when the input says so"
+        table.findings.add(
+            DEVICES_IN_A_CIRCLE, table.value_span(key), f"{way}, by the input `{cut(signal)}`", hint
+        )
+
+
+def _note_twice(table: TomlTable, place: Place, signal: str, why: str) -> None:
+    hint = "give the device an input of its own"
+    table.findings.add(INPUT_SET_TWICE, table.value_span(*place), f"`{cut(signal)}` {why}", hint)
+
+
+def _told(device: Device) -> Iterator[tuple[Place, str]]:
+    """Yield the inputs that a device sets, with the places where they are named."""
+    places: tuple[tuple[Place, str], ...]
+    match device.drive:
+        case BeltDrive(barrier=barrier):
+            places = ((("stop", "signal"), barrier.signal if barrier else ""),)
+        case SwitchDrive(is_off=off, is_on=on):
+            places = ((("is_off",), off), (("is_on",), on))
+        case IndexDrive(in_place=in_place):
+            places = ((("in_place",), in_place),)
+    return ((place, signal) for place, signal in places if signal)
+
+
+def _listened(device: Device) -> tuple[str, str]:
+    """Return key and name of the signal that a device follows."""
+    (signal,) = device.listens
+    return ("run" if isinstance(device.drive, BeltDrive) else "signal"), signal
+
+
+def _ring(followed: Mapping[str, list[str]]) -> tuple[str, ...]:
+    """Return devices each of which follows the next, the last one the first; empty where none do.
+
+    A device follows one at most.
+    """
+    done: set[str] = set()
+    for start in followed:
+        way: dict[str, None] = {}
+        name = start
+        while name not in done and name not in way:
+            way[name] = None
+            above = followed[name]
+            if not above:
+                break
+            name = above[0]
+        if name in way and followed[name]:
+            names = tuple(way)
+            return names[names.index(name) :]
+        done.update(way)
+    return ()
