@@ -3,4 +3,5 @@
 from ropsim.cellfile.cell import read_cell as read_cell
 from ropsim.cellfile.places import mesh_in_cell_file as mesh_in_cell_file
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
+from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file
 from ropsim.cellfile.tomltext.values import toml_values as toml_values

@@ -4,16 +4,25 @@ from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.core import SourceText, Span
 
-_TABLES = ("locations", "frames", "tools", "signals")
+_TABLES = ("locations", "frames", "tools", "signals", "stations", "devices")
 
 
 def place_in_cell_file(text: SourceText, name: str) -> Span | None:
-    """Return where a location, frame, tool or signal is defined; None where the text names no such thing."""
+    """Return where a location, frame, tool, signal, station or device is defined; None where none is."""
     try:
         keys = positions(text).keys
     except (ValueError, RecursionError):
         return None
     return next((keys[table, name] for table in _TABLES if (table, name) in keys), None)
+
+
+def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
+    """Return where a valid cell file says what a station of `[stations]` runs; None without a text."""
+    if text is None:
+        return None
+    places = positions(text)
+    path = ("stations", station)
+    return places.value((*path, "program")) if (*path, "program") in places.keys else places.key(path)
 
 
 def mesh_in_cell_file(text: SourceText | None, file: str) -> Span | None:

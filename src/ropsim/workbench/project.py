@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim import icr
+from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
 from ropsim.model import ROBOT, Cell, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program
@@ -78,7 +79,7 @@ class Project:
             for name, text in self.sources.items()
         }
         found = [diagnostic for program in programs.values() for diagnostic in program.diagnostics]
-        return CompiledProject(programs, (*self.diagnostics, *found))
+        return CompiledProject(programs, (*self.diagnostics, *self._unwritten(), *found))
 
     def program(self, name: str | None = None) -> CompiledProgram:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.
@@ -121,10 +122,30 @@ class Project:
             wanted = next(iter(self.sources))
         text = self.sources.get(wanted)
         if text is None:
-            known = ", ".join(f"`{one}`" for one in sorted(self.sources)) or "none"
-            message = f"the project has no program `{wanted}`, it has {known}"
-            raise ProjectError(NO_PROGRAM.at(None, message, hint=did_you_mean(wanted, self.sources)))
+            raise ProjectError(self._missing(wanted, station if given is None else None))
         return compile_program(text, self.cell, station)
+
+    def _unwritten(self) -> tuple[Diagnostic, ...]:
+        """Return a finding for each station of `[stations]` that runs a program without a text."""
+        stations = self.cell.stations.values() if self.cell else ()
+        return tuple(
+            self._missing(station.program, station)
+            for station in stations
+            if station.name != ROBOT and station.program and station.program not in self.sources
+        )
+
+    def _missing(self, wanted: str, station: Station | None) -> Diagnostic:
+        """Return the finding that a program has no text; at the station that runs it, where one does."""
+        known = ", ".join(f"`{one}`" for one in sorted(self.sources)) or "none"
+        message, hint = (
+            f"the project has no program `{wanted}`, it has {known}",
+            did_you_mean(wanted, self.sources),
+        )
+        if station is None or station.name == ROBOT:
+            return NO_PROGRAM.at(None, message, hint=hint)
+        span = program_in_cell_file(self.cell_text, station.name)
+        hint = hint or f'write `programs/{wanted}.task`, or `program = ""` for a station that stands still'
+        return NO_PROGRAM.at(span, f"station `{station.name}` runs `{wanted}`: {message}", hint=hint)
 
     def simulate(
         self, program: str | None = None, options: "RunOptions | None" = None, *, strict: bool = False

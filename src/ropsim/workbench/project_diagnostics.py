@@ -25,7 +25,8 @@ NO_PROGRAM = define(
     "a program that the project does not have",
     """
 Programs are the files `programs/*.task` and `programs/*.icr`; their names are those of the files without the
-ending. Without a name, the program named in `[cell] program` runs, or else `main`.
+ending. Without a name, the program named in `[cell] program` runs, or else `main`; a station of `[stations]`
+runs its `program`, or else the one that has its name. A station with `program = ""` stands still.
 """,
 )
 

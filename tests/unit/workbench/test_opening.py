@@ -88,3 +88,32 @@ def test_a_copy_of_a_project_elsewhere_is_the_same_project(project: Path, tmp_pa
     copy = shutil.copytree(project, tmp_path / "copy")
     assert open_project(link).program().icr is not None
     assert open_project(copy).program().icr is not None
+
+
+def test_a_station_whose_program_has_no_text_is_told_at_its_place(project: Path) -> None:
+    (project / "cell.toml").write_text(
+        '[stations.left]\nrobot = "puma560"\nprogram = "mian"\n\n[stations.right]\nrobot = "scara"\n', "utf-8"
+    )
+    (project / "programs" / "main.task").write_text("program main\nmov home\n", "utf-8")
+    opened = open_project(project)
+    left, right = opened.compile().diagnostics
+    assert (left.code, right.code) == ("X844", "X844")
+    assert left.message == "station `left` runs `mian`: the project has no program `mian`, it has `main`"
+    assert "`main`" in left.hint
+    assert 'program = ""' in right.hint
+    assert [found.span.line for found in (left, right) if found.span] == [3, 5]
+    with pytest.raises(ProjectError) as caught:
+        opened.programs()
+    assert caught.value.diagnostic == left
+
+
+def test_a_station_without_a_program_stands_still(project: Path) -> None:
+    (project / "cell.toml").write_text(
+        '[stations.left]\nrobot = "scara"\nprogram = "main"\n'
+        '[stations.right]\nrobot = "scara"\nprogram = ""\n',
+        "utf-8",
+    )
+    (project / "programs" / "main.task").write_text("program main\nmov home\n", "utf-8")
+    opened = open_project(project)
+    assert opened.compile().diagnostics == ()
+    assert list(opened.programs()) == ["left"]
