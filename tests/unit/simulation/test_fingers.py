@@ -18,7 +18,7 @@ from ropsim.workbench import environment_of
 from support.cells import one_station
 
 ARM = robots.load("puma560")
-ROW = 0.07 * 0.004
+ROW = 0.04 / 0.25 * 0.004
 """How far the fingers go from one row of a recording to the next at most [m]."""
 DOWN = np.array([0.0, 1.0, 0.0, 0.0])
 X_MT = Pose(np.array([0.01, 0.0, 0.15]), np.array([0.9, 0.1, 0.2, 0.3]))
