@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.controller.law import CompiledLaw, LawTraits
 from ropsim.controller.law_gains import gain_rows
 from ropsim.dynamics import command_limit
-from ropsim.model import GAIN_NAMES, CascadedGains, ControllerModel, RobotModel
+from ropsim.model import GAIN_NAMES, CascadedGains, ControllerModel, Mechanism
 
 CASCADED_P_PI_SOURCE = '''\
 def law(par, state, ref, meas, load, aux, out):
@@ -26,7 +26,7 @@ def law(par, state, ref, meas, load, aux, out):
 '''
 
 
-def cascaded_p_pi(model: ControllerModel, robot: RobotModel) -> CompiledLaw:
+def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     """Return the cascaded P-PI law of a controller; see `model.CascadedGains` for the equations.
 
     Args:

@@ -22,7 +22,7 @@ from ropsim.dynamics import (
     structure_of,
     trace_loaded_inverse,
 )
-from ropsim.model import ComputedTorqueGains, ControllerModel, InputKind, RobotModel
+from ropsim.model import ComputedTorqueGains, ControllerModel, InputKind, Mechanism
 
 _KP, _KD, _LIMIT, _RATIO, _NUMBERS = range(5)
 """Rows of the parameters; from the last on stand the numbers of the arm, n in a row."""
@@ -31,7 +31,7 @@ _OPEN = 1e30
 """Stands for the limit of an amplifier that has none [N·m | N]."""
 
 
-def computed_torque(model: ControllerModel, robot: RobotModel) -> CompiledLaw:
+def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     """Return the computed-torque law of a controller; see `model.ComputedTorqueGains` for the equations.
 
     Args:

@@ -5,15 +5,15 @@ from collections.abc import Callable
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi
 from ropsim.controller.computed_torque import computed_torque
 from ropsim.controller.law import CompiledLaw
-from ropsim.model import ControllerKind, ControllerModel, RobotModel
+from ropsim.model import ControllerKind, ControllerModel, Mechanism
 
-LAWS: dict[ControllerKind, Callable[[ControllerModel, RobotModel], CompiledLaw]] = {
+LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw]] = {
     ControllerKind.CASCADED_P_PI: cascaded_p_pi,
     ControllerKind.COMPUTED_TORQUE: computed_torque,
 }
 
 
-def law_of(model: ControllerModel, robot: RobotModel) -> CompiledLaw:
+def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     """Return the law that a controller model asks for.
 
     Raises:

@@ -5,6 +5,7 @@ import numpy.typing as npt
 
 from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
+from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import arm_numbers, structure_of
 from ropsim.dynamics.traced_drives import drive_sides
 from ropsim.kinematics import NotFiniteError
@@ -130,6 +131,7 @@ def friction(robot: Mechanism, qd: npt.ArrayLike) -> Array:
         StateShapeError: `qd` has another shape.
         NotFiniteError: an array holds NaN or infinity.
     """
+    check_model(robot)
     speeds = _array("qd", qd, robot.n)
     against, _ = drive_sides(structure_of(robot), arm_numbers(robot))(speeds)
     return 0.0 - against

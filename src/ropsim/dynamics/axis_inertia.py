@@ -5,7 +5,7 @@ import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
 from ropsim.kinematics import frames_of_steps
-from ropsim.model import BASE_LINK, JointType, Mechanism, check_counts, joint_tree
+from ropsim.model import BASE_LINK, JointType, Mechanism, check_counts, check_open, joint_tree
 from ropsim.spatial import Array, Pose
 
 
@@ -26,6 +26,7 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
         MechanismError: the mechanism cannot be, or links or drives are missing.
     """
     check_counts(robot)
+    check_open(robot)
     tree, frames = joint_tree(robot), frames_of_steps(robot, Q)  # (k, m, 4, 4)
     k, n = len(frames), robot.n
     found = np.zeros((k, n, n))

@@ -12,6 +12,7 @@ from ropsim.model import (
     JointType,
     Mechanism,
     check_mechanism,
+    check_open,
     joint_tree,
     placement_matrices,
     pose_matrices,
@@ -64,8 +65,14 @@ class ChainArrays:
 
 @lru_cache(maxsize=64)
 def chain_arrays(robot: Mechanism) -> ChainArrays:
-    """Return the way to the interface of a robot as arrays; computed once per model."""
-    tree = tree_of(robot)
+    """Return the way to the interface of a robot as arrays; computed once per model.
+
+    Raises:
+        MechanismError: the mechanism cannot be, or has closed chains that are cut, whose passive coordinates
+            are no linear function of the axes.
+    """
+    check_open(robot)
+    tree = joint_tree(robot)
     way = list(tree.way(robot.interface_link))
     rotations, positions = placement_matrices(tree)
     R_nM, p_nM = pose_matrices(on_step(tree, robot.interface_link, robot.interface))

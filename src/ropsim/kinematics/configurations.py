@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ropsim.model import RobotModel
+from ropsim.model import Mechanism
 from ropsim.spatial import Array
 
 
-def configurations(robot: RobotModel, count: int) -> Array:
+def configurations(robot: Mechanism, count: int) -> Array:
     """Return configurations that fill the range of the joints evenly, shape (count, n) [rad | m].
 
     The additive recurrence of M. Roberts, 2018 (a generalised golden ratio): point k has coordinate i at

@@ -4,7 +4,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
-from ropsim.kinematics.tree_arrays import TreeArrays, moved_steps, step_frames, tree_arrays
+from ropsim.kinematics.closure import step_frames
+from ropsim.kinematics.tree_arrays import TreeArrays, moved_steps, tree_arrays
 from ropsim.model import BASE_LINK, Mechanism
 from ropsim.spatial import Array, Pose
 
@@ -37,6 +38,8 @@ def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """
     from ropsim.kinematics.forward_kernel import forward_rows
 
+    if robot.cuts:
+        return np.ascontiguousarray(frames_batch(robot, Q)[:, -1])
     chain = chain_arrays(robot)
     rows = np.ascontiguousarray(chain.steps(joint_rows(robot, Q)))
     out = np.empty((len(rows), 4, 4))

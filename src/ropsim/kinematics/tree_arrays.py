@@ -4,9 +4,35 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.kinematics.arrays import tree_of
-from ropsim.model import BASE_LINK, JointType, Mechanism, placement_matrices
+from ropsim.kinematics.arrays import on_step, tree_of
+from ropsim.model import (
+    ALL_DIRECTIONS,
+    BASE_LINK,
+    JointTree,
+    JointType,
+    Mechanism,
+    placement_matrices,
+)
 from ropsim.spatial import Array, Pose, frozen, record
+
+
+@record
+class Loops:
+    """Closed chains that are cut, and the p coordinates that they determine.
+
+    Attributes:
+        P: coordinates of the steps for those, shape (m, p).
+        home: coordinates of the axes where the search begins [rad | m], shape (n,).
+        carriers: the two steps that each cut holds together, -1 for the base.
+        frames: the two frames in those of their steps, shape (cuts, 2, 4, 4).
+        held: directions that are held, 1.0 or 0.0: along x, y, z and about them, shape (cuts, 6).
+    """
+
+    P: Array
+    home: Array
+    carriers: tuple[tuple[int, int], ...]
+    frames: Array
+    held: Array
 
 
 @record
@@ -26,6 +52,7 @@ class TreeArrays:
         moved: numbers of the links whose frame is not that of their step.
         interface: number of the link that carries the interface.
         X_LM: interface in the frame of that link, shape (4, 4).
+        loops: what closes loops; None without any.
     """
 
     R: Array
@@ -40,6 +67,7 @@ class TreeArrays:
     moved: tuple[int, ...]
     interface: int
     X_LM: Array
+    loops: Loops | None
 
     def steps(self, rows: Array) -> Array:
         """Return the coordinates of the steps for those of the axes, shape (count, m) for (count, n)."""
@@ -64,12 +92,30 @@ def tree_arrays(mechanism: Mechanism) -> TreeArrays:
         moved=tuple(number for number, X in enumerate(tree.X_SL) if Pose() != X),
         interface=mechanism.interface_link,
         X_LM=frozen(mechanism.interface.matrix()),
+        loops=_loops(mechanism, tree),
     )
 
 
-def step_frames(tree: TreeArrays, rows: Array) -> Array:
-    """Return the frames of all steps in the base frame for axes at rows (k, n), shape (k, m, 4, 4)."""
-    frames = moved_steps(tree.R, tree.p, tree.slides, tree.steps(rows) + tree.offset)
+def _loops(mechanism: Mechanism, tree: JointTree) -> Loops | None:
+    if not mechanism.cuts:
+        return None
+    ends = [((cut.first, cut.X_first), (cut.second, cut.X_second)) for cut in mechanism.cuts]
+    return Loops(
+        P=tree.P,
+        home=mechanism.home,
+        carriers=tuple((_carrier(tree, one[0]), _carrier(tree, other[0])) for one, other in ends),
+        frames=frozen([[on_step(tree, link, X).matrix() for link, X in pair] for pair in ends]),
+        held=frozen([[float(one in cut.held) for one in ALL_DIRECTIONS] for cut in mechanism.cuts]),
+    )
+
+
+def _carrier(tree: JointTree, link: int) -> int:
+    return BASE_LINK if link == BASE_LINK else tree.carriers[link]
+
+
+def placed_steps(tree: TreeArrays, moved: Array) -> Array:
+    """Return the frames of all steps in the base frame for steps moved by (k, m), shape (k, m, 4, 4)."""
+    frames = moved_steps(tree.R, tree.p, tree.slides, moved + tree.offset)
     for i, parent in enumerate(tree.parents):
         if parent != BASE_LINK:
             frames[:, i] = frames[:, parent] @ frames[:, i]

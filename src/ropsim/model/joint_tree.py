@@ -34,6 +34,7 @@ class JointTree:
         offsets: added to the coordinates [rad | m].
         T: coordinates of the steps are T·q + c, shape (m, n).
         c: shape (m,) [rad | m].
+        P: the same for the coordinates that closed chains determine, shape (m, p); they are added to T·q + c.
         carriers: step that each link rides on, -1 for the base.
         X_SL: frame of each link in that of its step.
         parallel: whether step i is axis i, as in an arm without couplings: T is 1 and c is 0.
@@ -45,6 +46,7 @@ class JointTree:
     offsets: tuple[float, ...]
     T: Array
     c: Array
+    P: Array
     carriers: tuple[int, ...]
     X_SL: tuple[Pose, ...]
     parallel: bool
@@ -76,7 +78,7 @@ def joint_tree(mechanism: Mechanism) -> JointTree:
     rows: list[Array] = []
     carriers: list[int] = []
     X_SL: list[Pose] = []
-    whole = np.column_stack((made.T, made.c))
+    whole = np.column_stack((made.T, made.P, made.c))
     for number, joint in enumerate(mechanism.joints):
         on_base = joint.parent == BASE_LINK
         step = BASE_LINK if on_base else carriers[joint.parent]
@@ -91,9 +93,10 @@ def joint_tree(mechanism: Mechanism) -> JointTree:
             step, placement, rest = len(types) - 1, back, back
         carriers.append(step)
         X_SL.append(placement if joint.type is JointType.FIXED else rest)
-    table = np.array(rows).reshape(len(rows), mechanism.n + 1)
-    T, c = table[:, :-1], table[:, -1]
-    parallel = T.shape == (mechanism.n,) * 2 and bool((np.eye(mechanism.n) == T).all()) and not c.any()
+    table = np.array(rows).reshape(len(rows), whole.shape[1])
+    T, P, c = table[:, : mechanism.n], table[:, mechanism.n : -1], table[:, -1]
+    alone = not P.size and not c.any()
+    parallel = alone and T.shape == (mechanism.n,) * 2 and bool((np.eye(mechanism.n) == T).all())
     return JointTree(
         tuple(types),
         tuple(parents),
@@ -101,6 +104,7 @@ def joint_tree(mechanism: Mechanism) -> JointTree:
         tuple(offsets),
         frozen(T),
         frozen(c),
+        frozen(P),
         tuple(carriers),
         tuple(X_SL),
         parallel,

@@ -41,7 +41,7 @@ def check_counts(mechanism: Mechanism) -> None:
 
 
 def check_open(mechanism: Mechanism) -> None:
-    """Make sure that the dynamics of a mechanism can be computed: it has no closed chains that are cut.
+    """Make sure that a mechanism can be moved by a controller: it has no closed chains that are cut.
 
     Raises:
         MechanismError: it has, or `check_mechanism` has something against it.

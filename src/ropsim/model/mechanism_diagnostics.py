@@ -135,11 +135,11 @@ LOOP_NOT_SIMULATED = define(
     "X839",
     "loop-not-simulated",
     Severity.ERROR,
-    "the dynamics of a closed chain that is cut are not computed yet",
+    "a closed chain that is cut can be placed, but not moved by a controller yet",
     """
-Closed chains with `LoopCut`s are described and drawn, with the coordinates that their loop determines at
-zero. Their equations of motion are not computed, so the mechanism cannot be simulated. A chain whose
-coordinates are linear functions of the axes, such as a parallelogram, is described by couplings and simulated
-exactly.
+The bodies of closed chains with `LoopCut`s are placed and drawn, their passive coordinates found from the
+axes. Jacobian, inverse kinematics and equations of motion of such a mechanism are not computed, so it cannot
+be simulated. A chain whose coordinates are linear functions of the axes, such as a parallelogram, is
+described by couplings and simulated exactly.
 """,
 )

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from ropsim.model import ControllerModel, Rates, RobotModel
+from ropsim.model import ControllerModel, Mechanism, Rates, RobotModel
 from ropsim.robots import palletizer, puma560, scara, two_link
 from ropsim.robots.diagnostics import UnknownRobotError
 from ropsim.robots.standard_controller import standard_controller
@@ -37,7 +37,7 @@ def load(name: str) -> RobotModel:
     return _MODELS[name]()
 
 
-def default_controller(robot: str | RobotModel, rates: Rates = STANDARD_RATES) -> ControllerModel:
+def default_controller(robot: str | Mechanism, rates: Rates = STANDARD_RATES) -> ControllerModel:
     """Return the standard controller of a robot, its gains derived from the model.
 
     Args:
@@ -53,5 +53,5 @@ def default_controller(robot: str | RobotModel, rates: Rates = STANDARD_RATES) -
 
 
 @lru_cache(maxsize=16)
-def _controller(robot: RobotModel, rates: Rates) -> ControllerModel:
+def _controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     return standard_controller(robot, rates)

@@ -18,10 +18,10 @@ from ropsim.model import (
     ControllerModel,
     Drive,
     InputKind,
+    Mechanism,
     ParameterOrigin,
     PathDefaults,
     Rates,
-    RobotModel,
 )
 from ropsim.robots.diagnostics import NoControllerError
 from ropsim.spatial import Array, frozen, record
@@ -69,7 +69,7 @@ class LoopBandwidths:
     integral: Array
 
 
-def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
+def standard_bandwidths(robot: Mechanism, rates: Rates) -> LoopBandwidths:
     """Return the bandwidths that motors, control rate and couplings of an arm allow.
 
     Raises:
@@ -84,7 +84,7 @@ def standard_bandwidths(robot: RobotModel, rates: Rates) -> LoopBandwidths:
     return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
 
 
-def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
+def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
     """Return gains that give an arm with drives its standard bandwidths.
 
     Below its electrical pole, the drive of a joint with inertia M takes u = ka·q̈ + ke·q̇; for a DC motor
@@ -117,14 +117,14 @@ def standard_gains(robot: RobotModel, rates: Rates) -> CascadedGains:
 
 
 @lru_cache(maxsize=16)
-def _inertias(robot: RobotModel) -> tuple[Array, Array]:
+def _inertias(robot: Mechanism) -> tuple[Array, Array]:
     """Return for which inertia each axis is designed, and the least that it has while the others are free."""
     Q = configurations(robot, SAMPLES)
     inertias = axis_inertias(robot, Q)
     return np.sqrt(inertias.min(axis=0) * inertias.max(axis=0)), free_inertias(robot, Q).min(axis=0)
 
 
-def standard_torque_gains(robot: RobotModel, rates: Rates) -> ComputedTorqueGains:
+def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains:
     """Return gains that let the error of every axis die out as fast as the control rate allows.
 
     ë + 2ω·ė + ω²·e = 0 with ω = `TORQUE_SHARE` times the control rate: critically damped.
@@ -133,7 +133,7 @@ def standard_torque_gains(robot: RobotModel, rates: Rates) -> ComputedTorqueGain
     return ComputedTorqueGains(kp=rate**2, kd=2.0 * rate)
 
 
-def standard_controller(robot: RobotModel, rates: Rates) -> ControllerModel:
+def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     """Return the standard controller of an arm with drives.
 
     Raises:
@@ -172,7 +172,7 @@ def _torque_statement(rates: Rates) -> str:
     )
 
 
-def _statement(robot: RobotModel, rates: Rates) -> str:
+def _statement(robot: Mechanism, rates: Rates) -> str:
     bandwidths = standard_bandwidths(robot, rates)
     speed, position, integral = (
         _range(values) for values in (bandwidths.speed, bandwidths.position, bandwidths.integral)
