@@ -106,6 +106,9 @@ def frames_of(chain: ChainArrays, rows: Array) -> Array:
 def _link_frames(tree: TreeArrays, rows: Array) -> Array:
     """Return the frames of all links and of the interface, shape (k, links + 1, 4, 4)."""
     frames = step_frames(tree, rows)
+    if tree.direct and tree.interface != BASE_LINK:
+        last = frames[:, tree.interface] @ tree.X_LM
+        return np.concatenate((frames, last[:, np.newaxis]), axis=1)
     links = np.empty((len(rows), len(tree.carriers) + 1, 4, 4))
     for number, step in enumerate(tree.carriers):
         links[:, number] = np.eye(4) if step == BASE_LINK else frames[:, step]

@@ -50,6 +50,7 @@ class TreeArrays:
         carriers: step that each link rides on, -1 for the base.
         X_SL: frame of each link in that of its step, shape (k, 4, 4).
         moved: numbers of the links whose frame is not that of their step.
+        direct: whether link i is step i, and its frame that of the step.
         interface: number of the link that carries the interface.
         X_LM: interface in the frame of that link, shape (4, 4).
         loops: what closes loops; None without any.
@@ -65,6 +66,7 @@ class TreeArrays:
     carriers: tuple[int, ...]
     X_SL: Array
     moved: tuple[int, ...]
+    direct: bool
     interface: int
     X_LM: Array
     loops: Loops | None
@@ -79,6 +81,7 @@ def tree_arrays(mechanism: Mechanism) -> TreeArrays:
     """Return the steps of a mechanism as arrays; computed once per model."""
     tree = tree_of(mechanism)
     R, p = placement_matrices(tree)
+    moved = tuple(number for number, X in enumerate(tree.X_SL) if Pose() != X)
     return TreeArrays(
         R=frozen(R),
         p=frozen(p),
@@ -89,7 +92,8 @@ def tree_arrays(mechanism: Mechanism) -> TreeArrays:
         parallel=tree.parallel,
         carriers=tree.carriers,
         X_SL=frozen(np.array([X.matrix() for X in tree.X_SL]).reshape(-1, 4, 4)),
-        moved=tuple(number for number, X in enumerate(tree.X_SL) if Pose() != X),
+        moved=moved,
+        direct=tree.carriers == tuple(range(tree.m)) and not moved,
         interface=mechanism.interface_link,
         X_LM=frozen(mechanism.interface.matrix()),
         loops=_loops(mechanism, tree),
