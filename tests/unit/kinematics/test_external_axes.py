@@ -106,3 +106,16 @@ def test_a_joint_that_follows_track_and_arm_is_refused() -> None:
     )
     with pytest.raises(MechanismError, match="X829"):
         inverse(mixed, forward(mixed, mixed.home))
+
+
+def test_an_arm_on_a_table_on_a_track_is_solved_where_its_base_is() -> None:
+    turning = on_track(PUMA, TABLE, Pose(np.array([0.3, 0.1, 0.0])))
+    whole = on_track(turning, robots.linear_track(4.0))
+    assert [joint.name for joint in whole.axis_joints][6:] == ["E1", "E2"]
+    q = np.array([*PUMA.home, 1.1, 0.8])
+    found = inverse(whole, forward(whole, q), IkOptions(near=frozen(q)))
+    assert np.abs(found.solutions - q).max(axis=1).min() < ROUNDING
+    rows = inverse_batch(whole, forward_batch(whole, q[np.newaxis]), q)[0]
+    reached = forward_batch(whole, rows[~np.isnan(rows[:, 0])])
+    expected = np.tile(forward(whole, q).matrix(), (len(reached), 1, 1))
+    np.testing.assert_allclose(reached, expected, rtol=0, atol=ROUNDING)
