@@ -1,4 +1,4 @@
-"""Cells with thousands of parts: reading the file with all that is looked at in it, the start of a run."""
+"""Cells with thousands of parts and many stations: reading the file, the start of a run."""
 
 from typing import Any
 
@@ -16,6 +16,7 @@ from ropsim.simulation.standing import stood
 PARTS, ROW = 5000, 70
 ROBOT = '[robot]\nmodel = "puma560"\n'
 TABLE = ROBOT + '[[objects]]\nname = "table"\nposition = [0, 0, 700]\nsize = [9000, 9000, 50]\n'
+MOVES = 'signal = "go"\nstep = 90\nspeed = 90\nacceleration = 400\n'
 PART = '[[parts]]\nname = "p{k}"\nsize = [50, 50, 50]\nmass = 0.1\nposition = [{x}, {y}, {z}]\n'
 
 
@@ -26,6 +27,18 @@ def crowded() -> SourceText:
     )
     parts = (PART.format(k=k, x=x, y=y, z=z) for k, (x, y, z) in enumerate(places))
     return SourceText("cell.toml", TABLE + "".join(parts))
+
+
+def busy() -> SourceText:
+    """Return the same with 50 robots and 50 turntables around the parts."""
+    base = "base = {{ position = [{}, {}, 500] }}\n"
+    stations = (f'[stations.s{k}]\nrobot = "puma560"\n{base.format(1000 * k, 6000)}' for k in range(50))
+    devices = (
+        f'[devices.d{k}]\nkind = "turntable"\n{base.format(1000 * k, 8000)}diameter = 300\n{MOVES}'
+        for k in range(50)
+    )
+    rest = crowded().text.removeprefix(ROBOT)
+    return SourceText("cell.toml", "".join((*stations, *devices, "[signals.go]\noutput = 1\n", rest)))
 
 
 def cell_of(text: SourceText) -> Cell:
@@ -40,6 +53,14 @@ def test_a_cell_of_5000_parts_opens(benchmark: Any) -> None:
     measure = Measure(benchmark)
     text = crowded()
     _, time_ = measure(lambda: cell_of(text))
+    measure.figure("s to open", time_.best, most=2.0)
+
+
+def test_a_cell_of_50_stations_50_devices_and_5000_parts_opens(benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    text = busy()
+    cell, time_ = measure(lambda: cell_of(text))
+    measure.figure("stations", len(cell.stations), least=50, most=50)
     measure.figure("s to open", time_.best, most=2.0)
 
 

@@ -94,15 +94,14 @@ class TomlTable:
             self.wrong_type(steps, value, "a number")
             return default
         found = float_of(value)
-        span = self.value_span(*steps)
         if isinstance(value, float) and not math.isfinite(found):
             message = f"{self._name(steps)} is `{found}`, needed is a number"
-            self.findings.add(kinds.VALUE_NOT_FINITE, span, message)
+            self.findings.add(kinds.VALUE_NOT_FINITE, self.value_span(*steps), message)
             return default
         if not quantity.low <= found * quantity.scale <= quantity.high:
             message = f"{self._name(steps)} is {quantity.show(found)}, allowed is {quantity.allowed}"
             hint = "are the units in `[units]` the ones you mean?" if quantity.scale != 1.0 else ""
-            self.findings.add(kinds.VALUE_OUT_OF_RANGE, span, message, hint)
+            self.findings.add(kinds.VALUE_OUT_OF_RANGE, self.value_span(*steps), message, hint)
             return default
         return found * quantity.scale
 

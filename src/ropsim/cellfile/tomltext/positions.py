@@ -5,8 +5,9 @@ The text must be valid TOML: what `tomllib` accepts is walked through once more,
 
 import tomllib
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 from ropsim.core import SourceText, Span
 
@@ -48,19 +49,41 @@ def positions(source: SourceText) -> Positions:
     text = "\n".join(source.lines)
     walk = _Walk(text)
     walk.document()
-    starts = [0, *(k + 1 for k, character in enumerate(text) if character == "\n")]
+    starts = (0, *accumulate(len(line) + 1 for line in source.lines))
+    keys, values = (_Spans(source, text, starts, found) for found in (walk.keys, walk.values))
+    return Positions(keys, values, source.span(1))
 
-    def span(stretch: tuple[int, int]) -> Span:
-        start, end = stretch
-        line = bisect_right(starts, start)
-        line_end = start + len(text[start:end].split("\n", 1)[0])
-        return source.span(line, start - starts[line - 1] + 1, line_end - start)
 
-    return Positions(
-        {path: span(stretch) for path, stretch in walk.keys.items()},
-        {path: span(stretch) for path, stretch in walk.values.items()},
-        source.span(1),
-    )
+@dataclass(frozen=True, slots=True, eq=False)
+class _Spans(Mapping[Path, Span]):
+    """Spans by path, made when they are asked for: most of a file is never pointed to.
+
+    Attributes:
+        source: the text with its name.
+        text: its lines, joined.
+        starts: offset of each line.
+        stretches: offsets of start and end by path.
+    """
+
+    source: SourceText
+    text: str
+    starts: tuple[int, ...]
+    stretches: Mapping[Path, tuple[int, int]]
+
+    def __getitem__(self, path: Path) -> Span:
+        start, end = self.stretches[path]
+        line = bisect_right(self.starts, start)
+        first, _, _ = self.text[start:end].partition("\n")
+        return self.source.span(line, start - self.starts[line - 1] + 1, len(first))
+
+    def __contains__(self, path: object) -> bool:
+        return path in self.stretches
+
+    def __iter__(self) -> Iterator[Path]:
+        return iter(self.stretches)
+
+    def __len__(self) -> int:
+        return len(self.stretches)
 
 
 @dataclass(slots=True)
