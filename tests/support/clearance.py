@@ -71,7 +71,7 @@ def nearest(cell: Cell, recording: Recording, keep: Clearances) -> list[tuple[Ne
             found.append((Nearness(gap, track.name, block.name, float(time[row])), least))
 
     always = np.ones(len(time), dtype=bool)
-    for link, track in _links(frames):
+    for link, track in arm_tracks(frames):
         for block in [*fixed, *(base if link > 2 else [])]:
             look(track, block, always, keep.links)
         for block, lies in resting:
@@ -94,7 +94,8 @@ def nearest(cell: Cell, recording: Recording, keep: Clearances) -> list[tuple[Ne
     return sorted(found, key=lambda pair: pair[0])
 
 
-def _links(frames: Array) -> Iterator[tuple[int, Track]]:
+def arm_tracks(frames: Array) -> Iterator[tuple[int, Track]]:
+    """Yield number and capsules of the links of a PUMA 560 that have the poses (k, 6, 4, 4)."""
     always = np.ones(len(frames), dtype=bool)
     for number, capsules in enumerate(PUMA_CAPSULES, start=1):
         for one in capsules:

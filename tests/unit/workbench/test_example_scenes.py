@@ -32,7 +32,7 @@ def rests(cell: Cell, bottom: Array) -> bool:
     return False
 
 
-@pytest.mark.parametrize("name", ["first_cell", "operator", "palletizing"])
+@pytest.mark.parametrize("name", ["first_cell", "operator", "palletizing", "track_and_table"])
 def test_every_part_lies_on_something(name: str) -> None:
     cell = cell_of(name)
     floating = [
