@@ -274,3 +274,23 @@ def _lagging(command: Array, rate: float) -> Array:
 def empty_recording() -> Recording:
     """Return a recording without a sample, an event or a fact."""
     return Recording(np.empty(0), {}, (), (), 0.0)
+
+
+def two_stations(passes: int = 1) -> Recording:
+    """Return a run in which `left` and, a second later, `right` do the same beside a belt."""
+    one = pick_and_place(passes)
+    late = tuple(replace(event, time=event.time + 1.0) for event in one.events)
+    channels: dict[str, Channel] = {}
+    for name in ("left", "right"):
+        for quantity, channel in one.channels.items():
+            if channel.group is not ChannelGroup.SIGNALS:
+                channels[f"{name}/{quantity}"] = replace(channel, subject=name)
+    channels |= {name: one.channels[name] for name in one.channels if name.startswith("signal.")}
+    way = np.minimum(0.2 * one.time, 0.5)[:, None]
+    channels["infeed/q"] = Channel(
+        way, "m", ("1",), "coordinate of the device", ChannelGroup.DEVICES, "infeed"
+    )
+    events = [replace(event, station="left") for event in one.events]
+    events += [replace(event, station="right") for event in late]
+    about = facts(stations=(station(name="left"), station(name="right", program="other")))
+    return replace(one, channels=channels, events=tuple(sorted(events, key=lambda e: e.time)), facts=about)

@@ -22,6 +22,7 @@ class Settling:
         time: when that settling began [s]; NaN without moves.
         line: source line of that move, 0 where unknown.
         visit: its loop pass, 0 where unknown.
+        station: name of the station that made it; empty where unknown.
     """
 
     total: float = 0.0
@@ -31,6 +32,7 @@ class Settling:
     time: float = math.nan
     line: int = 0
     visit: int = 0
+    station: str = ""
 
 
 def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
@@ -38,7 +40,7 @@ def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
 
     Args:
         events: of a run.
-        cycle_time: of the run [s].
+        cycle_time: of the run [s]; of several stations together the sum of theirs.
     """
     moves = [event for event in events if isinstance(event, MoveEvent) and math.isfinite(event.settle)]
     if not moves:
@@ -53,4 +55,5 @@ def settling_of(events: Iterable[Event], cycle_time: float) -> Settling:
         longest.end - longest.settle,
         longest.line,
         longest.visit,
+        longest.station,
     )

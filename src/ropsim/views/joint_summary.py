@@ -48,6 +48,7 @@ class JointSummary:
     """One joint in one run.
 
     Attributes:
+        station: name of the station whose joint it is.
         name: of the joint, with several stations that of its station before it.
         facts: name, type and limits.
         effort: largest torque or force at the joint [N·m | N].
@@ -59,6 +60,7 @@ class JointSummary:
         following_rms: root of its mean square [rad | m].
     """
 
+    station: str
     name: str
     facts: AxisFacts
     effort: Peak
@@ -134,6 +136,7 @@ def _of_station(station: StationView) -> tuple[JointSummary, ...]:
     q, qd, tau, current, error = map(station.joints, ("q", "qd", "tau", "current", "q_error"))
     return tuple(
         JointSummary(
+            station.facts.name,
             station.label(facts.name),
             facts,
             effort=station.peak(tau[:, k]),

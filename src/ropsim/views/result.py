@@ -44,6 +44,7 @@ def _settling(settling: Settling) -> dict[str, object]:
         "total": settling.total,
         "share": settling.share,
         "time": settling.time if waited else None,
+        "station": settling.station if waited else "",
         "line": settling.line if waited else 0,
     }
 
@@ -52,7 +53,8 @@ def _peak(joint: JointSummary, share: float, peak: Peak, closeness: Closeness) -
     return {
         "share": share,
         "closeness": closeness.value,
-        "joint": joint.name,
+        "station": joint.station,
+        "joint": joint.facts.name,
         "line": peak.line,
         "time": peak.time,
     }
@@ -63,7 +65,8 @@ def _margin(joint: JointSummary) -> dict[str, object]:
     return {
         "margin": near.margin,
         "unit": "rad" if joint.facts.type is AxisType.REVOLUTE else "m",
-        "joint": joint.name,
+        "station": joint.station,
+        "joint": joint.facts.name,
         "side": near.side,
         "line": near.line,
         "time": near.time,
@@ -71,4 +74,4 @@ def _margin(joint: JointSummary) -> dict[str, object]:
 
 
 def _path_error(move: PathMove) -> dict[str, object]:
-    return {"max": move.max_error, "line": move.line, "time": move.time}
+    return {"max": move.max_error, "station": move.station, "line": move.line, "time": move.time}

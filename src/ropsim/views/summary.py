@@ -1,18 +1,12 @@
 """The figures of a run on one page: what `ropsim run` prints and the report shows first."""
 
-import math
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-
-import numpy as np
 
 from ropsim.core import Diagnostic, Severity
 from ropsim.flow import (
     Destinations,
-    Event,
     GripEvent,
-    MoveEvent,
     ParameterOrigin,
     Recording,
     ReleaseEvent,
@@ -21,15 +15,21 @@ from ropsim.flow import (
     SkipEvent,
     settling_of,
 )
-from ropsim.views.channels import invalid_samples, station_views
+from ropsim.views.channels import invalid_samples
+from ropsim.views.device_summary import DeviceSummary, summarize_devices
 from ropsim.views.findings import FindingGroup, group_findings
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
+from ropsim.views.station_summary import (
+    StationSummary,
+    end_of,
+    moves_by_kind,
+    share_in_motion,
+    summarize_stations,
+)
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
 from ropsim.views.unchecked import Unchecked, unchecked
 
-MOVING = 1e-6
-"""Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
 STOPPED_BY_HAND = "S761"
 """Code of the finding of a live run that did not come to the program's end."""
 
@@ -41,14 +41,14 @@ class Summary:
     Attributes:
         facts: who ran what on which arm.
         duration: simulated time [s].
-        cycle_time: end of the last motion or instruction [s].
+        cycle_time: end of the last motion or instruction of all stations [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
         grips: number of times a part or nothing was gripped.
         releases: number of times the gripper was opened.
         skipped: moves that were refused and left out; with any, the cycle time is not valid.
         share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
             (m/s for a sliding joint); NaN where unknown.
-        settling: what settling after moves cost.
+        settling: what settling after moves cost, as a share of the cycle times of all stations together.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the straight moves.
@@ -58,6 +58,8 @@ class Summary:
         invalid_samples: number of samples of q, qd and tau that are not finite.
         unchecked: what all this leaves open.
         destinations: how many parts are at their destinations; None where no part has one.
+        stations: the figures of each one; those above are of all together.
+        devices: what they did.
     """
 
     facts: RunFacts
@@ -78,6 +80,8 @@ class Summary:
     invalid_samples: int
     unchecked: Unchecked
     destinations: Destinations | None = None
+    stations: tuple[StationSummary, ...] = ()
+    devices: tuple[DeviceSummary, ...] = ()
 
     @property
     def title(self) -> str:
@@ -113,8 +117,9 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         recording: of the run.
         before: findings of reading and compiling; they count as those of the run do.
     """
-    events = recording.events
-    cycle_time = max((event.end for event in events), default=0.0)
+    events, stations = recording.events, summarize_stations(recording)
+    cycle_time = end_of(events)
+    whole = stations[0] if len(stations) == 1 else None
     findings = (*before, *recording.findings)
     groups = group_findings(findings)
     severities = [finding.severity for finding in findings]
@@ -122,33 +127,21 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         facts=recording.facts,
         duration=recording.duration,
         cycle_time=cycle_time,
-        moves=_moves_by_kind(events),
+        moves=moves_by_kind(events),
         grips=sum(isinstance(event, GripEvent) for event in events),
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
-        share_in_motion=_share_in_motion(recording, cycle_time),
-        settling=settling_of(events, cycle_time),
-        tasks=summarize_tasks(recording),
-        joints=summarize_joints(recording),
-        path=summarize_path(recording),
+        share_in_motion=share_in_motion(recording, cycle_time),
+        settling=settling_of(events, sum(one.cycle_time for one in stations) or cycle_time),
+        tasks=whole.tasks if whole else summarize_tasks(recording),
+        joints=whole.joints if whole else summarize_joints(recording),
+        path=whole.path if whole else summarize_path(recording),
         findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),
         invalid_samples=invalid_samples(recording),
         unchecked=unchecked(recording.facts, events),
         destinations=recording.facts.destinations if recording.facts.destinations.wanted else None,
+        stations=stations,
+        devices=summarize_devices(recording),
     )
-
-
-def _moves_by_kind(events: tuple[Event, ...]) -> dict[str, int]:
-    counts = Counter(event.motion.value for event in events if isinstance(event, MoveEvent))
-    return dict(sorted(counts.items(), reverse=True))
-
-
-def _share_in_motion(recording: Recording, cycle_time: float) -> float:
-    """Return the share of the rows up to the cycle time in which a joint of any station is moving."""
-    speeds = [station.joints("qd_ref") for station in station_views(recording)]
-    rows = np.hstack(speeds)[recording.time <= cycle_time] if speeds else np.empty((0, 0))
-    if not np.any(np.isfinite(rows)):
-        return math.nan
-    return float(np.mean(np.any(np.abs(rows) > MOVING, axis=1)))

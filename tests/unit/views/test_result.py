@@ -5,7 +5,7 @@ import pytest
 
 from ropsim.flow import AxisFacts, AxisType, Channel, MotionKind, MoveEvent, SkipEvent
 from ropsim.views import result_figures, summarize, verdict
-from support.recordings import empty_recording, facts, pick_and_place, station, two_findings
+from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 
 def test_verdict_counts_and_the_line_beside_it_are_those_of_the_summary() -> None:
@@ -77,13 +77,14 @@ def test_settling_leads_to_the_longest_wait() -> None:
         "total": summary.settling.total,
         "share": summary.settling.share,
         "time": pytest.approx(slow.time + slow.duration - 0.05),
+        "station": slow.station,
         "line": slow.line,
     }
 
 
 def test_a_run_that_never_settles_has_no_place_of_settling() -> None:
     settling = result_figures(summarize(empty_recording()))["settling"]
-    assert settling == {"total": 0.0, "share": 0.0, "time": None, "line": 0}
+    assert settling == {"total": 0.0, "share": 0.0, "time": None, "station": "", "line": 0}
 
 
 def test_a_skipped_move_makes_the_cycle_time_not_valid() -> None:
@@ -98,3 +99,16 @@ def test_figures_that_a_run_does_not_know_are_nothing() -> None:
     result = result_figures(summarize(empty_recording()))
     for name in ("peak_torque", "peak_speed", "closest_limit", "path_error"):
         assert result[name] is None
+
+
+def test_figures_of_several_stations_name_the_one_that_they_are_of() -> None:
+    recording = two_stations()
+    tau = np.zeros_like(recording.channels["right/tau"].values)
+    tau[9, 4] = 20.0
+    channels = {**recording.channels, "right/tau": Channel(tau, "N·m")}
+    result = result_figures(summarize(replace(recording, channels=channels)))
+    peak, path = result["peak_torque"], result["path_error"]
+    assert isinstance(peak, dict)
+    assert isinstance(path, dict)
+    assert (peak["station"], peak["joint"]) == ("right", "5")
+    assert path["station"] in ("left", "right")

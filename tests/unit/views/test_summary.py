@@ -4,7 +4,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import Channel, MotionKind, MoveEvent, Recording, RunFacts, SkipEvent, TaskEvent, WaitEvent
+from ropsim.flow import (
+    AxisType,
+    Channel,
+    MotionKind,
+    MoveEvent,
+    Recording,
+    RunFacts,
+    SkipEvent,
+    TaskEvent,
+    WaitEvent,
+)
 from ropsim.views import summarize
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
@@ -172,3 +182,41 @@ def test_several_stations_are_told_apart_by_their_names() -> None:
     ]
     assert summary.title == "palletizing / main / other"
     assert summary.share_in_motion == alone.share_in_motion
+
+
+def test_each_of_several_stations_has_the_figures_that_it_has_alone() -> None:
+    alone, summary = summarize(pick_and_place(2)), summarize(two_stations(2))
+    left, right = summary.stations
+    assert [one.facts.name for one in summary.stations] == ["left", "right"]
+    for one in (left, right):
+        assert [joint.name for joint in one.joints] == ["1", "2", "3", "4", "5", "6"]
+        assert [joint.effort for joint in one.joints] == [joint.effort for joint in alone.joints]
+        assert (one.moves, one.grips, one.releases) == (alone.moves, alone.grips, alone.releases)
+        assert [task.name for task in one.tasks] == [task.name for task in alone.tasks]
+        assert one.path.max_error == alone.path.max_error
+    assert left.settling.total == right.settling.total == alone.settling.total
+    assert left.cycle_time == alone.cycle_time
+    assert right.cycle_time == pytest.approx(alone.cycle_time + 1.0, abs=ROUNDING)
+    assert summary.cycle_time == right.cycle_time
+
+
+def test_settling_of_several_stations_is_a_share_of_their_times_together() -> None:
+    summary = summarize(two_stations())
+    together = sum(one.settling.total for one in summary.stations)
+    times = sum(one.cycle_time for one in summary.stations)
+    assert summary.settling.total == pytest.approx(together, abs=ROUNDING)
+    assert summary.settling.share == pytest.approx(together / times, abs=ROUNDING)
+
+
+def test_a_station_alone_is_the_whole_run() -> None:
+    summary = summarize(pick_and_place(1))
+    (only,) = summary.stations
+    assert (only.joints, only.tasks, only.path) == (summary.joints, summary.tasks, summary.path)
+    assert (only.cycle_time, only.settling) == (summary.cycle_time, summary.settling)
+
+
+def test_a_device_has_its_way_and_its_ends() -> None:
+    (belt,) = summarize(two_stations()).devices
+    assert (belt.name, belt.type, belt.lowest) == ("infeed", AxisType.PRISMATIC, 0.0)
+    assert belt.highest == pytest.approx(0.5, abs=ROUNDING)
+    assert belt.travel == pytest.approx(0.5, abs=ROUNDING)

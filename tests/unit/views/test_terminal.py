@@ -8,7 +8,15 @@ from ropsim.flow import Channel, Fidelity, MotionKind, MoveEvent, SkipEvent, Tas
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
 from support.golden import GOLDEN, check_golden
-from support.recordings import empty_recording, estimates, facts, pick_and_place, station, two_findings
+from support.recordings import (
+    empty_recording,
+    estimates,
+    facts,
+    pick_and_place,
+    station,
+    two_findings,
+    two_stations,
+)
 
 COLUMNS = 80
 
@@ -96,3 +104,16 @@ def test_a_run_that_was_ended_by_hand_does_not_claim_to_have_run_to_the_end() ->
     assert "ended by hand before the program was, no errors" in text
     assert "s  ! not valid" in text
     assert "ran to the end" not in text
+
+
+def test_several_stations_have_a_block_each_and_the_cell_is_told_once() -> None:
+    text = terminal_report(summarize(two_stations(2)), Style.PLAIN)
+    assert max(width(line) for line in text.splitlines()) <= COLUMNS
+    cell, left, right = re.split(r"^(?=left runs|right runs)", text, flags=re.MULTILINE)
+    assert "devices      infeed went 500.0 mm, between 0.0 and 500.0 mm" in cell
+    assert "moves" not in cell
+    for block in (left, right):
+        for once in ("cycle time  ", "  joint  ", "LIN path error (8 moves)"):
+            assert block.count(once) == 1
+    assert text.count("largest torque and speed") == 1
+    assert text.count("estimated, not from a published source") == 1

@@ -1,6 +1,9 @@
 """The cards with the key figures in the HTML report."""
 
+from typing import TypeAlias
+
 from ropsim.flow import SLOW
+from ropsim.views.device_summary import DeviceSummary
 from ropsim.views.figures import MILLIMETRES, PERCENT, coordinate_scale, percent, seconds, with_unit
 from ropsim.views.findings import place_text, plural
 from ropsim.views.joint_summary import (
@@ -10,35 +13,73 @@ from ropsim.views.joint_summary import (
     closest_to_torque_limit,
 )
 from ropsim.views.markup import text
+from ropsim.views.station_summary import Figures, StationSummary
 from ropsim.views.summary import Summary
+
+Card: TypeAlias = tuple[str, str, str]
+"""Name, value and a few words below it."""
 
 
 def key_figures(summary: Summary) -> str:
     """Return the cards with the key figures of a run."""
-    moves = ", ".join(f"{count} {text(kind)}" for kind, count in summary.moves.items()) or "none"
-    figures_ = [
-        (
-            "cycle time",
-            f"{seconds(summary.cycle_time)} s",
-            "settling included" if summary.cycle_time_valid else "not valid: see above",
-        ),
-        *_settling_figure(summary),
-        ("in motion", percent(summary.share_in_motion), "of the cycle time"),
-        ("moves", str(sum(summary.moves.values())), moves),
-        ("gripper", str(summary.grips), f"grips, {summary.releases} releases"),
-        *_destinations_figure(summary),
-        *_path_figure(summary),
-        *_joint_figures(summary.joints),
+    return _cards(
+        [
+            _cycle_time(summary, summary),
+            *_settling_figure(summary, summary),
+            *_work(summary),
+            *_destinations_figure(summary),
+            *_device_figures(summary.devices),
+            *_path_figure(summary),
+            *_joint_figures(summary.joints),
+        ],
+        "key figures",
+    )
+
+
+def station_figures(station: StationSummary, summary: Summary) -> str:
+    """Return the cards with the key figures of one of several stations."""
+    return _cards(
+        [
+            _cycle_time(station, summary),
+            *_settling_figure(station, summary),
+            *_work(station),
+            *_path_figure(station),
+            *_joint_figures(station.joints),
+        ],
+        f"key figures of {text(station.facts.name)}",
+    )
+
+
+def _cycle_time(figures: Figures, summary: Summary) -> Card:
+    detail = "settling included" if summary.cycle_time_valid else "not valid: see above"
+    return "cycle time", f"{seconds(figures.cycle_time)} s", detail
+
+
+def _work(figures: Figures) -> list[Card]:
+    moves = ", ".join(f"{count} {text(kind)}" for kind, count in figures.moves.items()) or "none"
+    return [
+        ("in motion", percent(figures.share_in_motion), "of the cycle time"),
+        ("moves", str(sum(figures.moves.values())), moves),
+        ("gripper", str(figures.grips), f"grips, {figures.releases} releases"),
     ]
+
+
+def _device_figures(devices: tuple[DeviceSummary, ...]) -> list[Card]:
+    return [
+        (text(one.name), with_unit(one.travel, coordinate_scale(one.type), 1), "travelled") for one in devices
+    ]
+
+
+def _cards(figures: list[Card], label: str) -> str:
     cells = "".join(
         f"<div><dl><dt>{name}</dt><dd>{value}<small>{detail}</small></dd></dl></div>\n"
-        for name, value, detail in figures_
+        for name, value, detail in figures
     )
-    return f'<section class="figures" aria-label="key figures">\n{cells}</section>\n'
+    return f'<section class="figures" aria-label="{label}">\n{cells}</section>\n'
 
 
-def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
-    settling = summary.settling
+def _settling_figure(figures: Figures, summary: Summary) -> list[Card]:
+    settling = figures.settling
     if summary.facts.is_kinematic:
         return []
     share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
@@ -48,21 +89,21 @@ def _settling_figure(summary: Summary) -> list[tuple[str, str, str]]:
     return [("settling", f"{seconds(settling.total)} s", share + longest + slow)]
 
 
-def _destinations_figure(summary: Summary) -> list[tuple[str, str, str]]:
+def _destinations_figure(summary: Summary) -> list[Card]:
     if summary.destinations is None:
         return []
     count = f"{summary.destinations.reached} of {summary.destinations.wanted}"
     return [("parts", count, "at their destination")]
 
 
-def _path_figure(summary: Summary) -> list[tuple[str, str, str]]:
-    if not summary.path.moves:
+def _path_figure(figures: Figures) -> list[Card]:
+    if not figures.path.moves:
         return []
-    mean = with_unit(summary.path.mean_error, MILLIMETRES, 3)
-    return [("LIN path error, max", with_unit(summary.path.max_error, MILLIMETRES, 3), f"mean {mean}")]
+    mean = with_unit(figures.path.mean_error, MILLIMETRES, 3)
+    return [("LIN path error, max", with_unit(figures.path.max_error, MILLIMETRES, 3), f"mean {mean}")]
 
 
-def _joint_figures(joints: tuple[JointSummary, ...]) -> list[tuple[str, str, str]]:
+def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:
     result = []
     torque, speed = closest_to_torque_limit(joints), closest_to_speed_limit(joints)
     if torque is not None:

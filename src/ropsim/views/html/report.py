@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping
 
 from ropsim.core import SourceText
-from ropsim.flow import Recording
+from ropsim.flow import Recording, StationFacts
 from ropsim.views.cursor import SCRIPT
 from ropsim.views.definitions import DEFINITIONS
 from ropsim.views.figures import seconds
-from ropsim.views.html.cards import key_figures
+from ropsim.views.html.cards import key_figures, station_figures
 from ropsim.views.html.charts import active_lines, figures
 from ropsim.views.html.findings import findings_section, skipped_section
 from ropsim.views.html.messages import messages_section
@@ -25,6 +25,7 @@ from ropsim.views.html.replay import (
 from ropsim.views.html.tables import approach_table, joint_table, origin_table, path_table, task_table
 from ropsim.views.markup import text
 from ropsim.views.messages import messages
+from ropsim.views.station_summary import StationSummary
 from ropsim.views.summary import Summary
 from ropsim.views.theme import stylesheet
 from ropsim.views.verdict import Verdict, verdict
@@ -57,7 +58,7 @@ def html_report(
         findings_section(summary, sources),
         skipped_section(summary),
         messages_section(messages(recording)),
-        _tables(summary, sources),
+        *(_station(one, summary, sources) for one in summary.stations),
         _charts(recording, summary),
         _origins(summary),
         _definitions(),
@@ -102,18 +103,29 @@ def _header(name: str, summary: Summary) -> str:
     )
 
 
-def _tables(summary: Summary, sources: Mapping[str, SourceText]) -> str:
-    parts = []
-    if summary.joints:
+def _station(station: StationSummary, summary: Summary, sources: Mapping[str, SourceText]) -> str:
+    """Return the tables of a station, headed by its name and key figures where there are several."""
+    parts, facts, of = [], station.facts, ""
+    if len(summary.stations) > 1:
+        of = f" of {text(facts.name)}"
+        parts += [_station_header(facts), station_figures(station, summary)]
+    if station.joints:
         parts.append(
-            f"<section><h2>Joints</h2>\n{joint_table(summary.joints)}<h3>Limits</h3>\n"
-            f"{approach_table(summary.joints)}</section>\n"
+            f"<section><h2>Joints{of}</h2>\n{joint_table(station.joints)}<h3>Limits</h3>\n"
+            f"{approach_table(station.joints)}</section>\n"
         )
-    if summary.tasks:
-        parts.append(f"<section><h2>Tasks</h2>\n{task_table(summary)}</section>\n")
-    if summary.path.moves:
-        parts.append(f"<section><h2>Straight moves</h2>\n{path_table(summary, sources)}</section>\n")
+    if station.tasks:
+        tasks = task_table(station.tasks, station.cycle_time)
+        parts.append(f"<section><h2>Tasks{of}</h2>\n{tasks}</section>\n")
+    if station.path.moves:
+        path = path_table(station.path, sources.get(facts.source))
+        parts.append(f"<section><h2>Straight moves{of}</h2>\n{path}</section>\n")
     return "".join(parts)
+
+
+def _station_header(facts: StationFacts) -> str:
+    what = " on ".join(text(one) for one in (facts.program, facts.title or facts.robot) if one)
+    return f'<h2 class="station">Station {text(facts.name)}</h2>\n<p class="quiet">{what}</p>\n'
 
 
 def _charts(recording: Recording, summary: Summary) -> str:

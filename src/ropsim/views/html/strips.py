@@ -18,21 +18,24 @@ _INSTRUCTIONS = {"grip": "closing", "release": "opening", "wait": "waiting"}
 def schedule(recording: Recording, summary: Summary) -> str:
     """Return when each task and each kind of instruction was active; empty where nothing was."""
     tasks: dict[str, list[Stretch]] = {}
-    lanes: dict[str, list[Stretch]] = {}
+    lanes: dict[tuple[str, str], list[Stretch]] = {}
     for event in recording.events:
         if isinstance(event, TaskEvent):
             tasks.setdefault(labelled(recording, event.station, event.name), []).append(
                 (event.time, event.end)
             )
         elif isinstance(event, MoveEvent):
-            lanes.setdefault(event.motion.value, []).append((event.time, event.end))
+            lanes.setdefault((event.station, event.motion.value), []).append((event.time, event.end))
         elif event.kind in _INSTRUCTIONS and event.duration > 0.0:
-            lanes.setdefault(event.kind, []).append((event.time, event.end))
+            lanes.setdefault((event.station, event.kind), []).append((event.time, event.end))
     names = [task.name for task in summary.tasks if task.name in tasks][:SHOWN_TASKS]
-    kinds = sorted(lanes, key=lambda kind: (kind in _INSTRUCTIONS, kind))
+    kinds = sorted(lanes, key=lambda lane: (lane[0], lane[1] in _INSTRUCTIONS, lane[1]))
     rows = [
         *(SpanRow(name, tasks[name]) for name in names),
-        *(SpanRow(_INSTRUCTIONS.get(kind, kind), lanes[kind]) for kind in kinds),
+        *(
+            SpanRow(labelled(recording, station, _INSTRUCTIONS.get(kind, kind)), lanes[station, kind])
+            for station, kind in kinds
+        ),
     ]
     if not rows:
         return ""

@@ -1,7 +1,6 @@
 """The tables of the HTML report."""
 
 import math
-from collections.abc import Mapping
 
 from ropsim.core import SourceText
 from ropsim.views.figures import (
@@ -19,8 +18,9 @@ from ropsim.views.figures import (
 )
 from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach
 from ropsim.views.markup import table, text
-from ropsim.views.path_summary import PathLine
+from ropsim.views.path_summary import PathLine, PathSummary
 from ropsim.views.summary import Summary
+from ropsim.views.task_summary import TaskSummary
 
 
 def joint_table(joints: tuple[JointSummary, ...]) -> str:
@@ -68,18 +68,23 @@ def approach_table(joints: tuple[JointSummary, ...]) -> str:
     return table("Closest approach of each joint to its limits.", ("joint", *titles), rows)
 
 
-def task_table(summary: Summary) -> str:
-    """Return times per task."""
+def task_table(tasks: tuple[TaskSummary, ...], cycle_time: float) -> str:
+    """Return times per task.
+
+    Args:
+        tasks: of a station.
+        cycle_time: of its program [s].
+    """
     rows = [
         (
             text(task.name),
             str(task.calls),
             seconds(task.total),
-            _share(task.total, summary.cycle_time),
+            _share(task.total, cycle_time),
             seconds(task.mean),
             seconds(task.longest),
         )
-        for task in summary.tasks
+        for task in tasks
     ]
     header = ("task", "calls", "total [s]", "of cycle time", "mean [s]", "longest [s]")
     return table(
@@ -87,8 +92,13 @@ def task_table(summary: Summary) -> str:
     )
 
 
-def path_table(summary: Summary, sources: Mapping[str, SourceText]) -> str:
-    """Return the path accuracy of straight moves per source line."""
+def path_table(path: PathSummary, source: SourceText | None) -> str:
+    """Return the path accuracy of straight moves per source line.
+
+    Args:
+        path: of a station.
+        source: text of its program, None where it is not known.
+    """
     header = (
         "line",
         "moves",
@@ -100,8 +110,7 @@ def path_table(summary: Summary, sources: Mapping[str, SourceText]) -> str:
         "worst AV<br>[%]",
         "source",
     )
-    stations = {station.name: station for station in summary.facts.stations}
-    rows = [_path_row(line, sources.get(stations[line.station].source)) for line in summary.path.lines]
+    rows = [_path_row(line, source) for line in path.lines]
     return table(
         "Distance of the attained TCP from the commanded line, LIN moves by source line.", header, rows
     )

@@ -179,3 +179,15 @@ def test_every_station_has_its_own_charts_and_rows() -> None:
     for label in ("left joint 1", "right joint 1", "left gripper", "right payload", "left pick"):
         assert label in text, label
     assert text.count(">lamp<") == 1
+
+
+def test_several_stations_have_their_own_tables_and_the_cell_has_one_verdict() -> None:
+    text = page(two_stations())
+    outline(text)
+    for heading in ("Joints", "Tasks", "Straight moves"):
+        assert [text.count(f"<h2>{heading} of {name}</h2>") for name in ("left", "right")] == [1, 1]
+        assert f"<h2>{heading}</h2>" not in text
+    assert text.count('<p class="verdict') == 1
+    assert text.count("<h2>Findings</h2>") == 1
+    headings = [text.index(f">Station {name}<") for name in ("left", "right")]
+    assert headings[0] < text.index("<h2>Joints of left</h2>") < headings[1]

@@ -1,0 +1,51 @@
+"""What each device of a run did: how far it went, and between which ends."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.flow import AxisType, ChannelGroup, Recording
+from ropsim.views.characters import clean
+from ropsim.views.figures import coordinate_scale, fixed, with_unit
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceSummary:
+    """One device in one run; lengths and angles in the unit of its coordinate.
+
+    Attributes:
+        name: of the device.
+        type: whether its axis turns or slides.
+        travel: sum of all its ways, back and forth [rad | m].
+        lowest: least coordinate [rad | m].
+        highest: greatest coordinate [rad | m].
+    """
+
+    name: str
+    type: AxisType
+    travel: float
+    lowest: float
+    highest: float
+
+
+def summarize_devices(recording: Recording) -> tuple[DeviceSummary, ...]:
+    """Return the figures of every device that the recording has a coordinate of, in its order."""
+    found = []
+    for channel in recording.channels.values():
+        if channel.group is not ChannelGroup.DEVICES:
+            continue
+        q = channel.rows(recording.time).reshape(len(recording.time), -1)[:, :1].ravel()
+        q = q[np.isfinite(q)]
+        kind = AxisType.REVOLUTE if channel.unit == "rad" else AxisType.PRISMATIC
+        ends = (float(q.min()), float(q.max())) if q.size else (math.nan, math.nan)
+        travel = float(np.sum(np.abs(np.diff(q)))) if q.size else math.nan
+        found.append(DeviceSummary(channel.subject, kind, travel, *ends))
+    return tuple(found)
+
+
+def device_text(device: DeviceSummary) -> str:
+    """Return what a device did, such as `infeed went 850.0 mm, between 0.0 and 850.0 mm`."""
+    scale = coordinate_scale(device.type)
+    way, low = with_unit(device.travel, scale, 1), fixed(device.lowest, scale, 1)
+    return f"{clean(device.name)} went {way}, between {low} and {with_unit(device.highest, scale, 1)}"

@@ -1,0 +1,155 @@
+"""The figures of one station of a run: what its program did, and its arm."""
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.flow import (
+    Event,
+    GripEvent,
+    MoveEvent,
+    Recording,
+    ReleaseEvent,
+    Settling,
+    SkipEvent,
+    StationFacts,
+    settling_of,
+)
+from ropsim.views.channels import station_views
+from ropsim.views.joint_summary import JointSummary, summarize_joints
+from ropsim.views.path_summary import PathSummary, summarize_path
+from ropsim.views.task_summary import TaskSummary, summarize_tasks
+
+MOVING = 1e-6
+"""Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class StationSummary:
+    """The figures of one station.
+
+    Attributes:
+        facts: who ran what on which arm.
+        cycle_time: end of its last motion or instruction [s].
+        moves: number of moves carried out, by kind (`PTP`, `LIN`).
+        grips: number of times a part or nothing was gripped.
+        releases: number of times the gripper was opened.
+        skipped: moves that were refused and left out.
+        share_in_motion: share of its cycle time in which any joint reference speed exceeds 1e-6 rad/s
+            (m/s for a sliding joint); NaN where unknown.
+        settling: what settling after moves cost.
+        tasks: time per task.
+        joints: extremes per joint.
+        path: accuracy of the straight moves.
+    """
+
+    facts: StationFacts
+    cycle_time: float
+    moves: Mapping[str, int]
+    grips: int
+    releases: int
+    skipped: tuple[SkipEvent, ...]
+    share_in_motion: float
+    settling: Settling
+    tasks: tuple[TaskSummary, ...]
+    joints: tuple[JointSummary, ...]
+    path: PathSummary
+
+
+class Figures(Protocol):
+    """What a whole run and one of its stations have both: time, moves, settling."""
+
+    @property
+    def cycle_time(self) -> float:
+        """Return the end of the last motion or instruction [s]."""
+        ...
+
+    @property
+    def share_in_motion(self) -> float:
+        """Return the share of the cycle time in which a joint is moving."""
+        ...
+
+    @property
+    def settling(self) -> Settling:
+        """Return what settling after moves cost."""
+        ...
+
+    @property
+    def moves(self) -> Mapping[str, int]:
+        """Return the number of moves by kind."""
+        ...
+
+    @property
+    def grips(self) -> int:
+        """Return how often a gripper closed."""
+        ...
+
+    @property
+    def releases(self) -> int:
+        """Return how often a gripper opened."""
+        ...
+
+    @property
+    def joints(self) -> tuple[JointSummary, ...]:
+        """Return the extremes per joint."""
+        ...
+
+    @property
+    def path(self) -> PathSummary:
+        """Return the accuracy of the straight moves."""
+        ...
+
+
+def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
+    """Return the figures of each station of a run, in the order of the cell."""
+    return tuple(_station(_part(recording, facts), facts) for facts in recording.facts.stations)
+
+
+def end_of(events: Iterable[Event]) -> float:
+    """Return when the last of some events was over [s]; 0 for none."""
+    return max((event.end for event in events), default=0.0)
+
+
+def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
+    """Return how many moves of each kind were carried out."""
+    counts = Counter(event.motion.value for event in events if isinstance(event, MoveEvent))
+    return dict(sorted(counts.items(), reverse=True))
+
+
+def share_in_motion(recording: Recording, cycle_time: float) -> float:
+    """Return the share of the rows up to the cycle time in which a joint of any station is moving."""
+    speeds = [station.joints("qd_ref") for station in station_views(recording)]
+    rows = np.hstack(speeds)[recording.time <= cycle_time] if speeds else np.empty((0, 0))
+    if not np.any(np.isfinite(rows)):
+        return math.nan
+    return float(np.mean(np.any(np.abs(rows) > MOVING, axis=1)))
+
+
+def _part(recording: Recording, facts: StationFacts) -> Recording:
+    """Return what a recording has of one station; all of it where there is no other one."""
+    if len(recording.facts.stations) == 1:
+        return recording
+    events = tuple(event for event in recording.events if event.station == facts.name)
+    return replace(recording, events=events, facts=replace(recording.facts, stations=(facts,)))
+
+
+def _station(recording: Recording, facts: StationFacts) -> StationSummary:
+    events = recording.events
+    cycle_time = end_of(events)
+    return StationSummary(
+        facts=facts,
+        cycle_time=cycle_time,
+        moves=moves_by_kind(events),
+        grips=sum(isinstance(event, GripEvent) for event in events),
+        releases=sum(isinstance(event, ReleaseEvent) for event in events),
+        skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
+        share_in_motion=share_in_motion(recording, cycle_time),
+        settling=settling_of(events, cycle_time),
+        tasks=summarize_tasks(recording),
+        joints=summarize_joints(recording),
+        path=summarize_path(recording),
+    )

@@ -1,0 +1,173 @@
+"""The figures of a run, or of one of its stations, as lines for a terminal of 80 columns."""
+
+import math
+
+from ropsim.flow import SLOW
+from ropsim.views.characters import clean, fit
+from ropsim.views.columns import Cell, columns_text
+from ropsim.views.figures import (
+    MILLIMETRES,
+    MILLIMETRES_PER_SECOND,
+    PERCENT,
+    UNKNOWN,
+    coordinate_scale,
+    effort_scale,
+    fixed,
+    joined_units,
+    percent,
+    seconds,
+    speed_scale,
+    with_unit,
+)
+from ropsim.views.findings import place_text, plural
+from ropsim.views.joint_summary import Closeness, JointSummary
+from ropsim.views.path_summary import PathSummary
+from ropsim.views.station_summary import Figures
+from ropsim.views.style import Style, Tone, paint
+from ropsim.views.summary import Summary
+from ropsim.views.task_summary import TaskSummary
+
+COLUMNS = 80
+LEGEND = (
+    "  largest torque and speed, their share of the limit: ! from 90 %, !! beyond it",
+    "  (speeds by more than 2 %); range left: least distance to the end of a joint's",
+    "  range, and the line; lag: largest reference minus attained coordinate",
+)
+
+NAMES = 24
+SHOWN_TASKS = 10
+
+_SIGNS = {Closeness.FAR: "", Closeness.NEAR: " !", Closeness.BEYOND: " !!"}
+_SIGN_TONES = {Closeness.NEAR: Tone.WARNING, Closeness.BEYOND: Tone.ERROR}
+
+
+def cycle_time_line(figures: Figures, summary: Summary, style: Style) -> str:
+    """Return the cycle time, and whether it is that of the program."""
+    invalid = "" if summary.cycle_time_valid else "  " + paint("! not valid, see above", Tone.ERROR, style)
+    return f"cycle time   {seconds(figures.cycle_time)} s{invalid}"
+
+
+def effort_lines(figures: Figures, summary: Summary) -> list[str]:
+    """Return how much of the time an arm moves, what settling cost, and what it did."""
+    moves = " + ".join(f"{count} {clean(kind)}" for kind, count in figures.moves.items()) or "none"
+    return [
+        f"in motion    {percent(figures.share_in_motion)} of the cycle time",
+        *_settling(figures, summary),
+        f"moves        {moves}; {plural(figures.grips, 'grip')}, {plural(figures.releases, 'release')}",
+    ]
+
+
+def _settling(figures: Figures, summary: Summary) -> list[str]:
+    settling = figures.settling
+    if summary.facts.is_kinematic:
+        return [f"settling     {UNKNOWN} (a kinematic run has no servo that settles)"]
+    share = with_unit(settling.share, PERCENT, 1)
+    lines = [f"settling     {seconds(settling.total)} s after moves, {share} of the cycle time"]
+    if settling.longest > 0.0:
+        place = place_text(settling.line, settling.visit)
+        slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
+        lines.append(f"             longest {settling.longest:.3f} s{place}{slow}")
+    return lines
+
+
+def task_lines(tasks: tuple[TaskSummary, ...], style: Style) -> list[str]:
+    """Return the times of the tasks as a table; nothing where there is none."""
+    top = min((task.depth for task in tasks), default=0)
+    rows = [
+        (
+            Cell(fit("  " * min(task.depth - top, 4) + clean(task.name), NAMES)),
+            Cell(str(task.calls)),
+            Cell(seconds(task.total)),
+            Cell(seconds(task.mean)),
+            Cell(seconds(task.longest)),
+        )
+        for task in tasks[:SHOWN_TASKS]
+    ]
+    if not rows:
+        return []
+    title = ("task", "calls", "total s", "mean s", "longest s")
+    return [*columns_text(title, rows, style), *more(len(tasks) - len(rows), "task")]
+
+
+def joint_lines(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
+    """Return what the joints did as a table, whose signs `LEGEND` explains; nothing without joints."""
+    if not joints:
+        return []
+    types = [joint.facts.type for joint in joints]
+    title = (
+        "joint",
+        f"torque {joined_units(map(effort_scale, types))}",
+        "share",
+        f"speed {joined_units(map(speed_scale, types))}",
+        "share",
+        f"range left {joined_units(map(coordinate_scale, types))}",
+        "line",
+        f"lag {joined_units(map(coordinate_scale, types))}",
+    )
+    rows = [_joint_row(joint) for joint in joints]
+    return columns_text(title, rows, style)
+
+
+def path_lines(path: PathSummary, style: Style) -> list[str]:
+    """Return the accuracy of the straight moves; nothing where there is none."""
+    worst, speed = path.worst, path.worst_speed
+    if worst is None:
+        return []
+    figures = ", ".join(
+        f"{name} {with_unit(value, MILLIMETRES, 3)}"
+        for name, value in (
+            ("max", path.max_error),
+            ("mean", path.mean_error),
+            ("RMS", path.rms_error),
+            ("95th percentile", path.p95_error),
+        )
+    )
+    lines = [
+        paint(f"LIN path error ({plural(len(path.moves), 'move')})", Tone.QUIET, style),
+        f"  {figures}",
+        f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
+    ]
+    if speed is not None:
+        lines += [
+            f"  path velocity accuracy AV: mean {_signed(path.mean_speed_accuracy)}",
+            f"  worst {_signed(speed.speed_accuracy)} of"
+            f" {with_unit(speed.command_speed, MILLIMETRES_PER_SECOND, 0)}"
+            f"{place_text(speed.line, speed.visit)}",
+        ]
+    return lines
+
+
+def more(count: int, noun: str) -> list[str]:
+    """Return the line that says how many things are not shown; nothing where all are."""
+    return [f"  … and {plural(count, 'more ' + noun)}"] if count > 0 else []
+
+
+def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
+    facts = joint.facts
+    coordinate = coordinate_scale(facts.type)
+    near = joint.nearest
+    return (
+        Cell(fit(clean(joint.name), 8)),
+        Cell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
+        _limit_cell(joint.effort_share, joint.effort_closeness),
+        Cell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
+        _limit_cell(joint.speed_share, joint.speed_closeness),
+        _margin_cell(f"{fixed(near.margin, coordinate, 1)} {near.side}", near.margin),
+        Cell(str(near.line) if near.line else ""),
+        Cell(fixed(joint.following_max.size, coordinate, 3)),
+    )
+
+
+def _limit_cell(share: float, closeness: Closeness) -> Cell:
+    return Cell(percent(share) + _SIGNS[closeness], _SIGN_TONES.get(closeness))
+
+
+def _margin_cell(text: str, margin: float) -> Cell:
+    if not math.isfinite(margin):
+        return Cell(text.split(maxsplit=1)[0])
+    return Cell(f"!! {text}", Tone.ERROR) if margin < 0.0 else Cell(text)
+
+
+def _signed(share: float) -> str:
+    text = with_unit(share, PERCENT, 2)
+    return text if not math.isfinite(share) or share < 0.0 else f"+{text}"
