@@ -71,9 +71,9 @@ def test_nonsense_of_every_kind_is_told_and_the_page_goes_on(shared: Studio) -> 
         for path in ("../../x.task", "/etc/passwd", "programs/../cell.toml", "C:\\x.task"):
             page.say(type="save", document=path, overwrite=True)
             assert page.hear("notice")["code"] == "U958"
-        page.say(type="jog_tcp", id=1, q=[0.0] * 6, tool="", target=[0, 0, 0, 0, 0, 0, 0])
+        page.say(type="jog_tcp", id=1, station="robot", q=[0.0] * 6, tool="", target=[0, 0, 0, 0, 0, 0, 0])
         assert page.hear("jogged", id=1)["reached"] is False
-        page.say(type="jog_joints", id=2, q=[1e308] * 6, tool="")
+        page.say(type="jog_joints", id=2, station="robot", q=[1e308] * 6, tool="")
         assert page.hear("jogged", id=2)["reached"] is False
         page.say(type="run", program="", fidelity="kinematic")
         page.hear("run", state="done")

@@ -40,7 +40,7 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return _live(connection, request.number, job)
         case jobs.SaveRun(kept, form):
             return jobs.SavedRun(f"{form} {kept}".encode())
-        case jobs.JogJoints(q, _):
+        case jobs.JogJoints(_, q, _):
             return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
         case _:
             return jobs.Failed("this toy cannot do that")

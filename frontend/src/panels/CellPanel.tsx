@@ -1,5 +1,6 @@
 /** What stands in the cell: show or hide it, make it transparent, select it. */
-import type { Body } from '../scene/description'
+import { prefixOf } from '../run/station'
+import type { Body, SceneDescription } from '../scene/description'
 import { useStudio, useStudioState } from '../studio/context'
 import { words } from '../text/messages'
 import { formatQuantity } from '../units/quantity'
@@ -7,15 +8,23 @@ import { Scroll } from './Scroll'
 
 interface Branch {
   readonly name: string
-  readonly kinds: readonly Body['kind'][]
+  readonly has: (body: Body) => boolean
 }
 
-const BRANCHES: readonly Branch[] = [
-  { name: words.cell.robot, kinds: ['base', 'link'] },
-  { name: words.cell.tools, kinds: ['tool'] },
-  { name: words.cell.objects, kinds: ['object'] },
-  { name: words.cell.parts, kinds: ['part'] },
-]
+/** Robots one by one, then what is of a kind. */
+function branchesOf({ stations }: SceneDescription): readonly Branch[] {
+  const isArm = ({ kind }: Body) => kind === 'base' || kind === 'link'
+  return [
+    ...stations.map(({ name }) => ({
+      name: stations.length > 1 ? words.cell.robotOf(name) : words.cell.robot,
+      has: (body: Body) => isArm(body) && body.name.startsWith(prefixOf(name)),
+    })),
+    { name: words.cell.tools, has: ({ kind }) => kind === 'tool' },
+    { name: words.cell.devices, has: ({ kind }) => kind === 'device' },
+    { name: words.cell.objects, has: ({ kind }) => kind === 'object' },
+    { name: words.cell.parts, has: ({ kind }) => kind === 'part' },
+  ]
+}
 
 export function CellPanel() {
   const scene = useStudioState(state => state.scene)
@@ -23,12 +32,12 @@ export function CellPanel() {
   return (
     <Scroll label={words.cell.tree} className="cell-tree">
       <p>
-        <strong>{scene.project}</strong> <span className="quiet">{scene.robot.title}</span>
+        <strong>{scene.project}</strong> <span className="quiet">{titlesOf(scene)}</span>
       </p>
-      {BRANCHES.map(branch => {
+      {branchesOf(scene).map(branch => {
         const members = scene.bodies
           .map((body, index) => ({ body, index }))
-          .filter(({ body }) => branch.kinds.includes(body.kind))
+          .filter(({ body }) => branch.has(body))
         return members.length ? (
           <details key={branch.name} open={members.length <= 12}>
             <summary>
@@ -62,13 +71,18 @@ export function CellPanel() {
   )
 }
 
+/** Makers and models of the robots, each once. */
+function titlesOf({ stations }: SceneDescription): string {
+  return [...new Set(stations.map(one => one.title))].join(', ')
+}
+
 function BodyRow({ body, index }: { body: Body; index: number }) {
   const studio = useStudio()
   const selected = useStudioState(state => state.selected === index)
   const hidden = useStudioState(state => state.look.hidden.includes(body.name))
   const opacity = useStudioState(state => state.look.opacity[body.name] ?? 1)
   const look = () => studio.store.getState().look
-  const name = body.name.replace(/^tool:/, '')
+  const name = body.name.replace(/(^|\/)tool:/, '$1')
   return (
     <div className={selected ? 'body-row selected' : 'body-row'}>
       <input

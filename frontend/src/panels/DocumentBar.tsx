@@ -1,7 +1,7 @@
 /** Which text is shown, whether it is saved, and whether it is the program that is simulated. */
 import type { KeyboardEvent } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
-import { programIn } from '../studio/document_names'
+import { programIn, stationOf } from '../studio/document_names'
 import type { StudioDocument } from '../studio/documents'
 import { words } from './editor_words'
 
@@ -19,7 +19,8 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
   const stale = useStudioState(state => state.stale)
   const other = useStudioState(state => {
     const own = programIn(state.document, state.programs)
-    return own !== '' && own !== state.program
+    const ran = state.shown > 0 ? (studio.run?.stations ?? []) : []
+    return own !== '' && own !== state.program && stationOf(ran, own) === ''
   })
   const Choice = documents.length > MOST_TABS ? DocumentList : DocumentTabs
   return (
@@ -49,6 +50,7 @@ export function DocumentBar({ documents, shown }: DocumentsProps) {
 
 function DocumentList({ documents, shown }: DocumentsProps) {
   const studio = useStudio()
+  const runBy = useRunBy()
   return (
     <select
       className="program-list"
@@ -59,6 +61,7 @@ function DocumentList({ documents, shown }: DocumentsProps) {
       {documents.map(one => (
         <option key={one.name} value={one.name}>
           {one.unsaved ? `● ${shortName(one.name)}` : shortName(one.name)}
+          {runBy(one.name) ? ` – ${runBy(one.name)}` : ''}
         </option>
       ))}
     </select>
@@ -67,6 +70,7 @@ function DocumentList({ documents, shown }: DocumentsProps) {
 
 function DocumentTabs({ documents, shown }: DocumentsProps) {
   const studio = useStudio()
+  const runBy = useRunBy()
   const show = (document: string) => studio.store.setState({ document })
   const step = (event: KeyboardEvent) => {
     const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0
@@ -91,6 +95,11 @@ function DocumentTabs({ documents, shown }: DocumentsProps) {
           title={one.name}
         >
           {shortName(one.name)}
+          {runBy(one.name) ? (
+            <span className="program-station" title={words.runBy(runBy(one.name))}>
+              {runBy(one.name)}
+            </span>
+          ) : null}
           {one.unsaved ? (
             <span className="unsaved" role="img" aria-label={words.unsaved}>
               ●
@@ -100,6 +109,19 @@ function DocumentTabs({ documents, shown }: DocumentsProps) {
       ))}
     </div>
   )
+}
+
+/** Names of the stations that run the program of a document; empty for none, and where there is one station. */
+function useRunBy(): (document: string) => string {
+  const scene = useStudioState(state => state.scene)
+  const programs = useStudioState(state => state.programs)
+  const stations = scene?.stations ?? []
+  return document => {
+    const program = programIn(document, programs)
+    if (program === '' || stations.length < 2) return ''
+    const own = stations.filter(one => one.program === program)
+    return own.map(one => one.name).join(', ')
+  }
 }
 
 function shortName(name: string): string {

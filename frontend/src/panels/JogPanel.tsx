@@ -35,16 +35,21 @@ export function JogPanel() {
   const { jog } = studio
   const scene = useStudioState(state => state.scene)
   const lost = useStudioState(state => state.connection !== 'connected')
+  // The default follows the program that is open.
+  useStudioState(state => state.document)
   const [typed, setTyped] = useState({ name: '', value: 0 })
+  const [station, setStation] = useState('')
   useTicks(15)
   // A gesture may end when nothing moves any more: its way back is there all the same.
   useChanges(studio.undo)
   if (!scene) return <p className="empty">{words.jog.waiting}</p>
   if (!jog.q) {
+    const chosen = scene.stations.some(one => one.name === station) ? station : studio.stationInSight()
     return (
       <div className="jog-start">
         <p>{words.jog.startLong}</p>
-        <button type="button" className="primary" disabled={lost} onClick={() => studio.jogFromRun()}>
+        <StationSelect chosen={chosen} onChoose={setStation} />
+        <button type="button" className="primary" disabled={lost} onClick={() => studio.jogFromRun(chosen)}>
           {words.jog.start}
         </button>
         {lost ? <p className="quiet">{words.jog.lost}</p> : null}
@@ -67,6 +72,13 @@ export function JogPanel() {
         <button type="button" disabled={lost} onClick={() => studio.jogFromRun()}>
           {words.jog.restart}
         </button>
+        <StationSelect
+          chosen={jog.station}
+          onChoose={name => {
+            setStation(name)
+            studio.jogFromRun(name)
+          }}
+        />
         <button type="button" disabled={!studio.undo.next} onClick={() => studio.undo.undo()}>
           {words.undo(studio.undo.next)}
         </button>
@@ -76,8 +88,8 @@ export function JogPanel() {
         <div className="jog-sides">
           <section>
             <h2>{words.jog.joints}</h2>
-            {scene.robot.joints.map((joint, at) => (
-              <JointRow key={joint.name} index={at} asked={asked} disabled={lost} />
+            {jog.joints.map((joint, at) => (
+              <JointRow key={`${jog.station} ${joint.name}`} index={at} asked={asked} disabled={lost} />
             ))}
           </section>
           <JogTcp disabled={lost} asked={asked} />
@@ -85,6 +97,24 @@ export function JogPanel() {
         <p className="quiet">{words.jog.run}</p>
       </Scroll>
     </>
+  )
+}
+
+/** Whose robot is moved; nothing where the cell has one station. */
+function StationSelect({ chosen, onChoose }: { chosen: string; onChoose: (station: string) => void }) {
+  const stations = useStudioState(state => state.scene?.stations)
+  if (!stations || stations.length < 2) return null
+  return (
+    <label className="inline">
+      {words.jog.station}
+      <select value={chosen} onChange={event => onChoose(event.target.value)}>
+        {stations.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </label>
   )
 }
 

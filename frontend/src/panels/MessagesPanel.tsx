@@ -2,6 +2,7 @@
 import { useMemo } from 'react'
 import type { RunEvent } from '../run/run'
 import { useStudio, useStudioState } from '../studio/context'
+import { fileName } from '../studio/document_names'
 import { useTicks } from '../studio/hooks'
 import { words } from '../text/messages'
 import { formatQuantity } from '../units/quantity'
@@ -37,7 +38,8 @@ export function MessagesPanel() {
 function MessageRow({ message }: { message: RunEvent }) {
   const studio = useStudio()
   const { span, time, text } = message
-  const line = span ? studio.lines.place(span.source, span.line)?.line : undefined
+  const place = span ? studio.lines.place(span.source, span.line) : null
+  const several = (studio.run?.stations.length ?? 0) > 1
   const go = () => {
     studio.transport.go(time)
     if (span) studio.goToRun(span.source, span.line)
@@ -46,7 +48,9 @@ function MessageRow({ message }: { message: RunEvent }) {
     <li>
       <button type="button" className="message" onClick={go}>
         <span className="message-time">{formatQuantity(time, 's')}</span>
-        <span className="message-line">{line === undefined ? '' : words.messages.line(line)}</span>
+        <span className="message-line">
+          {place ? words.messages.line(place.line, several ? fileName(place.document) : '') : ''}
+        </span>
         <span className="message-text">{text}</span>
       </button>
     </li>

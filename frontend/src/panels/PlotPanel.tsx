@@ -3,6 +3,7 @@ import type { IDockviewPanelProps } from 'dockview-react'
 import { useEffect, useRef, useState } from 'react'
 import { Plot, type PlotColumn } from '../plot/plot'
 import type { Run } from '../run/run'
+import { channelOf } from '../run/station'
 import { useStudio, useStudioState } from '../studio/context'
 import { useEvery } from '../studio/hooks'
 import { usePopover } from '../studio/use_popover'
@@ -19,7 +20,7 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
   const place = useRef<HTMLDivElement>(null)
   usePopover(place, choosing, () => setChoosing(false))
   const run = shown > 0 ? studio.run : null
-  const chosen = columns ?? firstColumns(run)
+  const chosen = columns ?? firstColumns(run, studio.stationInSight())
   useEffect(() => {
     if (!host.current) return
     const made = new Plot(host.current, studio.cursor)
@@ -68,12 +69,12 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
 }
 
 /** What a new plot shows: how fast the tool moves and how far it is off its path. */
-function firstColumns(run: Run | null): readonly PlotColumn[] {
+function firstColumns(run: Run | null, station: string): readonly PlotColumn[] {
   const known = (channel: string) => run?.channels.some(one => one.name === channel)
-  const first = ['tcp_speed', 'path_error'].filter(known)
+  const first = ['tcp_speed', 'path_error'].map(one => channelOf(one, station)).filter(known)
   if (first.length) return first.map(channel => ({ channel, column: 0 }))
-  const q = run?.channels.find(one => one.name === 'q')
-  return q ? q.columns.map((_, column) => ({ channel: 'q', column })) : []
+  const q = run?.channels.find(one => one.name === channelOf('q', station))
+  return q ? q.columns.map((_, column) => ({ channel: q.name, column })) : []
 }
 
 function readColumns(kept: unknown): readonly PlotColumn[] | null {

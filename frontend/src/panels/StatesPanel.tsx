@@ -5,6 +5,7 @@ import { useEvery } from '../studio/hooks'
 import { words } from '../text/messages'
 import { formatPlain, formatQuantity } from '../units/quantity'
 import { Scroll } from './Scroll'
+import { ofSubject, SubjectSelect } from './SubjectSelect'
 import { filterRows, type StateRow, share, stateRows } from './state_rows'
 
 interface Cells {
@@ -19,7 +20,11 @@ export function StatesPanel() {
   const [group, setGroup] = useState('')
   const [query, setQuery] = useState('')
   const run = shown > 0 ? studio.run : null
-  const rows = useMemo(() => (run ? stateRows(run.channels, scene?.robot.joints ?? []) : []), [run, scene])
+  const [subject, setSubject] = useState<string | null>(null)
+  const rows = useMemo(
+    () => (run ? stateRows(ofSubject(run.channels, subject), scene?.stations ?? []) : []),
+    [run, scene, subject],
+  )
   const groups = useMemo(() => [...new Set(rows.map(row => row.group))], [rows])
   const visible = useMemo(() => filterRows(rows, group, query), [rows, group, query])
   const cells = useRef(new Map<string, Cells>())
@@ -27,7 +32,8 @@ export function StatesPanel() {
     const time = studio.cursor.time
     for (const row of visible) {
       const value = run?.value(row.channel, row.column, time) ?? Number.NaN
-      write(cells.current.get(row.key), row, value, studio.jog.q?.[row.joint])
+      const jogged = row.subject === studio.jog.station ? studio.jog.q?.[row.joint] : undefined
+      write(cells.current.get(row.key), row, value, jogged)
     }
   })
   if (!run) return <p className="empty">{words.states.none}</p>
@@ -41,6 +47,7 @@ export function StatesPanel() {
           value={query}
           onChange={event => setQuery(event.target.value)}
         />
+        <SubjectSelect channels={run.channels} chosen={subject} onChoose={setSubject} />
         <select
           aria-label={words.states.group}
           value={group}
@@ -94,7 +101,7 @@ interface RowProps {
 function Row({ row, value, keep }: RowProps) {
   const studio = useStudio()
   const jog = (element: HTMLInputElement) => {
-    if (!studio.jog.q) studio.jogFromRun()
+    if (!studio.jog.q || studio.jog.station !== row.subject) studio.jogFromRun(row.subject)
     studio.jog.moveJoint(row.joint, Number(element.value))
   }
   return (

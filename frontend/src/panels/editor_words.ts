@@ -2,6 +2,7 @@
 export const words = {
   documents: 'Texts of the project',
   unsaved: 'not saved',
+  runBy: (stations: string) => `Runs at ${stations}`,
   save: 'Save',
   simulate: 'Simulate this program',
   simulateTitle: 'The views show the run of another program (Ctrl+Enter)',

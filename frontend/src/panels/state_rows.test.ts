@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import type { ChannelInfo } from '../run/run'
-import type { JointDescription } from '../scene/description'
+import type { JointDescription, StationDescription } from '../scene/description'
 import { filterRows, share, stateRows } from './state_rows'
 
 const JOINTS: readonly JointDescription[] = [
@@ -8,7 +8,23 @@ const JOINTS: readonly JointDescription[] = [
   { name: '2', type: 'prismatic', lower: 0, upper: 0.5, maxSpeed: 0.2 },
 ]
 
-function channel(name: string, unit: string, columns: readonly string[], group: string): ChannelInfo {
+const STATION: StationDescription = {
+  name: 'robot',
+  robot: 'r',
+  title: 'R',
+  program: 'main',
+  tool: '',
+  base: [0, 0, 0, 1, 0, 0, 0],
+  joints: JOINTS,
+}
+
+function channel(
+  name: string,
+  unit: string,
+  columns: readonly string[],
+  group: string,
+  subject = 'robot',
+): ChannelInfo {
   const numbers = columns.map(() => 0)
   return {
     name,
@@ -16,6 +32,7 @@ function channel(name: string, unit: string, columns: readonly string[], group: 
     columns,
     description: `all about ${name}`,
     group,
+    subject,
     min: numbers,
     max: numbers.map(() => 7),
   }
@@ -27,7 +44,7 @@ const ROWS = stateRows(
     channel('qd', 'rad/s', ['1', '2'], 'joints'),
     channel('payload', 'kg', [''], 'program'),
   ],
-  JOINTS,
+  [STATION],
 )
 
 test('joint coordinates range between their limits, speeds up to the greatest, others as recorded', () => {
@@ -60,4 +77,25 @@ test('rows are found by group and by words of name, symbol and description', () 
 test('a share is between 0 and 1 whatever the range', () => {
   expect(share(1, 0, 4)).toBe(0.25)
   expect([share(9, 0, 4), share(-9, 0, 4), share(1, 3, 3), share(Number.NaN, 0, 1)]).toEqual([1, 0, 0, 0])
+})
+
+test('each station has its own joints, and its name stands before what is its', () => {
+  const stations = [
+    { ...STATION, name: 'left' },
+    { ...STATION, name: 'right', joints: JOINTS.slice(0, 1) },
+  ]
+  const rows = stateRows(
+    [
+      channel('left/q', 'rad', ['1', '2'], 'joints', 'left'),
+      channel('right/q', 'rad', ['1'], 'joints', 'right'),
+      channel('infeed/q', 'm', ['1'], 'devices', 'infeed'),
+    ],
+    stations,
+  )
+  expect(rows.map(row => [row.name, row.subject, row.joint, row.max])).toEqual([
+    ['left: Joint 1 position', 'left', 0, 2],
+    ['left: Joint 2 position', 'left', 1, 0.5],
+    ['right: Joint 1 position', 'right', 0, 2],
+    ['infeed: Joint 1 position', 'infeed', -1, 7],
+  ])
 })

@@ -1,6 +1,7 @@
 /** Rows of the table of states: every column of every channel, with the range its bar stands for. */
 import type { ChannelInfo } from '../run/run'
-import type { JointDescription } from '../scene/description'
+import { channelOf } from '../run/station'
+import type { JointDescription, StationDescription } from '../scene/description'
 import { columnName, jointName, symbolOf } from '../units/names'
 
 export interface StateRow {
@@ -16,6 +17,8 @@ export interface StateRow {
   readonly min: number
   readonly max: number
   readonly jointName: string
+  /** Name of the station or device; empty for the cell. */
+  readonly subject: string
   /** Index of the joint whose coordinate it is, -1 for none. */
   readonly joint: number
 }
@@ -23,10 +26,11 @@ export interface StateRow {
 /** Ranges of joints are their limits, others what the run reached. */
 export function stateRows(
   channels: readonly ChannelInfo[],
-  joints: readonly JointDescription[],
+  stations: readonly StationDescription[],
 ): readonly StateRow[] {
-  return channels.flatMap(channel =>
-    channel.columns.map((name, column) => {
+  return channels.flatMap(channel => {
+    const joints = stations.find(one => one.name === channel.subject)?.joints ?? []
+    return channel.columns.map((name, column) => {
       const joint = channel.columns.length === joints.length ? joints[column] : undefined
       const [min, max] = rangeOf(channel, column, joint)
       return {
@@ -41,10 +45,15 @@ export function stateRows(
         group: channel.group,
         min,
         max,
-        joint: channel.name === 'q' && joint ? column : -1,
+        subject: channel.subject,
+        joint: isOf(channel, 'q') && joint ? column : -1,
       }
-    }),
-  )
+    })
+  })
+}
+
+function isOf(channel: ChannelInfo, ...quantities: readonly string[]): boolean {
+  return quantities.some(quantity => channel.name === channelOf(quantity, channel.subject))
 }
 
 function rangeOf(
@@ -52,8 +61,8 @@ function rangeOf(
   column: number,
   joint: JointDescription | undefined,
 ): readonly [number, number] {
-  if (joint && (channel.name === 'q' || channel.name === 'q_ref')) return [joint.lower, joint.upper]
-  if (joint && (channel.name === 'qd' || channel.name === 'qd_ref')) return [-joint.maxSpeed, joint.maxSpeed]
+  if (joint && isOf(channel, 'q', 'q_ref')) return [joint.lower, joint.upper]
+  if (joint && isOf(channel, 'qd', 'qd_ref')) return [-joint.maxSpeed, joint.maxSpeed]
   return [channel.min[column] ?? Number.NaN, channel.max[column] ?? Number.NaN]
 }
 

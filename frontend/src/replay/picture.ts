@@ -16,13 +16,14 @@ export class Picture {
   readonly #poses: Float32Array
   readonly #visible: Uint8Array
   readonly #run: Run
-  readonly #moves: readonly Move[]
+  /** By station. */
+  readonly #moves: readonly (readonly Move[])[]
   #path: PathShown = 'recent'
   #time = 0
 
   constructor(run: Run, scene: SceneDescription, meshes: MeshSource) {
     this.#run = run
-    this.#moves = movesAmong(run.events)
+    this.#moves = run.stations.map(({ name }) => movesAmong(run.events, name))
     this.#poses = new Float32Array(7 * scene.bodies.length)
     this.#visible = new Uint8Array(scene.bodies.length)
     const host = element('div', { class: 'replay-stage', role: 'group', 'aria-label': words.views })
@@ -54,7 +55,7 @@ export class Picture {
     this.#run.bodies(time, this.#poses, this.#visible)
     this.stage.show(this.#poses, this.#visible)
     this.#time = time
-    this.stage.trailWindow(pathWindow(this.#path, time, this.#moves))
+    this.stage.trailWindows(this.#moves.map(moves => pathWindow(this.#path, time, moves)))
   }
 
   /** A transparent arm as it stands at this time; null for none. */
@@ -79,7 +80,11 @@ export class Picture {
 
   #trails(shown: PathShown): void {
     this.#path = shown
-    this.stage.trails(shown === 'none' ? null : this.#run.trail('attained'), null)
+    const stations = shown === 'none' ? [] : this.#run.stations
+    this.stage.trails(
+      stations.map(({ name }) => this.#run.trail('attained', name)),
+      [],
+    )
     this.show(this.#time)
   }
 

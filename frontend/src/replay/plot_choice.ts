@@ -2,12 +2,13 @@
 import { Plot } from '../plot/plot'
 import type { Cursor } from '../run/cursor'
 import type { ChannelInfo, Run } from '../run/run'
+import { channelOf } from '../run/station'
 import { channelName } from '../units/names'
 import { element } from './elements'
 import { words } from './words'
 
 /** What people look at first, where it was recorded. */
-const FIRST = ['q_error', 'q']
+const FIRST = ['q_error', 'q'] as const
 
 export class PlotChoice {
   readonly #plot: Plot
@@ -24,7 +25,8 @@ export class PlotChoice {
       choice.append(list)
     }
     const names = run.channels.map(channel => channel.name)
-    choice.value = FIRST.find(name => names.includes(name)) ?? names[0] ?? ''
+    const first = FIRST.flatMap(quantity => run.stations.map(({ name }) => channelOf(quantity, name)))
+    choice.value = first.find(name => names.includes(name)) ?? names[0] ?? ''
     choice.addEventListener('change', () => this.#show(choice.value))
     host.append(choice, area)
     this.#plot = new Plot(area, cursor)

@@ -1,7 +1,8 @@
 /** Numbers of the state at the cursor: time, TCP in W, joints. */
 import { POSE, put, ride } from '../run/pose'
 import type { Run } from '../run/run'
-import type { Pose, SceneDescription } from '../scene/description'
+import { channelOf, labelled } from '../run/station'
+import type { SceneDescription, StationDescription } from '../scene/description'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
 import { element } from './elements'
@@ -18,19 +19,26 @@ export class Readout {
   readonly element = element('dl', { class: 'replay-values' })
   readonly #rows: Row[] = []
   readonly #run: Run
-  readonly #base: Pose
+  readonly #stations: readonly StationDescription[]
   readonly #place = new Float32Array(2 * POSE)
 
   constructor(run: Run, scene: SceneDescription) {
     this.#run = run
-    this.#base = scene.base
+    this.#stations = scene.stations
     this.#row(words.time, time => formatQuantity(time, 's'))
+    for (const station of scene.stations) this.#addStation(station)
+  }
+
+  #addStation(station: StationDescription): void {
+    const named = (text: string) => labelled(this.#stations, station.name, text)
+    const q = channelOf('q', station.name)
     for (const [k, axis] of AXES.entries()) {
-      this.#row(`${words.tcp} ${axis}`, time => formatQuantity(this.#tcp(time)[k] ?? Number.NaN, 'm'))
+      const value = (time: number) => this.#tcp(station, time)[k] ?? Number.NaN
+      this.#row(named(`${words.tcp} ${axis}`), time => formatQuantity(value(time), 'm'))
     }
-    for (const [k, joint] of scene.robot.joints.entries()) {
+    for (const [k, joint] of station.joints.entries()) {
       const unit = joint.type === 'revolute' ? 'rad' : 'm'
-      this.#row(jointName(joint.name), time => formatQuantity(run.value('q', k, time), unit))
+      this.#row(named(jointName(joint.name)), time => formatQuantity(this.#run.value(q, k, time), unit))
     }
   }
 
@@ -43,13 +51,17 @@ export class Readout {
 
   /** The same for people who listen. */
   spoken(time: number): string {
-    const [x = '', y = '', z = ''] = [...this.#tcp(time)].map(value => formatQuantity(value, 'm'))
-    return words.spoken(x, y, z)
+    const texts = this.#stations.map(station => {
+      const [x = '', y = '', z = ''] = [...this.#tcp(station, time)].map(value => formatQuantity(value, 'm'))
+      return labelled(this.#stations, station.name, words.spoken(x, y, z))
+    })
+    return texts.join('; ')
   }
 
-  #tcp(time: number): Float32Array {
-    const [x = 0, y = 0, z = 0] = AXES.map((_, k) => this.#run.value('attained_position', k, time))
-    put(this.#place, 0, this.#base)
+  #tcp({ name, base }: StationDescription, time: number): Float32Array {
+    const position = channelOf('attained_position', name)
+    const [x = 0, y = 0, z = 0] = AXES.map((_, k) => this.#run.value(position, k, time))
+    put(this.#place, 0, base)
     ride(this.#place, 1, 0, [x, y, z, 1, 0, 0, 0])
     return this.#place.subarray(POSE, POSE + 3)
   }

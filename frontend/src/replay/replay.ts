@@ -1,6 +1,7 @@
 /** The replay of a run: views, timeline, program, findings, state and a plot around one time cursor. */
 import { Cursor } from '../run/cursor'
 import type { RecordedRun } from '../run/recorded_run'
+import type { RunEvent } from '../run/run'
 import { Timeline } from '../run/timeline'
 import { Transport } from '../run/transport'
 import type { SceneDescription } from '../scene/description'
@@ -9,9 +10,9 @@ import { element, panel } from './elements'
 import { findingsList } from './findings_list'
 import { Picture } from './picture'
 import { PlotChoice } from './plot_choice'
-import { ProgramList } from './program_list'
+import { ProgramChoice } from './program_choice'
 import { Readout } from './readout'
-import { nextPass, stepsByLine } from './steps'
+import { nextPass } from './steps'
 import { words } from './words'
 
 /** Numbers change this often, pictures at every frame [ms]. */
@@ -22,9 +23,8 @@ const SPEECH = 1000
 export class Replay {
   readonly cursor = new Cursor()
   readonly picture: Picture
-  readonly #run: RecordedRun
   readonly #readout: Readout
-  readonly #program: ProgramList
+  readonly #programs: ProgramChoice
   readonly #passes = element('p', { class: 'replay-quiet', role: 'status' })
   readonly #transport = new Transport(this.cursor)
   #ghostUntil: number | null = null
@@ -39,25 +39,13 @@ export class Replay {
     scene: SceneDescription,
     texts: Readonly<Record<string, string>>,
   ) {
-    this.#run = run
     this.picture = new Picture(run, scene, embeddedMesh)
     const bar = element('div', { class: 'replay-timeline' })
     host.append(bar)
     this.cursor.setEnd(run.duration)
     this.#transport.show(run)
     new Timeline(bar, this.#transport, 'with Ctrl')
-    const steps = stepsByLine(run, run.source)
-    const text = texts[run.source]
-    this.#program = new ProgramList(text ?? words.noProgram(run.source), steps, line => {
-      const passes = steps.get(line) ?? []
-      const pass = nextPass(passes, this.cursor.time)
-      const step = passes[pass]
-      if (!step) return
-      this.#go(step.time)
-      // A step without motion ends where it began: its ghost would only cover the arm.
-      if (step.kind === 'move') this.#showGhost(step.time + step.duration)
-      this.#passes.textContent = `${words.line(line)} ${words.pass(pass + 1, passes.length)}`
-    })
+    this.#programs = new ProgramChoice(run, texts, (line, steps) => this.#choose(line, steps))
     this.#passes.textContent = words.programHint
     this.#readout = new Readout(run, scene)
     const plot = panel(words.plot, 'replay-curve')
@@ -65,7 +53,7 @@ export class Replay {
       element(
         'div',
         { class: 'replay-panels' },
-        panel(words.program, 'replay-text', this.#program.element, this.#passes),
+        panel(words.program, 'replay-text', ...this.#programs.elements, this.#passes),
         panel(words.values, 'replay-state', this.#readout.element),
         panel(
           words.findings,
@@ -87,6 +75,16 @@ export class Replay {
     const { time } = this.cursor
     this.picture.show(time)
     this.#write(time)
+  }
+
+  #choose(line: number, passes: readonly RunEvent[]): void {
+    const pass = nextPass(passes, this.cursor.time)
+    const step = passes[pass]
+    if (!step) return
+    this.#go(step.time)
+    // A step without motion ends where it began: its ghost would only cover the arm.
+    if (step.kind === 'move') this.#showGhost(step.time + step.duration)
+    this.#passes.textContent = `${words.line(line)} ${words.pass(pass + 1, passes.length)}`
   }
 
   #go(time: number): void {
@@ -111,14 +109,14 @@ export class Replay {
     cursor.advance(passed)
     if (this.#ghostUntil !== null && cursor.time >= this.#ghostUntil) this.#showGhost(null)
     this.picture.show(cursor.time)
-    this.#program.run(this.#run.value('line', 0, cursor.time))
+    this.#programs.show(cursor.time)
     if (!cursor.playing || now - this.#written >= PERIOD) this.#write(cursor.time)
     if (cursor.playing) this.#wake()
   }
 
   #write(time: number): void {
     this.#written = performance.now()
-    this.#program.run(this.#run.value('line', 0, time))
+    this.#programs.show(time)
     this.#readout.show(time)
     this.#speech ??= setTimeout(() => {
       this.#speech = null

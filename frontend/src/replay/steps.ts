@@ -1,12 +1,16 @@
 /** Lines of a program and the times at which they run. */
 import type { Run, RunEvent } from '../run/run'
 
-/** The steps of each line of one text, in order of time. */
-export function stepsByLine(run: Run, source: string): ReadonlyMap<number, readonly RunEvent[]> {
+/** The steps of each line of the text that a station runs, in order of time. */
+export function stepsByLine(
+  run: Run,
+  source: string,
+  station: string,
+): ReadonlyMap<number, readonly RunEvent[]> {
   const steps = new Map<number, RunEvent[]>()
   const inOrder = [...run.events].sort((a, b) => a.time - b.time)
   for (const event of inOrder) {
-    if (event.kind === 'task' || event.span?.source !== source) continue
+    if (event.kind === 'task' || event.station !== station || event.span?.source !== source) continue
     const known = steps.get(event.span.line)
     if (known) known.push(event)
     else steps.set(event.span.line, [event])

@@ -14,6 +14,7 @@ export const words = {
   tcp: 'TCP',
   spoken: (x: string, y: string, z: string) => `TCP ${x}, ${y}, ${z}`,
   program: 'Program',
+  programOf: 'Program of',
   programHint: 'Choose a line to go to it; the transparent arm stands where its move ends.',
   noProgram: (name: string) => `The text of \`${name}\` is not part of this page.`,
   line: (line: number) => `line ${line}`,
@@ -23,5 +24,11 @@ export const words = {
   severities: { error: 'error', warning: 'warning', info: 'info', hint: 'hint' },
   plot: 'Plot',
   channel: 'Channel',
-  groups: { joints: 'Joints', tcp: 'Tool', program: 'Program', signals: 'Signals' } as Record<string, string>,
+  groups: {
+    joints: 'Joints',
+    tcp: 'Tool',
+    program: 'Program',
+    signals: 'Signals',
+    devices: 'Devices',
+  } as Record<string, string>,
 } as const

@@ -5,8 +5,14 @@ import type { Run, RunEvent, Series } from './run'
 
 const span = { source: 'main.task', line: 4, column: 1, end_line: 4, end_column: 9 }
 
-function event(time: number, duration: number, kind: string, data: RunEvent['data'] = {}): RunEvent {
-  return { time, duration, kind, text: kind, station: '', span: kind === 'task' ? null : span, data }
+function event(
+  time: number,
+  duration: number,
+  kind: string,
+  data: RunEvent['data'] = {},
+  station = 'robot',
+): RunEvent {
+  return { time, duration, kind, text: kind, station, span: kind === 'task' ? null : span, data }
 }
 
 function series(times: readonly number[], values: readonly number[]): Series {
@@ -17,8 +23,10 @@ function runWith(events: readonly RunEvent[], held: Readonly<Record<string, Seri
   const channels = Object.keys(held).map(name => ({
     name,
     group: name.startsWith('signal.') ? 'signals' : 'program',
+    subject: name.startsWith('signal.') ? '' : 'robot',
   }))
   return {
+    stations: [{ name: 'robot', program: 'main', source: 'main.task' }],
     events,
     findings: [],
     duration: 10,
@@ -46,6 +54,31 @@ describe('lanes of the timeline', () => {
       ['Grip', 1, 1],
       ['Place', 0, 1],
     ])
+  })
+
+  it('are those of each station, with its own steps and its own part in the gripper', () => {
+    const closed = { ...series([0, 2], [0, 1]) }
+    const run = {
+      stations: ['left', 'right'].map(name => ({ name, program: name, source: `${name}.task` })),
+      events: [
+        event(0, 1, 'move', {}, 'left'),
+        event(1, 1, 'grip', { part: 'post' }, 'left'),
+        event(1.5, 0.5, 'grip', { part: 'box' }, 'right'),
+        event(0, 4, 'task', { name: 'Pick', depth: 1 }, 'right'),
+      ],
+      findings: [],
+      duration: 4,
+      channels: ['left', 'right'].map(name => ({ name: `${name}/gripper`, group: 'program', subject: name })),
+      series: () => closed,
+    } as unknown as Run
+    expect(lanes(run).map(one => [one.station, one.name, one.bars.map(bar => bar.text)])).toEqual([
+      ['left', 'left: Steps', ['line 4 · move', 'line 4 · grip']],
+      ['right', 'right: Pick', ['Pick']],
+      ['right', 'right: Steps', ['line 4 · grip']],
+      ['left', 'left: Gripper', ['post']],
+      ['right', 'right: Gripper', ['box']],
+    ])
+    expect(shownLanes(lanes(run), 'few')).toHaveLength(5)
   })
 
   it('leave out what the run does not have', () => {

@@ -1,7 +1,8 @@
 /** What lies above one another on the timeline: tasks and what they call, steps, gripper and signals, findings. */
 import { type FindingMark, type InputMark, type Marks, worstLast } from './marks'
-import type { Run, RunEvent, Series } from './run'
+import type { ChannelInfo, Run, RunEvent, Series } from './run'
 import { lastWhere } from './search'
+import { channelOf, labelled } from './station'
 import { words } from './words'
 
 export interface Bar {
@@ -15,6 +16,8 @@ export interface Bar {
 export interface Lane {
   readonly kind: 'tasks' | 'steps' | 'held' | 'findings' | 'inputs'
   readonly name: string
+  /** Name of the station that it is of; empty for what belongs to the cell. */
+  readonly station: string
   /** How deep in the calls a task is. */
   readonly depth: number
   /** In order of their beginnings. */
@@ -29,33 +32,27 @@ const ON = 0.5
 
 /** The lanes of a run, from top to bottom; those that would be empty are left out. */
 export function lanesOf(run: Run, marks: Marks): readonly Lane[] {
-  const steps = marks.steps.map<Bar>(step => ({
-    from: step.time,
-    to: step.end,
-    text: `${words.line(step.line)} · ${step.text}`,
-    tone: step.kind === 'move' ? 'move' : 'wait',
-  }))
   const lanes = [
     { ...lane('findings', words.lanes.findings), findings: worstLast(marks.findings) },
-    ...taskLanes(run.events),
-    lane('steps', words.lanes.steps, steps),
+    ...run.stations.flatMap(({ name }) => [...taskLanes(run, name), stepLane(run, name, marks)]),
     ...heldLanes(run),
     { ...lane('inputs', words.lanes.inputs), inputs: marks.inputs },
   ]
   return lanes.filter(one => one.bars.length + one.findings.length + one.inputs.length > 0)
 }
 
-/** So many lanes of a kind are shown at first. */
+/** So many lanes of a kind and station are shown at first. */
 const FEW: Readonly<Record<Lane['kind'], number>> = { findings: 1, tasks: 3, steps: 1, held: 3, inputs: 1 }
 /** The page has no room for more of a kind. */
 const MOST = 12
 
 /** Which lanes are shown: the first of each kind, or all. */
 export function shownLanes(lanes: readonly Lane[], wanted: 'few' | 'all'): readonly Lane[] {
-  const counts = new Map<Lane['kind'], number>()
-  return lanes.filter(({ kind }) => {
-    const count = (counts.get(kind) ?? 0) + 1
-    counts.set(kind, count)
+  const counts = new Map<string, number>()
+  return lanes.filter(({ kind, station }) => {
+    const key = `${kind} ${station}`
+    const count = (counts.get(key) ?? 0) + 1
+    counts.set(key, count)
     return count <= (wanted === 'few' ? FEW[kind] : MOST)
   })
 }
@@ -65,15 +62,27 @@ export function barAt(bars: readonly Bar[], time: number): Bar | undefined {
   return lastWhere(bars, bar => bar.from <= time && time <= bar.to)
 }
 
-function lane(kind: Lane['kind'], name: string, bars: readonly Bar[] = []): Lane {
-  return { kind, name, depth: 0, bars, findings: [], inputs: [] }
+function lane(kind: Lane['kind'], name: string, bars: readonly Bar[] = [], station = ''): Lane {
+  return { kind, name, station, depth: 0, bars, findings: [], inputs: [] }
 }
 
-/** One lane for each task, a called one below its first caller. */
-function taskLanes(events: readonly RunEvent[]): readonly Lane[] {
+/** What the program of a station does, step by step. */
+function stepLane(run: Run, station: string, marks: Marks): Lane {
+  const own = marks.steps.filter(step => step.station === station)
+  const bars = own.map<Bar>(step => ({
+    from: step.time,
+    to: step.end,
+    text: `${words.line(step.line)} · ${step.text}`,
+    tone: step.kind === 'move' ? 'move' : 'wait',
+  }))
+  return lane('steps', labelled(run.stations, station, words.lanes.steps), bars, station)
+}
+
+/** One lane for each task of a station, a called one below its first caller. */
+function taskLanes({ events, stations }: Run, station: string): readonly Lane[] {
   const depthOf = (event: RunEvent) => Number(event.data.depth) || 0
   const tasks = events
-    .filter(event => event.kind === 'task')
+    .filter(event => event.kind === 'task' && event.station === station)
     .sort((a, b) => a.time - b.time || depthOf(a) - depthOf(b))
   const least = Math.min(...tasks.map(depthOf))
   const lanes = new Map<string, { depth: number; bars: Bar[] }>()
@@ -83,21 +92,26 @@ function taskLanes(events: readonly RunEvent[]): readonly Lane[] {
     known.bars.push({ from: event.time, to: event.time + event.duration, text: name, tone: 'task' })
     lanes.set(name, known)
   }
-  return [...lanes].map(([name, { depth, bars }]) => ({ ...lane('tasks', name, bars), depth }))
+  return [...lanes].map(([name, { depth, bars }]) => ({
+    ...lane('tasks', labelled(stations, station, name), bars, station),
+    depth,
+  }))
 }
 
 function heldLanes(run: Run): readonly Lane[] {
-  const names = run.channels
-    .filter(one => one.name === 'gripper' || one.group === 'signals')
-    .map(one => one.name)
-  return names.map(name => {
+  const isGripper = ({ name, subject }: ChannelInfo) => name === channelOf('gripper', subject)
+  const held = run.channels.filter(one => isGripper(one) || one.group === 'signals')
+  return held.map(channel => {
+    const { name, subject } = channel
     const series = run.series(name, 0)
     const bars = series ? heldBars(series, run.duration) : []
-    if (name !== 'gripper') return lane('held', name.replace(/^signal\./, ''), bars)
+    if (!isGripper(channel)) return lane('held', name.replace(/^signal\./, ''), bars)
+    const own = run.events.filter(event => event.station === subject)
     return lane(
       'held',
-      words.lanes.gripper,
-      bars.map(bar => ({ ...bar, text: gripped(run.events, bar) })),
+      labelled(run.stations, subject, words.lanes.gripper),
+      bars.map(bar => ({ ...bar, text: gripped(own, bar) })),
+      subject,
     )
   })
 }

@@ -7,7 +7,7 @@ import { LiveRun } from './live_run'
 const still = [0, 0, 0, 1, 0, 0, 0] as const
 const body = { kind: 'link', parent: -1, pose: still, shapes: [], visible: true } as const
 const scene = {
-  base: [0, 0, 1, 1, 0, 0, 0],
+  stations: [{ name: 'robot', base: [0, 0, 1, 1, 0, 0, 0] }],
   bodies: [
     { ...body, name: 'base' },
     { ...body, name: 'link1' },
@@ -33,6 +33,7 @@ const layout: LiveLayout = {
     ...['x', 'y', 'z'].map(axis => channel('attained_position', axis)),
   ],
   bodies: [1],
+  stations: [{ name: 'robot', program: 'main', source: 'main.task' }],
 }
 
 function frame(time: number, q: number, line: number, x: number) {
@@ -46,7 +47,7 @@ function frame(time: number, q: number, line: number, x: number) {
 }
 
 function started(): LiveRun {
-  const run = new LiveRun('main', 'main.task', scene, layout)
+  const run = new LiveRun(scene, layout)
   run.add(frame(0, 1, 4, 0))
   run.add(frame(1, 3, 5, 2))
   return run
@@ -98,7 +99,7 @@ describe('a live run', () => {
   })
 
   it('has its trail in the world frame', () => {
-    expect([...started().trail('attained').points]).toEqual([0, 0, 1, 2, 0, 1])
+    expect([...started().trail('attained', 'robot').points]).toEqual([0, 0, 1, 2, 0, 1])
   })
 
   it('leaves out frames that are old or fit no layout', () => {
@@ -132,7 +133,7 @@ describe('a live run', () => {
   })
 
   it('stands as the scene describes it before its first frame', () => {
-    new LiveRun('main', 'main.task', scene, layout).bodies(0, poses, visible)
+    new LiveRun(scene, layout).bodies(0, poses, visible)
     expect([...poses.subarray(7, 14)]).toEqual([...still])
   })
 })

@@ -6,6 +6,7 @@ import { FrameStore } from './frame_store'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
 import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import { channelOf, type RunStation } from './station'
 import { type Trail, trailOf } from './trail'
 
 interface LiveChannel extends ChannelInfo {
@@ -20,13 +21,13 @@ interface LiveChannel extends ChannelInfo {
 
 export class LiveRun implements Run {
   readonly live = true
-  readonly program: string
-  readonly source: string
+  readonly stations: readonly RunStation[]
   readonly fidelity = 'dynamic'
   readonly findings: readonly Finding[] = []
   readonly channels: readonly LiveChannel[]
   readonly events: RunEvent[] = []
-  readonly #base: Pose
+  /** Poses of the base frames in W, by station. */
+  readonly #bases: ReadonlyMap<string, Pose>
   /** Names of the bodies as the run counts them. */
   readonly #names: readonly string[]
   readonly #store: FrameStore
@@ -40,10 +41,9 @@ export class LiveRun implements Run {
   readonly #series = new Map<string, Series>()
   readonly #trails = new Map<string, Trail>()
 
-  constructor(program: string, source: string, scene: SceneDescription, layout: LiveLayout) {
-    this.program = program
-    this.source = source
-    this.#base = scene.base
+  constructor(scene: SceneDescription, layout: LiveLayout) {
+    this.stations = layout.stations
+    this.#bases = new Map(scene.stations.map(({ name, base }) => [name, base]))
     this.#names = scene.bodies.map(body => body.name)
     this.channels = channelsOf(layout)
     this.#columns = layout.channels.length
@@ -90,9 +90,9 @@ export class LiveRun implements Run {
   }
 
   /** Take a message of the program as an event. */
-  print({ time, text, source, line }: Printed): void {
+  print({ time, text, station, source, line }: Printed): void {
     const span = line > 0 ? { source, line, column: 1, end_line: line, end_column: 1 } : null
-    this.events.push({ time, duration: 0, kind: 'message', text, station: '', span, data: {} })
+    this.events.push({ time, duration: 0, kind: 'message', text, station, span, data: {} })
   }
 
   value(channel: string, column: number, time: number): number {
@@ -132,12 +132,13 @@ export class LiveRun implements Run {
     this.#placements.write(time, poses, visible, count > 0 ? this.#tracked : NONE)
   }
 
-  trail(kind: 'attained' | 'command'): Trail {
-    const known = this.#trails.get(kind)
+  trail(kind: 'attained' | 'command', station: string): Trail {
+    const channel = channelOf(`${kind}_position`, station)
+    const known = this.#trails.get(channel)
     if (known) return known
-    const position = [0, 1, 2].map(column => this.series(`${kind}_position`, column))
-    const made = trailOf(this.#store.times(), position, this.#base)
-    this.#trails.set(kind, made)
+    const position = [0, 1, 2].map(column => this.series(channel, column))
+    const made = trailOf(this.#store.times(), position, this.#bases.get(station))
+    this.#trails.set(channel, made)
     return made
   }
 
@@ -166,10 +167,13 @@ const NONE = new Uint8Array(0)
 /** Neighbouring entries of one name are the columns of one channel. */
 function channelsOf(layout: LiveLayout): LiveChannel[] {
   const channels: LiveChannel[] = []
-  for (const [place, { name, column, unit, description, group, held }] of layout.channels.entries()) {
+  for (const [
+    place,
+    { name, column, unit, description, group, subject, held },
+  ] of layout.channels.entries()) {
     let channel = channels.at(-1)
     if (channel?.name !== name) {
-      channel = { name, unit, description, group, columns: [], min: [], max: [], first: place, held }
+      channel = { name, unit, description, group, subject, columns: [], min: [], max: [], first: place, held }
       channels.push(channel)
     }
     channel.columns.push(column)

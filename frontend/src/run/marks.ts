@@ -7,6 +7,8 @@ export interface StepMark {
   readonly time: number
   readonly end: number
   readonly kind: string
+  /** Name of the station whose program it is. */
+  readonly station: string
   readonly line: number
   readonly text: string
 }
@@ -40,6 +42,7 @@ export function marksOf(run: Run): Marks {
     time: event.time,
     end: event.time + event.duration,
     kind: event.kind,
+    station: event.station,
     line: event.span?.line ?? 0,
     text: event.text,
   }))

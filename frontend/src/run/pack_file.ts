@@ -30,7 +30,7 @@ export interface PackedChannel {
   readonly unit: string
   readonly description: string
   readonly group: string
-  /** Name of the station that it is of; empty for what belongs to the cell. */
+  /** Name of the station or device that it is of; empty for what belongs to the cell. */
   readonly subject: string
   readonly columns: readonly PackedColumn[]
 }
@@ -54,6 +54,7 @@ export interface PeakFigure {
   readonly share: number
   /** How it stands to the limit; the report says it by the same rule. */
   readonly closeness: 'far' | 'near' | 'beyond'
+  readonly station: string
   readonly joint: string
   readonly line: number
   readonly time: number
@@ -73,6 +74,7 @@ export interface ResultFigures {
     readonly share: number
     /** Null where no move settled. */
     readonly time: number | null
+    readonly station: string
     /** From 1; 0 for none. */
     readonly line: number
   }
@@ -81,13 +83,19 @@ export interface ResultFigures {
   readonly closest_limit: {
     readonly margin: number
     readonly unit: 'rad' | 'm'
+    readonly station: string
     readonly joint: string
     readonly side: 'lower' | 'upper'
     readonly line: number
     readonly time: number
   } | null
   /** Largest distance of the TCP from the commanded path [m]; null where no move has a path. */
-  readonly path_error: { readonly max: number; readonly line: number; readonly time: number } | null
+  readonly path_error: {
+    readonly max: number
+    readonly station: string
+    readonly line: number
+    readonly time: number
+  } | null
   readonly errors: number
   readonly warnings: number
   readonly moves: number
@@ -99,7 +107,8 @@ export interface PackHeader {
   readonly rate: number
   readonly count: number
   readonly project: string
-  readonly base: Pose
+  /** Poses of the base frames of the stations in W, by name. */
+  readonly bases: Readonly<Record<string, Pose>>
   readonly channels: readonly PackedChannel[]
   readonly bodies: readonly PackedBody[]
   readonly events: readonly RunEvent[]
@@ -112,7 +121,7 @@ export interface PackHeader {
 export class PackError extends Error {}
 
 const MARK = 'RPK1'
-const VERSION = 2
+const VERSION = 3
 const HEAD = 8
 
 /** Unpack the file. Throws `PackError` for anything that is not a whole pack of a known version. */

@@ -92,7 +92,7 @@ describe('a run read from its pack', () => {
   })
 
   it('draws the trail in the world frame', () => {
-    const { times, points } = run.trail('attained')
+    const { times, points } = run.trail('attained', 'robot')
     expect(points).toHaveLength(3 * times.length)
     const tcp = scene.frames.find(frame => frame.kind === 'tcp')
     run.bodies(0, poses, visible)
@@ -162,7 +162,7 @@ describe('a pack of another version', () => {
   it('is refused with its number', async () => {
     const { header, body } = await openPack(file)
     const older = RecordedRun.decode(await packOf({ ...header, version: 1 }, body), scene)
-    await expect(older).rejects.toThrow('version 1; this page knows 2')
+    await expect(older).rejects.toThrow('version 1; this page knows 3')
   })
 })
 

@@ -6,13 +6,13 @@ import { openPack, type PackHeader, type ResultFigures } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
 import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import { channelOf, type RunStation } from './station'
 import { speedChannel, speedOf, TCP_SPEED, valueIn } from './tcp_speed'
 import { type Trail, trailOf } from './trail'
 
 export class RecordedRun implements Run {
   readonly live = false
-  readonly program: string
-  readonly source: string
+  readonly stations: readonly RunStation[]
   readonly fidelity: 'dynamic' | 'kinematic'
   readonly project: string
   readonly duration: number
@@ -27,7 +27,8 @@ export class RecordedRun implements Run {
   readonly #clock: Clock
   readonly #columns = new Map<string, readonly Column[]>()
   readonly #trails = new Map<string, Trail>()
-  readonly #speed: Series | undefined
+  /** By the name of their channel. */
+  readonly #speeds = new Map<string, Series>()
   #placements: Placements
   /** Seven values a sample for each body with poses, by place in the scene. */
   #poses: ReadonlyMap<number, Float64Array> = new Map()
@@ -36,9 +37,7 @@ export class RecordedRun implements Run {
   private constructor(header: PackHeader, body: Uint8Array, scene: SceneDescription) {
     this.#header = header
     this.#body = body
-    const [station] = header.facts.stations
-    this.program = station?.program ?? ''
-    this.source = station?.source ?? ''
+    this.stations = header.facts.stations
     this.fidelity = header.facts.fidelity
     this.project = header.project
     this.duration = header.duration
@@ -51,17 +50,24 @@ export class RecordedRun implements Run {
       const columns = channel.columns.map(column => new Column(column.code, body, this.#clock))
       this.#columns.set(channel.name, columns)
     }
-    const recorded = header.channels.map(({ name, unit, description, group, columns }) => ({
+    const recorded = header.channels.map(({ name, unit, description, group, subject, columns }) => ({
       name,
       unit,
       description,
       group,
+      subject,
       columns: columns.map(column => column.name),
       min: columns.map(column => column.min ?? Number.NaN),
       max: columns.map(column => column.max ?? Number.NaN),
     }))
-    this.#speed = speedOf([0, 1, 2].map(column => this.#recorded('attained_position', column)))
-    this.channels = this.#speed ? [...recorded, speedChannel(this.#speed)] : recorded
+    const speeds = this.stations.flatMap(({ name }) => {
+      const position = channelOf('attained_position', name)
+      const speed = speedOf([0, 1, 2].map(column => this.#recorded(position, column)))
+      if (!speed) return []
+      this.#speeds.set(channelOf(TCP_SPEED, name), speed)
+      return [speedChannel(name, speed)]
+    })
+    this.channels = [...recorded, ...speeds]
     this.#placements = placementsIn(scene, header)
     this.showIn(scene)
   }
@@ -91,15 +97,16 @@ export class RecordedRun implements Run {
   }
 
   value(channel: string, column: number, time: number): number {
-    if (channel === TCP_SPEED && this.#speed) {
+    const speed = this.#speeds.get(channel)
+    if (speed) {
       const { index, share } = this.#clock.locate(time)
-      return valueIn(this.#speed, index, share)
+      return valueIn(speed, index, share)
     }
     return this.#columns.get(channel)?.[column]?.value(time) ?? Number.NaN
   }
 
   series(channel: string, column: number): Series | undefined {
-    return channel === TCP_SPEED ? this.#speed : this.#recorded(channel, column)
+    return this.#speeds.get(channel) ?? this.#recorded(channel, column)
   }
 
   #recorded(channel: string, column: number): Series | undefined {
@@ -114,12 +121,13 @@ export class RecordedRun implements Run {
     this.#placements.write(time, poses, visible, this.#tracked)
   }
 
-  trail(kind: 'attained' | 'command'): Trail {
-    const known = this.#trails.get(kind)
+  trail(kind: 'attained' | 'command', station: string): Trail {
+    const channel = channelOf(`${kind}_position`, station)
+    const known = this.#trails.get(channel)
     if (known) return known
-    const position = [0, 1, 2].map(column => this.series(`${kind}_position`, column))
-    const made = trailOf(this.#clock.times, position, this.#header.base)
-    this.#trails.set(kind, made)
+    const position = [0, 1, 2].map(column => this.series(channel, column))
+    const made = trailOf(this.#clock.times, position, this.#header.bases[station])
+    this.#trails.set(channel, made)
     return made
   }
 

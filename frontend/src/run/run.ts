@@ -1,5 +1,6 @@
 /** A run as views, plots and tables see it: one recording, asked by time. Live and finished runs look alike. */
 import type { ResultFigures } from './pack_file'
+import type { RunStation } from './station'
 
 export interface Span {
   readonly source: string
@@ -36,8 +37,10 @@ export interface ChannelInfo {
   /** Names of the columns; one empty name for a channel of one column. */
   readonly columns: readonly string[]
   readonly description: string
-  /** `joints`, `tcp`, `program`, `signals`; for grouping in lists. */
+  /** `joints`, `tcp`, `program`, `signals`, `devices`; for grouping in lists. */
   readonly group: string
+  /** Name of the station or device that it is of; empty for what belongs to the cell. */
+  readonly subject: string
   /** Least and greatest recorded value of each column. */
   readonly min: readonly number[]
   readonly max: readonly number[]
@@ -51,9 +54,8 @@ export interface Series {
 }
 
 export interface Run {
-  readonly program: string
-  /** Name of the text in which `line` counts. */
-  readonly source: string
+  /** Robots with what they run, in the order of the cell. */
+  readonly stations: readonly RunStation[]
   readonly fidelity: 'dynamic' | 'kinematic'
   /** Grows while the run is live. */
   readonly duration: number
@@ -72,6 +74,9 @@ export interface Run {
    * `visible`. Lengths are 7 × and 1 × the number of bodies of the scene.
    */
   bodies(time: number, poses: Float32Array, visible: Uint8Array): void
-  /** TCP positions in W, 3 numbers per sample, and the times of the samples. */
-  trail(kind: 'attained' | 'command'): { readonly times: Float64Array; readonly points: Float32Array }
+  /** TCP positions of a station in W, 3 numbers per sample, and the times of the samples. */
+  trail(
+    kind: 'attained' | 'command',
+    station: string,
+  ): { readonly times: Float64Array; readonly points: Float32Array }
 }

@@ -22,7 +22,7 @@ test('a gap in the positions is a gap in the speed', () => {
   const speed = speedOf([along(t => (t > 0.5 ? Number.NaN : t)), still, still])
   expect(speed?.values[10]).toBeCloseTo(1)
   expect(speed?.values[50]).toBeNaN()
-  expect(speedChannel(speed).max[0]).toBeCloseTo(1)
+  expect(speedChannel('robot', speed).max[0]).toBeCloseTo(1)
 })
 
 test('without positions there is none', () => {

@@ -1,18 +1,20 @@
 /** Speed of the TCP, which is not recorded: from its positions. */
 import type { ChannelInfo, Series } from './run'
+import { channelOf } from './station'
 
 export const TCP_SPEED = 'tcp_speed'
 
-export function speedChannel(speed: Series | undefined): ChannelInfo {
+export function speedChannel(station: string, speed: Series | undefined): ChannelInfo {
   let greatest = Number.NaN
   // Comparing with NaN is false: gaps do not count, the first value does.
   for (const value of speed?.values ?? []) if (value >= 0 && !(value <= greatest)) greatest = value
   return {
-    name: TCP_SPEED,
+    name: channelOf(TCP_SPEED, station),
     unit: 'm/s',
     columns: [''],
     description: 'attained speed of the TCP, from its positions',
     group: 'tcp',
+    subject: station,
     min: [0],
     max: [greatest],
   }

@@ -10,9 +10,13 @@ export interface Trail {
 const NO_TRAIL: Trail = { times: new Float64Array(0), points: new Float32Array(0) }
 
 /** Points X_WB · p of three columns that share their times; empty where one of them is absent. */
-export function trailOf(times: Float64Array, position: readonly (Series | undefined)[], base: Pose): Trail {
+export function trailOf(
+  times: Float64Array,
+  position: readonly (Series | undefined)[],
+  base: Pose | undefined,
+): Trail {
   const [x, y, z] = position
-  if (!x || !y || !z) return NO_TRAIL
+  if (!x || !y || !z || !base) return NO_TRAIL
   const points = new Float32Array(3 * times.length)
   const [bx, by, bz, w, i, j, k] = base
   for (let n = 0; n < times.length; n++) {

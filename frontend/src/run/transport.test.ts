@@ -5,6 +5,7 @@ import { Transport } from './transport'
 
 const span = { source: 'main.task', line: 1, column: 1, end_line: 1, end_column: 2 }
 const run = {
+  stations: [{ name: '', program: 'main', source: 'main.task' }],
   events: [1, 4, 7].map(time => ({ time, duration: 1, kind: 'move', text: '', station: '', span, data: {} })),
   channels: [],
   findings: [{ code: 'X1', severity: 'warning', message: '', hint: '', span: null, time: 5 }],
@@ -96,7 +97,7 @@ it('without a run steps lead to the ends', () => {
 
 it('takes presses of keys of a live run into the marks', () => {
   const events: Run['events'][number][] = []
-  transport.show({ events, findings: [], channels: [] } as unknown as Run)
+  transport.show({ stations: [], events, findings: [], channels: [] } as unknown as Run)
   const before = transport.marks
   expect(transport.marks).toBe(before)
   events.push({ time: 2, duration: 0, kind: 'input', text: 'start = 1', station: '', span: null, data: {} })

@@ -22,9 +22,8 @@ function body(name: string, pose: Pose, parent = -1, kind: BodyKind = 'object', 
 }
 
 function sceneOf(bodies: Body[]): SceneDescription {
-  const robot = { name: 'r', title: 'R', joints: [] }
   const extent = { min: [0, 0, 0], max: [1, 1, 1] } as const
-  return { version: 1, project: 'p', robot, bodies, frames: [], signals: [], base: HOME, extent }
+  return { version: 2, project: 'p', stations: [], bodies, frames: [], signals: [], extent }
 }
 
 describe('poses', () => {

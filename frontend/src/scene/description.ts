@@ -67,7 +67,7 @@ export interface MeshShape extends ShapeBase {
 
 export type Shape = BoxShape | CylinderShape | SphereShape | RevolveShape | PrismShape | LineShape | MeshShape
 
-export type BodyKind = 'base' | 'link' | 'tool' | 'part' | 'object'
+export type BodyKind = 'base' | 'link' | 'tool' | 'device' | 'object' | 'part'
 
 export interface Body {
   readonly name: string
@@ -106,19 +106,29 @@ export interface SignalDescription {
   readonly initial: number
 }
 
+/** A robot with the program that it runs and the tool that it holds at the start. */
+export interface StationDescription {
+  readonly name: string
+  /** Short name of the robot. */
+  readonly robot: string
+  readonly title: string
+  /** Name of the program that it runs where the user names none. */
+  readonly program: string
+  /** Empty for none. */
+  readonly tool: string
+  /** Pose of the robot's base frame B in W. */
+  readonly base: Pose
+  readonly joints: readonly JointDescription[]
+}
+
 export interface SceneDescription {
-  readonly version: 1
+  readonly version: 2
   readonly project: string
-  readonly robot: {
-    readonly name: string
-    readonly title: string
-    readonly joints: readonly JointDescription[]
-  }
+  /** At least one, in the order of the cell. */
+  readonly stations: readonly StationDescription[]
   readonly bodies: readonly Body[]
   readonly frames: readonly FrameMark[]
   readonly signals: readonly SignalDescription[]
-  /** Pose of the robot's base frame B in W. */
-  readonly base: Pose
-  /** Box around everything, the arm's reach included [m]. */
+  /** Box around everything, the reach of the arms included [m]. */
   readonly extent: { readonly min: Vector3; readonly max: Vector3 }
 }

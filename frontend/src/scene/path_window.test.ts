@@ -1,14 +1,19 @@
 import { describe, expect, it } from 'vitest'
 import { movesAmong, nextEnd, pathWindow, RECENT } from './path_window'
 
-const moves = movesAmong([
-  { kind: 'move', time: 2, duration: 1 },
-  { kind: 'task', time: 0, duration: 9 },
-  { kind: 'move', time: 0, duration: 1 },
-  { kind: 'grip', time: 1, duration: 0.2 },
-  { kind: 'move', time: 3, duration: 0 },
-  { kind: 'move', time: 4, duration: 1.5 },
-])
+const station = 'left'
+const moves = movesAmong(
+  [
+    { kind: 'move', time: 2, duration: 1, station },
+    { kind: 'task', time: 0, duration: 9, station },
+    { kind: 'move', time: 0, duration: 1, station },
+    { kind: 'move', time: 0.5, duration: 4, station: 'right' },
+    { kind: 'grip', time: 1, duration: 0.2, station },
+    { kind: 'move', time: 3, duration: 0, station },
+    { kind: 'move', time: 4, duration: 1.5, station },
+  ],
+  station,
+)
 
 describe('the window of the path', () => {
   it('holds the last seconds and ends with the next move', () => {

@@ -32,11 +32,12 @@ export function nextEnd(moves: readonly Move[], time: number): number {
 
 interface Happening extends Move {
   readonly kind: string
+  readonly station: string
 }
 
-/** What of a run's events moves the robot, in order of time. */
-export function movesAmong(events: readonly Happening[]): readonly Move[] {
+/** What of a run's events moves the robot of a station, in order of time. */
+export function movesAmong(events: readonly Happening[], of: string): readonly Move[] {
   return events
-    .filter(({ kind, duration }) => kind === 'move' && duration > 0)
+    .filter(({ kind, duration, station }) => kind === 'move' && duration > 0 && station === of)
     .sort((a, b) => a.time - b.time)
 }

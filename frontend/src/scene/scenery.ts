@@ -16,7 +16,7 @@ import { SelectionMark } from './selection_mark'
 import type { FrameKind, Lights, Shading, StageProblem } from './settings'
 import { Shadow } from './shadow'
 import { Tint, TintedArm } from './tinted_arm'
-import { TrailLine } from './trail_line'
+import { TrailLines } from './trail_lines'
 import type { Words } from './words'
 
 /** Share of the arm's reach beyond what is there that the first picture leaves room for. */
@@ -34,8 +34,8 @@ export class Scenery {
   readonly #ghost: TintedArm
   readonly #jogged: TintedArm
   readonly #mark: SelectionMark
-  readonly attained = new TrailLine(this.scene, 1)
-  readonly command = new TrailLine(this.scene, 0.6)
+  readonly attained = new TrailLines(this.scene, 1)
+  readonly command = new TrailLines(this.scene, 0.6)
   readonly #backdrop = new Backdrop(this.scene)
   readonly floor = new Floor(this.scene, this.#rig)
   readonly #contacts = new Contacts(this.scene)

@@ -92,16 +92,16 @@ export class Stage {
   }
 
   /** The tool's path as it was and as it was wanted; null for none. Call again when a live run has grown. */
-  trails(attained: Trail | null, command: Trail | null): void {
+  trails(attained: readonly Trail[], command: readonly Trail[]): void {
     this.#scenery.attained.set(attained)
     this.#scenery.command.set(command)
     this.#screen.redraw()
   }
 
-  /** How much of the paths is drawn. */
-  trailWindow(window: PathWindow): void {
+  /** How much of the paths is drawn, in the order of the paths. */
+  trailWindows(windows: readonly PathWindow[]): void {
     const { attained, command } = this.#scenery
-    const changed = [attained.setWindow(window), command.setWindow(window)]
+    const changed = [attained.setWindows(windows), command.setWindows(windows)]
     if (changed.includes(true)) this.#screen.redraw()
   }
 

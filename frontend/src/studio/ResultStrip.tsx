@@ -30,7 +30,7 @@ export function ResultStrip() {
             <span className="unchecked">{result.unchecked}</span>
           </div>
           {tilesOf(run, result).map(tile => (
-            <TileButton key={tile.id} tile={tile} source={run.source} />
+            <TileButton key={tile.id} tile={tile} />
           ))}
         </>
       ) : (
@@ -43,9 +43,9 @@ export function ResultStrip() {
   )
 }
 
-function TileButton({ tile, source }: { tile: Tile; source: string }) {
+function TileButton({ tile }: { tile: Tile }) {
   const studio = useStudio()
-  const { id, label, value, detail, tone, time, line } = tile
+  const { id, label, value, detail, tone, time, source, line } = tile
   const act = () => {
     if (id === 'findings') studio.dock?.show('problems')
     studio.goToRun(source, line)

@@ -15,7 +15,8 @@ export function documentOfSource(source: string, documents: readonly Named[]): s
   return documents.find(one => fileName(one.name) === fileName(path) || stem(one.name) === path)?.name ?? ''
 }
 
-function fileName(path: string): string {
+/** Name of a file without its folders. */
+export function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1)
 }
 
@@ -26,4 +27,12 @@ function stem(path: string): string {
 /** Name of the program that a document holds, empty where it holds none. */
 export function programIn(document: string, programs: readonly string[]): string {
   return document.startsWith('programs/') && programs.includes(stem(document)) ? stem(document) : ''
+}
+
+/** Name of the station that runs a program, empty where none does. */
+export function stationOf(
+  stations: readonly { readonly name: string; readonly program: string }[],
+  program: string,
+): string {
+  return stations.find(one => program !== '' && one.program === program)?.name ?? ''
 }

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import type { JointDescription } from '../scene/description'
+import type { JointDescription, StationDescription } from '../scene/description'
 import type { Command } from '../wire/commands'
 import type { Jogged } from '../wire/messages'
 import { Jog } from './jog'
@@ -7,12 +7,23 @@ import { UndoStack } from './undo'
 
 const JOINT: JointDescription = { name: '1', type: 'revolute', lower: -3, upper: 3, maxSpeed: 1 }
 
+const LEFT: StationDescription = {
+  name: 'left',
+  robot: 'r',
+  title: 'R',
+  program: 'left',
+  tool: 'jaws',
+  base: [0, 0, 0, 1, 0, 0, 0],
+  joints: [JOINT, JOINT],
+}
+const RIGHT: StationDescription = { ...LEFT, name: 'right', program: 'right', tool: 'fork' }
+
 function bench() {
   const sent: Command[] = []
   const shown: (Jogged | null)[] = []
   const undo = new UndoStack()
   const jog = new Jog({ send: command => sent.push(command) > 0, show: answer => shown.push(answer), undo })
-  jog.robot([JOINT, JOINT], 'jaws')
+  jog.setStations([LEFT, RIGHT])
   const answer = (q?: readonly number[]) => {
     const last = sent.at(-1)
     if (last?.type !== 'jog_joints' && last?.type !== 'jog_tcp') return
@@ -31,7 +42,7 @@ function bench() {
 
 test('one request is out at a time and the newest of the others follows', () => {
   const { jog, sent, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   for (const value of [0.1, 0.2, 0.3]) jog.moveJoint(0, value)
   expect(sent).toHaveLength(1)
   answer()
@@ -42,7 +53,7 @@ test('one request is out at a time and the newest of the others follows', () => 
 
 test('a gesture is one step that can be undone', () => {
   const { jog, undo, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   answer()
   jog.moveJoint(0, 0.1)
   answer()
@@ -58,7 +69,7 @@ test('a gesture is one step that can be undone', () => {
 
 test('a TCP target is undone to where the arm stood, though its answer comes later', () => {
   const { jog, undo, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   answer()
   jog.moveTcp([1, 0, 0, 1, 0, 0, 0])
   jog.commit('Jog TCP X')
@@ -71,7 +82,7 @@ test('a TCP target is undone to where the arm stood, though its answer comes lat
 
 test('a target that cannot be reached is no step', () => {
   const { jog, undo, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   answer()
   jog.moveTcp([9, 0, 0, 1, 0, 0, 0])
   jog.commit('Jog TCP X')
@@ -81,7 +92,7 @@ test('a target that cannot be reached is no step', () => {
 
 test('stopping takes the arm away, and a late answer does not bring it back', () => {
   const { jog, shown, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   jog.stop()
   answer()
   expect(shown).toEqual([null])
@@ -90,7 +101,7 @@ test('stopping takes the arm away, and a late answer does not bring it back', ()
 
 test('after a lost connection it asks anew', () => {
   const { jog, sent } = bench()
-  jog.start([0.5, 0])
+  jog.start('left', [0.5, 0])
   jog.reconnected()
   expect(sent).toHaveLength(2)
   expect(sent[1]).toMatchObject({ q: [0.5, 0] })
@@ -98,19 +109,54 @@ test('after a lost connection it asks anew', () => {
 
 test('it starts only with as many finite numbers as the robot has joints', () => {
   const { jog, sent } = bench()
-  jog.start([0])
-  jog.start([0, Number.NaN])
+  jog.start('left', [0])
+  jog.start('left', [0, Number.NaN])
   expect(sent).toHaveLength(0)
 })
 
 test('a step of another robot cannot be undone onto this one', () => {
   const { jog, undo, answer } = bench()
-  jog.start([0, 0])
+  jog.start('left', [0, 0])
   answer()
   jog.moveJoint(0, 0.1)
   answer()
   jog.commit('Jog joint 1')
-  jog.robot([], '')
+  jog.setStations([{ ...LEFT, joints: [] }])
   undo.undo()
   expect(jog.q).toBeNull()
+})
+
+test('another station is asked for with its own tool and does not hear what the first one was answered', () => {
+  const { jog, sent, answer } = bench()
+  jog.start('left', [0.1, 0.2])
+  const late = sent.length
+  jog.start('right', [0.3, 0.4])
+  expect(sent).toHaveLength(late + 1)
+  expect(sent.at(-1)).toMatchObject({ type: 'jog_joints', station: 'right', q: [0.3, 0.4], tool: 'fork' })
+  jog.receive({
+    type: 'jogged',
+    id: 1,
+    q: [0.1, 0.2],
+    tcp: [0, 0, 0, 1, 0, 0, 0],
+    bodies: [],
+    reached: true,
+    words: [],
+  })
+  expect(jog.answer).toBeNull()
+  answer()
+  expect(jog.answer?.q).toEqual([0.3, 0.4])
+  expect(jog.station).toBe('right')
+})
+
+test('a step of one station is undone at that station, whichever is jogged meanwhile', () => {
+  const { jog, sent, undo, answer } = bench()
+  jog.start('left', [0, 0])
+  answer()
+  jog.moveJoint(0, 0.1)
+  answer()
+  jog.commit('Jog joint 1')
+  jog.start('right', [0.3, 0.4])
+  answer()
+  undo.undo()
+  expect(sent.at(-1)).toMatchObject({ station: 'left', q: [0, 0] })
 })

@@ -1,5 +1,5 @@
-/** The robot moved by hand: joint coordinates or a TCP pose go to the real kinematics, its answer is shown. */
-import type { JointDescription, Pose } from '../scene/description'
+/** The robot of a station moved by hand: joint coordinates or a TCP pose go to the real kinematics, its answer is shown. */
+import type { JointDescription, Pose, StationDescription } from '../scene/description'
 import type { Command } from '../wire/commands'
 import type { Jogged } from '../wire/messages'
 import type { UndoStack } from './undo'
@@ -15,10 +15,10 @@ export interface JogWires {
 export class Jog {
   readonly #wires: JogWires
   readonly #listeners = new Set<() => void>()
-  #joints: readonly JointDescription[] = []
+  #stations: readonly StationDescription[] = []
+  #station = ''
   #q: readonly number[] | null = null
   #answer: Jogged | null = null
-  #tool = ''
   #before: readonly number[] | null = null
   #nextId = 1
   #outstanding = 0
@@ -48,12 +48,17 @@ export class Jog {
     return this.#before !== null
   }
 
-  get tool(): string {
-    return this.#tool
+  get stations(): readonly StationDescription[] {
+    return this.#stations
+  }
+
+  /** Name of the station whose robot is moved, or was moved last; empty for none. */
+  get station(): string {
+    return this.#station
   }
 
   get joints(): readonly JointDescription[] {
-    return this.#joints
+    return this.#of(this.#station)?.joints ?? []
   }
 
   onChange(listener: () => void): () => void {
@@ -61,17 +66,24 @@ export class Jog {
     return () => this.#listeners.delete(listener)
   }
 
-  /** The robot of the cell; another robot ends jogging. */
-  robot(joints: readonly JointDescription[], tool: string): void {
-    if (this.#q && joints.length !== this.#joints.length) this.stop()
-    this.#joints = joints
-    this.#tool = tool
-    if (this.#q) this.#ask(this.#q)
+  /** The stations of the cell; another robot ends jogging. */
+  setStations(stations: readonly StationDescription[]): void {
+    this.#stations = stations
+    if (!this.#q) return
+    if (this.#q.length === this.joints.length) this.#ask(this.#q)
+    else this.stop()
   }
 
-  /** Begin at these joint coordinates, or go there; those of a robot with other joints are left out. */
-  start(q: readonly number[]): void {
-    if (q.length === 0 || q.length !== this.#joints.length || q.some(one => !Number.isFinite(one))) return
+  /** Begin with the robot of a station at these joint coordinates, or go there; those of other joints are left out. */
+  start(station: string, q: readonly number[]): void {
+    const count = this.#of(station)?.joints.length ?? 0
+    if (q.length === 0 || q.length !== count || q.some(one => !Number.isFinite(one))) return
+    if (station !== this.#station) {
+      if (this.#q) this.stop()
+      // What was asked for the other robot is not answered to this one.
+      this.#outstanding = 0
+      this.#station = station
+    }
     this.#ask(q)
   }
 
@@ -96,7 +108,9 @@ export class Jog {
     const q = this.#answer?.q ?? this.#q
     if (!q) return
     this.#before ??= q
-    this.#request(id => ({ type: 'jog_tcp', id, q: this.#answer?.q ?? q, tool: this.#tool, target }))
+    const station = this.#station
+    const tool = this.#of(station)?.tool ?? ''
+    this.#request(id => ({ type: 'jog_tcp', id, station, q: this.#answer?.q ?? q, tool, target }))
   }
 
   /** A gesture has ended: keep the way back under a name. */
@@ -134,15 +148,26 @@ export class Jog {
     if (this.#q) this.#ask(this.#q)
   }
 
+  #of(station: string): StationDescription | undefined {
+    return this.#stations.find(one => one.name === station)
+  }
+
   #keep(name: string, from: readonly number[]): void {
     const to = this.#q
     if (!to || to.every((one, at) => one === from[at])) return
-    this.#wires.undo.did({ name, undo: () => this.start(from), redo: () => this.start(to) })
+    const station = this.#station
+    this.#wires.undo.did({
+      name,
+      undo: () => this.start(station, from),
+      redo: () => this.start(station, to),
+    })
   }
 
   #ask(q: readonly number[]): void {
     this.#q = q
-    this.#request(id => ({ type: 'jog_joints', id, q, tool: this.#tool }))
+    const station = this.#station
+    const tool = this.#of(station)?.tool ?? ''
+    this.#request(id => ({ type: 'jog_joints', id, station, q, tool }))
     this.#changed()
   }
 

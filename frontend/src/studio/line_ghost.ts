@@ -1,5 +1,6 @@
 /** Lines of a program and the robot: which line runs, and where the robot stood after a line. */
 import type { Run } from '../run/run'
+import { channelOf } from '../run/station'
 import { nearestPass, type Pass, passesOf } from './passes'
 import type { Picture } from './picture'
 import type { RunLines } from './run_lines'
@@ -61,15 +62,17 @@ export class LineGhost {
     else if (line !== ghost.line) this.#store.setState({ ghost: { ...ghost, line } })
   }
 
-  /** The line that runs at the cursor, null where none does. */
-  running(): { readonly document: string; readonly line: number } | null {
+  /** The lines that run at the cursor, at most one of each station. */
+  running(): readonly { readonly document: string; readonly line: number }[] {
     const run = this.#wires.run()
-    // A live run that has only begun has no line yet: its value is NaN.
-    const there = run ? Math.round(run.value('line', 0, this.#wires.time())) : 0
-    if (!run || !(there > 0)) return null
-    const document = this.#wires.documentOf(run.source)
-    const line = this.#wires.lines.toText(document, there)
-    return line === null ? null : { document, line }
+    return (run?.stations ?? []).flatMap(({ name, source }) => {
+      // A live run that has only begun has no line yet: its value is NaN.
+      const there = Math.round(run?.value(channelOf('line', name), 0, this.#wires.time()) ?? 0)
+      if (!(there > 0)) return []
+      const document = this.#wires.documentOf(source)
+      const line = this.#wires.lines.toText(document, there)
+      return line === null ? [] : [{ document, line }]
+    })
   }
 
   #set(ghost: GhostLine | null): void {

@@ -13,8 +13,8 @@ export class Picture {
   #stage: Stage | null = null
   #scene: SceneDescription | null = null
   #run: Run | null = null
-  /** What the robot is yet to do; a live run does not know. */
-  #moves: readonly Move[] = []
+  /** What the robots are yet to do, by station; a live run does not know. */
+  #moves: readonly (readonly Move[])[] = []
   #ghostTime: number | null = null
   #jogged: Jogged | null = null
   #look: Look = DEFAULT_LOOK
@@ -79,7 +79,7 @@ export class Picture {
 
   setRun(run: Run): void {
     this.#run = run
-    this.#moves = run.live ? [] : movesAmong(run.events)
+    this.#moves = run.stations.map(({ name }) => (run.live ? [] : movesAmong(run.events, name)))
     this.refresh()
   }
 
@@ -108,7 +108,9 @@ export class Picture {
   /** The live run has more samples. */
   grown(): void {
     const run = this.#look.path === 'none' ? null : this.#run
-    this.#stage?.trails(run?.trail('attained') ?? null, run?.trail('command') ?? null)
+    const trails = (kind: 'attained' | 'command') =>
+      run?.stations.map(({ name }) => run.trail(kind, name)) ?? []
+    this.#stage?.trails(trails('attained'), trails('command'))
   }
 
   /** Everything again: another scene, another run. */
@@ -125,7 +127,7 @@ export class Picture {
     const time = this.#cursor.time
     this.#run?.bodies(time, this.#poses, this.#visible)
     this.#stage?.show(this.#poses, this.#visible)
-    this.#stage?.trailWindow(pathWindow(this.#look.path, time, this.#moves))
+    this.#stage?.trailWindows(this.#moves.map(moves => pathWindow(this.#look.path, time, moves)))
   }
 
   draw(): void {

@@ -108,7 +108,7 @@ export class Receiver {
     studio.picture.setScene(scene)
     // The selected body may stand at another place in the edited cell, or be gone.
     studio.select(still < 0 ? null : still)
-    studio.jog.robot(scene.robot.joints, toolOf(scene.bodies))
+    studio.jog.setStations(scene.stations)
     studio.signals.setSignals(scene.signals, studio.storage)
     studio.loop.mark()
   }
@@ -139,17 +139,8 @@ export class Receiver {
 
   #layout(message: Extract<Message, { type: 'layout' }>): void {
     const studio = this.#studio
-    const program = studio.store.getState().live?.program ?? ''
     studio.cursor.pause()
     studio.cursor.setLoop(null)
-    studio.runs.startLive(program, studio.documentOf(program), message, studio.desk.now())
+    studio.runs.startLive(message, studio.desk.now())
   }
-}
-
-/** Name of the tool that the robot holds at the start. */
-function toolOf(
-  bodies: readonly { readonly name: string; readonly kind: string; readonly visible: boolean }[],
-): string {
-  const name = bodies.find(body => body.kind === 'tool' && body.visible)?.name ?? ''
-  return name.replace(/^tool:/, '')
 }

@@ -9,16 +9,25 @@ const RESULT: ResultFigures = {
   unchecked: 'not checked: collisions',
   cycle_time: 186.8,
   cycle_time_valid: true,
-  settling: { total: 18.68, share: 0.1, time: 5.7, line: 10 },
-  peak_torque: { share: 0.742, closeness: 'far', joint: '2', line: 9, time: 3.5 },
+  settling: { total: 18.68, share: 0.1, time: 5.7, station: 'robot', line: 10 },
+  peak_torque: { share: 0.742, closeness: 'far', station: 'robot', joint: '2', line: 9, time: 3.5 },
   peak_speed: null,
-  closest_limit: { margin: 0.0733, unit: 'rad', joint: '5', side: 'upper', line: 18, time: 40 },
-  path_error: { max: 0.00031, line: 10, time: 1.2 },
+  closest_limit: {
+    margin: 0.0733,
+    unit: 'rad',
+    station: 'robot',
+    joint: '5',
+    side: 'upper',
+    line: 18,
+    time: 40,
+  },
+  path_error: { max: 0.00031, station: 'robot', line: 10, time: 1.2 },
   errors: 0,
   warnings: 0,
   moves: 217,
 }
-const RUN = { duration: 186.8, findings: [] } as unknown as Run
+const STATIONS = [{ name: 'robot', program: 'main', source: 'main.task' }]
+const RUN = { duration: 186.8, findings: [], stations: STATIONS } as unknown as Run
 
 function tile(id: string, change: Partial<ResultFigures> = {}, run: Run = RUN) {
   const found = tilesOf(run, { ...RESULT, ...change }).find(one => one.id === id)
@@ -69,6 +78,18 @@ test('findings count and lead to the worst one', () => {
 
 test('a torque beyond its limit is an error, one near it a warning', () => {
   const at = (closeness: PeakFigure['closeness']) =>
-    tile('torque', { peak_torque: { share: 0.9, closeness, joint: '1', line: 1, time: 1 } }).tone
+    tile('torque', { peak_torque: { share: 0.9, closeness, station: 'robot', joint: '1', line: 1, time: 1 } })
+      .tone
   expect((['far', 'near', 'beyond'] as const).map(at)).toEqual(['plain', 'warning', 'error'])
+})
+
+test('with several stations a figure names its own and leads to the text that this one runs', () => {
+  const stations = ['left', 'right'].map(name => ({ name, program: name, source: `programs/${name}.task` }))
+  const run = { ...RUN, stations } as unknown as Run
+  const peak = { share: 0.5, closeness: 'far', station: 'right', joint: '4', line: 8, time: 2 } as const
+  expect(tile('torque', { peak_torque: peak }, run)).toMatchObject({
+    detail: 'right: Joint 4',
+    source: 'programs/right.task',
+    line: 8,
+  })
 })

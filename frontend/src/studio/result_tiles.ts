@@ -1,6 +1,7 @@
 /** The result of a run as tiles: each a figure, in words, with the moment and the line where it arises. */
 import type { ResultFigures } from '../run/pack_file'
 import type { Run } from '../run/run'
+import { labelled } from '../run/station'
 import { resultWords as words } from '../text/result'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
@@ -14,6 +15,8 @@ export interface Tile {
   readonly tone: 'plain' | 'warning' | 'error'
   /** Where a click leads [s]; null for nowhere. */
   readonly time: number | null
+  /** Name of the text in which `line` counts. */
+  readonly source: string
   /** From 1; 0 for none. */
   readonly line: number
 }
@@ -23,10 +26,10 @@ const TONES = { far: 'plain', near: 'warning', beyond: 'error' } as const
 export function tilesOf(run: Run, result: ResultFigures): readonly Tile[] {
   return [
     cycle(run, result),
-    settling(result),
-    torque(result),
-    limit(result),
-    path(result),
+    settling(run, result),
+    torque(run, result),
+    limit(run, result),
+    path(run, result),
     findings(run, result),
   ]
 }
@@ -44,8 +47,8 @@ function cycle(run: Run, { cycle_time, cycle_time_valid }: ResultFigures): Tile 
 }
 
 /** The click leads to the longest wait of all. */
-function settling({ settling }: ResultFigures): Tile {
-  const { total, share, time, line } = settling
+function settling(run: Run, { settling }: ResultFigures): Tile {
+  const { total, share, time, station, line } = settling
   return {
     id: 'settling',
     label: words.settling,
@@ -53,48 +56,52 @@ function settling({ settling }: ResultFigures): Tile {
     detail: words.ofCycle(percent(share)),
     tone: 'plain',
     time,
+    source: sourceOf(run, station),
     line,
   }
 }
 
-function torque({ peak_torque }: ResultFigures): Tile {
+function torque(run: Run, { peak_torque }: ResultFigures): Tile {
   if (!peak_torque)
     return { ...NOWHERE, id: 'torque', label: words.torque, value: '–', detail: words.notSimulated }
-  const { share, closeness, joint, line, time } = peak_torque
+  const { share, closeness, station, joint, line, time } = peak_torque
   return {
     id: 'torque',
     label: words.torque,
     value: percent(share),
-    detail: jointName(joint),
+    detail: labelled(run.stations, station, jointName(joint)),
     tone: TONES[closeness],
+    source: sourceOf(run, station),
     line,
     time,
   }
 }
 
-function limit({ closest_limit }: ResultFigures): Tile {
+function limit(run: Run, { closest_limit }: ResultFigures): Tile {
   if (!closest_limit) return { ...NOWHERE, id: 'limit', label: words.limit, value: '–', detail: '' }
-  const { margin, unit, joint, side, line, time } = closest_limit
+  const { margin, unit, station, joint, side, line, time } = closest_limit
   return {
     id: 'limit',
     label: words.limit,
     value: formatQuantity(margin, unit),
-    detail: words.side(jointName(joint), side),
+    detail: words.side(labelled(run.stations, station, jointName(joint)), side),
     tone: margin < 0 ? 'error' : 'plain',
+    source: sourceOf(run, station),
     line,
     time,
   }
 }
 
-function path({ path_error }: ResultFigures): Tile {
+function path(run: Run, { path_error }: ResultFigures): Tile {
   if (!path_error) return { ...NOWHERE, id: 'path', label: words.path, value: '–', detail: words.noPath }
-  const { max, line, time } = path_error
+  const { max, station, line, time } = path_error
   return {
     id: 'path',
     label: words.path,
     value: formatSmall(max),
-    detail: words.line(line),
+    detail: labelled(run.stations, station, words.line(line)),
     tone: 'plain',
+    source: sourceOf(run, station),
     line,
     time,
   }
@@ -112,11 +119,17 @@ function findings(run: Run, { errors, warnings }: ResultFigures): Tile {
     detail: words.counts(errors, warnings),
     tone: errors ? 'error' : warnings ? 'warning' : 'plain',
     time: first?.time ?? null,
+    source: first?.span?.source ?? '',
     line: first?.span?.line ?? 0,
   }
 }
 
-const NOWHERE = { tone: 'plain', time: null, line: 0 } as const
+const NOWHERE = { tone: 'plain', time: null, source: '', line: 0 } as const
+
+/** Name of the text that a station runs. */
+function sourceOf(run: Run, station: string): string {
+  return run.stations.find(one => one.name === station)?.source ?? ''
+}
 
 function percent(share: number): string {
   const number = 100 * share

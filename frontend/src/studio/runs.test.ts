@@ -85,7 +85,7 @@ test('a scene that comes while a pack is unpacked is the one that counts', async
 
 test('bodies of a live run follow a cell that is edited meanwhile', () => {
   runs.setScene(scene)
-  runs.startLive('main', 'main.task', { type: 'layout', channels: [], bodies: [] })
+  runs.startLive({ type: 'layout', channels: [], bodies: [], stations: [] })
   runs.setScene(onlyBase)
   expect(() => runs.run?.bodies(0, new Float32Array(7), new Uint8Array(1))).not.toThrow()
 })

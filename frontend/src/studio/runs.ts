@@ -86,10 +86,10 @@ export class Runs {
     }
   }
 
-  startLive(program: string, source: string, layout: LiveLayout, texts: Texts = NOW): void {
+  startLive(layout: LiveLayout, texts: Texts = NOW): void {
     if (!this.#scene) return
     this.#newest += 1
-    this.#live = new LiveRun(program, source, this.#scene, layout)
+    this.#live = new LiveRun(this.#scene, layout)
     this.#frames = 0
     this.#show(this.#live, { id: 0, texts })
   }

@@ -4,6 +4,7 @@
  */
 import { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
+import { channelOf } from '../run/station'
 import type { Timeline } from '../run/timeline'
 import { Transport } from '../run/transport'
 import { type Theme, theme } from '../style/scheme'
@@ -14,6 +15,7 @@ import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
 import { Commands } from './commands'
 import type { Dock } from './dock'
+import { programIn, stationOf } from './document_names'
 import type { StudioDocument } from './documents'
 import { Jog } from './jog'
 import { LineGhost } from './line_ghost'
@@ -221,9 +223,11 @@ export class Studio {
     this.#lines.clear()
   }
 
-  /** The line that runs at the cursor, null where none does. */
+  /** The line that runs at the cursor, that of the shown text before others; null where none does. */
   runningLine(): { readonly document: string; readonly line: number } | null {
-    return this.#lines.running()
+    const running = this.#lines.running()
+    const { document } = this.store.getState()
+    return running.find(one => one.document === document) ?? running[0] ?? null
   }
 
   // ---- findings and notices ----
@@ -267,12 +271,21 @@ export class Studio {
     if (this.run) this.view.grown(this.run)
   }
 
-  /** Take the robot where the run shows it and jog it from there. */
-  jogFromRun(): void {
-    const { scene } = this.store.getState()
-    if (!scene) return
-    const shown = scene.robot.joints.map((_, at) => this.run?.value('q', at, this.cursor.time) ?? 0)
-    this.jog.start(shown.every(Number.isFinite) ? shown : scene.robot.joints.map(() => 0))
+  /** Take the robot of a station where the run shows it and jog it from there. */
+  jogFromRun(station = this.stationInSight()): void {
+    const joints = this.store.getState().scene?.stations.find(one => one.name === station)?.joints
+    if (!joints) return
+    const channel = channelOf('q', station)
+    const shown = joints.map((_, at) => this.run?.value(channel, at, this.cursor.time) ?? 0)
+    this.jog.start(station, shown.every(Number.isFinite) ? shown : joints.map(() => 0))
+  }
+
+  /** The station that is jogged, else the one whose program is open, else the first one. */
+  stationInSight(): string {
+    const { scene, document, programs } = this.store.getState()
+    const stations = scene?.stations ?? []
+    const name = this.jog.q ? this.jog.station : stationOf(stations, programIn(document, programs))
+    return (stations.find(one => one.name === name) ?? stations[0])?.name ?? ''
   }
 
   /** Highlight a body of the scene, or none. */

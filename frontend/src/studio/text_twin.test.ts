@@ -6,12 +6,15 @@ import { limitShare, textTwin } from './text_twin'
 const SCENE = {
   bodies: [{ name: 'link1' }],
   frames: [{ name: 'tcp', kind: 'tcp', parent: 0, pose: [0.1, 0, 0, 1, 0, 0, 0] }],
-  robot: {
-    joints: [
-      { name: '1', lower: -2, upper: 2 },
-      { name: '2', lower: 0, upper: 1 },
-    ],
-  },
+  stations: [
+    {
+      name: 'robot',
+      joints: [
+        { name: '1', lower: -2, upper: 2 },
+        { name: '2', lower: 0, upper: 1 },
+      ],
+    },
+  ],
 } as unknown as SceneDescription
 
 test('it names the TCP in millimetres and the joint nearest to its limit', () => {
@@ -30,4 +33,19 @@ test('without a run it says where the TCP is', () => {
 test('a joint without limits is never near one', () => {
   expect(limitShare(3, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)).toBe(0)
   expect(limitShare(-2, -2, 2)).toBe(1)
+})
+
+test('it tells of each station by its name', () => {
+  const scene = {
+    bodies: [{ name: 'left/link1' }, { name: 'right/link1' }],
+    frames: ['left', 'right'].map((name, parent) => ({
+      name: `${name}/tcp`,
+      kind: 'tcp',
+      parent,
+      pose: [0, 0, 0, 1, 0, 0, 0],
+    })),
+    stations: ['left', 'right'].map(name => ({ name, joints: [] })),
+  } as unknown as SceneDescription
+  const poses = Float32Array.of(0.1, 0, 0, 1, 0, 0, 0, 0.2, 0, 0, 1, 0, 0, 0)
+  expect(textTwin(scene, poses, null, 0)).toBe('left: TCP 100.0, 0.0, 0.0 mm. right: TCP 200.0, 0.0, 0.0 mm')
 })

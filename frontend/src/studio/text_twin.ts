@@ -1,14 +1,15 @@
 /** The picture in words, for people who do not see it. */
 import type { Run } from '../run/run'
-import type { Pose, SceneDescription } from '../scene/description'
+import { channelOf } from '../run/station'
+import type { Pose, SceneDescription, StationDescription } from '../scene/description'
 import { words } from '../text/messages'
 import { jointName } from '../units/names'
 import { compose } from '../units/pose'
 import { formatNumber, shownUnit } from '../units/quantity'
 
-/** Pose of the TCP in W at the shown poses; null where the cell marks none. */
-function tcpOf(scene: SceneDescription, poses: Float32Array): Pose | null {
-  const mark = scene.frames.find(frame => frame.kind === 'tcp')
+/** Pose of the TCP of a station in W at the shown poses; null where the cell marks none. */
+function tcpOf(scene: SceneDescription, station: string, poses: Float32Array): Pose | null {
+  const mark = scene.frames.find(frame => frame.kind === 'tcp' && frame.name === channelOf('tcp', station))
   if (!mark || poses.length < 7 * (mark.parent + 1)) return null
   if (mark.parent < 0) return mark.pose
   const at = (k: number) => poses[7 * mark.parent + k] ?? 0
@@ -28,8 +29,22 @@ export function textTwin(
   run: Run | null,
   time: number,
 ): string {
+  const texts = scene.stations.map(station => {
+    const text = stationTwin(scene, station, poses, run, time)
+    return scene.stations.length > 1 && text ? words.twin.station(station.name, text) : text
+  })
+  return texts.filter(Boolean).join('. ')
+}
+
+function stationTwin(
+  scene: SceneDescription,
+  { name, joints }: StationDescription,
+  poses: Float32Array,
+  run: Run | null,
+  time: number,
+): string {
   const parts: string[] = []
-  const tcp = tcpOf(scene, poses)
+  const tcp = tcpOf(scene, name, poses)
   if (tcp)
     parts.push(
       words.twin.tcp(
@@ -38,8 +53,12 @@ export function textTwin(
       ),
     )
   let worst = { name: '', share: 0 }
-  scene.robot.joints.forEach((joint, at) => {
-    const share = limitShare(run?.value('q', at, time) ?? Number.NaN, joint.lower, joint.upper)
+  joints.forEach((joint, at) => {
+    const share = limitShare(
+      run?.value(channelOf('q', name), at, time) ?? Number.NaN,
+      joint.lower,
+      joint.upper,
+    )
     if (share > worst.share) worst = { name: jointName(joint.name), share }
   })
   if (worst.name) parts.push(words.twin.joint(worst.name, Math.round(100 * worst.share)))

@@ -41,7 +41,7 @@ export const words = {
   messages: {
     region: 'Messages of the program',
     none: 'The program has printed nothing. `print` writes here, with the time and line of each message.',
-    line: (line: number) => `line ${line}`,
+    line: (line: number, file: string) => (file ? `${file} ${line}` : `line ${line}`),
     left: (count: number) => `${count} earlier messages are not shown.`,
   },
   viewer: 'Another tab edits this project. Here you can look, play, plot and jog.',
@@ -141,13 +141,19 @@ export const words = {
     filter: 'Filter states',
     group: 'Group',
     all: 'All groups',
-    groups: { joints: 'Joints', tcp: 'TCP', program: 'Program', signals: 'Signals' },
+    groups: { joints: 'Joints', tcp: 'TCP', program: 'Program', signals: 'Signals', devices: 'Devices' },
     quantity: 'Quantity',
     value: 'Value',
     range: 'Range',
     none: 'Nothing simulated yet: the states will stand here.',
     nothing: 'No matching state.',
     jog: (name: string) => `Jog ${name} from here`,
+  },
+  subjects: {
+    choose: 'Station or device',
+    all: 'All stations and devices',
+    cell: 'Cell',
+    group: (subject: string, group: string) => `${subject} · ${group}`,
   },
   plots: {
     choose: 'Channels',
@@ -163,6 +169,7 @@ export const words = {
   jog: {
     start: 'Jog from here',
     startLong: 'Take the robot from where the run shows it and move it by hand.',
+    station: 'Station',
     back: 'Back to the run',
     restart: 'Start again from the run',
     joints: 'Joints',
@@ -235,6 +242,8 @@ export const words = {
   cell: {
     tree: 'Contents of the cell',
     robot: 'Robot',
+    robotOf: (station: string) => `Robot of ${station}`,
+    devices: 'Devices',
     tools: 'Tools',
     objects: 'Objects',
     parts: 'Parts',
@@ -247,6 +256,7 @@ export const words = {
   twin: {
     tcp: (position: readonly string[], unit: string) => `TCP ${position.join(', ')} ${unit}`,
     joint: (name: string, percent: number) => `${name} ${percent} % of the way to its limit`,
+    station: (name: string, text: string) => `${name}: ${text}`,
   },
   panel: {
     close: 'Close panel',

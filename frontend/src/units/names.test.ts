@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { channelName, columnLabel, columnName, symbolOf } from './names'
+import { channelName, columnLabel, columnName, quantityName, symbolOf } from './names'
 
 test('numbers of a joint are named after the joint and what they measure', () => {
   expect(columnName('q', '1')).toBe('Joint 1 position')
@@ -23,4 +23,12 @@ test('other numbers have names of their own, signals those of the cell', () => {
 test('the symbol of the model is at hand', () => {
   expect(symbolOf('qd', '3')).toBe('qd 3')
   expect(symbolOf('path_error', '')).toBe('path_error')
+})
+
+test('what is of a station or device has its name before it', () => {
+  expect(columnName('left/tau', '6')).toBe('left: Joint 6 torque')
+  expect(channelName('left/attained_position')).toBe('left: TCP position')
+  expect(columnLabel('left/qd', '2')).toBe('Joint 2')
+  expect(quantityName('path_error')).toBe('Path error')
+  expect(columnName('signal.a/b', '')).toBe('a/b')
 })

@@ -29,8 +29,24 @@ export function jointName(name: string): string {
   return /^\d+$/.test(name) ? `Joint ${name}` : name
 }
 
-/** A channel as a whole: `Speed`, `TCP position`; one that nobody has named keeps its own name. */
+/** Owner and quantity of a channel: `left` and `q` of `left/q`; no owner where it is named by its quantity alone. */
+export function partsOf(channel: string): { readonly owner: string; readonly quantity: string } {
+  const at = channel.startsWith('signal.') ? -1 : channel.indexOf('/')
+  return { owner: channel.slice(0, Math.max(at, 0)), quantity: channel.slice(at + 1) }
+}
+
+function owned(owner: string, text: string): string {
+  return owner ? `${owner}: ${text}` : text
+}
+
+/** A channel as a whole: `left: Speed`, `TCP position`; one that nobody has named keeps its own name. */
 export function channelName(channel: string): string {
+  const { owner, quantity } = partsOf(channel)
+  return owned(owner, quantityName(quantity))
+}
+
+/** The same where the station or device is told already. */
+export function quantityName(channel: string): string {
   const quantity = JOINT_QUANTITIES[channel]
   if (quantity) return quantity.charAt(0).toUpperCase() + quantity.slice(1)
   return OTHERS[channel] ?? channel.replace(/^signal\./, '')
@@ -38,13 +54,14 @@ export function channelName(channel: string): string {
 
 /** A column where its channel is told already: `Joint 3`, `x`. */
 export function columnLabel(channel: string, column: string): string {
-  return channel in JOINT_QUANTITIES ? jointName(column) : column
+  return partsOf(channel).quantity in JOINT_QUANTITIES ? jointName(column) : column
 }
 
-/** A column on its own: `Joint 3 speed`, `TCP position x`. */
+/** A column on its own: `Joint 3 speed`, `left: TCP position x`. */
 export function columnName(channel: string, column: string): string {
-  const quantity = JOINT_QUANTITIES[channel]
-  if (quantity && column) return `${jointName(column)} ${quantity}`
+  const { owner, quantity: name } = partsOf(channel)
+  const quantity = JOINT_QUANTITIES[name]
+  if (quantity && column) return owned(owner, `${jointName(column)} ${quantity}`)
   return [channelName(channel), column].filter(Boolean).join(' ')
 }
 

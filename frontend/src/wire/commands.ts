@@ -103,18 +103,20 @@ export interface ForgetInputs {
   readonly type: 'forget_inputs'
 }
 
-/** Put the jogged arm at joint coordinates `q` [rad | m]. */
+/** Put the arm of a station at joint coordinates `q` [rad | m]. */
 export interface JogJoints {
   readonly type: 'jog_joints'
   readonly id: number
+  readonly station: string
   readonly q: readonly number[]
   readonly tool: string
 }
 
-/** Move the TCP of the jogged arm, standing at `q`, to a pose in W. */
+/** Move the TCP of the arm of a station, standing at `q`, to a pose in W. */
 export interface JogTcp {
   readonly type: 'jog_tcp'
   readonly id: number
+  readonly station: string
   readonly q: readonly number[]
   readonly tool: string
   readonly target: Pose

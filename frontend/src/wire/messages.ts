@@ -150,6 +150,16 @@ export interface LiveChannel {
   readonly held: boolean
 }
 
+/** What a station of the cell runs. */
+export interface LiveStation {
+  /** Of the station. */
+  readonly name: string
+  /** Name of its program; empty where it has none. */
+  readonly program: string
+  /** Name of the text whose lines its channel `line` counts. */
+  readonly source: string
+}
+
 /** Names of the numbers in the state frames that follow. */
 export interface LiveLayout {
   readonly type: 'layout'
@@ -157,6 +167,8 @@ export interface LiveLayout {
   readonly channels: readonly LiveChannel[]
   /** Indices of the scene's bodies whose poses are in the frames. */
   readonly bodies: readonly number[]
+  /** Of the cell, with what they run. */
+  readonly stations: readonly LiveStation[]
 }
 
 /** From a time on a body rides on another one, or is not there. */
@@ -189,6 +201,8 @@ export interface Printed {
   readonly time: number
   /** Of the message. */
   readonly text: string
+  /** Whose program it is. */
+  readonly station: string
   /** Name of the program text. */
   readonly source: string
   /** 0 where it has none. */

@@ -32,6 +32,14 @@ class BodyTree:
         """Return the names of the bodies of some kinds, in order."""
         return tuple(body.name for body in self.bodies if body.kind in kinds)
 
+    def moving(self) -> tuple[str, ...]:
+        """Return the names of the bodies that joints move: links of robots and devices, in order."""
+        return tuple(body.name for body in self.bodies if body.mover is not None)
+
+    def of_mechanism(self, name: str) -> tuple[str, ...]:
+        """Return the names of the bodies that the joints of a mechanism move, in order."""
+        return tuple(body.name for body in self.bodies if body.mover and body.mover.mechanism == name)
+
 
 def carrier(bodies: Mapping[str, Body], parents: Mapping[str, str], name: str) -> str:
     """Return the body nearest to a body that a joint moves, itself included; `WORLD` where none does.

@@ -117,17 +117,19 @@ class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):
 
 
 class JogJoints(Struct, frozen=True, tag_field="type", tag="jog_joints"):
-    """Put the jogged arm at joint coordinates `q` [rad | m]."""
+    """Put the arm of a station at joint coordinates `q` [rad | m]."""
 
     id: Number
+    station: Name
     q: Coordinates
     tool: Name
 
 
 class JogTcp(Struct, frozen=True, tag_field="type", tag="jog_tcp"):
-    """Move the TCP of the jogged arm, standing at `q`, to a pose in W."""
+    """Move the TCP of the arm of a station, standing at `q`, to a pose in W."""
 
     id: Number
+    station: Name
     q: Coordinates
     tool: Name
     target: PoseNumbers

@@ -74,16 +74,18 @@ class SaveRun:
 
 @dataclass(frozen=True, slots=True)
 class JogJoints:
-    """Put the jogged arm of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
+    """Put the arm of a station of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
 
+    station: str
     q: tuple[float, ...]
     tool: str
 
 
 @dataclass(frozen=True, slots=True)
 class JogTcp:
-    """Move the TCP of the jogged arm, standing at `q`, to the pose `target` in W (`JogReply`)."""
+    """Move the TCP of a station's arm, standing at `q`, to the pose `target` in W (`JogReply`)."""
 
+    station: str
     q: tuple[float, ...]
     tool: str
     target: PoseNumbers
@@ -213,7 +215,7 @@ class SavedRun:
 
 @dataclass(frozen=True, slots=True)
 class JogReply:
-    """Where the jogged arm stands now, and what limits, reach and singularity have to say, worst first.
+    """Where the arm of a station stands now, and what limits, reach and singularity have to say, worst first.
 
     `q` is that of the request where the target cannot be reached. `bodies` are pairs of a body's index in
     the scene and its pose in W, `words` pairs of a level (`error`, `warning`, `info`) and a text.

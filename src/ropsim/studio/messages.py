@@ -188,16 +188,32 @@ class LiveChannel(Struct, frozen=True):
     held: bool
 
 
+class LiveStation(Struct, frozen=True):
+    """What a station of the cell runs.
+
+    Attributes:
+        name: of the station.
+        program: name of its program; empty where it has none.
+        source: name of the text whose lines its channel `line` counts.
+    """
+
+    name: str
+    program: str
+    source: str
+
+
 class LiveLayout(Struct, frozen=True, tag_field="type", tag="layout"):
     """Names of the numbers in the state frames that follow.
 
     Attributes:
         channels: one for each number.
         bodies: indices of the scene's bodies whose poses are in the frames.
+        stations: of the cell, with what they run.
     """
 
     channels: tuple[LiveChannel, ...]
     bodies: tuple[int, ...]
+    stations: tuple[LiveStation, ...]
 
 
 class Placed(Struct, frozen=True, tag_field="type", tag="placed"):
@@ -232,12 +248,14 @@ class Printed(Struct, frozen=True, tag_field="type", tag="printed"):
     Attributes:
         time: [s].
         text: of the message.
+        station: whose program it is.
         source: name of the program text.
         line: 0 where it has none.
     """
 
     time: float
     text: str
+    station: str
     source: str
     line: int
 

@@ -1,4 +1,4 @@
-"""The cell as it is drawn, and the arm as it is jogged: what the desk worker answers."""
+"""The cell as it is drawn, and its arms as they are jogged: what the desk worker answers."""
 
 import asyncio
 from collections.abc import Callable, Mapping
@@ -56,12 +56,12 @@ class Scenes:
         return self._meshes.get(address)
 
     async def jog(self, command: commands.JogJoints | commands.JogTcp) -> Jogged:
-        """Move the jogged arm; where the worker cannot, the answer says so and the arm stays."""
+        """Move the arm of a station; where the worker cannot, the answer says so and the arm stays."""
         if isinstance(command, commands.JogJoints):
-            job: jobs.Job = jobs.JogJoints(command.q, command.tool)
+            job: jobs.Job = jobs.JogJoints(command.station, command.q, command.tool)
             tcp = UNIT_POSE
         else:
-            job = jobs.JogTcp(command.q, command.tool, command.target)
+            job = jobs.JogTcp(command.station, command.q, command.tool, command.target)
             tcp = command.target
         reply = await self._desk.submit(job).reply
         if not isinstance(reply, jobs.JogReply):

@@ -76,8 +76,8 @@ def test_a_type_without_a_rule_is_refused() -> None:
 
 
 def test_a_command_is_read_from_its_json() -> None:
-    text = '{"type":"jog_joints","id":7,"q":[0,1.5],"tool":"jaws"}'
-    assert commands.read_command(text) == (commands.JogJoints(7, (0.0, 1.5), "jaws"), "")
+    text = '{"type":"jog_joints","id":7,"station":"left","q":[0,1.5],"tool":"jaws"}'
+    assert commands.read_command(text) == (commands.JogJoints(7, "left", (0.0, 1.5), "jaws"), "")
 
 
 HOSTILE = [
@@ -88,7 +88,7 @@ HOSTILE = [
     '{"type":"sing"}',
     '{"type":"edit"}',
     '{"type":"hello","tab":1}',
-    '{"type":"jog_tcp","id":1,"q":[],"tool":"","target":[1,2]}',
+    '{"type":"jog_tcp","id":1,"station":"robot","q":[],"tool":"","target":[1,2]}',
     "[" * 100_000,
     b"\xff\xfe",
 ]
@@ -125,7 +125,7 @@ def test_names_that_are_no_unicode_are_sent_all_the_same() -> None:
     [
         json.dumps({"type": "edit", "document": "a", "text": "", "version": 2**60}),
         json.dumps({"type": "edit", "document": "a" * 5000, "text": "", "version": 1}),
-        json.dumps({"type": "jog_joints", "id": 1, "q": [0.0] * 1000, "tool": ""}),
+        json.dumps({"type": "jog_joints", "id": 1, "station": "robot", "q": [0.0] * 1000, "tool": ""}),
         json.dumps({"type": "run", "program": "a" * 5000, "fidelity": "dynamic"}),
         json.dumps({"type": "signal", "name": "a" * 5000, "value": 1.0}),
         '{"type":"signal","name":"a","value":1e999}',

@@ -224,11 +224,11 @@ def test_nonsense_is_told_and_harms_nothing(folder: Path) -> None:
 def test_a_jog_is_answered_to_the_tab_that_asked(folder: Path) -> None:
     async def play(page: Callable[[str], Awaitable[Page]]) -> None:
         first, second = await page("a"), await page("b")
-        await first.say(type="jog_joints", id=4, q=[0.5, 1], tool="")
+        await first.say(type="jog_joints", id=4, station="robot", q=[0.5, 1], tool="")
         answer = await first.hear("jogged")
         assert (answer["id"], answer["q"], answer["reached"]) == (4, [0.5, 1.0], True)
         assert answer["words"] == [{"level": "info", "text": "all is well"}]
-        await first.say(type="jog_tcp", id=5, q=[0.5], tool="", target=[1, 0, 0, 1, 0, 0, 0])
+        await first.say(type="jog_tcp", id=5, station="robot", q=[0.5], tool="", target=[1, 0, 0, 1, 0, 0, 0])
         refused = await first.hear("jogged")
         assert (refused["reached"], refused["words"][0]["level"]) == (False, "error")
         assert [one for one in second.got if one["type"] == "jogged"] == []

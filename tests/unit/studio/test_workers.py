@@ -52,7 +52,7 @@ def test_a_worker_that_dies_fails_its_job_in_words_and_the_next_job_has_a_new_on
         assert isinstance(reply, jobs.RunReply)
         assert reply.state == "failed"
         assert "exit code 3" in reply.message
-        again = await link.submit(jobs.JogJoints((1.0,), "")).reply
+        again = await link.submit(jobs.JogJoints("robot", (1.0,), "")).reply
         assert isinstance(again, jobs.JogReply)
 
     assert with_link(tmp_path, use) == ["the toy has ended unexpectedly (exit code 3)"]
@@ -108,18 +108,18 @@ def test_what_ends_a_whole_group_leaves_the_end_of_workers_to_the_server(tmp_pat
         for _ in range(20):
             os.kill(link.process_id or 0, getattr(signal, number))
             await asyncio.sleep(0.02)
-        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.JogReply)
+        assert isinstance(await link.submit(jobs.JogJoints("robot", (1.0,), "")).reply, jobs.JogReply)
         os.kill(link.process_id or 0, getattr(signal, number))
-        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.JogReply)
+        assert isinstance(await link.submit(jobs.JogJoints("robot", (1.0,), "")).reply, jobs.JogReply)
 
     assert with_link(tmp_path, use) == []
 
 
 def test_a_link_that_is_closed_starts_no_process_any_more(tmp_path: Path) -> None:
     async def use(link: WorkerLink) -> None:
-        await link.submit(jobs.JogJoints((1.0,), "")).reply
+        await link.submit(jobs.JogJoints("robot", (1.0,), "")).reply
         await link.close()
-        assert isinstance(await link.submit(jobs.JogJoints((1.0,), "")).reply, jobs.Failed)
+        assert isinstance(await link.submit(jobs.JogJoints("robot", (1.0,), "")).reply, jobs.Failed)
         assert link.process_id is None
 
     assert with_link(tmp_path, use) == []

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from ropsim.meshes import MeshLibrary
 from ropsim.studio.desk.finished import Shelf
-from ropsim.studio.desk.jog.jog import JoggedArm
+from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
@@ -30,13 +30,13 @@ class Desk:
     """State of the worker.
 
     Attributes:
-        arm: the arm of the newest scene, None without one.
+        arms: those of the newest scene, None without one.
         meshes: those of the newest scene, so that files which stay are not converted again.
         shelf: the newest finished run.
         is_cold: whether `warm` has something to do.
     """
 
-    arm: JoggedArm | None = None
+    arms: JoggedArms | None = None
     meshes: MeshLibrary | None = None
     shelf: Shelf = field(default_factory=Shelf)
     is_cold: bool = False
@@ -51,9 +51,9 @@ class Desk:
         match job:
             case OpenScene():
                 opened = open_scene(job, self.meshes)
-                self.arm = JoggedArm.of(opened.cell) if opened.cell is not None else None
+                self.arms = JoggedArms.of(opened.cell) if opened.cell is not None else None
                 self.meshes = opened.meshes or self.meshes
-                self.is_cold = self.arm is not None
+                self.is_cold = self.arms is not None
                 return opened.reply
             case Simulate():
                 return simulate(job, line, self.shelf)
@@ -62,13 +62,11 @@ class Desk:
             case SaveRun(number, form):
                 kept = self.shelf.run
                 return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)
-            case JogJoints():
-                return self.arm.to_joints(job) if self.arm else Failed(NOTHING_OPEN)
-            case JogTcp():
-                return self.arm.to_pose(job) if self.arm else Failed(NOTHING_OPEN)
+            case JogJoints() | JogTcp():
+                return self.arms.move(job) if self.arms else Failed(NOTHING_OPEN)
 
     def warm(self) -> None:
         """Load what the first jog needs, so that it is as quick as the others."""
-        if self.is_cold and self.arm is not None:
-            self.arm.warm()
+        if self.is_cold and self.arms is not None:
+            self.arms.warm()
         self.is_cold = False

@@ -1,4 +1,4 @@
-"""Bodies of a pack: links have world poses, parts ride on what carries them, all else stays in place."""
+"""Bodies of a pack: what joints move has world poses, parts ride on what carries them, all else stays."""
 
 from collections import defaultdict
 
@@ -34,9 +34,9 @@ def packed_bodies(recording: Recording, cell: Cell, times: Array, body: Body) ->
 
 
 def _link_columns(recording: Recording, tree: BodyTree, times: Array, body: Body) -> dict[str, list[Code]]:
-    """Return seven column codes for each link: its joint's frame in W."""
+    """Return seven column codes for each link of robots and devices: its joint's frame in W."""
     Q = {name: _coordinates(recording, name, times) for name in tree.mechanisms}
-    poses = body_poses(tree, Q, tree.names(BodyKind.LINK))
+    poses = body_poses(tree, Q, tree.moving())
     found = {}
     for name, matrices in poses.items():
         turned = continuous(quaternions_from_matrices(matrices[:, :3, :3]))

@@ -22,7 +22,7 @@ from ropsim.views.result import result_figures
 from ropsim.views.scene.shapes import plain_pose
 from ropsim.views.summary import Summary
 
-VERSION = 2
+VERSION = 3
 RATE = 60
 """Samples per second: as many as a screen shows."""
 
@@ -57,7 +57,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
         "rate": RATE,
         "count": len(times),
         "project": cell.name,
-        "base": plain_pose(cell.first.X_WB),
+        "bases": {name: plain_pose(station.X_WB) for name, station in cell.stations.items()},
         "channels": packed_channels(recording, times, body),
         "bodies": packed_bodies(recording, cell, times, body),
         "events": [packed_event(event) for event in recording.events],

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.kinematics import body_poses
-from ropsim.model import BASE, Body, BodyKind, Cell, Shape, body_tree, link_name, start_of, tool_body
+from ropsim.model import Body, BodyKind, Cell, Shape, Station, body_tree, link_name, start_of, tool_body
 from ropsim.spatial import Pose
 from ropsim.views.scene.arm import base_shapes, link_shapes
 from ropsim.views.scene.tool import grip_width, tool_shapes
@@ -17,7 +17,8 @@ class SceneBody:
     """One body at the start of a run.
 
     Attributes:
-        name: `base`, `link1`, `tool:NAME`, or the name of an object or part.
+        name: `base`, `link1`, `tool:NAME`, such as `left/link1` where the station or device has a name of its
+            own, or the name of an object or part.
         kind: what it is.
         parent: place of the link that carries a tool, `NO_BODY` for all others.
         pose: in the frame of the parent, or in the world frame.
@@ -52,8 +53,20 @@ def scene_bodies(cell: Cell) -> tuple[SceneBody, ...]:
 
 
 def _looks(cell: Cell) -> dict[str, tuple[Shape, ...]]:
-    """Return how arm and tools are drawn, by name of their bodies: by their own shapes, else by stand-ins."""
-    robot, width = cell.first.robot, grip_width(cell)
-    links = {link_name(number): link_shapes(robot, number) for number in range(1, len(robot.joints) + 1)}
-    tools = {tool_body(name): tool_shapes(tool, width) for name, tool in cell.first.tools.items()}
-    return {BASE: base_shapes(robot), **links, **tools}
+    """Return how arms and tools are drawn, by name of their bodies: by own shapes, else by stand-ins."""
+    width = grip_width(cell)
+    looks: dict[str, tuple[Shape, ...]] = {}
+    for station in cell.stations.values():
+        looks |= _arm_looks(station) | _tool_looks(station, width)
+    return looks
+
+
+def _arm_looks(station: Station) -> dict[str, tuple[Shape, ...]]:
+    robot, name = station.robot, station.name
+    numbers = range(1, len(robot.joints) + 1)
+    links = {link_name(number, name): link_shapes(robot, number) for number in numbers}
+    return {link_name(0, name): base_shapes(robot), **links}
+
+
+def _tool_looks(station: Station, width: float) -> dict[str, tuple[Shape, ...]]:
+    return {tool_body(name, station.name): tool_shapes(tool, width) for name, tool in station.tools.items()}

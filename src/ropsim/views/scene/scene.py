@@ -8,13 +8,14 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ropsim.model import Cell, Mesh
+from ropsim.flow import channel_name
+from ropsim.model import Cell, Mesh, Station, link_name
 from ropsim.spatial import Array, Pose
 from ropsim.views.scene.arm import reach
 from ropsim.views.scene.bodies import NO_BODY, SceneBody, scene_bodies
 from ropsim.views.scene.shapes import MeshSource, corners, plain_pose, plain_shape
 
-VERSION = 1
+VERSION = 2
 NO_MESHES: Mapping[Mesh, MeshSource] = MappingProxyType({})
 
 
@@ -26,16 +27,16 @@ def scene(cell: Cell, meshes: Mapping[Mesh, MeshSource] = NO_MESHES) -> dict[str
         meshes: where the page finds each mesh of the cell; one that is not there is drawn as missing.
 
     Returns:
-        `version`, `project`, `robot`, `bodies` in the order of the body tree, `frames`, `signals`,
-        `base` (X_WB) and `extent`.
+        `version`, `project`, `stations` with their robots, `bodies` in the order of the body tree, `frames`,
+        `signals` and `extent`.
     """
     bodies = scene_bodies(cell)
     return {
         "version": VERSION,
         "project": cell.name,
-        "robot": _robot(cell),
+        "stations": [_station(one) for one in cell.stations.values()],
         "bodies": [_body(body, meshes) for body in bodies],
-        "frames": _frames(cell),
+        "frames": _frames(cell, bodies),
         "signals": [
             {
                 "name": signal.name,
@@ -45,13 +46,12 @@ def scene(cell: Cell, meshes: Mapping[Mesh, MeshSource] = NO_MESHES) -> dict[str
             }
             for signal in cell.signals.values()
         ],
-        "base": plain_pose(cell.first.X_WB),
         "extent": _extent(cell, bodies, meshes),
     }
 
 
-def _robot(cell: Cell) -> dict[str, object]:
-    robot = cell.first.robot
+def _station(station: Station) -> dict[str, object]:
+    robot = station.robot
     joints = [
         {
             "name": joint.name,
@@ -62,7 +62,15 @@ def _robot(cell: Cell) -> dict[str, object]:
         }
         for joint in robot.axis_joints
     ]
-    return {"name": robot.name, "title": robot.title, "joints": joints}
+    return {
+        "name": station.name,
+        "robot": robot.name,
+        "title": robot.title,
+        "program": station.program,
+        "tool": station.default_tool,
+        "base": plain_pose(station.X_WB),
+        "joints": joints,
+    }
 
 
 def _body(body: SceneBody, meshes: Mapping[Mesh, MeshSource]) -> dict[str, object]:
@@ -76,15 +84,14 @@ def _body(body: SceneBody, meshes: Mapping[Mesh, MeshSource]) -> dict[str, objec
     }
 
 
-def _frames(cell: Cell) -> list[dict[str, object]]:
-    tool = cell.first.tools.get(cell.first.default_tool)
-    X_nT = cell.first.robot.X_nM @ tool.X_MT if tool else cell.first.robot.X_nM
+def _frames(cell: Cell, bodies: tuple[SceneBody, ...]) -> list[dict[str, object]]:
+    places, stations = {body.name: place for place, body in enumerate(bodies)}, cell.stations.values()
     marks = [
         ("world", "world", NO_BODY, Pose()),
-        ("base", "base", NO_BODY, cell.first.X_WB),
+        *((channel_name("base", one.name), "base", NO_BODY, one.X_WB) for one in stations),
         *((name, "frame", NO_BODY, X_WK) for name, X_WK in cell.frames.items()),
         *((name, "location", NO_BODY, X_WT) for name, X_WT in cell.locations.items()),
-        ("tcp", "tcp", cell.first.robot.tip + 1, X_nT),
+        *(_tcp(one, places) for one in stations),
     ]
     return [
         {"name": name, "kind": kind, "parent": parent, "pose": plain_pose(pose)}
@@ -92,20 +99,33 @@ def _frames(cell: Cell) -> list[dict[str, object]]:
     ]
 
 
+def _tcp(station: Station, places: Mapping[str, int]) -> tuple[str, str, int, Pose]:
+    """Return the mark of the TCP of a station, on its last link."""
+    tool, robot = station.tools.get(station.default_tool), station.robot
+    X_nT = robot.X_nM @ tool.X_MT if tool else robot.X_nM
+    return channel_name("tcp", station.name), "tcp", places[link_name(robot.tip + 1, station.name)], X_nT
+
+
 def _extent(
     cell: Cell, bodies: tuple[SceneBody, ...], meshes: Mapping[Mesh, MeshSource]
 ) -> dict[str, list[float]]:
-    """Return the box around everything and around the reach of the arm, which stops at the floor."""
-    tool = cell.first.tools.get(cell.first.default_tool)
-    centre, radius = reach(cell.first.robot)
-    radius += float(np.linalg.norm(tool.X_MT.position)) if tool else 0.0
-    shoulder = (cell.first.X_WB @ Pose(centre)).position
+    """Return the box around everything and around the reach of all arms, which stops at the floor."""
     points = np.vstack([np.zeros((1, 3)), *_corners_in_world(bodies, meshes)])
     low, high = points.min(axis=0), points.max(axis=0)
     floor = low[2]
-    low, high = np.minimum(low, shoulder - radius), np.maximum(high, shoulder + radius)
+    for station in cell.stations.values():
+        shoulder, radius = _reach(station)
+        low, high = np.minimum(low, shoulder - radius), np.maximum(high, shoulder + radius)
     low[2] = max(low[2], floor)
     return {"min": low.tolist(), "max": high.tolist()}
+
+
+def _reach(station: Station) -> tuple[Array, float]:
+    """Return centre in W [m], shape (3,), and radius [m] of a sphere that the TCP never leaves."""
+    tool = station.tools.get(station.default_tool)
+    centre, radius = reach(station.robot)
+    radius += float(np.linalg.norm(tool.X_MT.position)) if tool else 0.0
+    return (station.X_WB @ Pose(centre)).position, radius
 
 
 def _corners_in_world(bodies: tuple[SceneBody, ...], meshes: Mapping[Mesh, MeshSource]) -> list[Array]:

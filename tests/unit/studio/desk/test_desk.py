@@ -132,7 +132,7 @@ def test_a_broken_cell_file_has_findings_and_no_arm_to_jog(worker: Worker, folde
     assert reply.scene is None
     (finding, *_) = reply.findings
     assert finding["span"] == {"source": "cell.toml", "line": 2, "column": 9, "end_line": 2, "end_column": 10}
-    jogged = worker.ask(JogJoints((0.0,) * 6, ""))
+    jogged = worker.ask(JogJoints("robot", (0.0,) * 6, ""))
     assert isinstance(jogged, Failed)
     assert "no cell is open" in jogged.message
 
@@ -354,16 +354,16 @@ def test_orders_for_a_run_that_is_over_are_dropped(worker: Worker, folder: Path)
 def test_the_arm_is_jogged_where_the_scene_has_it(worker: Worker, folder: Path) -> None:
     worker.ask(OpenScene(str(folder), {}))
     q = (0.1, 1.2, -2.8, 0.2, 0.5, 0.3)
-    there = worker.ask(JogJoints(q, "jaws"))
+    there = worker.ask(JogJoints("robot", q, "jaws"))
     assert isinstance(there, JogReply)
     assert (there.q, there.reached, there.words) == (q, True, ())
-    back = worker.ask(JogTcp((0.0, 1.1, -2.7, 0.1, 0.4, 0.1), "jaws", there.tcp))
+    back = worker.ask(JogTcp("robot", (0.0, 1.1, -2.7, 0.1, 0.4, 0.1), "jaws", there.tcp))
     assert isinstance(back, JogReply)
     assert back.q == pytest.approx(q, abs=1e-9)
-    assert isinstance(worker.ask(JogJoints(q[:3], "jaws")), Failed)
-    assert isinstance(worker.ask(JogJoints(q, "jows")), Failed)
-    assert isinstance(worker.ask(JogJoints((float("nan"),) * 6, "jaws")), Failed)
-    assert isinstance(worker.ask(JogTcp(q, "jaws", (0.0,) * 7)), Failed)
+    assert isinstance(worker.ask(JogJoints("robot", q[:3], "jaws")), Failed)
+    assert isinstance(worker.ask(JogJoints("robot", q, "jows")), Failed)
+    assert isinstance(worker.ask(JogJoints("robot", (float("nan"),) * 6, "jaws")), Failed)
+    assert isinstance(worker.ask(JogTcp("robot", q, "jaws", (0.0,) * 7)), Failed)
 
 
 def test_the_worker_ends_when_the_other_end_is_gone(folder: Path) -> None:

@@ -87,7 +87,8 @@ def test_every_record_has_the_fields_that_the_page_knows() -> None:
     assert set(document["bodies"][0]) == keys_in_types("Body")
     assert set(document["frames"][0]) == keys_in_types("FrameMark")
     assert set(document["signals"][0]) == keys_in_types("SignalDescription")
-    assert set(document["robot"]["joints"][0]) == keys_in_types("JointDescription")
+    assert set(document["stations"][0]) == keys_in_types("StationDescription")
+    assert set(document["stations"][0]["joints"][0]) == keys_in_types("JointDescription")
     (shelf,) = [body for body in document["bodies"] if body["kind"] == "object"]
     interfaces = ("Box", "Cylinder", "Sphere", "Revolve", "Prism", "Line", "Mesh")
     for shape, interface in zip(shelf["shapes"], interfaces, strict=True):

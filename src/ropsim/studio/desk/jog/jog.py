@@ -1,5 +1,6 @@
-"""The jogged arm: it stands where its joint coordinates say and tells in words what limits it."""
+"""Arms moved by hand: each stands where its joint coordinates say and tells in words what limits it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,7 @@ from ropsim.kinematics import (
     inverse,
     solver_of,
 )
-from ropsim.model import ROBOT, BodyKind, BodyTree, Cell, body_tree, link_name
+from ropsim.model import BodyTree, Cell, Station, body_tree, link_name
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.choice import nearest
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
@@ -22,24 +23,19 @@ from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
 
 @dataclass(frozen=True, slots=True)
 class JoggedArm:
-    """The arm of a cell with everything that a jog needs at once.
+    """The arm of a station with everything that a jog needs at once.
 
     Attributes:
-        cell: the cell.
-        tree: its bodies.
+        station: whose arm it is.
+        tree: the bodies of its cell.
     """
 
-    cell: Cell
+    station: Station
     tree: BodyTree
-
-    @classmethod
-    def of(cls, cell: Cell) -> "JoggedArm":
-        """Return the arm of a cell."""
-        return cls(cell, body_tree(cell))
 
     def warm(self) -> None:
         """Load the compiled kinematics."""
-        robot = self.cell.first.robot
+        robot = self.station.robot
         inverse(robot, forward(robot, robot.home), IkOptions(near=robot.home))
 
     def to_joints(self, job: JogJoints) -> JogReply | Failed:
@@ -49,7 +45,7 @@ class JoggedArm:
         if wrong or X_MT is None:
             return Failed(wrong or self._no_tool(job.tool))
         wanted = np.array(job.q, dtype=np.float64)
-        robot = self.cell.first.robot
+        robot = self.station.robot
         q = np.clip(wanted, robot.lower_limits, robot.upper_limits)
         return self._reply(q, X_MT, limit_words(robot, q, wanted))
 
@@ -60,8 +56,8 @@ class JoggedArm:
         if wrong or X_MT is None:
             return Failed(wrong or self._no_tool(job.tool))
         here = np.array(job.q, dtype=np.float64)
-        robot = self.cell.first.robot
-        X_BM = self.cell.first.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
+        robot = self.station.robot
+        X_BM = self.station.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:
             return self._reply(here, X_MT, refusal_words(robot, found))
@@ -72,29 +68,61 @@ class JoggedArm:
         return self._reply(choice.q, X_MT, words)
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:
-        robot, places = self.cell.first.robot, self.tree.places()
-        moving = self.tree.names(BodyKind.BASE, BodyKind.LINK)
-        found = body_poses(self.tree, {ROBOT: q[None]}, moving)
-        poses = {name: Pose.from_matrix(matrix[0]) for name, matrix in found.items()}
-        bodies = tuple((places[name], pose.as_tuple()) for name, pose in poses.items())
-        X_WT = poses[link_name(robot.tip + 1)] @ robot.X_nM @ X_MT
+        robot, name, places = self.station.robot, self.station.name, self.tree.places()
+        own = (link_name(0, name), *self.tree.of_mechanism(name))
+        found = body_poses(self.tree, {name: q[None]}, own)
+        poses = {body: Pose.from_matrix(matrix[0]) for body, matrix in found.items()}
+        bodies = tuple((places[body], pose.as_tuple()) for body, pose in poses.items())
+        X_WT = poses[link_name(robot.tip + 1, name)] @ robot.X_nM @ X_MT
         all_words = worst_first([*words, *singularity_words(robot, q)])
         reached = all(level != "error" for level, _ in words)
         return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words)
 
     def _tool(self, name: str) -> Pose | None:
-        """Return X_MT of a tool; without a name that of the cell's default tool."""
-        tool = self.cell.first.tools.get(name or self.cell.first.default_tool)
+        """Return X_MT of a tool; without a name that of the station's default tool."""
+        tool = self.station.tools.get(name or self.station.default_tool)
         if tool is not None:
             return tool.X_MT
         return None if name else Pose()
 
     def _no_tool(self, name: str) -> str:
-        known = ", ".join(f"`{one}`" for one in self.cell.first.tools) or "none"
-        return f"the cell has no tool `{name[:60]}`, it has {known}"
+        return f"the cell has no tool `{name[:60]}`, it has {_known(self.station.tools)}"
 
     def _wrong(self, q: tuple[float, ...]) -> str:
-        n = self.cell.first.robot.n
+        n = self.station.robot.n
         if len(q) != n:
             return f"{len(q)} joint coordinates were given, the arm has {n} joints"
         return "" if np.isfinite(q).all() else "a joint coordinate is no finite number"
+
+
+@dataclass(frozen=True, slots=True)
+class JoggedArms:
+    """The arms of a cell.
+
+    Attributes:
+        arms: by the name of their station.
+    """
+
+    arms: Mapping[str, JoggedArm]
+
+    @classmethod
+    def of(cls, cell: Cell) -> "JoggedArms":
+        """Return the arms of a cell."""
+        tree = body_tree(cell)
+        return cls({name: JoggedArm(station, tree) for name, station in cell.stations.items()})
+
+    def warm(self) -> None:
+        """Load the compiled kinematics of all arms."""
+        for arm in self.arms.values():
+            arm.warm()
+
+    def move(self, job: JogJoints | JogTcp) -> JogReply | Failed:
+        """Move the arm of the station that the job names."""
+        arm = self.arms.get(job.station)
+        if arm is None:
+            return Failed(f"the cell has no station `{job.station[:60]}`, it has {_known(self.arms)}")
+        return arm.to_joints(job) if isinstance(job, JogJoints) else arm.to_pose(job)
+
+
+def _known(names: Mapping[str, object]) -> str:
+    return ", ".join(f"`{one}`" for one in names) or "none"

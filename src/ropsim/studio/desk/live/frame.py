@@ -1,15 +1,18 @@
 """What a live run shows: the layout of its numbers, and state frames of 60 per second."""
 
 import struct
+from collections.abc import Mapping
 
 import numpy as np
 
+from ropsim.flow import Channel, channel_name
+from ropsim.icr import Program
 from ropsim.kinematics import body_poses
-from ropsim.model import ROBOT, BodyKind, body_tree
+from ropsim.model import body_tree
 from ropsim.simulation import RunView, live_sample
 from ropsim.spatial import Array, quaternions_from_matrices
 from ropsim.studio.jobs import LiveFrame, LiveMessage
-from ropsim.studio.messages import LiveChannel, LiveLayout, plain
+from ropsim.studio.messages import LiveChannel, LiveLayout, LiveStation, plain
 
 HEADER = struct.Struct("<2sBBIddHHI")
 """Magic, version, kind, number, simulated time [s], wall clock [ms], channel values, bodies, event bits."""
@@ -22,12 +25,14 @@ class Frames:
 
     Args:
         run: as it starts; its channels are those of all frames.
+        programs: what the stations run, by station.
     """
 
-    def __init__(self, run: RunView) -> None:
+    def __init__(self, run: RunView, programs: Mapping[str, Program]) -> None:
         self._sent = 0
+        self._stations = tuple(_station(name, programs.get(name)) for name in run.stations)
         self._tree = body_tree(run.cell)
-        self._links = self._tree.names(BodyKind.LINK)
+        self._moving = self._tree.moving()
         self._layout = live_sample(run, 0.0)
 
     def layout(self) -> LiveMessage:
@@ -46,7 +51,8 @@ class Frames:
             for column in channel.columns or ("",)
         )
         places = self._tree.places()
-        return LiveMessage(plain(LiveLayout(columns, tuple(places[name] for name in self._links))))
+        bodies = tuple(places[name] for name in self._moving)
+        return LiveMessage(plain(LiveLayout(columns, bodies, self._stations)))
 
     def frame(self, run: RunView, time: float, wall: float) -> LiveFrame:
         """Return the state at a time.
@@ -58,13 +64,18 @@ class Frames:
         """
         sample = live_sample(run, time)
         values = np.concatenate([sample[name].values.ravel() for name in self._layout]).astype("<f4")
-        bodies = self._poses(sample["q"].values).astype("<f4")
+        bodies = self._poses(sample).astype("<f4")
         self._sent += 1
         counts = (len(values), len(bodies), 0)
         header = HEADER.pack(b"RS", VERSION, STATE, self._sent % 2**32, time, wall * 1e3, *counts)
         return LiveFrame(header + values.tobytes() + bodies.tobytes())
 
-    def _poses(self, q: Array) -> Array:
-        """Return position and quaternion of every link in W, shape (n, 7)."""
-        frames = np.concatenate(list(body_poses(self._tree, {ROBOT: q}, self._links).values()))
+    def _poses(self, sample: Mapping[str, Channel]) -> Array:
+        """Return position and quaternion in W of all that joints move, shape (n, 7)."""
+        q = {name: sample[channel_name("q", name)].values for name in self._tree.mechanisms}
+        frames = np.concatenate(list(body_poses(self._tree, q, self._moving).values()))
         return np.hstack((frames[:, :3, 3], quaternions_from_matrices(frames[:, :3, :3])))
+
+
+def _station(name: str, program: Program | None) -> LiveStation:
+    return LiveStation(name, program.name if program else "", program.source if program else "")

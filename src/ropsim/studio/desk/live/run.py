@@ -52,7 +52,7 @@ def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | N
 
     def run(ready: Runnable) -> RunReply:
         clock = PacedClock(clocks.wall, job.speed)
-        pace = LivePace(ready.name, clock, line, clocks.wall, clocks.day)
+        pace = LivePace(ready.name, ready.codes, clock, line, clocks.wall, clocks.day)
         options = RunOptions(longest=LONGEST, longest_wait=LONGEST, most_rows=MOST_ROWS, watch=pace)
         recording = run_program(ready.cell, ready.codes, options)
         if shelf is not None:

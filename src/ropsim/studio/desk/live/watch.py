@@ -1,13 +1,14 @@
 """A run at the pace of a clock: it is held where the clock has not come yet, and shown meanwhile."""
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 from msgspec import convert
 
 from ropsim.flow import MessageEvent
+from ropsim.icr import Program
 from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Line
@@ -32,7 +33,8 @@ class LivePace:
     """Holds a run, shows it and gives it inputs (`ropsim.simulation.Watch`).
 
     Attributes:
-        program: its name, for messages.
+        program: name of the one that was asked for, for messages.
+        programs: what the stations run, by station.
         clock: the simulated time that is shown.
         line: orders in, messages out.
         wall: returns the time of the wall clock [s].
@@ -48,6 +50,7 @@ class LivePace:
     """
 
     program: str
+    programs: Mapping[str, Program]
     clock: PacedClock
     line: Line
     wall: Callable[[], float]
@@ -101,7 +104,7 @@ class LivePace:
     def _begin(self, run: RunView) -> None:
         if self.frames is None:
             self.keys = Keys(run.cell, run.hz)
-            self.frames = Frames(run)
+            self.frames = Frames(run, self.programs)
             self.placed = ShownPlacements(run.scenery.tree)
             self.line.report(self.frames.layout())
             self._tell_state()
@@ -184,4 +187,4 @@ class LivePace:
 def printed(message: MessageEvent) -> LiveMessage:
     """Return what the page is told of a message of the program."""
     source, line = (message.span.source, message.span.line) if message.span is not None else ("", 0)
-    return LiveMessage(plain(Printed(message.time, message.text, source, line)))
+    return LiveMessage(plain(Printed(message.time, message.text, message.station, source, line)))

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from ropsim import robots
 from ropsim.kinematics import forward, posture, solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
-from ropsim.model import Tool
+from ropsim.model import ROBOT, Tool
 from ropsim.spatial import Pose, frozen
-from ropsim.studio.desk.jog.jog import JoggedArm
+from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp, PoseNumbers
 from support.arms import random_arm
 from support.cells import one_station
@@ -27,7 +27,7 @@ CELL = one_station(
     tools={"probe": TOOL},
     default_tool="probe",
 )
-ARM = JoggedArm.of(CELL)
+ARM = JoggedArms.of(CELL)
 BENT = (0.1, 1.2, -2.8, 0.2, 0.5, 0.3)
 SOLVER = solver_of(PUMA)
 assert isinstance(SOLVER, SphericalWristSolver)
@@ -36,13 +36,13 @@ STEPS = st.tuples(*[st.floats(-0.03, 0.03)] * 6)
 
 
 def joints(q: tuple[float, ...]) -> JogReply:
-    reply = ARM.to_joints(JogJoints(q, ""))
+    reply = ARM.move(JogJoints(ROBOT, q, ""))
     assert isinstance(reply, JogReply)
     return reply
 
 
 def pose(q: tuple[float, ...], target: PoseNumbers) -> JogReply:
-    reply = ARM.to_pose(JogTcp(q, "", target))
+    reply = ARM.move(JogTcp(ROBOT, q, "", target))
     assert isinstance(reply, JogReply)
     return reply
 
@@ -148,25 +148,25 @@ def test_a_pose_beyond_a_limit_is_told_with_the_joint_and_by_how_much() -> None:
 
 def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others() -> None:
     robot = robots.load("two_link")
-    arm = JoggedArm.of(one_station("c", robot, CELL.first.controller))
-    stretched = arm.to_joints(JogJoints((0.3, 0.0), ""))
+    arm = JoggedArms.of(one_station("c", robot, CELL.first.controller))
+    stretched = arm.move(JogJoints(ROBOT, (0.3, 0.0), ""))
     assert isinstance(stretched, JogReply)
     assert any("singularity" in text for _, text in stretched.words)
-    refused = arm.to_pose(JogTcp((0.3, 0.5), "", (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)))
+    refused = arm.move(JogTcp(ROBOT, (0.3, 0.5), "", (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)))
     assert isinstance(refused, JogReply)
     assert (refused.q, refused.reached) == ((0.3, 0.5), False)
     missing = "out of task space: the arm moves its tool in one plane only; 0.0 mm and 90.0° are missing"
     assert refused.words[0] == ("error", missing)
-    reached = arm.to_pose(JogTcp((0.3, 0.5), "", forward(robot, (0.4, 0.6)).as_tuple()))
+    reached = arm.move(JogTcp(ROBOT, (0.3, 0.5), "", forward(robot, (0.4, 0.6)).as_tuple()))
     assert isinstance(reached, JogReply)
     assert reached.q == pytest.approx((0.4, 0.6), abs=1e-8)
 
 
 def test_an_arm_without_closed_form_is_jogged_and_told_that_it_was_solved_numerically() -> None:
     robot = random_arm(3, "RRRRRR")
-    arm = JoggedArm.of(one_station("c", robot, CELL.first.controller))
+    arm = JoggedArms.of(one_station("c", robot, CELL.first.controller))
     here, there = (0.3, -0.4, 0.5, 0.2, -0.6, 0.1), (0.32, -0.41, 0.52, 0.2, -0.58, 0.1)
-    reply = arm.to_pose(JogTcp(here, "", forward(robot, there).as_tuple()))
+    reply = arm.move(JogTcp(ROBOT, here, "", forward(robot, there).as_tuple()))
     assert isinstance(reply, JogReply)
     assert reply.q == pytest.approx(there, abs=1e-8)
     assert ("info", "found numerically, further branches may exist") in reply.words

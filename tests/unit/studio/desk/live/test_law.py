@@ -32,7 +32,7 @@ def keys(tmp_path_factory: pytest.TempPathFactory) -> Project:
 def play(opened: Project, line: FakeLine, speed: float, options: RunOptions) -> Played:
     cell, codes = opened.runnable(opened.programs())
     clock = PacedClock(line.now, speed)
-    pace = LivePace("main", clock, line, line.now, line.now)
+    pace = LivePace("main", codes, clock, line, line.now, line.now)
     return Played(run(cell, codes, replace(options, watch=pace)), line)
 
 
