@@ -249,19 +249,6 @@ def _recording(tape: _Tape, findings: tuple[Diagnostic, ...]) -> Recording:
     return Recording(time, channels, events, findings, float(time[-1]) + 1.0 / tape.rate, facts())
 
 
-def two_stations() -> Recording:
-    """Return a run of two stations, `left` and `right`, that both do what the imagined one does."""
-    one, names = pick_and_place(1), ("left", "right")
-    channels: dict[str, Channel] = {}
-    for name in names:
-        for quantity, channel in one.channels.items():
-            key = f"{name}/{quantity}" if channel.subject else quantity
-            channels[key] = replace(channel, subject=name) if channel.subject else channel
-    events = tuple(replace(event, station=name) for event in one.events for name in names)
-    about = facts(stations=(station(name="left"), station(name="right", program="other")))
-    return replace(one, channels=channels, events=events, facts=about)
-
-
 def _lagging(command: Array, rate: float) -> Array:
     """Return the command delayed by a first-order lag."""
     alpha = 1.0 / (1.0 + LAG * rate)

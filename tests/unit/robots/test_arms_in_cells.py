@@ -9,7 +9,7 @@ import ropsim
 from ropsim import robots
 from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import forward, frames_batch
-from ropsim.model import RobotModel, beside, on_track
+from ropsim.model import Cell, RobotModel, beside, body_tree, on_track
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.studio.desk.jog.jog import JoggedArm
@@ -70,16 +70,20 @@ def test_a_program_runs_to_its_end_and_the_arm_follows(name: str, tmp_path: Path
     assert 0.0 < share.max() < 1.0
 
 
+def jogged(cell: Cell) -> JoggedArm:
+    return JoggedArm(cell.first, body_tree(cell))
+
+
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_it_is_jogged_by_axes_and_by_its_tool(name: str) -> None:
     robot = robots.load(name)
-    arm = JoggedArm.of(one_station("c", robot, robots.default_controller(robot)))
+    arm = jogged(one_station("c", robot, robots.default_controller(robot)))
     here = tuple((robot.home + 0.02).tolist())
-    by_axes = arm.to_joints(JogJoints(here, ""))
+    by_axes = arm.to_joints(JogJoints("robot", here, ""))
     assert isinstance(by_axes, JogReply)
     assert by_axes.tcp == pytest.approx(forward(robot, here).as_tuple(), abs=1e-12)
     assert len(by_axes.bodies) == len(robot.joints) + 1
-    back = arm.to_pose(JogTcp(tuple(robot.home.tolist()), "", by_axes.tcp))
+    back = arm.to_pose(JogTcp("robot", tuple(robot.home.tolist()), "", by_axes.tcp))
     assert isinstance(back, JogReply)
     assert back.reached
     assert back.q == pytest.approx(here, abs=1e-7)
@@ -138,10 +142,10 @@ def test_a_station_is_drawn_and_jogged_with_its_track() -> None:
     cell = one_station("station", robot, robots.default_controller(robot))
     assert scene(cell, {})["robot"]
     here = (*robot.home.tolist()[:6], 0.5, 0.3)
-    arm = JoggedArm.of(cell)
-    by_axes = arm.to_joints(JogJoints(here, ""))
+    arm = jogged(cell)
+    by_axes = arm.to_joints(JogJoints("robot", here, ""))
     assert isinstance(by_axes, JogReply)
     x, y, z, *turn = by_axes.tcp
-    back = arm.to_pose(JogTcp(here, "", (x + 0.01, y, z, *turn)))  # type: ignore[arg-type]
+    back = arm.to_pose(JogTcp("robot", here, "", (x + 0.01, y, z, *turn)))  # type: ignore[arg-type]
     assert isinstance(back, JogReply)
     assert (back.reached, back.q[6:]) == (True, (0.5, 0.3))
