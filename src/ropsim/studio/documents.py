@@ -251,10 +251,16 @@ def _is_new_name(name: str) -> bool:
 
 
 def _named_program(cell: str) -> str:
-    """Return the program that a cell file names; one with mistakes names the usual one."""
+    """Return the program of the first station of a cell file; one with mistakes names the usual one."""
     try:
-        table = toml_values(cell).get("cell")
+        tables = toml_values(cell)
     except (tomllib.TOMLDecodeError, RecursionError):
         return DEFAULT_PROGRAM
-    name = table.get("program") if isinstance(table, dict) else None
-    return name if isinstance(name, str) else DEFAULT_PROGRAM
+    stations = tables.get("stations")
+    if isinstance(stations, dict) and stations:
+        station, table = next(iter(stations.items()))
+        usual = station
+    else:
+        table, usual = tables.get("cell"), DEFAULT_PROGRAM
+    name = table.get("program", usual) if isinstance(table, dict) else usual
+    return name if isinstance(name, str) else usual

@@ -46,6 +46,15 @@ def test_documents_are_the_cell_file_and_the_programs(folder: Path) -> None:
     assert documents.unsaved_texts == {}
 
 
+@pytest.mark.parametrize(
+    ("table", "program"),
+    [("[stations.left]\nprogram = 'other'\n[stations.right]\n", "other"), ("[stations.main]\n", "main")],
+)
+def test_the_program_of_the_first_station_is_shown_first(folder: Path, table: str, program: str) -> None:
+    (folder / "cell.toml").write_text(table)
+    assert opened(folder).program == program
+
+
 def test_code_beside_a_task_of_its_name_keeps_its_ending() -> None:
     names = program_names(["cell.toml", "programs/a.icr", "programs/a.task", "programs/b.icr"])
     assert names == {"a": "programs/a.task", "a.icr": "programs/a.icr", "b": "programs/b.icr"}
