@@ -58,7 +58,7 @@ export class Replay {
         panel(
           words.findings,
           'replay-found',
-          findingsList(run.findings, time => this.#go(time)),
+          findingsList(run.findings, run.stations.length > 1 ? 'named' : 'known', time => this.#go(time)),
         ),
         plot,
       ),

@@ -63,4 +63,8 @@ class Cell:
 
     def station_of(self, program: str) -> Station:
         """Return the station that runs a program, by its name; the first one where none does."""
-        return next((one for one in self.stations.values() if one.program == program), self.first)
+        return self.stations_of(program)[0]
+
+    def stations_of(self, program: str) -> tuple[Station, ...]:
+        """Return all stations that run a program, by its name; the first one of the cell where none does."""
+        return tuple(one for one in self.stations.values() if one.program == program) or (self.first,)

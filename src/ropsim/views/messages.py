@@ -18,6 +18,7 @@ class Message:
         source: name of the program text, empty where unknown.
         line: of the `print`, 0 where unknown.
         visit: its loop pass, 0 where unknown.
+        station: name of the station whose program it is; empty where the run has no other one.
     """
 
     time: float
@@ -25,6 +26,12 @@ class Message:
     source: str
     line: int
     visit: int
+    station: str = ""
+
+    @property
+    def place(self) -> str:
+        """Return its line, behind the name of its station where there are several; empty where unknown."""
+        return f"{self.station} {self.line or ''}".strip()
 
 
 def messages(recording: Recording) -> tuple[Message, ...]:
@@ -36,6 +43,7 @@ def messages(recording: Recording) -> tuple[Message, ...]:
             event.span.source if event.span else "",
             event.line,
             event.visit,
+            event.station if len(recording.facts.stations) > 1 else "",
         )
         for event in recording.events
         if isinstance(event, MessageEvent)
@@ -45,9 +53,14 @@ def messages(recording: Recording) -> tuple[Message, ...]:
 def messages_text(told: Sequence[Message]) -> str:
     """Return the messages for a terminal: time, line and text, one row each."""
     times = [seconds(one.time) for one in told]
-    lines = [f"line {one.line}" if one.line else "" for one in told]
+    lines = [_place_text(one) for one in told]
     widest, longest = max(map(len, times), default=0), max(map(len, lines), default=0)
     rows = zip(times, lines, told, strict=True)
     return "\n".join(
         f"{time:>{widest}} s  {line:<{longest}}  {clean(one.text)}".rstrip() for time, line, one in rows
     )
+
+
+def _place_text(one: Message) -> str:
+    line = f"line {one.line}" if one.line else ""
+    return f"{clean(one.station)}  {line}".strip()

@@ -9,7 +9,7 @@ from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
 from ropsim.model import ROBOT, Cell, Station
-from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program
+from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 
 if TYPE_CHECKING:
@@ -71,15 +71,21 @@ class Project:
         return {text.name: text for text in (*self.sources.values(), self.cell_text) if text is not None}
 
     def compile(self) -> CompiledProject:
-        """Return all programs compiled, with the findings of the whole project."""
+        """Return all programs compiled, with the findings of the whole project.
+
+        A program that several stations run is the one of the first of these; what is found at any is told.
+        """
         if self.is_broken:
             return CompiledProject({}, self.diagnostics)
-        programs = {
-            name: compile_program(text, self.cell, self.cell.station_of(name) if self.cell else None)
-            for name, text in self.sources.items()
-        }
-        found = [diagnostic for program in programs.values() for diagnostic in program.diagnostics]
+        compiled = {name: self._at_stations(name, text) for name, text in self.sources.items()}
+        found = [one for programs in compiled.values() for one in found_in(programs)]
+        programs = {name: programs[0] for name, programs in compiled.items()}
         return CompiledProject(programs, (*self.diagnostics, *self._unwritten(), *found))
+
+    def _at_stations(self, name: str, text: SourceText) -> tuple[CompiledProgram, ...]:
+        """Return a program compiled for each station that runs it: their tools and places differ."""
+        stations = self.cell.stations_of(name) if self.cell else (None,)
+        return tuple(compile_program(text, self.cell, station) for station in stations)
 
     def program(self, name: str | None = None) -> CompiledProgram:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.

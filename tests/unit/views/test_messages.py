@@ -4,7 +4,7 @@ from dataclasses import replace
 from ropsim.flow import MessageEvent, Origin, Recording
 from ropsim.views import html_report, messages, messages_text, summarize
 from ropsim.views.html.messages import SHOWN_MESSAGES
-from support.recordings import SOURCE, pick_and_place
+from support.recordings import SOURCE, pick_and_place, two_stations
 
 
 def run_that_says(*texts: str) -> Recording:
@@ -59,3 +59,17 @@ def test_a_flood_of_messages_is_cut_on_the_page_and_counted() -> None:
     page = html_report(recording, summarize(recording), {})
     assert page.count("<td>again</td>") == SHOWN_MESSAGES
     assert "and 3 more messages" in page
+
+
+def test_messages_of_several_stations_say_whose_they_are() -> None:
+    told = [
+        MessageEvent(1.0 + k, station=name, origin=Origin(SOURCE.span(7 + k, 1, 5), 1), text=f"by {name}")
+        for k, name in enumerate(("left", "right"))
+    ]
+    recording = replace(two_stations(), events=tuple(told))
+    assert messages_text(messages(recording)).splitlines() == [
+        "1.00 s  left  line 7   by left",
+        "2.00 s  right  line 8  by right",
+    ]
+    page = html_report(recording, summarize(recording), {})
+    assert "<td>right 8</td>" in page.replace('<td class="">', "<td>")

@@ -15,7 +15,7 @@ def messages_section(told: Sequence[Message]) -> str:
     if not told:
         return ""
     rows = [
-        (seconds(one.time), str(one.line or ""), str(one.visit or ""), text(one.text))
+        (seconds(one.time), text(one.place), str(one.visit or ""), text(one.text))
         for one in told[:SHOWN_MESSAGES]
     ]
     more = len(told) - len(rows)

@@ -125,7 +125,7 @@ def _station(station: StationSummary, summary: Summary, sources: Mapping[str, So
 
 def _station_header(facts: StationFacts) -> str:
     what = " on ".join(text(one) for one in (facts.program, facts.title or facts.robot) if one)
-    return f'<h2 class="station">Station {text(facts.name)}</h2>\n<p class="quiet">{what}</p>\n'
+    return f'<section><h2>Station {text(facts.name)}</h2>\n<p class="quiet">{what}</p></section>\n'
 
 
 def _charts(recording: Recording, summary: Summary) -> str:
