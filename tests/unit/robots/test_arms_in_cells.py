@@ -100,7 +100,7 @@ def test_every_link_is_drawn_where_it_is(name: str) -> None:
         x, y, z, *_ = body["pose"]
         np.testing.assert_allclose([x, y, z], frames[number - 1, :3, 3], rtol=0, atol=1e-12)
         assert body["shapes"]
-    assert [joint["name"] for joint in found["robot"]["joints"]] == [  # type: ignore[index]
+    assert [joint["name"] for joint in found["stations"][0]["joints"]] == [  # type: ignore[index]
         joint.name for joint in robot.axis_joints
     ]
 
@@ -140,7 +140,7 @@ lin (900, -100, 900) speed 200 mm/s
 def test_a_station_is_drawn_and_jogged_with_its_track() -> None:
     robot = station()
     cell = one_station("station", robot, robots.default_controller(robot))
-    assert scene(cell, {})["robot"]
+    assert scene(cell, {})["stations"]
     here = (*robot.home.tolist()[:6], 0.5, 0.3)
     arm = jogged(cell)
     by_axes = arm.to_joints(JogJoints("robot", here, ""))

@@ -14,7 +14,7 @@ from ropsim.kinematics import (
     inverse,
     solver_of,
 )
-from ropsim.model import BodyTree, Cell, Station, body_tree, link_name
+from ropsim.model import BodyTree, Cell, Station, body_tree, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.choice import nearest
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
@@ -69,8 +69,10 @@ class JoggedArm:
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:
         robot, name, places = self.station.robot, self.station.name, self.tree.places()
-        own = (link_name(0, name), *self.tree.of_mechanism(name))
-        found = body_poses(self.tree, {name: q[None]}, own)
+        hands = {tool_body(tool, name): one.fingers for tool, one in self.station.tools.items() if one.fingers}
+        own = (link_name(0, name), *(body for one in (name, *hands) for body in self.tree.of_mechanism(one)))
+        opened = {hand: np.array([[fingers.opened]]) for hand, fingers in hands.items()}
+        found = body_poses(self.tree, {name: q[None], **opened}, own)
         poses = {body: Pose.from_matrix(matrix[0]) for body, matrix in found.items()}
         bodies = tuple((places[body], pose.as_tuple()) for body, pose in poses.items())
         X_WT = poses[link_name(robot.tip + 1, name)] @ robot.X_nM @ X_MT
