@@ -69,7 +69,9 @@ class JoggedArm:
 
     def _reply(self, q: Array, X_MT: Pose, words: Words) -> JogReply:
         robot, name, places = self.station.robot, self.station.name, self.tree.places()
-        hands = {tool_body(tool, name): one.fingers for tool, one in self.station.tools.items() if one.fingers}
+        hands = {
+            tool_body(tool, name): one.fingers for tool, one in self.station.tools.items() if one.fingers
+        }
         own = (link_name(0, name), *(body for one in (name, *hands) for body in self.tree.of_mechanism(one)))
         opened = {hand: np.array([[fingers.opened]]) for hand, fingers in hands.items()}
         found = body_poses(self.tree, {name: q[None], **opened}, own)
