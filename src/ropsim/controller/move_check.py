@@ -56,11 +56,13 @@ def check_joints(
     """
     span, origin = move.origin.span, move.origin
     if len(q) != robot.n:
+        external = [robot.axis_joints[k].name for k in robot.external]
+        behind = f", then {', '.join(external)}" if external else ""
         found = WRONG_NUMBER_OF_JOINTS.at(
             span,
             f"target has {len(q)} joint coordinates, `{robot.name}` has {robot.n} joints",
             label=passes(origin),
-            hint=f"give {robot.n} values, from the base to the tip",
+            hint=f"give {robot.n} values, from the base to the tip{behind}",
             data={"found": len(q), "allowed": robot.n},
         )
         return (found,)

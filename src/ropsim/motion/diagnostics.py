@@ -88,7 +88,7 @@ WRONG_NUMBER_OF_JOINTS = define(
     Severity.ERROR,
     "a target in joint coordinates has another number of values than the arm has joints",
     """
-Joint coordinates are given for all joints of the arm, from the base to the tip.
+Joint coordinates are given for all joints of the arm, from the base to the tip, then for its external axes.
 
 **How to mend it.** Give one value per joint. A program written for another arm must be taught again: joint
 coordinates do not carry over from arm to arm, poses do.
