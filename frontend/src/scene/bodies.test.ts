@@ -1,6 +1,6 @@
 import { Matrix4, Object3D, Ray, Vector3 } from 'three'
 import { beforeEach, describe, expect, it } from 'vitest'
-import { Bodies } from './bodies'
+import { Bodies, standsStill } from './bodies'
 import type { Body, BodyKind, Pose, SceneDescription, Shape } from './description'
 import type { Wardrobe } from './figure'
 import { initialState } from './initial_state'
@@ -46,6 +46,16 @@ describe('poses', () => {
     })
     expect([...visible]).toEqual([1, 1])
   })
+})
+
+it('bases of robots and devices stand still, and what a device moves does not', () => {
+  const still = ['left/base', 'infeed/base', 'table', 'infeed/link1', 'left/link1', 'post'].filter(
+    (name, at) =>
+      standsStill(
+        body(name, HOME, -1, (['base', 'device', 'object', 'device', 'link', 'part'] as const)[at]),
+      ),
+  )
+  expect(still).toEqual(['left/base', 'infeed/base', 'table'])
 })
 
 describe('bodies in the scene', () => {

@@ -16,6 +16,11 @@ const FOOT = 0.02
 
 const ARM: ReadonlySet<BodyKind> = new Set<BodyKind>(['base', 'link', 'tool'])
 
+/** Whether a body never moves: bases of robots and devices, and objects. */
+export function standsStill({ kind, name }: Body): boolean {
+  return kind === 'base' || kind === 'object' || (kind === 'device' && name.endsWith('/base'))
+}
+
 const ONE = new Vector3(1, 1, 1)
 
 interface Cast {
@@ -143,13 +148,13 @@ export class Bodies {
     return new Box3().setFromPoints(this.cornersOf(body))
   }
 
-  /** Boxes in W about the feet of all that stands on a floor at this height [m]: the base and objects. */
+  /** Boxes in W about the feet of all that stands on a floor at this height [m] and stays there. */
   footprints(floor: number): Box3[] {
     const point = new Vector3()
-    return this.#bodies.flatMap(({ kind }, i) => {
+    return this.#bodies.flatMap((body, i) => {
       const [look, matrix] = [this.#looks[i], this.#matrices[i]]
       const feet = new Box3()
-      if (!look || !matrix || (kind !== 'base' && kind !== 'object')) return []
+      if (!look || !matrix || !standsStill(body)) return []
       for (const geometry of look.surfaces()) {
         const corners = geometry.getAttribute('position')
         for (let k = 0; k < corners.count; k++) {

@@ -1,7 +1,7 @@
 /** Everything that is in the picture, as one three.js scene; knows no canvas. */
 import { Box3, Scene, Vector3 } from 'three'
 import { Backdrop } from './backdrop'
-import { Bodies } from './bodies'
+import { Bodies, standsStill } from './bodies'
 import { cornersOf } from './camera_pose'
 import { Contacts } from './contacts'
 import { Crosses } from './crosses'
@@ -237,9 +237,7 @@ export class Scenery {
   #formed(): void {
     this.#ghost.refresh()
     this.#jogged.refresh()
-    const standing = this.bodies.list.flatMap(({ kind }, i) =>
-      kind === 'base' || kind === 'object' ? [this.bodies.boxOf(i)] : [],
-    )
+    const standing = this.bodies.list.flatMap((body, i) => (standsStill(body) ? [this.bodies.boxOf(i)] : []))
     const all = standing.reduce((sum, box) => sum.union(box), new Box3())
     this.floor.put(all, this.bodies.box())
     this.#contacts.put(this.bodies.footprints(this.floor.height), this.floor.height)
