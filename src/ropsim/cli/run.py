@@ -55,7 +55,6 @@ def message_entry(message: Message) -> dict[str, object]:
     return {
         "time": message.time,
         "text": message.text,
-        "station": message.station,
         "source": message.source,
         "line": message.line,
         "pass": message.visit,
