@@ -11,19 +11,20 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
 from ropsim.simulation.diagnostics import RUN_OFF
 from ropsim.simulation.placements import Placements
+from ropsim.simulation.track import tick_at
 from ropsim.spatial import Pose
 
 
 def act(run: CellRun, device: DeviceRun) -> None:
     """Let a device act at the tick at which it is due."""
-    tick = device.due
+    tick = device.acted = device.due
     time = tick / run.hz
     carried = tuple(_carried(name, run) for name in _riders(run.parts, device))
     told = device.driving.act(device.course, Now(time, lambda name: run.is_on(name, time), carried))
     place = bisect_right(device.scripted, tick)
     nexts = list(device.scripted[place : place + 1])
     if told.due < math.inf:
-        nexts.append(max(math.ceil(told.due * run.hz), tick + 1))
+        nexts.append(max(tick_at(told.due, run.hz), tick + 1))
     device.due = min(nexts, default=NEVER)
     for name, level in device.heard(told.levels):
         run.set_input(name, tick, float(level))

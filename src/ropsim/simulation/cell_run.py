@@ -87,13 +87,18 @@ class CellRun:
 
     def take(self, at: StationRun, tool: Tool | None, parts: Placements) -> None:
         """Let `tool` be in force at a station and the parts be where `parts` says; its payload follows."""
+        changed, at.tool = tool is not at.tool, tool
         self.place(parts, at.due)
-        if tool is at.tool and parts is at.laden:
-            return
-        at.tool, at.laden = tool, parts
-        load = payload(parts.carried(at.hands), self.scenery.parts, tool)
-        at.payload = at.payload if load == at.payload else load
-        at.track("payload", load.mass)
+        if changed:
+            self._weigh(at)
+
+    def _weigh(self, at: StationRun) -> None:
+        """Let the payload of a station be what its tools carry now, in its hands or taken out of them."""
+        at.laden = self.parts
+        load = payload(self.parts.carried(at.hands), self.scenery.parts, at.tool)
+        if load != at.payload:
+            at.payload = load
+            at.track("payload", load.mass)
 
     def place(self, parts: Placements, due: int) -> None:
         """Let the parts be where `parts` says from a tick of the cell's clock on; devices look at them."""
@@ -101,6 +106,9 @@ class CellRun:
             return
         self.placements += changes(due / self.hz, self.parts, parts, self.scenery.objects)
         self.parts = parts
+        for at in self.stations.values():
+            if at.laden is not parts:
+                self._weigh(at)
         for device in self.devices.values():
             device.wake(due)
 

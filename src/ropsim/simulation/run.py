@@ -1,8 +1,9 @@
 """The programs of a cell: interpreters, controllers, drives, arms and parts against one clock.
 
-`run` is the main loop: whoever is least far works on. A station carries out its program; within it the parts
-work as in the generic controller's block diagram: the interpreter hands over instructions, the slow side of
-the controller turns a move into joint references, the plant follows them.
+`run` is the main loop: whoever is least far works on, at one time in the order of the names. A station
+carries out its program; within it the parts work as in the generic controller's block diagram: the
+interpreter hands over instructions, the slow side of the controller turns a move into joint references, the
+plant follows them.
 """
 
 from collections.abc import Mapping
@@ -35,7 +36,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     for name, program in programs.items():
         state.at_work[name] = work(state, state.stations[name], program, options)
     while state.at_work:
-        name = min(state.at_work, key=lambda one: state.stations[one].due)
+        name = min(state.at_work, key=lambda one: (state.stations[one].due, one))
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)
             continue

@@ -41,7 +41,10 @@ def stood(
     state = state.with_seats(
         {name: replace(state.seats[name], parent=_parent(one, scenery)) for name, one in found.items()}
     )
-    carriers = {name: _carrier(state, name, scenery, moment) for name in names}
+    family = dict.fromkeys(
+        one for name in names for one in state.family(name)
+    )  # what lies on them rides along
+    carriers = {name: _carrier(state, name, scenery, moment) for name in family}
     moved = {
         name: replace(state.seats[name], rides=carrier, pose=moment.on(carrier, poses[name]))
         for name, carrier in carriers.items()
@@ -125,14 +128,12 @@ def _others(
     held = scenery.tools
     resting = {other: poses[other] for other, seat in state.seats.items() if seat.rides not in held}
     if len(names) < MANY:
-        family = {one for name in names for one in state.family(name)}
         centres = np.array([poses[name].position[:2] for name in names]).reshape(-1, 2)
         reach = max((float(np.linalg.norm(scenery.parts[name].size)) for name in names), default=0.0)
         resting = {
             other: pose
             for other, pose in resting.items()
-            if other not in family
-            and (np.hypot(*(centres - pose.position[:2]).T) <= reach + scenery.largest).any()
+            if (np.hypot(*(centres - pose.position[:2]).T) <= reach + scenery.largest).any()
         }
     parts = part_blocks((scenery.parts[other], pose) for other, pose in resting.items())
     return stacked([scenery.ground.blocks, moment.solids, parts])

@@ -20,6 +20,7 @@ from ropsim.simulation.scenery import Scenery, scenery_of
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.track import tick_at
 from ropsim.spatial import frozen
 
 
@@ -61,7 +62,7 @@ def _device_run(cell: Cell, device: Device, hz: int) -> DeviceRun:
     changes = [
         change for name in device.listens if name in cell.signals for change in cell.signals[name].changes
     ]
-    scripted = tuple(sorted(math.ceil(time * hz) for time, _ in changes))
+    scripted = tuple(sorted(tick_at(time, hz) for time, _ in changes))
     return DeviceRun(
         device,
         DRIVINGS[type(device.drive)](device.drive),

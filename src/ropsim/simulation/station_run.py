@@ -117,9 +117,11 @@ class StationRun:
 
     def rest(self, ticks: int) -> None:
         """Hold the command position for a number of control ticks, whoever else waits meanwhile."""
-        if ticks:
-            self.plant.hold(self.q_command, ticks, self.payload)
-            self.tick += ticks
+        until = self.tick + ticks
+        while self.tick < until:
+            slice_ = min(until - self.tick, _SLICE)
+            self.plant.hold(self.q_command, slice_, self.payload)
+            self.tick += slice_
 
     def track(self, name: str, value: float) -> None:
         """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""

@@ -1,5 +1,6 @@
 """A piecewise constant quantity over control ticks: active line, gripper, payload, signals."""
 
+import math
 from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
@@ -40,3 +41,9 @@ class Track:
         """Return the ticks and values of the changes up to a tick, that one included, shape (m,) each."""
         count = bisect_right(self.ticks, last)
         return np.array(self.ticks[:count], dtype=np.float64), np.array(self.values[:count], dtype=np.float64)
+
+
+def tick_at(time: float, hz: int) -> int:
+    """Return the first tick that is not before a time [s], so that a time that is one comes back exactly."""
+    tick = math.ceil(time * hz)
+    return tick - 1 if (tick - 1) / hz >= time else tick

@@ -259,6 +259,105 @@ def test_a_program_waits_for_a_door_and_a_table_turns_what_lies_on_it() -> None:
     assert placed.parent == "table/link1"
 
 
+def stack(x: float) -> tuple[Part, Part]:
+    low = Part("low", np.array([0.1, 0.06, 0.04]), 0.5, Pose(np.array([x, 0.0, 0.42])))
+    return low, replace(low, name="high", X_WO=Pose(np.array([x, 0.0, 0.46])))
+
+
+def test_a_stack_rides_on_a_belt_and_is_lifted_and_set_down_as_one() -> None:
+    signals = {"there": switch("there", is_input=True)}
+    recording = ran(
+        cell(
+            station("left"),
+            parts=stack(-0.5),
+            signals=signals,
+            devices={"belt": belt(Barrier(1.55, "there"))},
+            locations={"pick": Pose(np.array([0.5, 0.0, 0.42]), DOWN)},
+        ),
+        left=(
+            "wait until there",
+            "mov pick",
+            "close",
+            "lin pick above 100 mm",
+            "lin pick offset (-80, 0, 1)",
+            "open",
+            "wait 3 s",
+        ),
+    )
+    told = {
+        name: [one.parent for one in recording.placements if one.body == name] for name in ("low", "high")
+    }
+    assert told == {"low": ["belt/link1", "left/tool:jaws", "belt/link1"], "high": ["low"]}
+    assert recording.at("left/payload", recording.events_of(GripEvent)[0].end + 0.1) == pytest.approx(2.0)
+    assert [found.code for found in recording.findings if found.is_error] == []
+
+
+def test_a_part_too_near_to_be_stopped_comes_into_the_barrier_and_stops_the_belt_for_the_next() -> None:
+    """It is set down 10 mm before the barrier on a belt at full speed, which brakes within 31 mm."""
+    here, next_ = stack(0.49)[0], replace(stack(-0.6)[0], name="next")
+    signals = {"there": switch("there", is_input=True)}
+    recording = ran(
+        cell(
+            station("left"),
+            parts=(replace(here, X_WO=Pose(np.array([0.49, 0.0, 0.5]))), next_),
+            signals=signals,
+            devices={"belt": belt(Barrier(1.55, "there"))},
+            locations={"pick": Pose(np.array([0.49, 0.0, 0.5]), DOWN)},
+        ),
+        left=("mov pick", "close", "lin pick offset (0, 0, -80)", "open", "wait 8 s"),
+    )
+    assert [found.code for found in recording.findings] == []
+    change = recording.channels["signal.there"]
+    assert change.values[-1] == 1.0
+    assert np.ptp(recording.channels["belt/q"].values[-250:]) == 0.0
+
+
+def test_a_device_that_follows_a_scripted_input_moves_at_the_tick_of_the_change() -> None:
+    """2.007 s is tick 2007 at 1 kHz, although 2.007 · 1000 is above 2007 in floating-point numbers."""
+    signals = {"go": Signal("go", is_input=True, changes=((2.007, 1.0),)), "up": switch("up", is_input=True)}
+    drive = SwitchDrive("go", 0.0, 0.5, 0.5, 2.0, "", "up")
+    door = Device("door", robots.slide(()), drive, Pose(np.array([2.0, 2.0, 0.0])))
+    recording = ran(cell(station("left"), signals=signals, devices={"door": door}), left=("wait 4 s",))
+    moved = recording.time[recording.channels["door/q"].values[:, 0] > 0.0]
+    assert moved[0] == pytest.approx(2.008)
+    up = recording.channels["signal.up"]
+    assert up.times is not None
+    assert up.times[1] == pytest.approx(2.007 + 0.5 / 0.5 + 0.5 / 2.0, abs=1e-9)
+
+
+def test_a_device_that_follows_what_it_tells_itself_lets_time_pass() -> None:
+    drive = SwitchDrive("closed", 0.0, 0.1, 0.5, 2.0, "closed", "")
+    door = Device("door", robots.slide(()), drive, Pose(np.array([2.0, 2.0, 0.0])))
+    signals = {"closed": switch("closed", is_input=True)}
+    recording = ran(cell(station("left"), signals=signals, devices={"door": door}), left=("wait 0.2 s",))
+    assert recording.duration == pytest.approx(0.2)
+
+
+def test_a_payload_is_gone_at_once_from_the_arm_from_which_a_part_is_taken() -> None:
+    right = station("right", Pose(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0])))
+    where = {"post": PLACE, "high": Pose(np.array([0.5, 0.0, 0.6]), DOWN)}
+    recording = ran(
+        cell(station("left"), right, parts=(POST,), signals={"up": switch("up")}, locations=where),
+        left=("mov post", "close", "lin high", "set up on", "wait 6 s"),
+        right=("wait until up", "mov high", "close", "wait 1 s"),
+    )
+    taken = recording.events_of(GripEvent)[-1].end
+    assert recording.at("left/payload", taken - 0.1) == pytest.approx(1.4)
+    assert recording.at("left/payload", taken + 1.1) == pytest.approx(1.0)
+
+
+def test_at_one_time_stations_act_in_the_order_of_their_names() -> None:
+    seen = []
+    for order in (("a", "b"), ("b", "a")):
+        stations = [station(name, AWAY if name == "b" else None) for name in order]
+        lines = {"a": ("set go on",), "b": ('if go then print "seen"',)}
+        made = cell(*stations, signals={"go": switch("go")})
+        codes = {name: code(made, name, *lines[name]) for name in order}
+        recording = run(made, codes, RunOptions(Fidelity.KINEMATIC))
+        seen.append(sorted(event.kind for event in recording.events))
+    assert seen == [["message", "output"]] * 2
+
+
 class Stopper:
     """Ends the run at a time."""
 

@@ -25,16 +25,13 @@ class Belt:
         carried = [one for one in now.carried if one.name not in lost]
         blocked = barrier is not None and any(_covers(one, q, barrier.at) for one in carried)
         runs = not blocked and (not drive.run or now.signals(drive.run))
-        target = math.inf
-        if barrier is not None:
-            target = min(
-                (barrier.at - one.front for one in carried if one.front + q < barrier.at - TOUCH),
-                default=math.inf,
-            )
         brake = qd * qd / (2.0 * drive.acceleration)
+        # the nearest part that can still be stopped there; one that cannot runs into the barrier and beyond
+        ahead = (barrier.at - one.front for one in carried) if barrier is not None else ()
+        target = min((one for one in ahead if one > q + TOUCH and one - q >= brake - TOUCH), default=math.inf)
         if not runs:
             course.go(to_speed(now.time, q, qd, 0.0, drive.acceleration))
-        elif target < math.inf and target - q >= brake - TOUCH:
+        elif target < math.inf:
             course.go(to_rest(now.time, q, qd, max(target, q + brake), drive.speed, drive.acceleration))
         else:
             course.go(to_speed(now.time, q, qd, drive.speed, drive.acceleration))
@@ -46,10 +43,14 @@ class Belt:
         return self.drive.length - part.front + part.length / 2.0
 
     def _next(self, course: Course, time: float, carried: list[Carried]) -> float:
-        """Return when the belt comes to rest or loses a part [s]."""
-        last = course.pieces[-1]
+        """Return when the belt comes to rest, loses a part, or one comes into the barrier or out [s]."""
+        last, (q, _) = course.pieces[-1], course.at(time)
         rest = last.time if last.qd == 0.0 and last.time > time else math.inf
-        return min([rest, *(course.time_of(self._leaves(one)) for one in carried)])
+        places = [self._leaves(one) for one in carried]
+        if self.drive.barrier is not None:
+            at = self.drive.barrier.at
+            places += [place for one in carried for place in (at - one.front, at - one.front + one.length)]
+        return min([rest, *(course.time_of(place, time) for place in places if place > q + TOUCH)])
 
 
 def _covers(part: Carried, q: float, at: float) -> bool:

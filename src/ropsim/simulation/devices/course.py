@@ -55,9 +55,11 @@ class Course:
             self.pieces.pop()
         self.pieces += pieces
 
-    def time_of(self, q: float) -> float:
-        """Return when the coordinate grows to a value after the beginning of the last pieces [s], or inf."""
-        for piece, end in zip(self.pieces, [*(one.time for one in self.pieces[1:]), math.inf], strict=True):
+    def time_of(self, q: float, since: float) -> float:
+        """Return when the coordinate grows to a value, from the piece in force at a time on [s], or inf."""
+        first = max(bisect_right(self.pieces, since, key=lambda piece: piece.time) - 1, 0)
+        pieces = self.pieces[first:]
+        for piece, end in zip(pieces, [*(one.time for one in pieces[1:]), math.inf], strict=True):
             found = _reached(piece, q)
             if found is not None and piece.time + found <= end:
                 return piece.time + found

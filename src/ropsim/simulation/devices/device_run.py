@@ -78,6 +78,7 @@ class DeviceRun:
         bodies: names of the bodies that it moves.
         scripted: ticks at which the cell changes a signal that it follows, ascending.
         due: tick of the cell's clock at which it acts next, `NEVER` for none.
+        acted: tick at which it acted last.
         levels: of the inputs that it sets, as told last.
     """
 
@@ -87,6 +88,7 @@ class DeviceRun:
     scripted: tuple[int, ...] = ()
     course: Course = field(default_factory=Course)
     due: int = 0
+    acted: int = -1
     levels: dict[str, bool] = field(default_factory=dict)
 
     def poses(self, time: float) -> dict[str, Pose]:
@@ -98,8 +100,9 @@ class DeviceRun:
         }
 
     def wake(self, tick: int) -> None:
-        """Let it act at a tick at the latest."""
-        self.due = tick if self.due == NEVER else min(self.due, tick)
+        """Let it act at a tick at the latest, but once in a tick: devices in a circle let time pass."""
+        soonest = max(tick, self.acted + 1)
+        self.due = soonest if self.due == NEVER else min(self.due, soonest)
 
     def heard(self, told: Iterable[tuple[str, bool]]) -> list[tuple[str, bool]]:
         """Return which of the levels that it tells are new."""

@@ -74,6 +74,6 @@ def test_the_time_of_a_coordinate_is_found_in_any_piece() -> None:
     course = Course()
     course.go(to_speed(0.0, 0.0, 0.0, 0.5, 1.0))
     for q in (0.05, 0.125, 2.0):
-        assert course.at(course.time_of(q))[0] == pytest.approx(q, abs=ROUNDING)
+        assert course.at(course.time_of(q, 0.0))[0] == pytest.approx(q, abs=ROUNDING)
     course.go(to_rest(4.0, *course.at(4.0), 2.0, 0.5, 1.0))
-    assert course.time_of(3.0) == math.inf
+    assert course.time_of(3.0, 0.0) == math.inf
