@@ -85,7 +85,7 @@ def test_a_page_sees_the_cell_the_run_and_an_edit_that_is_refused(studio: Studio
     with page_of(studio) as page:
         welcome = page.hear("welcome")
         assert (welcome["editing"], welcome["program"]) == (True, "main")
-        assert page.hear("scene")["scene"]["robot"]["name"] == "puma560"
+        assert page.hear("scene")["scene"]["stations"][0]["robot"] == "puma560"
         done = page.hear("run", state="done")
         status, pack = get(studio, f"/run/{done['id']}.pack", secret(studio))
         assert (status, gzip.decompress(pack)[:4]) == (200, b"RPK1")
