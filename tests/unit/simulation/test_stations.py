@@ -8,6 +8,7 @@ import pytest
 import ropsim
 from ropsim import icr, robots
 from ropsim.flow import GripEvent, MoveEvent, OutputEvent, Recording, ReleaseEvent
+from ropsim.kinematics import forward
 from ropsim.model import (
     Barrier,
     BeltDrive,
@@ -24,7 +25,7 @@ from ropsim.model import (
     SwitchDrive,
     Tool,
 )
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
+from ropsim.simulation import Fidelity, OptionError, RunOptions, RunView, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 
@@ -358,6 +359,78 @@ def test_at_one_time_stations_act_in_the_order_of_their_names() -> None:
     assert seen == [["message", "output"]] * 2
 
 
+def test_a_device_follows_what_another_one_tells_at_the_same_tick() -> None:
+    first = SwitchDrive("go", 0.0, 0.5, 0.5, 2.0, "", "up")
+    doors = {
+        name: Device(name, robots.slide(()), drive, Pose(np.array([2.0, 2.0, 0.0])))
+        for name, drive in (("one", first), ("two", replace(first, signal="up", is_on="")))
+    }
+    signals = {"go": switch("go"), "up": switch("up", is_input=True)}
+    recording = ran(cell(station("left"), signals=signals, devices=doors), left=("set go on", "wait 3 s"))
+    up = recording.channels["signal.up"]
+    assert up.times is not None
+    q = recording.channels["two/q"].values[:, 0]
+    # from rest with 2 m/s² from the very tick at which the first one tells
+    row = int(np.searchsorted(recording.time, up.times[1] + 0.1))
+    assert q[row] == pytest.approx(0.5 * 2.0 * (recording.time[row] - up.times[1]) ** 2, abs=1e-12)
+
+
+def test_at_one_tick_a_device_acts_before_the_next_station() -> None:
+    table = Device("table", robots.rotary(()), IndexDrive("turn", 1.0, 1.0, 4.0, "in_place"), AWAY)
+    signals = {"turn": switch("turn"), "in_place": switch("in_place", is_input=True)}
+    recording = ran(
+        cell(station("a"), station("b", AWAY), signals=signals, devices={"table": table}),
+        a=("wait 0.5 s", "set turn on", "wait 0.1 s"),
+        b=("wait 0.5 s", 'if not in_place then print "it moves"'),
+    )
+    assert [event.time for event in recording.events if event.kind == "message"] == [0.5]
+
+
+def test_taking_a_part_from_a_moving_hand_does_not_move_it() -> None:
+    """The left arm moves the post along while the right one, of another control rate, closes on it."""
+    turned = Pose(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0]))
+    where = {
+        "post": PLACE,
+        "high": Pose(np.array([0.5, -0.1, 0.6]), DOWN),
+        "way": Pose(np.array([0.5, 0.0, 0.6]), DOWN),
+    }
+    made = cell(
+        station("left"),
+        station("right", turned, hz=400),
+        parts=(POST,),
+        signals={"up": switch("up")},
+        locations=where,
+    )
+    recording = ran(
+        made,
+        RunOptions(Fidelity.KINEMATIC, record_hz=1000),
+        left=("mov post", "close", "lin high", "set up on", "lin way offset (0, 100, 0) speed 100 mm/s"),
+        right=("mov way", "wait until up", "wait 0.8 s", "close", "wait 1 s"),
+    )
+    grip = recording.events_of(GripEvent)[-1]
+    assert (grip.station, grip.part) == ("right", "post")
+    told = [one for one in recording.placements if one.body == "post"]
+    poses = {}
+    for one, name in ((told[1], "left"), (told[2], "right")):
+        arm = made.stations[name]
+        q = [np.interp(told[2].time, recording.time, row) for row in recording.channels[f"{name}/q"].values.T]
+        poses[name] = (arm.X_WB @ forward(arm.robot, np.array(q)) @ one.X_PB).matrix()
+    speed = np.abs(np.diff(recording.channels["left/q"].values, axis=0)).max(axis=1)
+    row = int(np.searchsorted(recording.time, told[2].time))
+    assert speed[row] > 1e-5  # it does move
+    np.testing.assert_allclose(poses["left"], poses["right"], rtol=0, atol=2e-6)
+
+
+def test_what_lies_on_a_part_leaves_with_it_at_the_end_of_a_belt() -> None:
+    recording = ran(cell(station("left"), parts=stack(1.5), devices={"belt": belt()}), left=("wait 4 s",))
+    assert set(recording.facts.parts_left) == {"low", "high"}
+
+
+def test_skipped_moves_are_those_of_their_station() -> None:
+    recording = ran(cell(station("left"), station("right", AWAY)), left=SHORT, right=("mov (9000, 0, 0)",))
+    assert [one.skipped_moves for one in recording.facts.stations] == [0, 1]
+
+
 class Stopper:
     """Ends the run at a time."""
 
@@ -380,6 +453,17 @@ def test_a_run_that_is_ended_by_hand_ends_for_all_stations() -> None:
     recording = ran(cell(station("left"), station("right", AWAY)), options, left=("wait 100 s",), right=TOUR)
     assert {one.code for one in recording.findings} == {"S761"}
     assert recording.duration < 5.0
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"longest": np.inf}, {"longest": -1.0}, {"longest_wait": np.nan}, {"record_hz": 0}, {"most_rows": 0}],
+)
+def test_options_that_cannot_be_are_told(wrong: dict[str, float]) -> None:
+    with pytest.raises(OptionError) as caught:
+        RunOptions(**wrong)  # type: ignore[arg-type]
+    assert caught.value.diagnostic.code == "S703"
+    assert next(iter(wrong)) in caught.value.diagnostic.message
 
 
 def test_a_station_without_a_program_stands_still() -> None:

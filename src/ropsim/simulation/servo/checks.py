@@ -1,5 +1,7 @@
 """Checks at the door of the servo simulation, and the errors they raise."""
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
@@ -71,6 +73,17 @@ def check_option(name: str, value: int) -> None:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
         message = f"`{name}` is `{value!r}`; allowed are whole numbers from 1"
         raise OptionError(BAD_OPTIONS.at(None, message, hint=f"set `{name}` to 1 or more"))
+
+
+def check_time(name: str, value: float) -> None:
+    """Make sure that a time is a number from 0 on.
+
+    Raises:
+        OptionError: it is not, or it is not finite.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value < math.inf:
+        message = f"`{name}` is `{value!r}`; allowed are seconds from 0 on"
+        raise OptionError(BAD_OPTIONS.at(None, message, hint=f"set `{name}` to a number of seconds"))
 
 
 def check_rates(rates: Rates) -> None:

@@ -49,8 +49,9 @@ BAD_OPTIONS = define(
     Severity.ERROR,
     "an option of the simulation is outside its range",
     """
-Control rate, plant steps, slice length and record decimation are whole numbers of at least 1. The recording
-rate is the control rate divided by the decimation: 1000 Hz with a decimation of 4 makes 250 rows per second.
+Control rate, plant steps, slice length, record decimation, rows per second and most rows are whole numbers of
+at least 1. The recording rate is the control rate divided by the decimation: 1000 Hz with a decimation of 4
+makes 250 rows per second. Longest times of a run and of a wait are seconds from 0 on.
 """,
 )
 
