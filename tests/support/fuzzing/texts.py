@@ -1,6 +1,8 @@
 """Texts of a project: `cell.toml`, task programs and ICR programs."""
 
 import json
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from random import Random
 
@@ -16,6 +18,7 @@ from support.fuzzing.target import Target
 
 _ROOT = Path(__file__).parents[3]
 _CELLS = (RIGHT.encode(), STATIONS.encode(), (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes())
+_CELL_FILES = tuple(sorted(_ROOT.glob("examples/*/cell.toml")))
 _ICRS = tuple(
     path.read_bytes() for path in sorted(_ROOT.glob("tests/golden/icr/*.icr")) if path.stat().st_size < 2_000
 )
@@ -65,7 +68,22 @@ def _icr(content: bytes) -> str:
 
 def _task(content: bytes) -> str:
     source = SourceText("main.task", content.decode("utf-8", errors="replace"))
-    return _check(language.compile(source.text, name=source.name).diagnostics, source)
+    return _check(language.compile(source.text, _everything(), source.name).diagnostics, source)
+
+
+@cache
+def _everything() -> language.Environment:
+    """Return an environment with all names of the examples' cells, so that their programs are right."""
+    every = [read_cell(SourceText("cell.toml", path.read_text("utf-8")), "")[0] for path in _CELL_FILES]
+    found = [environment_of(cell, at) for cell in every if cell for at in cell.stations.values()]
+    return replace(
+        found[0],
+        frames={name: pose for one in found for name, pose in one.frames.items()},
+        tools={name: pose for one in found for name, pose in one.tools.items()},
+        locations={name: pose for one in found for name, pose in one.locations.items()},
+        signals={name: use for one in found for name, use in one.signals.items()},
+        axes=max((one.axes for one in found), key=len),
+    )
 
 
 def _made_cell(random: Random) -> bytes:

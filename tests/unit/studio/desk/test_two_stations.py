@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.kinematics import body_poses, forward
-from ropsim.model import body_tree, link_name
+from ropsim.model import body_tree, link_name, start_of
 from ropsim.spatial import Pose
 from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.desk.live.run import Clocks, run_live
@@ -31,10 +31,12 @@ HEADER = 32
 
 @pytest.mark.parametrize("name", ["left", "right"])
 def test_a_jog_moves_the_bodies_of_its_station_only(name: str) -> None:
+    assert CELL is not None
     reply = ARMS.move(JogJoints(name, BENT, ""))
     assert isinstance(reply, JogReply)
-    own = [link_name(number, name) for number in range(7)]
-    poses = body_poses(TREE, {name: np.array([BENT])}, own)
+    (hand,) = (one for one in start_of(CELL) if one.startswith(f"{name}/tool:"))
+    own = [*(link_name(number, name) for number in range(7)), f"{hand}/finger1", f"{hand}/finger2"]
+    poses = body_poses(TREE, {name: np.array([BENT]), hand: start_of(CELL)[hand][None]}, own)
     assert [body for body, _ in reply.bodies] == [TREE.places()[one] for one in own]
     for (_, pose), matrix in zip(reply.bodies, poses.values(), strict=True):
         assert Pose.from_tuple(pose).matrix() == pytest.approx(matrix[0], abs=ROUNDING)
