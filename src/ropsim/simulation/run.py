@@ -30,6 +30,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         options: fidelity, rates of recording, inputs, who looks on.
 
     Raises:
+        OptionError: S703, an option cannot be.
         DivergedError: S701, the state has become NaN or infinite; it names the source line.
     """
     state = start_run(cell, options)

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
 from ropsim.flow import Fidelity, InputChange
 from ropsim.simulation.row_log import MOST_ROWS
-from ropsim.simulation.servo.checks import check_option, check_time
 from ropsim.simulation.watch import NobodyWatches, Watch
 
 
@@ -45,17 +44,6 @@ class RunOptions:
     longest_wait: float = 600.0
     most_rows: int = MOST_ROWS
     watch: Watch = field(default_factory=NobodyWatches)
-
-    def __post_init__(self) -> None:
-        """Make sure that times and counts can be.
-
-        Raises:
-            OptionError: S703, one cannot.
-        """
-        check_option("record_hz", self.record_hz)
-        check_option("most_rows", self.most_rows)
-        check_time("longest", self.longest)
-        check_time("longest_wait", self.longest_wait)
 
     def record_ticks(self, control_hz: int) -> int:
         """Return the control ticks between two recorded rows."""

@@ -17,6 +17,7 @@ from ropsim.simulation.placements import Placements, at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.scenery import Scenery, scenery_of
+from ropsim.simulation.servo.checks import check_option, check_time
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
 from ropsim.simulation.station_run import StationRun
@@ -25,7 +26,15 @@ from ropsim.spatial import frozen
 
 
 def start_run(cell: Cell, options: RunOptions) -> CellRun:
-    """Return the running state of a cell whose arms stand at their start positions."""
+    """Return the running state of a cell whose arms stand at their start positions.
+
+    Raises:
+        OptionError: S703, an option cannot be.
+    """
+    check_option("record_hz", options.record_hz)
+    check_option("most_rows", options.most_rows)
+    check_time("longest", options.longest)
+    check_time("longest_wait", options.longest_wait)
     inputs, findings = usable_inputs(cell, options.inputs)
     cell = with_inputs(cell, inputs)
     hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))

@@ -460,8 +460,9 @@ def test_a_run_that_is_ended_by_hand_ends_for_all_stations() -> None:
     [{"longest": np.inf}, {"longest": -1.0}, {"longest_wait": np.nan}, {"record_hz": 0}, {"most_rows": 0}],
 )
 def test_options_that_cannot_be_are_told(wrong: dict[str, float]) -> None:
+    options = RunOptions(Fidelity.KINEMATIC, **wrong)  # type: ignore[arg-type]
     with pytest.raises(OptionError) as caught:
-        RunOptions(**wrong)  # type: ignore[arg-type]
+        ran(cell(station("left")), options, left=SHORT)
     assert caught.value.diagnostic.code == "S703"
     assert next(iter(wrong)) in caught.value.diagnostic.message
 
