@@ -104,13 +104,15 @@ def _counted(
     programs: Iterable[icr.Program], progress: Callable[[float, str], None]
 ) -> Callable[[str], None]:
     """Return a progress that knows how many moves there will be, from runs without robots."""
-    total = max(1, sum(len(icr.run(program).moves) for program in programs))
+    traces = [icr.run(program) for program in programs]
+    # a trace that ends early, at an input that nobody sets there, does not know how many moves there will be
+    total = 0 if any(trace.trap for trace in traces) else sum(len(trace.moves) for trace in traces)
     done = 0
 
     def step(text: str) -> None:
         nonlocal done
         done += 1
-        progress(min(done / total, 1.0), f"{text} of {total}")
+        progress(*((min(done / total, 1.0), f"move {done} of {total}") if total else (0.0, f"move {done}")))
 
     return step
 

@@ -73,7 +73,7 @@ class CellRun:
     def next_device(self, until: int) -> DeviceRun | None:
         """Return the device that acts next and not after a tick, None where none does."""
         due = [one for one in self.devices.values() if NEVER < one.due <= until]
-        return min(due, key=lambda one: one.due, default=None)
+        return min(due, key=lambda one: (one.due, one.device.name), default=None)
 
     def moment(self, due: int) -> Moment:
         """Return where everything that can carry a part is at a tick of the cell's clock."""
@@ -94,7 +94,6 @@ class CellRun:
 
     def _weigh(self, at: StationRun) -> None:
         """Let the payload of a station be what its tools carry now, in its hands or taken out of them."""
-        at.laden = self.parts
         load = payload(self.parts.carried(at.hands), self.scenery.parts, at.tool)
         if load != at.payload:
             at.payload = load
@@ -107,8 +106,7 @@ class CellRun:
         self.placements += changes(due / self.hz, self.parts, parts, self.scenery.objects)
         self.parts = parts
         for at in self.stations.values():
-            if at.laden is not parts:
-                self._weigh(at)
+            self._weigh(at)
         for device in self.devices.values():
             device.wake(due)
 
@@ -129,6 +127,10 @@ class CellRun:
 
     def _tell(self, signal: str, tick: int, value: float) -> None:
         self.tracks.setdefault(f"signal.{signal}", Track([0], [0.0])).set(tick, value)
+        self._rouse(signal, tick)
+
+    def _rouse(self, signal: str, tick: int) -> None:
+        """Let the devices that follow a signal look at it at a tick of the cell's clock."""
         for device in self.devices.values():
             if signal in device.device.listens:
                 device.wake(tick)
@@ -138,9 +140,7 @@ class CellRun:
         self.inputs.append(InputChange(tick / self.hz, signal, value))
         changed = self.sensors.change(signal, tick / self.hz, value)
         self.tracks[f"signal.{signal}"] = signal_track(changed, self.hz)
-        for device in self.devices.values():
-            if signal in device.device.listens:
-                device.wake(tick)
+        self._rouse(signal, tick)
 
     def come_together(self) -> None:
         """Let the arms whose programs ended earlier stand until the end of the last one."""

@@ -41,7 +41,7 @@ def joint_channels(station: str, robot: RobotModel, log: Mapping[str, Array]) ->
 def finger_channel(station: str, q: Array) -> Channel:
     """Return the channel of the fingers of a tool at rows of the recording, shape (rows,)."""
     text = "half the distance between the fingers"
-    return Channel(q[:, np.newaxis], "m", ("finger",), text, ChannelGroup.DEVICES, station)
+    return Channel(q[:, np.newaxis], "m", ("finger",), text, ChannelGroup.PROGRAM, station)
 
 
 def device_channel(device: Device, q: Array) -> Channel:

@@ -13,7 +13,7 @@ from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import initial_parts, payload
-from ropsim.simulation.placements import Placements, at_start
+from ropsim.simulation.placements import at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.scenery import Scenery, scenery_of
@@ -41,7 +41,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     scenery, parts = scenery_of(cell), initial_parts(cell)
     sensors = ScriptedSensors(cell.signals)
     stations = {
-        name: _station_run(cell, station, hz, scenery, parts, options, options.sensors or sensors)
+        name: _station_run(cell, station, hz, scenery, options, options.sensors or sensors)
         for name, station in cell.stations.items()
     }
     devices = {name: _device_run(cell, device, hz) for name, device in cell.devices.items()}
@@ -86,7 +86,6 @@ def _station_run(
     station: Station,
     hz: int,
     scenery: Scenery,
-    parts: Placements,
     options: RunOptions,
     sensors: SensorInterface,
 ) -> StationRun:
@@ -100,7 +99,6 @@ def _station_run(
         q_command=frozen(station.q_start),
         tool=mounted,
         payload=load,
-        laden=parts,
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
     )

@@ -10,7 +10,6 @@ from ropsim.model import Payload, Station, Tool, tool_body
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
 from ropsim.simulation.move_span import MoveSpan
-from ropsim.simulation.placements import Placements
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array, Pose
@@ -30,7 +29,6 @@ class StationRun:
         q_command: command coordinates reached so far, shape (n,).
         tool: tool in force.
         payload: tool and grasped part as one body; one object as long as it does not change.
-        laden: with which parts the payload was looked at last.
         last_tick: control tick at which standing still ends at the latest.
         cell_ticks: ticks of the cell's clock in one control tick.
         tick: control ticks done.
@@ -48,7 +46,6 @@ class StationRun:
     q_command: Array
     tool: Tool | None
     payload: Payload
-    laden: Placements
     last_tick: int
     cell_ticks: int
     tick: int = 0

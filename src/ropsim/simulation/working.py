@@ -109,7 +109,6 @@ def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: Simulate
         if at.cut_short:
             world.came = False
             return
-        run.take(at, at.tool, run.parts)
 
 
 def _tool_in_force(station: Station, modal: ModalState) -> Tool | None:

@@ -1,6 +1,7 @@
 """Several stations and devices against one clock."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,9 +42,9 @@ def station(name: str, X_WB: Pose | None = None, hz: int = 1000) -> Station:
     return Station(name, ARM, controller, X_WB or Pose(), {"jaws": JAWS}, "jaws", program=name)
 
 
-def cell(*stations: Station, **around: object) -> Cell:
+def cell(*stations: Station, **around: Any) -> Cell:
     made = Cell("c", {one.name: one for one in stations})
-    return replace(made, **around)  # type: ignore[arg-type]
+    return replace(made, **around)
 
 
 def code(cell: Cell, name: str, *lines: str) -> icr.Program:
@@ -459,8 +460,8 @@ def test_a_run_that_is_ended_by_hand_ends_for_all_stations() -> None:
     "wrong",
     [{"longest": np.inf}, {"longest": -1.0}, {"longest_wait": np.nan}, {"record_hz": 0}, {"most_rows": 0}],
 )
-def test_options_that_cannot_be_are_told(wrong: dict[str, float]) -> None:
-    options = RunOptions(Fidelity.KINEMATIC, **wrong)  # type: ignore[arg-type]
+def test_options_that_cannot_be_are_told(wrong: dict[str, Any]) -> None:
+    options = RunOptions(Fidelity.KINEMATIC, **wrong)
     with pytest.raises(OptionError) as caught:
         ran(cell(station("left")), options, left=SHORT)
     assert caught.value.diagnostic.code == "S703"
