@@ -112,7 +112,7 @@ def _counted(
     def step(text: str) -> None:
         nonlocal done
         done += 1
-        progress(*((min(done / total, 1.0), f"move {done} of {total}") if total else (0.0, f"move {done}")))
+        progress(*((min(done / total, 1.0), f"{text} of {total}") if total else (0.0, text)))
 
     return step
 

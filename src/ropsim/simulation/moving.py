@@ -46,7 +46,7 @@ def move(run: CellRun, at: StationRun, instruction: MoveInstruction) -> Iterator
         zone=float(instruction.modal.zone),
     )
     run.note(at, since, done)
-    run.progress(f"move {ordinal + 1}")
+    run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
 
 
 def _settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Iterator[None]:

@@ -91,11 +91,11 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
             if at.waiting:
                 yield from at.stand(at.station.controller.rates.interpolation_ticks)
             if isinstance(step, AwaitInstruction):
-                yield from _await(run, at, step, world)
+                yield from _await(at, step, world)
     at.waiting = isinstance(step, SyncInstruction)
 
 
-def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
+def _await(at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
     """Stand until a channel has a value, or its timeout is over; tell the program which it was."""
     start, period = at.time, at.station.controller.rates.interpolation_period
     limit = world.longest_wait if step.timeout is None else step.timeout
