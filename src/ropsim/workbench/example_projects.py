@@ -4,7 +4,6 @@ import shutil
 import tempfile
 from pathlib import Path
 
-import ropsim
 from ropsim.core import did_you_mean
 from ropsim.workbench.project import ProjectError
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
@@ -65,6 +64,6 @@ def _move(made: Path, target: Path) -> None:
 
 def _folder() -> Path:
     """Return the folder of the examples: inside an installed package, or beside `src` in a checkout."""
-    package = Path(ropsim.__file__).parent
+    package = Path(__file__).parents[1]
     installed = package / "examples"
     return installed if installed.is_dir() else package.parents[1] / "examples"

@@ -1,6 +1,6 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
-from ropsim.language.check import calls, convert, fold, poses, values
+from ropsim.language.check import calls, components, convert, fold, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import (
     ANGLE,
@@ -39,14 +39,14 @@ def assign(body: Body, node: syntax.Assign) -> Block:
 def load(body: Body, node: syntax.Load) -> Block:
     """Return the copies of x, y, z (pitch, roll, or roll, pitch, yaw) of a location."""
     source = values.expect(body, node.source, POSE, "the source of `load`")
-    numbers = poses.numbers_in_frame(body, source)
-    components = [(fold.component(numbers, k), LENGTH) for k in range(3)]
+    numbers = components.numbers_in_frame(body, source)
+    parts = [(fold.component(numbers, k), LENGTH) for k in range(3)]
     if len(node.names) == 5:
-        components += [(angle, ANGLE) for angle in poses.pitch_roll(body, source)]
+        parts += [(angle, ANGLE) for angle in components.pitch_roll(body, source)]
     elif len(node.names) == 6:
-        components += [(fold.component(numbers, k), ANGLE) for k in (3, 4, 5)]
+        parts += [(fold.component(numbers, k), ANGLE) for k in (3, 4, 5)]
     result: list[Assign] = []
-    for name, (expression, kind) in zip(node.names, components, strict=False):
+    for name, (expression, kind) in zip(node.names, parts, strict=False):
         variable = target(body, name, kind)
         fitted = convert.to(body, Value(expression, kind), variable.type, name, f"`{name.text}`")
         result.append(Assign(variable.name, fitted, body.statement_span))
@@ -114,7 +114,7 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
     seen = VariableExpression(copy, POSE.value)
     span = body.statement_span
     return (
-        Assign(copy, poses.numbers_in_frame(body, here), span),
+        Assign(copy, components.numbers_in_frame(body, here), span),
         AssignComponent(copy, index, value, span),
         Assign(name, fold.compose(fold.pose(body.X_KC), seen), span),
     )

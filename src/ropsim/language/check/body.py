@@ -1,13 +1,13 @@
 """The state of the checker while it walks through one body: a task or the control statements."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from ropsim.core import Kind, Span, did_you_mean
 from ropsim.language.check.fold import IDENTITY
-from ropsim.language.check.types import AnyType, Type, Unknown, known
+from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
 from ropsim.language.check.world import Poison, Symbol, Variable, World
 from ropsim.language.findings import names as kinds
 from ropsim.language.report import Placed, Report
@@ -28,12 +28,17 @@ class Loop:
     flag: str = ""
 
 
+Expressions = Mapping[type, Callable[["Body", Any], Value]]
+"""How each kind of expression node is checked."""
+
+
 class Body:
     """Names, frame and loops in force, and where findings go.
 
     Attributes:
         world: what the text declares.
         report: where findings go.
+        expressions: how each kind of expression is checked.
         names: parameters and variables of this body.
         references: reference locations of the task, first, second …
         result: type of the value to return, or None.
@@ -46,10 +51,16 @@ class Body:
     """
 
     def __init__(
-        self, world: World, report: Report, settled: Mapping[str, Type] | None, task: str = ""
+        self,
+        world: World,
+        report: Report,
+        expressions: Expressions,
+        settled: Mapping[str, Type] | None,
+        task: str = "",
     ) -> None:
         self.world = world
         self.report = report
+        self.expressions = expressions
         self.names: dict[str, Symbol] = {}
         self.references: tuple[str, ...] = ()
         self.result: Type | None = None

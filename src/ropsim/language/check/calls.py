@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from ropsim.core import did_you_mean
-from ropsim.language.check import convert, poses, values
+from ropsim.language.check import components, convert, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import POSE, Value, known
 from ropsim.language.check.world import Formal, Signature
@@ -153,5 +153,5 @@ def _reference(body: Body, node: nodes.Number) -> Expression:
 def _is_location(body: Body, name: nodes.Name) -> bool:
     symbol = body.find(name.text)
     if isinstance(symbol, Value):
-        return poses.is_location(symbol)
+        return components.is_location(symbol)
     return known(getattr(symbol, "type", None) or POSE) == POSE if symbol is not None else False

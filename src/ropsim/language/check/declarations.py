@@ -6,6 +6,7 @@ from types import NoneType
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, poses, values
 from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, known
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
@@ -67,7 +68,7 @@ def _frames(
     for line in top:
         node = line.statement
         if isinstance(node, syntax.FrameDeclaration):
-            body = Body(bare, report, None)
+            body = Body(bare, report, EXPRESSIONS, None)
             body.line = line
             try:
                 _unique(body, node.name, declared)
@@ -96,7 +97,7 @@ def _frames(
 
 
 def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
-    body = Body(world, report, None)
+    body = Body(world, report, EXPRESSIONS, None)
     declared: set[str] = set()
     tools: set[str] = set()
     for line in top:

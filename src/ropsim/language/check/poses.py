@@ -1,22 +1,12 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
-import math
-
-from ropsim.language.check import convert, fold, turns, values
+from ropsim.language.check import components, convert, fold, turns, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, LENGTH, POSE, Type, Value, known
+from ropsim.language.check.types import ANGLE, LENGTH, POSE, Value
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import Constant, Expression, Unary, ValueType
-from ropsim.spatial import PoseTuple, quaternion
-
-DOWN = (0.0, 1.0, 0.0, 0.0)
-"""Rx(180°): the tool points straight down in its frame; the orientation of three plain numbers."""
-
-_LEVEL = (math.cos(math.pi / 4), 0.0, math.sin(math.pi / 4), 0.0)
-"""Ry(90°): turns the approach direction +X of the pitch and roll convention to tool Z."""
-
-_UPRIGHT = fold.zyx(fold.real(0.0), fold.real(0.0), fold.real(0.0))
+from ropsim.program import Constant, Expression, ValueType
+from ropsim.spatial import quaternion
 
 
 def location(body: Body, node: nodes.Tuple) -> Value:
@@ -29,7 +19,7 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     Raises:
         RejectedError: the tuple is not a location.
     """
-    X_CT = _pose(body, node, Constant(DOWN, ValueType.ORI))
+    X_CT = _pose(body, node, Constant(components.DOWN, ValueType.ORI))
     return Value(fold.compose(fold.pose(body.X_KC), X_CT), POSE, X_KF=body.X_KC)
 
 
@@ -40,7 +30,7 @@ def transform(body: Body, node: nodes.Node) -> Expression:
         RejectedError: the node is not such a tuple.
     """
     if isinstance(node, nodes.Tuple):
-        return _pose(body, node, _UPRIGHT)
+        return _pose(body, node, components.UPRIGHT)
     return values.expect(body, node, POSE, "the pose")
 
 
@@ -65,14 +55,14 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     if node.op == "above":
         distance = values.expect(body, node.right, LENGTH, "the distance of `above`")
         back = fold.vector(fold.real(0.0), fold.real(0.0), fold.unary("neg", distance, ValueType.REAL))
-        return Value(fold.compose(base, fold.make_pose(back, _UPRIGHT)), POSE, X_KF=value.X_KF)
+        return Value(fold.compose(base, fold.make_pose(back, components.UPRIGHT)), POSE, X_KF=value.X_KF)
     if node.op == "rel":
         return Value(fold.compose(base, transform(body, node.right)), POSE, X_KF=value.X_KF)
     X_KF = body.X_KC if value.X_KF is None else value.X_KF
     way = shift(body, node.right, "the shift of `offset`")
     rotation = fold.pose((0.0, 0.0, 0.0, *X_KF[3:]))
-    turned = position_of(fold.compose(rotation, fold.make_pose(way, _UPRIGHT)))
-    return Value(fold.compose(fold.make_pose(turned, _UPRIGHT), base), POSE, X_KF=value.X_KF)
+    turned = components.position_of(fold.compose(rotation, fold.make_pose(way, components.UPRIGHT)))
+    return Value(fold.compose(fold.make_pose(turned, components.UPRIGHT), base), POSE, X_KF=value.X_KF)
 
 
 def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
@@ -81,34 +71,6 @@ def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
     base = convert.to(body, value, POSE, node.operand, "the left side of `in`")
     change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
     return Value(fold.compose(change, base), POSE, X_KF=X_KF)
-
-
-def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expression:
-    """Return X_CT of a location X_KT: the numbers it has in the frame in force."""
-    return fold.compose(fold.pose(quaternion.invert(body.X_KC)), location_in_work_frame)
-
-
-def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expression, Expression]:
-    """Return pitch and roll of a location in the convention of five numbers."""
-    unturned = fold.compose(location_in_work_frame, fold.pose((0.0, 0.0, 0.0, *quaternion.conjugate(_LEVEL))))
-    X_BT = fold.compose(fold.pose(body.world.X_BK), unturned)
-    return fold.component(X_BT, 4), fold.component(X_BT, 3)
-
-
-def position_of(expression: Expression) -> Expression:
-    """Return the VEC of a POSE."""
-    value = fold.pose_of(expression)
-    if value is not None:
-        return Constant(value[:3], ValueType.VEC)
-    return Unary("position", expression, ValueType.VEC)
-
-
-def orientation_of(expression: Expression) -> Expression:
-    """Return the ORI of a POSE."""
-    value = fold.pose_of(expression)
-    if value is not None:
-        return Constant(value[3:], ValueType.ORI)
-    return Unary("orientation", expression, ValueType.ORI)
 
 
 def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
@@ -131,32 +93,15 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
         )
     position = _position(body, node)
     if count == 5:
-        return polar(body, position, _angle(body, node, 3, "pitch"), _angle(body, node, 4, "roll"), None)
+        return components.polar(
+            body, position, _angle(body, node, 3, "pitch"), _angle(body, node, 4, "roll"), None
+        )
     if count == 6:
         roll, pitch, yaw = (_angle(body, node, k, w) for k, w in ((3, "roll"), (4, "pitch"), (5, "yaw")))
         return fold.make_pose(position, fold.zyx(yaw, pitch, roll))
     if not node.turns:
         return fold.make_pose(position, default)
     return turns.oriented(body, position, node.turns)
-
-
-def polar(
-    body: Body, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
-) -> Expression:
-    """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth."""
-    X_BC = quaternion.compose(body.world.X_BK, body.X_KC)
-    if yaw is None:
-        point = fold.compose(fold.pose(X_BC), fold.make_pose(position, _UPRIGHT))
-        yaw = fold.binary("atan2", fold.component(point, 1), fold.component(point, 0), ValueType.REAL)
-    turned = fold.make_pose(Constant((0.0, 0.0, 0.0), ValueType.VEC), fold.zyx(yaw, pitch, roll))
-    R_BT = fold.compose(turned, fold.pose((0.0, 0.0, 0.0, *_LEVEL)))
-    R_CT = fold.compose(_turn(quaternion.conjugate(X_BC[3:])), R_BT)
-    return fold.make_pose(position, orientation_of(R_CT))
-
-
-def _turn(q: quaternion.Quaternion) -> Expression:
-    turned: PoseTuple = (0.0, 0.0, 0.0, *q)
-    return fold.pose(turned)
 
 
 def _position(body: Body, node: nodes.Tuple) -> Expression:
@@ -169,9 +114,3 @@ def _position(body: Body, node: nodes.Tuple) -> Expression:
 
 def _angle(body: Body, node: nodes.Tuple, index: int, word: str) -> Expression:
     return values.expect(body, node.items[index].value, ANGLE, f"`{word}` of a location")
-
-
-def is_location(value: Value) -> bool:
-    """Return whether a value is a location for certain."""
-    kind = known(value.type)
-    return isinstance(kind, Type) and kind == POSE

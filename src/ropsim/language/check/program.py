@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ropsim.language.blocks import Block
-from ropsim.language.check import declarations, flow, signatures
+from ropsim.language.check import declarations, signatures, structures
 from ropsim.language.check.body import Body, settled
+from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
 from ropsim.language.check.world import Signature, Variable, World
@@ -43,8 +44,8 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         world.signatures[name] = signatures.of_text(world, tasks[name], callable_names, report)
     settled_types = _find_types(world, tasks, order, tree, report)
     bodies = {name: _task(world, tasks[name], settled_types[name], report) for name in order}
-    main_body = Body(world, report, settled_types[_MAIN])
-    main = flow.walk(main_body, control_statements(tree))
+    main_body = Body(world, report, EXPRESSIONS, settled_types[_MAIN])
+    main = structures.walk(main_body, control_statements(tree))
     if not main:
         _report_empty(tree, tasks, report)
     library_tasks = tuple(t.task for n, t in environment.tasks.items() if n not in tasks)
@@ -75,9 +76,9 @@ def _find_types(
     bodies: dict[str, Body] = {}
     for name in order:
         bodies[name] = _enter(world, tasks[name], None, report)
-        flow.walk(bodies[name], tasks[name].block.sections[0].body)
-    bodies[_MAIN] = Body(world, report, None)
-    flow.walk(bodies[_MAIN], control_statements(tree))
+        structures.walk(bodies[name], tasks[name].block.sections[0].body)
+    bodies[_MAIN] = Body(world, report, EXPRESSIONS, None)
+    structures.walk(bodies[_MAIN], control_statements(tree))
     report.muted = False
     found = {name: body.types() for name, body in bodies.items()}
     for name, signature in world.signatures.items():
@@ -92,7 +93,7 @@ def _find_types(
 def _enter(world: World, task: TaskText, types: Mapping[str, Type] | None, report: Report) -> Body:
     """Return the state at the start of a task: its parameters have values."""
     signature = world.signatures[task.name]
-    body = Body(world, report, types, task.name)
+    body = Body(world, report, EXPRESSIONS, types, task.name)
     body.references = signature.references
     body.result = signature.result
     body.is_tolerant = not signature.is_known
@@ -113,7 +114,7 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
         body.line = line
         contracts.append(Contract(clause.gripper, clause.text, body.statement_span))
         _check_counts(body, task, signature, clause)
-    block = flow.walk(body, task.block.sections[0].body)
+    block = structures.walk(body, task.block.sections[0].body)
     body.line = task.block.opener
     if signature.result is not None and not _always_returns(block) and task.header is not None:
         body.warn(

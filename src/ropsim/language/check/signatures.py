@@ -5,6 +5,7 @@ from dataclasses import replace
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, implicit, values
 from ropsim.language.check.body import Body, RejectedError, settled
+from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText
 from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unknown
 from ropsim.language.check.units import UnitSystem
@@ -82,7 +83,7 @@ def _has_wrong_line(block: Block, task_names: frozenset[str]) -> bool:
 def _explicit(
     world: World, task: TaskText, parameters: tuple[syntax.Parameter, ...], report: Report
 ) -> tuple[Formal, ...]:
-    body = Body(world, report, None, task.name)
+    body = Body(world, report, EXPRESSIONS, None, task.name)
     body.line = task.block.opener
     formals: list[Formal] = []
     for parameter in parameters:
@@ -114,7 +115,7 @@ def final(world: World, task: TaskText | None, signature: Signature, report: Rep
         return replace(signature, formals=tuple(formals), references=references)
     if task.header.parameters is None:
         return replace(signature, formals=tuple(formals))
-    body = Body(world, report, None, task.name)
+    body = Body(world, report, EXPRESSIONS, None, task.name)
     body.line = task.block.opener
     nodes_by_name = {p.name.text: p.default for p in task.header.parameters if p.default is not None}
     for k, formal in enumerate(formals):

@@ -1,17 +1,42 @@
-"""Blocks: each with its header and sections to one structured statement."""
+"""The walk through a body: lines to statements, blocks to one structured statement each."""
+
+from collections.abc import Iterable
 
 from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
-from ropsim.language.check import flow, loops, settings, values
+from ropsim.language.check import lines, loops, settings, values
 from ropsim.language.check.body import Body, Loop, RejectedError
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.program import Block, If, With
+from ropsim.language.text import Line
+from ropsim.program import Block, If, Statement, With
 from ropsim.program import For as ForStatement
 
 
-def block(body: Body, tree: SyntaxBlock) -> Block:
+def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
+    """Return the statements of a body; wrong ones are reported and left out.
+
+    A `set frame` holds up to the end of these items.
+    """
+    before = body.X_KC
+    body.depth += 1
+    result: list[Statement] = []
+    for item in items:
+        line = item.opener if isinstance(item, SyntaxBlock) else item
+        body.line = line
+        try:
+            result.extend(
+                _block(body, item) if isinstance(item, SyntaxBlock) else lines.statement(body, line.statement)
+            )
+        except RejectedError:
+            lines.poison_targets(body, line.statement)
+    body.X_KC = before
+    body.depth -= 1
+    return tuple(result)
+
+
+def _block(body: Body, tree: SyntaxBlock) -> Block:
     """Return the structured statement of a block; where its header is wrong its lines are still checked."""
     first = tree.sections[0]
     node = first.header.statement
@@ -33,16 +58,16 @@ def block(body: Body, tree: SyntaxBlock) -> Block:
             case syntax.With():
                 return _with(body, first, node)
     except RejectedError:
-        flow.poison_targets(body, node)
+        lines.poison_targets(body, node)
     return _only_checked(body, tree)
 
 
 def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
     """Check the lines under a header that is wrong, as if they stood in a loop; they are left out."""
-    flow.poison_targets(body, tree.opener.statement)
+    lines.poison_targets(body, tree.opener.statement)
     with body.in_loop(Loop()):
         for section in tree.sections:
-            flow.walk(body, section.body)
+            walk(body, section.body)
     return ()
 
 
@@ -58,15 +83,15 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
                     body, node.condition, BOOL, f"the condition of `{section.header.head}`"
                 )
             except RejectedError:
-                flow.walk(body, section.body)
+                walk(body, section.body)
                 continue
-            branches.append((condition, flow.walk(body, section.body)))
+            branches.append((condition, walk(body, section.body)))
         else:
             if isinstance(node, syntax.Else) and number != len(tree.sections) - 1:
                 body.report.line(
                     kinds.MISPLACED, section.header, "`else` before another branch", "make it the last branch"
                 )
-            otherwise = flow.walk(body, section.body)
+            otherwise = walk(body, section.body)
     body.line = tree.opener
     return (If(tuple(branches), otherwise, body.statement_span),) if branches else ()
 
@@ -99,17 +124,17 @@ def _with(body: Body, section: Section, node: syntax.With) -> Block:
     frames = [s for s in node.settings if s.word == "frame" and s.name is not None]
     X_KC = body.frame(frames[0].name) if frames and frames[0].name else body.X_KC
     with body.in_frame(X_KC):
-        inner = flow.walk(body, section.body)
+        inner = walk(body, section.body)
     body.line = section.header
     return inner if chosen.is_empty else (With(chosen, inner, body.statement_span),)
 
 
 def _loop_body(body: Body, section: Section) -> Block:
     with body.in_loop(Loop()):
-        return flow.walk(body, section.body)
+        return walk(body, section.body)
 
 
 def _walk_then_return_to(body: Body, section: Section) -> Block:
-    inner = flow.walk(body, section.body)
+    inner = walk(body, section.body)
     body.line = section.header
     return inner

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.language.check import convert, fold, poses, values
+from ropsim.language.check import components, convert, fold, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, NUMBER, POSE, Type
 from ropsim.language.findings import types as kinds
@@ -35,11 +35,11 @@ def oriented(body: Body, position: Expression, terms: tuple[nodes.Turn, ...]) ->
             )
         angles = {t.word: _angle(body, t, 0) for t in polar}
         pitch = angles.get("pitch", fold.real(_STRAIGHT_DOWN))
-        return poses.polar(body, position, pitch, angles.get("roll", fold.real(0.0)), angles.get("yaw"))
+        return components.polar(body, position, pitch, angles.get("roll", fold.real(0.0)), angles.get("yaw"))
     rotation: Expression = fold.pose(fold.IDENTITY)
     for term in terms:
         rotation = fold.compose(_rotation(body, term), rotation)
-    return fold.make_pose(position, poses.orientation_of(rotation))
+    return fold.make_pose(position, components.orientation_of(rotation))
 
 
 def _rotation(body: Body, term: nodes.Turn) -> Expression:
@@ -47,7 +47,7 @@ def _rotation(body: Body, term: nodes.Turn) -> Expression:
     zero = fold.real(0.0)
     match term.word:
         case "down":
-            return fold.pose((0.0, 0.0, 0.0, *poses.DOWN))
+            return fold.pose((0.0, 0.0, 0.0, *components.DOWN))
         case "rpy":
             return _turned(_angle(body, term, 2), _angle(body, term, 1), _angle(body, term, 0))
         case "rx":
@@ -106,7 +106,7 @@ def _rotation_vector(body: Body, term: nodes.Turn) -> Expression:
 def _like(body: Body, term: nodes.Turn) -> Expression:
     assert term.like is not None
     model = values.expect(body, term.like, POSE, "the model of `like`")
-    return fold.make_pose(_ORIGIN, poses.orientation_of(poses.numbers_in_frame(body, model)))
+    return fold.make_pose(_ORIGIN, components.orientation_of(components.numbers_in_frame(body, model)))
 
 
 def _angle(body: Body, term: nodes.Turn, index: int) -> Expression:

@@ -1,43 +1,26 @@
-"""Lines that steer the flow of a program, call tasks, assign, wait and print."""
+"""Lines that steer the flow of a program, call tasks, assign and print."""
 
-from ropsim.language.findings import syntax as kinds
-from ropsim.language.syntax import tuples
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.expressions import expression, listed, total
+from ropsim.language.syntax.expressions import expression, item, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Name, Node
-from ropsim.language.syntax.other_languages import WAIT_FOR
+from ropsim.language.syntax.nodes import Name
 from ropsim.language.syntax.statements import (
     Assign,
-    Broken,
     Call,
     Closer,
     Else,
     ElseIf,
     For,
     ForEach,
-    Gripper,
-    If,
     Jump,
-    Load,
-    Motion,
     Print,
     Repeat,
     Return,
-    SetMode,
-    SetSignal,
     Statement,
     Stop,
     Until,
-    WaitCondition,
-    WaitTime,
     While,
 )
-
-_SIMPLE = (
-    Motion, Gripper, Load, SetSignal, SetMode, WaitTime, WaitCondition, Jump, Return, Stop, Print, Call,
-    Assign, Broken,
-)  # fmt: skip
 
 
 def closer(cursor: Cursor, head: Token) -> Statement:
@@ -48,15 +31,6 @@ def closer(cursor: Cursor, head: Token) -> Statement:
 def until(cursor: Cursor, head: Token) -> Statement:
     """Read `until condition`."""
     return Until(expression(cursor), head.start, cursor.end)
-
-
-def if_statement(cursor: Cursor, head: Token) -> Statement:
-    """Read `if condition [then [statement]]`."""
-    condition = expression(cursor)
-    body = None
-    if cursor.accept("then") and not cursor.at_end:
-        body = _simple(cursor)
-    return If(condition, body, head.start, cursor.end)
 
 
 def elseif(cursor: Cursor, head: Token) -> Statement:
@@ -118,22 +92,6 @@ def stop(cursor: Cursor, head: Token) -> Statement:
     return Stop(message, head.start, cursor.end)
 
 
-def wait(cursor: Cursor, head: Token) -> Statement:
-    """Read `wait t` or `wait until condition [timeout t [else statement]]`."""
-    if cursor.token.word == "for":
-        cursor.fail("a time or `until`", WAIT_FOR)
-    if not cursor.accept("until"):
-        return WaitTime(total(cursor), head.start, cursor.end)
-    condition = expression(cursor)
-    timeout: Node | None = None
-    otherwise = None
-    if cursor.accept("timeout"):
-        timeout = total(cursor)
-        if cursor.accept("else"):
-            otherwise = _simple(cursor)
-    return WaitCondition(condition, timeout, otherwise, head.start, cursor.end)
-
-
 def print_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `print value {, value}`."""
     return Print(listed(cursor), head.start, cursor.end)
@@ -163,25 +121,7 @@ def plain(cursor: Cursor) -> Statement:
 def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
     arguments = []
     if not cursor.at_end:
-        arguments.append(tuples.item(cursor))
+        arguments.append(item(cursor))
         while cursor.accept(","):
-            arguments.append(tuples.item(cursor))
+            arguments.append(item(cursor))
     return Call(name, tuple(arguments), start, cursor.end)
-
-
-def _simple(cursor: Cursor) -> Statement:
-    """Read the statement after `then` or `else`; blocks cannot start there."""
-    from ropsim.language.syntax.line import statement
-
-    token = cursor.token
-    cursor.count_operator()
-    inner = statement(cursor)
-    if not (isinstance(inner, _SIMPLE) or (isinstance(inner, If) and inner.body is not None)):
-        cursor.fault(
-            kinds.MISPLACED,
-            token.start,
-            token.end,
-            f"`{token.text}` cannot stand behind `then` or `else` on a line",
-            "write the block on lines of its own",
-        )
-    return inner

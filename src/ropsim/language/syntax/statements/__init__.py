@@ -31,11 +31,11 @@ from ropsim.language.syntax.statements.steering import Else as Else
 from ropsim.language.syntax.statements.steering import ElseIf as ElseIf
 from ropsim.language.syntax.statements.steering import For as For
 from ropsim.language.syntax.statements.steering import ForEach as ForEach
-from ropsim.language.syntax.statements.steering import If as If
 from ropsim.language.syntax.statements.steering import Jump as Jump
 from ropsim.language.syntax.statements.steering import Repeat as Repeat
 from ropsim.language.syntax.statements.steering import Return as Return
 from ropsim.language.syntax.statements.steering import Until as Until
-from ropsim.language.syntax.statements.steering import WaitCondition as WaitCondition
 from ropsim.language.syntax.statements.steering import While as While
+from ropsim.language.syntax.statements.union import If as If
 from ropsim.language.syntax.statements.union import Statement as Statement
+from ropsim.language.syntax.statements.union import WaitCondition as WaitCondition

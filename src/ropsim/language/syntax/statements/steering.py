@@ -1,12 +1,8 @@
 """Nodes of lines that steer the flow, and of broken lines; positions as in `nodes`."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from ropsim.language.syntax.nodes import Name, Node
-
-if TYPE_CHECKING:
-    from ropsim.language.syntax.statements.union import Statement
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,27 +29,6 @@ class Until:
     """`until condition`, the other end of `repeat`."""
 
     condition: Node
-    start: int
-    end: int
-
-
-@dataclass(frozen=True, slots=True)
-class WaitCondition:
-    """`wait until condition [timeout t [else statement]]`."""
-
-    condition: Node
-    timeout: Node | None
-    otherwise: "Statement | None"
-    start: int
-    end: int
-
-
-@dataclass(frozen=True, slots=True)
-class If:
-    """`if condition [then]`; with a statement after `then` it is complete in one line."""
-
-    condition: Node
-    body: "Statement | None"
     start: int
     end: int
 

@@ -1,5 +1,8 @@
-"""The union of all statement nodes."""
+"""The union of all statement nodes, and the two lines that hold another one; positions as in `nodes`."""
 
+from dataclasses import dataclass
+
+from ropsim.language.syntax.nodes import Node
 from ropsim.language.syntax.statements.acting import (
     Assign,
     Call,
@@ -34,14 +37,34 @@ from ropsim.language.syntax.statements.steering import (
     ElseIf,
     For,
     ForEach,
-    If,
     Jump,
     Repeat,
     Return,
     Until,
-    WaitCondition,
     While,
 )
+
+
+@dataclass(frozen=True, slots=True)
+class WaitCondition:
+    """`wait until condition [timeout t [else statement]]`."""
+
+    condition: Node
+    timeout: Node | None
+    otherwise: "Statement | None"
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """`if condition [then]`; with a statement after `then` it is complete in one line."""
+
+    condition: Node
+    body: "Statement | None"
+    start: int
+    end: int
+
 
 Statement = (
     Broken

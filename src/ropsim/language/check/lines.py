@@ -1,45 +1,19 @@
-"""The walk through a body: the table of lines, each to its statements."""
+"""One line to its statements: the table of lines."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
-from ropsim.language.blocks import Block as SyntaxBlock
-from ropsim.language.check import actions, assignments, calls, jumps, structures, values
-from ropsim.language.check.body import Body, RejectedError
+from ropsim.language.check import actions, assignments, calls, jumps, values
+from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.text import Line
-from ropsim.program import Block, If, Statement
+from ropsim.program import Block, If
 
 _DECLARATIONS = (
     syntax.ProgramHeader, syntax.Units, syntax.Mode, syntax.FrameDeclaration, syntax.LocationDeclaration,
     syntax.ToolDeclaration, syntax.SignalDeclaration, syntax.ConstantDeclaration, syntax.PatternDeclaration,
 )  # fmt: skip
-
-
-def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
-    """Return the statements of a body; wrong ones are reported and left out.
-
-    A `set frame` holds up to the end of these items.
-    """
-    before = body.X_KC
-    body.depth += 1
-    result: list[Statement] = []
-    for item in items:
-        line = item.opener if isinstance(item, SyntaxBlock) else item
-        body.line = line
-        try:
-            result.extend(
-                structures.block(body, item)
-                if isinstance(item, SyntaxBlock)
-                else statement(body, line.statement)
-            )
-        except RejectedError:
-            poison_targets(body, line.statement)
-    body.X_KC = before
-    body.depth -= 1
-    return tuple(result)
 
 
 def statement(body: Body, node: syntax.Statement | None) -> Block:

@@ -1,0 +1,71 @@
+"""The numbers of a location: in which frame, in which convention, and its two halves."""
+
+import math
+
+from ropsim.language.check import fold
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import POSE, Type, Value, known
+from ropsim.program import Constant, Expression, Unary, ValueType
+from ropsim.spatial import PoseTuple, quaternion
+
+DOWN = (0.0, 1.0, 0.0, 0.0)
+"""Rx(180°): the tool points straight down in its frame; the orientation of three plain numbers."""
+
+_LEVEL = (math.cos(math.pi / 4), 0.0, math.sin(math.pi / 4), 0.0)
+"""Ry(90°): turns the approach direction +X of the pitch and roll convention to tool Z."""
+
+UPRIGHT = fold.zyx(fold.real(0.0), fold.real(0.0), fold.real(0.0))
+"""The orientation of what says nothing else."""
+
+
+def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expression:
+    """Return X_CT of a location X_KT: the numbers it has in the frame in force."""
+    return fold.compose(fold.pose(quaternion.invert(body.X_KC)), location_in_work_frame)
+
+
+def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expression, Expression]:
+    """Return pitch and roll of a location in the convention of five numbers."""
+    unturned = fold.compose(location_in_work_frame, fold.pose((0.0, 0.0, 0.0, *quaternion.conjugate(_LEVEL))))
+    X_BT = fold.compose(fold.pose(body.world.X_BK), unturned)
+    return fold.component(X_BT, 4), fold.component(X_BT, 3)
+
+
+def polar(
+    body: Body, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
+) -> Expression:
+    """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth."""
+    X_BC = quaternion.compose(body.world.X_BK, body.X_KC)
+    if yaw is None:
+        point = fold.compose(fold.pose(X_BC), fold.make_pose(position, UPRIGHT))
+        yaw = fold.binary("atan2", fold.component(point, 1), fold.component(point, 0), ValueType.REAL)
+    turned = fold.make_pose(Constant((0.0, 0.0, 0.0), ValueType.VEC), fold.zyx(yaw, pitch, roll))
+    R_BT = fold.compose(turned, fold.pose((0.0, 0.0, 0.0, *_LEVEL)))
+    R_CT = fold.compose(_turn(quaternion.conjugate(X_BC[3:])), R_BT)
+    return fold.make_pose(position, orientation_of(R_CT))
+
+
+def _turn(q: quaternion.Quaternion) -> Expression:
+    turned: PoseTuple = (0.0, 0.0, 0.0, *q)
+    return fold.pose(turned)
+
+
+def position_of(expression: Expression) -> Expression:
+    """Return the VEC of a POSE."""
+    value = fold.pose_of(expression)
+    if value is not None:
+        return Constant(value[:3], ValueType.VEC)
+    return Unary("position", expression, ValueType.VEC)
+
+
+def orientation_of(expression: Expression) -> Expression:
+    """Return the ORI of a POSE."""
+    value = fold.pose_of(expression)
+    if value is not None:
+        return Constant(value[3:], ValueType.ORI)
+    return Unary("orientation", expression, ValueType.ORI)
+
+
+def is_location(value: Value) -> bool:
+    """Return whether a value is a location for certain."""
+    kind = known(value.type)
+    return isinstance(kind, Type) and kind == POSE

@@ -1,0 +1,130 @@
+"""Every kind of expression: syntax to a typed value in SI units."""
+
+from ropsim.language.check import arithmetic, components, convert, fold, functions, poses, values
+from ropsim.language.check.body import Body, Expressions
+from ropsim.language.check.types import (
+    ANGLE,
+    BOOL,
+    INT,
+    JOINTS,
+    LENGTH,
+    NUMBER,
+    POSE,
+    STR,
+    Type,
+    Unknown,
+    Value,
+    article,
+    bind,
+    known,
+)
+from ropsim.language.check.units import UNITS
+from ropsim.language.check.world import Variable
+from ropsim.language.findings import names as name_kinds
+from ropsim.language.syntax import nodes
+from ropsim.program import CommandPose, Constant, Home, MakeJoints, ValueType
+from ropsim.program import Variable as VariableExpression
+
+_COUNTERS = ("row", "col", "layer")
+
+
+def _number(_: Body, node: nodes.Number) -> Value:
+    if node.unit:
+        dimension, factor = UNITS[node.unit]
+        return Value(fold.real(node.value * factor), Type(ValueType.REAL, dimension))
+    if node.is_whole:
+        return Value(fold.whole(int(node.value)), INT, is_bare=True)
+    return Value(fold.real(node.value), NUMBER, is_bare=True)
+
+
+def _literal(_: Body, node: nodes.Literal) -> Value:
+    if node.word == "here":
+        return Value(CommandPose(), POSE)
+    if node.word == "home":
+        return Value(Home(), JOINTS)
+    return Value(fold.boolean(node.word in ("true", "on")), BOOL)
+
+
+def _text(_: Body, node: nodes.Text) -> Value:
+    return Value(Constant(node.value, ValueType.STR), STR)
+
+
+def _unary(body: Body, node: nodes.Unary) -> Value:
+    if node.op == "neg":
+        return arithmetic.negative(body, values.check(body, node.operand), node)
+    operand = values.expect(body, node.operand, BOOL, "the operand of `not`")
+    return Value(fold.unary("not", operand, ValueType.BOOL), BOOL)
+
+
+def _rebase(body: Body, node: nodes.Rebase) -> Value:
+    return poses.rebased(body, values.check(body, node.operand), node)
+
+
+def _binary(body: Body, node: nodes.Binary) -> Value:
+    if node.op in ("and", "or"):
+        left = values.expect(body, node.left, BOOL, f"the left side of `{node.op}`")
+        right = values.expect(body, node.right, BOOL, f"the right side of `{node.op}`")
+        return Value(fold.conjunction(node.op, left, right), BOOL)
+    if node.op in ("above", "offset", "rel"):
+        return poses.moved(body, values.check(body, node.left), node)
+    left_value, right_value = values.check(body, node.left), values.check(body, node.right)
+    if node.op in ("+", "-", "*", "/", "mod"):
+        return arithmetic.binary(body, node, left_value, right_value)
+    return arithmetic.comparison(body, node, left_value, right_value)
+
+
+def _state(body: Body, node: nodes.State) -> Value:
+    operand = values.expect(body, node.operand, BOOL, "the left side of `is`")
+    holds = (node.word in ("on", "true")) != node.negated
+    return Value(operand if holds else fold.unary("not", operand, ValueType.BOOL), BOOL)
+
+
+def _joints(body: Body, node: nodes.Joints) -> Value:
+    expressions = []
+    axes = body.world.environment.axes
+    for k, item in enumerate(node.values):
+        value = values.check(body, item)
+        is_length = axes[k] == "length" if k < len(axes) else known(value.type) == LENGTH
+        expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k + 1}"))
+    numbers = [fold.number_of(e) for e in expressions]
+    if None in numbers:
+        return Value(MakeJoints(tuple(expressions)), JOINTS)
+    return Value(Constant(tuple(float(n or 0.0) for n in numbers), ValueType.JOINTS), JOINTS)
+
+
+def _member(body: Body, node: nodes.Member) -> Value:
+    if isinstance(node.operand, nodes.Name) and node.name.text in _COUNTERS:
+        counter = body.names.get(f"{node.operand.text}__{node.name.text}")
+        if isinstance(counter, Variable):
+            return Value(VariableExpression(counter.name, ValueType.INT), INT, is_bare=True)
+    value = values.check(body, node.operand)
+    kind = known(value.type)
+    if isinstance(kind, Unknown):
+        bind(kind, POSE)
+    elif kind != POSE:
+        body.fail(
+            name_kinds.UNKNOWN_MEMBER,
+            node.name,
+            f"{article(kind)} has no component `{node.name.text}`",
+            "locations have components",
+        )
+    index, member_type = values.member(body, node.name)
+    value_in_frame = components.numbers_in_frame(body, value.expression)
+    return Value(fold.component(value_in_frame, index), member_type)
+
+
+EXPRESSIONS: Expressions = {
+    nodes.Number: _number,
+    nodes.Text: _text,
+    nodes.Literal: _literal,
+    nodes.Name: values.name,
+    nodes.Unary: _unary,
+    nodes.Binary: _binary,
+    nodes.Rebase: _rebase,
+    nodes.State: _state,
+    nodes.Function: functions.call,
+    nodes.Tuple: poses.location,
+    nodes.Joints: _joints,
+    nodes.Member: _member,
+}
+"""How each is checked; values hold values, so the table is handed down with the body."""

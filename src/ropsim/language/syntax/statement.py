@@ -1,0 +1,151 @@
+"""One statement by its first word: the table of the readers, and the lines that hold another statement."""
+
+from collections.abc import Callable
+
+from ropsim.core import did_you_mean
+from ropsim.language.findings import syntax as kinds
+from ropsim.language.syntax import declarations, flow, motion
+from ropsim.language.syntax.cursor import Cursor
+from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.lexer import Token
+from ropsim.language.syntax.nodes import Node
+from ropsim.language.syntax.other_languages import WAIT_FOR
+from ropsim.language.syntax.statements import (
+    Assign,
+    Broken,
+    Call,
+    Gripper,
+    If,
+    Jump,
+    Load,
+    Motion,
+    Print,
+    Return,
+    SetMode,
+    SetSignal,
+    Statement,
+    Stop,
+    WaitCondition,
+    WaitTime,
+)
+from ropsim.language.syntax.words import NOT_YET, RESERVED, VERBS
+
+_SIMPLE = (
+    Motion, Gripper, Load, SetSignal, SetMode, WaitTime, WaitCondition, Jump, Return, Stop, Print, Call,
+    Assign, Broken,
+)  # fmt: skip
+
+
+def statement(cursor: Cursor) -> Statement:
+    """Read one statement from the cursor on."""
+    token = cursor.token
+    if token.kind != "word":
+        cursor.fault(
+            kinds.STATEMENT_START,
+            token.start,
+            max(token.end, token.start + 1),
+            f"a statement cannot start with `{token.text[:40]}`",
+            "start with a statement word, a task or a variable",
+        )
+    reader = _STATEMENTS.get(token.word)
+    if reader is not None:
+        if cursor.look(1).word in ("=", ":="):
+            hint = f"`{token.text}` is a word of the language; choose another name for the variable"
+            cursor.fault(
+                kinds.STATEMENT_START, token.start, token.end, f"`{token.text}` cannot be assigned", hint
+            )
+        cursor.advance()
+        return reader(cursor, token)
+    if token.word in NOT_YET:
+        cursor.not_yet(token, token.word)
+    if token.word in RESERVED:
+        hint = did_you_mean(token.text, VERBS) or "this word belongs inside a statement"
+        cursor.fault(
+            kinds.STATEMENT_START,
+            token.start,
+            token.end,
+            f"a statement cannot start with `{token.text}`",
+            hint,
+        )
+    return flow.plain(cursor)
+
+
+def if_statement(cursor: Cursor, head: Token) -> Statement:
+    """Read `if condition [then [statement]]`."""
+    condition = expression(cursor)
+    body = None
+    if cursor.accept("then") and not cursor.at_end:
+        body = _simple(cursor)
+    return If(condition, body, head.start, cursor.end)
+
+
+def wait(cursor: Cursor, head: Token) -> Statement:
+    """Read `wait t` or `wait until condition [timeout t [else statement]]`."""
+    if cursor.token.word == "for":
+        cursor.fail("a time or `until`", WAIT_FOR)
+    if not cursor.accept("until"):
+        return WaitTime(total(cursor), head.start, cursor.end)
+    condition = expression(cursor)
+    timeout: Node | None = None
+    otherwise = None
+    if cursor.accept("timeout"):
+        timeout = total(cursor)
+        if cursor.accept("else"):
+            otherwise = _simple(cursor)
+    return WaitCondition(condition, timeout, otherwise, head.start, cursor.end)
+
+
+def _simple(cursor: Cursor) -> Statement:
+    """Read the statement after `then` or `else`; blocks cannot start there."""
+    token = cursor.token
+    cursor.count_operator()
+    inner = statement(cursor)
+    if not (isinstance(inner, _SIMPLE) or (isinstance(inner, If) and inner.body is not None)):
+        cursor.fault(
+            kinds.MISPLACED,
+            token.start,
+            token.end,
+            f"`{token.text}` cannot stand behind `then` or `else` on a line",
+            "write the block on lines of its own",
+        )
+    return inner
+
+
+_STATEMENTS: dict[str, Callable[[Cursor, Token], Statement]] = {
+    "program": declarations.program,
+    "units": declarations.units,
+    "classic": declarations.mode,
+    "strict": declarations.mode,
+    "frame": declarations.frame,
+    "loc": declarations.location,
+    "tool": declarations.tool,
+    "signal": declarations.signal,
+    "const": declarations.constant,
+    "var": declarations.variable,
+    "pattern": declarations.pattern,
+    "task": declarations.task,
+    "mov": motion.motion,
+    "movj": motion.motion,
+    "lin": motion.motion,
+    "movl": motion.motion,
+    "open": motion.gripper,
+    "close": motion.gripper,
+    "load": motion.load,
+    "set": motion.set_statement,
+    "with": motion.with_statement,
+    "wait": wait,
+    "if": if_statement,
+    "elseif": flow.elseif,
+    "else": flow.else_statement,
+    "while": flow.while_statement,
+    "repeat": flow.repeat,
+    "until": flow.until,
+    "for": flow.for_statement,
+    "break": flow.jump,
+    "continue": flow.jump,
+    "return": flow.return_statement,
+    "stop": flow.stop,
+    "print": flow.print_statement,
+    "call": flow.call,
+    **dict.fromkeys(("endp", "endtask", "endr", "endif", "endw", "endf", "endwith"), flow.closer),
+}

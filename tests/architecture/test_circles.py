@@ -1,0 +1,64 @@
+"""Circles: no module needs itself over others, also not over fronts, over imports in functions or for types.
+
+The contract of import-linter compares neighbours in a folder; a front and the modules behind it are no
+neighbours, so they are looked at here.
+"""
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import ropsim
+
+SOURCE = Path(ropsim.__file__).parent
+
+
+def modules() -> dict[str, Path]:
+    """Return all modules by their full names; a front has the name of its package."""
+    named = {}
+    for path in SOURCE.rglob("*.py"):
+        parts = path.relative_to(SOURCE.parent).with_suffix("").parts
+        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return named
+
+
+def imported(text: str, known: frozenset[str]) -> set[str]:
+    """Return which of the known modules a text imports, wherever in it."""
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        match node:
+            case ast.Import(names=names):
+                found |= {alias.name for alias in names}
+            case ast.ImportFrom(module=str() as module, level=0, names=names):
+                wanted = {alias.name: f"{module}.{alias.name}" for alias in names}
+                found |= {full if full in known else module for full in wanted.values()}
+    return found & known
+
+
+def circle(graph: dict[str, set[str]]) -> list[str]:
+    """Return the modules of a circle, the first one twice, or nothing."""
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        return list(error.args[1])
+    return []
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["from ropsim.a import thing", "import ropsim.a", "def f() -> None:\n    from ropsim.a import thing"],
+)
+def test_a_circle_over_a_front_is_found(line: str) -> None:
+    texts = {"ropsim.a": "from ropsim.a.b import thing as thing", "ropsim.a.b": line}
+    graph = {name: imported(text, frozenset(texts)) for name, text in texts.items()}
+    assert circle(graph)
+
+
+def test_no_module_of_ropsim_needs_itself_over_others() -> None:
+    named = modules()
+    known = frozenset(named)
+    graph = {name: imported(path.read_text("utf-8"), known) - {name} for name, path in named.items()}
+    assert sum(len(others) for others in graph.values()) > 1000
+    assert circle(graph) == []
