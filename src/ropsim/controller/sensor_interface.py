@@ -47,6 +47,11 @@ class ScriptedSensors:
         analog = signal.analog if signal else not isinstance(value, bool)
         return Sample(value=float(value) if analog else bool(value), valid=True, age=0.0)
 
+    def changes_after(self, channel: str, time: float) -> bool:
+        """Return whether a script changes an input after a time [s]."""
+        signal = self._signals.get(channel)
+        return signal is not None and signal.is_input and any(when > time for when, _ in signal.changes)
+
     def change(self, channel: str, time: float, value: float) -> Signal:
         """Let an input have a value from a time on, until its next change, and return the input as it is now.
 

@@ -208,6 +208,27 @@ in the program with the destination, which is that of the grasp point: the centr
 """,
 )
 
+WAITS_IN_VAIN = define(
+    "S742",
+    "waits-in-vain",
+    Severity.ERROR,
+    "a program waits for a signal that nothing can change any more",
+    """
+Every program that still ran waited for a signal, no device was moving or had anything left to do, and no
+change of an input that somebody waits for lay ahead. Nothing could happen any more, so the run was ended
+there. Each program that waits has a finding at its line; the note says who sets the signal, and where that
+program stands.
+
+Two programs that wait for each other are the usual case: the left one sets `offered` after `wait until
+ready`, the right one sets `ready` after `wait until offered`. Let one of them speak first. Where a program
+sets a signal on and off again while the other one looks elsewhere, the other one misses it: set it off only
+when the other one has answered.
+
+An input that nobody changes needs `changes` in the cell file, recorded inputs, or a key in a live run,
+which goes on waiting. A wait with a `timeout` is never in vain.
+""",
+)
+
 RUN_OFF = define(
     "S741",
     "run-off",

@@ -12,6 +12,7 @@ from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
+from ropsim.simulation.endless_waits import are_endless, end_waits
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.start import start_run
@@ -37,6 +38,8 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     for name, program in programs.items():
         state.at_work[name] = work(state, state.stations[name], program, options)
     while state.at_work:
+        if are_endless(state, options):
+            end_waits(state, programs)
         name = min(state.at_work, key=lambda one: (state.stations[one].due, one))
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain
-from ropsim.flow import JointReference, Origin
+from ropsim.flow import AwaitInstruction, JointReference, Origin
 from ropsim.kinematics import forward
 from ropsim.model import Payload, Station, Tool, tool_body
 from ropsim.simulation.activation import Activations
@@ -37,6 +37,8 @@ class StationRun:
         activations: times of the tasks.
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
         waiting: whether the last instruction did nothing but wait for the ones before it.
+        awaits: what it stands for, where it waits for a channel.
+        in_vain: whether that will never come; the program is over then.
         cut_short: whether standing still was ended by `last_tick`; the program is over then.
     """
 
@@ -54,6 +56,8 @@ class StationRun:
     activations: Activations = field(default_factory=Activations)
     fingers: dict[str, Course] = field(default_factory=dict)
     waiting: bool = False
+    awaits: AwaitInstruction | None = None
+    in_vain: bool = False
     cut_short: bool = False
 
     @property

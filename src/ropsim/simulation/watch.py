@@ -76,6 +76,11 @@ class RunView(Protocol):
 class Watch(Protocol):
     """Looks on. Every call may take its time, and may raise to give the run up."""
 
+    @property
+    def may_press(self) -> bool:
+        """Return whether it may give the run inputs: then no wait for a signal is in vain."""
+        ...
+
     def advanced(self, run: RunView) -> None:
         """Take notice: an instruction, or a slice of standing still, has been carried out."""
         ...
@@ -91,6 +96,11 @@ class Watch(Protocol):
 
 class NobodyWatches:
     """Looks away."""
+
+    @property
+    def may_press(self) -> bool:
+        """Return False."""
+        return False
 
     def advanced(self, run: RunView) -> None:
         """Do nothing."""

@@ -59,6 +59,8 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             yield from _carry_out(run, at, step, world)
             yield
             last, step = step, machine.advance()
+    if at.in_vain:
+        return  # who ended the wait has told why
     if run.stopped:
         run.findings.append(_stopped(last))
     elif at.cut_short or not isinstance(step, Finished):
@@ -91,7 +93,9 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
             if at.waiting:
                 yield from at.stand(at.station.controller.rates.interpolation_ticks)
             if isinstance(step, AwaitInstruction):
+                at.awaits = step
                 yield from _await(at, step, world)
+                at.awaits = None
     at.waiting = isinstance(step, SyncInstruction)
 
 
@@ -106,7 +110,7 @@ def _await(at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Ite
             return
         until = min(at.time + period, start + limit)
         yield from at.stand(max(1, round(until * at.hz) - at.tick))
-        if at.cut_short:
+        if at.cut_short or at.in_vain:
             world.came = False
             return
 

@@ -43,7 +43,6 @@ def ideal(cell: Cell, *lines: str) -> Recording:
     "wait",
     [
         "wait 1e9 s",
-        "wait until never",
         "wait until never timeout 1e9 s",
         "wait until never timeout 1e9 s else mov home",
         "wait until never and late timeout 1e9 s",

@@ -65,6 +65,10 @@ class Looker:
         poses = run.moment(run.tick).poses(run.parts)
         self.seen[run.time] = poses  # the last look at a time is that after the gripper has acted
 
+    @property
+    def may_press(self) -> bool:
+        return False
+
     def reading(self, run: RunView) -> None:
         pass
 

@@ -442,6 +442,10 @@ class Stopper:
         if run.time >= self.time:
             run.stop()
 
+    @property
+    def may_press(self) -> bool:
+        return False
+
     def reading(self, run: RunView) -> None:
         pass
 

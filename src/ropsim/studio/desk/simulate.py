@@ -91,6 +91,11 @@ class Listener:
     listened: float = 0.0
     told: float = 0.0
 
+    @property
+    def may_press(self) -> bool:
+        """Return False: nobody presses keys in a run that goes as fast as it can."""
+        return False
+
     def advanced(self, run: RunView) -> None:
         """Listen and tell, now and then.
 

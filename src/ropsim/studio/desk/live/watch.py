@@ -64,6 +64,11 @@ class LivePace:
     shown: float = float("-inf")
     over: bool = False
 
+    @property
+    def may_press(self) -> bool:
+        """Return True: somebody may press a key at any time."""
+        return True
+
     def advanced(self, run: RunView) -> None:
         """Wait until what has been computed is nearly shown.
 

@@ -1,0 +1,214 @@
+"""Waits that nothing can end any more are found at once; all others go on as before."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.controller import Sample
+from ropsim.flow import Recording, WaitEvent
+from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station
+from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
+from ropsim.spatial import Pose
+from ropsim.workbench import environment_of
+
+ARM = robots.load("puma560")
+AWAY = Pose(np.array([5.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0]))
+SWITCHES = {name: Signal(name, is_input=False) for name in ("a", "b", "c")}
+TOUR = ("mov joints(20, 60, -150, 0, -60, 0)", "mov joints(-20, 60, -150, 0, -60, 0)")
+
+
+def cell(*names: str, inputs: tuple[Signal, ...] = (), devices: tuple[Device, ...] = ()) -> Cell:
+    controller = robots.default_controller(ARM)
+    stations = {
+        name: Station(name, ARM, controller, AWAY if k else Pose(), program=name)
+        for k, name in enumerate(names)
+    }
+    signals = {**SWITCHES, **{one.name: one for one in inputs}}
+    return Cell("c", stations, signals=signals, devices={one.name: one for one in devices})
+
+
+def code(cell: Cell, name: str, lines: tuple[str, ...]) -> icr.Program:
+    text = "\n".join([f"program {name}", "units mm, deg, s", *lines, ""])
+    compiled = ropsim.language.compile(text, environment_of(cell, cell.stations[name]), name)
+    assert compiled.icr is not None, [str(one) for one in compiled.diagnostics]
+    return compiled.icr
+
+
+def ran(cell: Cell, options: RunOptions | None = None, **programs: tuple[str, ...]) -> Recording:
+    codes = {name: code(cell, name, lines) for name, lines in programs.items()}
+    return run(cell, codes, options or RunOptions(Fidelity.KINEMATIC))
+
+
+class Keyboard:
+    """Somebody who may press a key, and does so once."""
+
+    may_press = True
+
+    def __init__(self, signal: str, time: float) -> None:
+        self.signal, self.time = signal, time
+
+    def advanced(self, run: RunView) -> None:
+        pass
+
+    def reading(self, run: RunView) -> None:
+        if self.signal and run.time >= self.time:
+            run.press(self.signal, run.tick, 1.0)
+            self.signal = ""
+
+    def ended(self, run: RunView) -> None:
+        pass
+
+
+def codes_of(recording: Recording) -> list[str]:
+    return [one.code for one in recording.findings]
+
+
+def test_two_programs_that_wait_for_each_other_are_found_at_once_each_at_its_line() -> None:
+    recording = ran(
+        cell("left", "right"),
+        left=(*TOUR, "wait until a", "set b on"),
+        right=("wait until b", "set a on"),
+    )
+    assert codes_of(recording) == ["S742", "S742"]
+    left, right = recording.findings
+    assert (left.span.source, left.span.line) == ("left", 5) if left.span else False
+    assert (right.span.source, right.span.line) == ("right", 3) if right.span else False
+    assert left.notes == ("`a` is set by the program of `right`, which waits for `b` to come on on line 3",)
+    assert right.notes == ("`b` is set by the program of `left`, which waits for `a` to come on on line 5",)
+    alone = ran(cell("left"), left=TOUR)
+    assert alone.duration <= recording.duration <= alone.duration + 0.01
+
+
+def test_a_wait_for_a_program_that_has_ended_says_so() -> None:
+    recording = ran(
+        cell("left", "right"), left=("wait until not a", "wait until a"), right=("set a on", "set a off")
+    )
+    (found,) = recording.findings
+    assert (found.code, found.data["channel"], found.data["value"]) == ("S742", "a", True)
+    assert found.notes == ("`a` is set by the program of `right`, which has ended",)
+
+
+@pytest.mark.parametrize(
+    ("signal", "note"),
+    [
+        ("b", "`b` is an output that no program sets"),
+        ("key", "`key` is an input, and no change of it lies ahead"),
+    ],
+)
+def test_a_wait_for_what_nobody_sets_says_so(signal: str, note: str) -> None:
+    recording = ran(cell("left", inputs=(Signal("key", is_input=True),)), left=(f"wait until {signal}",))
+    assert codes_of(recording) == ["S742"]
+    assert recording.findings[0].notes == (note,)
+    assert recording.duration < 0.01
+
+
+def test_a_wait_for_a_device_that_stands_names_it() -> None:
+    drive = BeltDrive(0.25, 1.0, "", 3.0, Barrier(1.0, "there"))
+    belt = Device("belt", robots.conveyor(3.0, 0.2, 0.1), drive, AWAY)
+    recording = ran(
+        cell("left", inputs=(Signal("there", is_input=True),), devices=(belt,)), left=("wait until there",)
+    )
+    (found,) = recording.findings
+    assert (found.code, found.notes) == ("S742", ("`there` is set by the device `belt`, which stands",))
+
+
+def test_what_happened_before_is_what_happens_in_a_run_that_waits_on() -> None:
+    """The same programs where a key might be pressed: the waits end after the longest wait, with I462."""
+    made = cell("left", "right")
+    programs = {"left": (*TOUR, "set c on", "wait until a"), "right": ("wait until c", "wait until b")}
+    found = ran(made, None, **programs)
+    waiting = RunOptions(Fidelity.KINEMATIC, watch=Keyboard("", 0.0), longest_wait=1.0)
+    waited = ran(made, waiting, **programs)
+    assert (codes_of(found), codes_of(waited)) == (["S742"] * 2, ["I462"] * 2)
+    rows = len(found.time)
+    assert rows < len(waited.time)
+    for name in ("left/q", "right/q", "left/qd"):
+        np.testing.assert_array_equal(found.channels[name].values, waited.channels[name].values[:rows])
+    assert [one for one in found.events if one.kind != "wait"] == [
+        one for one in waited.events if one.kind != "wait"
+    ]
+
+
+def test_a_change_that_lies_ahead_is_waited_for() -> None:
+    late = Signal("late", is_input=True, changes=((30.0, 1.0),))
+    recording = ran(
+        cell("left", "right", inputs=(late,)), left=("wait until late", "set a on"), right=("wait until a",)
+    )
+    assert codes_of(recording) == []
+    assert recording.duration == pytest.approx(30.0, abs=0.01)
+
+
+def test_a_recorded_input_is_waited_for() -> None:
+    key = Signal("key", is_input=True)
+    options = RunOptions(Fidelity.KINEMATIC, inputs=(InputChange(20.0, "key", 1.0),))
+    recording = ran(cell("left", inputs=(key,)), options, left=("wait until key",))
+    assert codes_of(recording) == []
+
+
+def test_a_device_that_still_moves_is_waited_for() -> None:
+    drive = IndexDrive("turn", np.pi, 0.5, 4.0, "in_place")
+    table = Device("table", robots.rotary(()), drive, AWAY)
+    signals = (Signal("turn", is_input=True, changes=((3.0, 1.0),)), Signal("in_place", is_input=True))
+    recording = ran(
+        cell("left", inputs=signals, devices=(table,)),
+        left=("wait until not in_place", "wait until in_place"),
+    )
+    assert codes_of(recording) == []
+    assert recording.duration > 3.0 + 2.0 * np.pi
+
+
+def test_a_part_that_still_rides_to_its_barrier_is_waited_for() -> None:
+    drive = BeltDrive(0.1, 1.0, "", 3.0, Barrier(2.0, "there"))
+    belt = Device("belt", robots.conveyor(3.0, 0.2, 0.1), drive, Pose(np.array([-1.0, 2.0, 0.38])))
+    box = Part("box", np.array([0.1, 0.06, 0.04]), 0.5, Pose(np.array([-0.5, 2.0, 0.42])))
+    made = cell("left", inputs=(Signal("there", is_input=True),), devices=(belt,))
+    recording = ran(replace(made, parts=(box,)), left=("wait until there",))
+    assert codes_of(recording) == []
+    assert recording.duration > 14.0
+
+
+def test_one_wait_with_a_timeout_lets_the_others_wait() -> None:
+    recording = ran(
+        cell("left", "right"),
+        left=("wait until a", "set b on"),
+        right=("wait until b timeout 5 s else set a on", "wait until b"),
+    )
+    assert codes_of(recording) == []
+    assert recording.duration == pytest.approx(5.0, abs=0.02)
+
+
+def test_a_program_that_only_stands_may_still_speak() -> None:
+    recording = ran(cell("left", "right"), left=("wait until a",), right=("wait 50 s", "set a on"))
+    assert codes_of(recording) == []
+
+
+def test_a_key_may_be_pressed_at_any_time_in_a_live_run() -> None:
+    options = RunOptions(Fidelity.KINEMATIC, watch=Keyboard("key", 40.0))
+    recording = ran(cell("left", inputs=(Signal("key", is_input=True),)), options, left=("wait until key",))
+    assert codes_of(recording) == []
+    assert recording.duration == pytest.approx(40.0, abs=0.02)
+
+
+class Clockwork:
+    """A sensor interface of a user's own, whose channel comes on at 12 s."""
+
+    def read(self, channel: str, time: float) -> Sample:
+        return Sample(channel == "key" and time >= 12.0, valid=True, age=0.0)
+
+
+def test_what_a_sensor_interface_of_ones_own_delivers_is_waited_for() -> None:
+    options = RunOptions(Fidelity.KINEMATIC, sensors=Clockwork())
+    recording = ran(cell("left", inputs=(Signal("key", is_input=True),)), options, left=("wait until key",))
+    assert codes_of(recording) == []
+    assert recording.duration == pytest.approx(12.0, abs=0.02)
+
+
+def test_the_last_program_at_work_is_enough() -> None:
+    """The left one has ended; what the right one waits for at 2 s comes never."""
+    recording = ran(cell("left", "right"), left=("wait 2 s",), right=("wait 1 s", "wait until a"))
+    assert codes_of(recording) == ["S742"]
+    assert recording.duration == pytest.approx(2.0, abs=0.02)
+    assert [one.duration for one in recording.events_of(WaitEvent) if one.station == "left"] == [2.0]
