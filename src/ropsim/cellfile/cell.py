@@ -7,12 +7,13 @@ from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.destinations import Surroundings
 from ropsim.cellfile.devices import read_devices
 from ropsim.cellfile.fixed_objects import read_objects
+from ropsim.cellfile.mounts import Mount, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
 from ropsim.cellfile.poses import read_frames, read_locations
 from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
 from ropsim.cellfile.signals import read_signals
 from ropsim.cellfile.stations import read_stations
-from ropsim.cellfile.supports import note_parts_in_the_air, read_supports
+from ropsim.cellfile.supports import note_standings, read_supports
 from ropsim.cellfile.tomltext.checks import Findings, TomlTable
 from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
@@ -26,7 +27,6 @@ from ropsim.model import (
     Signal,
     Station,
     link_name,
-    mount_of,
     tool_body,
 )
 from ropsim.spatial import Pose
@@ -70,8 +70,8 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
     devices = _read_devices(root, signals, stations, units)
-    taken = _bodies(stations, devices)
-    mounts = {name: mount_of(device) for name, device in devices.items()}
+    mounts = mounts_of(stations, devices)
+    taken = _bodies(stations, devices, mounts)
     objects = read_objects(root.tables("objects"), taken, mounts, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
     groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
@@ -99,25 +99,29 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         classic=classic,
     )
     if not any(found.is_error for found in root.findings.items):
-        note_parts_in_the_air(cell, groups)
+        note_standings(cell, groups)
     return cell
 
 
 def _read_devices(
-    root: TomlTable, signals: Mapping[str, Signal], stations: Mapping[str, object], units: Units
+    root: TomlTable, signals: Mapping[str, Signal], stations: Mapping[str, Station | None], units: Units
 ) -> dict[str, Device]:
     tables = root.named("devices")
+    axes = mounts_of(stations, {})
     for name in tables:
-        if name in stations:
-            message = f"`{name}` is the name of a station of this cell"
+        if name in stations or name in axes:
+            whose = "a station" if name in stations else "an external axis"
+            message = f"`{name}` is the name of {whose} of this cell"
             span = root.table("devices").key_span(name)
             root.findings.add(kinds.DUPLICATE_CELL_NAME, span, message, "give the device another name")
     return read_devices(tables, signals, units)
 
 
-def _bodies(stations: Mapping[str, Station | None], devices: Mapping[str, Device]) -> dict[str, str]:
+def _bodies(
+    stations: Mapping[str, Station | None], devices: Mapping[str, Device], mounts: Mapping[str, Mount]
+) -> dict[str, str]:
     """Return who has the names of the bodies of stations and devices."""
-    taken: dict[str, str] = {}
+    taken: dict[str, str] = dict.fromkeys(mounts, "an external axis of this cell has it")
     for name, station in stations.items():
         count = len(station.robot.joints) if station else 0
         taken |= {link_name(number, name): _OF_ROBOT for number in range(count + 1)}

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X801 to X819."""
+"""The kinds of mistakes in cell files, X801 to X819 and X825."""
 
 from ropsim.core import Severity, define
 
@@ -287,6 +287,32 @@ mass = 0.5
 position = [500, 0, 740]       # its top: 40 mm above a table of 700 mm
 ```
 
-Nothing is said in a cell without fixed objects, or with one that is drawn by a mesh.
+Nothing is said in a cell without fixed objects, devices and positioners, or with one that is drawn by a mesh.
+""",
+)
+
+PART_INSIDE = define(
+    "X825",
+    "part-inside",
+    Severity.WARNING,
+    "a part is in a device or an external axis when a run starts",
+    """
+The part and what carries parts, such as the plate of a positioner, the carriage of a track or a device, are
+in the same place, deeper than `depth` of `[supports]`, 2 mm where nothing is said. Most often its position is
+that of its underside or its centre instead of the centre of its top face. Parts may stand in fixed objects
+and in each other: a pin in its magazine is well.
+
+```toml
+[robot]
+positioner = { radius = 400, height = 700, base = { position = [0, 1200, 0] } }
+
+[[parts]]
+name = "box"
+size = [60, 60, 40]
+mass = 0.5
+position = [0, 1200, 700]      # wrong: its top is at the height of the plate; right is 740
+```
+
+Nothing is said in a cell without fixed objects, devices and positioners, or with one that is drawn by a mesh.
 """,
 )

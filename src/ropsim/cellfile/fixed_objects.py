@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TypeAlias
 
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.mounts import Mount
 from ropsim.cellfile.objects import body_name, report_doubles
 from ropsim.cellfile.poses import read_pose
 from ropsim.cellfile.quantity import Units
@@ -13,9 +13,6 @@ from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
-
-Mount: TypeAlias = tuple[str, Pose]
-"""Name of a body that objects hang on, and the frame in it that they are given in."""
 
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
@@ -28,7 +25,7 @@ def read_objects(
     Args:
         tables: `[[objects]]`.
         taken: who has them, for names that no object may have.
-        mounts: body of each device that objects hang on, and the frame in it, by the name of the device.
+        mounts: on what else objects can hang: body, and the frame in it, by name.
         units: of the file.
     """
     parents = dict.fromkeys((*(str(table.values.get("name", "")) for table in tables), *mounts))

@@ -1,13 +1,13 @@
-"""The section `[supports]` of a cell file, and the parts that nothing supports."""
+"""The section `[supports]` of a cell file, and the parts that nothing supports or that are in something."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.objects import PartGroup
 from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.cellfile.tomltext.words import cut
-from ropsim.kinematics import parts_in_the_air
+from ropsim.kinematics import Standing, standings_at_start
 from ropsim.model import Cell, SupportLimits
 
 _WIDEST = 1.0  # [m]
@@ -23,18 +23,43 @@ def read_supports(table: TomlTable, units: Units) -> SupportLimits:
     return limits
 
 
-def note_parts_in_the_air(cell: Cell, groups: Iterable[PartGroup]) -> None:
-    """Note each table of parts of which some lie on nothing at time 0."""
-    names = {part.name for part in parts_in_the_air(cell)}
+def note_standings(cell: Cell, groups: Iterable[PartGroup]) -> None:
+    """Note each table of parts of which some lie on nothing at time 0, or are in something else."""
+    found = {part.name: standing for part, standing in standings_at_start(cell)}
+    things = {
+        *(one.name for one in cell.objects),
+        *(one.name for one in cell.parts),
+    }  # a pin may stand in what holds it
     for group in groups:
-        found = [part.name for part in group.parts if part.name in names]
-        if not found:
-            continue
-        several = f" and {len(found) - 1} more of its table" if len(found) > 1 else ""
-        message = f"part `{cut(found[0])}`{several} lies in the air at the start"
+        there = [(part.name, found[part.name]) for part in group.parts if part.name in found]
+        _note_in_the_air(group.table, [name for name, one in there if one.on is None], cell.supports)
+        deep = [
+            (name, one) for name, one in there if one.depth > cell.supports.depth and one.inside not in things
+        ]
+        _note_inside(group.table, deep, cell.supports)
+
+
+def _note_in_the_air(table: TomlTable, names: Sequence[str], limits: SupportLimits) -> None:
+    if names:
+        message = f"part {_several(names)} lies in the air at the start"
         hint = (
-            f"up to {cell.supports.gap * 1e3:g} mm above an object, a part or the floor it lies on it: "
+            f"up to {limits.gap * 1e3:g} mm above an object, a part or the floor it lies on it: "
             "mend its position, or describe what carries it under `[[objects]]`"
         )
-        span = group.table.value_span("position")
-        group.table.findings.add(kinds.PART_IN_THE_AIR, span, message, hint)
+        table.findings.add(kinds.PART_IN_THE_AIR, table.value_span("position"), message, hint)
+
+
+def _note_inside(table: TomlTable, there: Sequence[tuple[str, Standing]], limits: SupportLimits) -> None:
+    if there:
+        deepest = there[0][1]
+        message = (
+            f"part {_several([name for name, _ in there])} is in `{cut(deepest.inside)}` at the start: "
+            f"it would be free {deepest.depth * 1e3:.1f} mm higher, allowed are {limits.depth * 1e3:g} mm"
+        )
+        hint = "its position is the centre of its top face; the depth allowed is `depth` in `[supports]`"
+        table.findings.add(kinds.PART_INSIDE, table.value_span("position"), message, hint)
+
+
+def _several(names: Sequence[str]) -> str:
+    more = f" and {len(names) - 1} more of its table" if len(names) > 1 else ""
+    return f"`{cut(names[0])}`{more}"

@@ -18,7 +18,7 @@ from ropsim.kinematics.forward import frames_of_steps as frames_of_steps
 from ropsim.kinematics.forward import joint_frames as joint_frames
 from ropsim.kinematics.ground import Ground as Ground
 from ropsim.kinematics.ground import ground_of as ground_of
-from ropsim.kinematics.ground import parts_in_the_air as parts_in_the_air
+from ropsim.kinematics.ground import standings_at_start as standings_at_start
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch

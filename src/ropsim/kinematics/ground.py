@@ -1,12 +1,12 @@
-"""What stands still around the parts of a cell, and which parts lie on nothing."""
+"""What stands still around the parts of a cell, and how the parts stand when a run starts."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from ropsim.kinematics.blocks import Blocks, part_blocks, shape_blocks, stacked
 from ropsim.kinematics.body_poses import body_poses
-from ropsim.kinematics.supports import standings
-from ropsim.model import WORLD, BodyKind, BodyTree, Cell, Mesh, Part, body_tree, carrier, start_of
+from ropsim.kinematics.supports import Standing, standings
+from ropsim.model import WORLD, BodyTree, Cell, Mesh, Part, bearers, body_tree, carriages, carrier, start_of
 from ropsim.spatial import Array, Pose, record
 
 
@@ -17,7 +17,8 @@ class Ground:
     Attributes:
         poses: X_WB by name.
         blocks: of their shapes.
-        known: whether it is known what carries the parts: something is there, nothing of it drawn by a mesh.
+        known: whether it is known what carries the parts: something but the carriages of arms is there,
+            nothing of it drawn by a mesh.
     """
 
     poses: Mapping[str, Pose]
@@ -32,18 +33,19 @@ def ground_of(tree: BodyTree) -> Ground:
         tree: the bodies of the cell.
     """
     bodies = tree.by_name()
-    solid = tree.names(BodyKind.OBJECT, BodyKind.DEVICE)
+    solid = bearers(tree)
     still = [name for name in solid if carrier(bodies, {}, name) == WORLD]
     poses = _poses(tree, {}, still)
     blocks = shape_blocks({name: bodies[name].shapes for name in still}, poses)
-    solids = [shape.solid for name in solid for shape in bodies[name].shapes]
+    alone = carriages(tree)
+    solids = [shape.solid for name in solid if name not in alone for shape in bodies[name].shapes]
     return Ground(poses, blocks, bool(solids) and not any(isinstance(one, Mesh) for one in solids))
 
 
-def parts_in_the_air(cell: Cell) -> tuple[Part, ...]:
-    """Return the parts that lie on nothing at time 0, of a supply the first one.
+def standings_at_start(cell: Cell) -> tuple[tuple[Part, Standing], ...]:
+    """Return how each part stands at time 0, of a supply the first one.
 
-    None where it is not known what stands around.
+    Nothing where it is not known what stands around.
     """
     tree = body_tree(replace(cell, parts=()))
     ground = ground_of(tree)
@@ -52,11 +54,11 @@ def parts_in_the_air(cell: Cell) -> tuple[Part, ...]:
         return ()
     blocks = part_blocks((part, part.X_WO) for part in there)
     bodies = tree.by_name()
-    moved = [name for name in tree.names(BodyKind.OBJECT, BodyKind.DEVICE) if name not in ground.poses]
+    moved = [name for name in bearers(tree) if name not in ground.poses]
     surfaces = {name: bodies[name].shapes for name in moved}
-    devices = shape_blocks(surfaces, _poses(tree, start_of(cell), moved))
-    stand = standings(blocks, stacked([ground.blocks, devices, blocks]), cell.supports.gap)
-    return tuple(part for part, one in zip(there, stand, strict=True) if one.on is None)
+    moving = shape_blocks(surfaces, _poses(tree, start_of(cell), moved))
+    stand = standings(blocks, stacked([ground.blocks, moving, blocks]), cell.supports.gap)
+    return tuple(zip(there, stand, strict=True))
 
 
 def _poses(tree: BodyTree, q: Mapping[str, Array], names: Iterable[str]) -> dict[str, Pose]:

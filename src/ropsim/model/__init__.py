@@ -6,6 +6,8 @@ from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.base_frame import in_base as in_base
+from ropsim.model.bearers import bearers as bearers
+from ropsim.model.bearers import carriages as carriages
 from ropsim.model.body import WORLD as WORLD
 from ropsim.model.body import Body as Body
 from ropsim.model.body import BodyKind as BodyKind
@@ -76,6 +78,7 @@ from ropsim.model.geometry import Shape as Shape
 from ropsim.model.geometry import Solid as Solid
 from ropsim.model.geometry import Sphere as Sphere
 from ropsim.model.held_arm import HeldArm as HeldArm
+from ropsim.model.held_arm import external_links as external_links
 from ropsim.model.held_arm import held_arm as held_arm
 from ropsim.model.joint import BASE_LINK as BASE_LINK
 from ropsim.model.joint import PREVIOUS as PREVIOUS

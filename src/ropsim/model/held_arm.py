@@ -38,7 +38,7 @@ def held_arm(robot: RobotModel) -> HeldArm:
         MechanismError: the robot cannot be, or a coupling mixes external axes with those of the arm.
     """
     check_mechanism(robot)
-    external = set(_external_joints(robot))
+    external = set(external_links(robot))
     way, link = [], robot.tip
     while link != BASE_LINK:
         way.append(link)
@@ -71,8 +71,13 @@ def held_arm(robot: RobotModel) -> HeldArm:
     return HeldArm(arm, carrier, axes)
 
 
-def _external_joints(robot: RobotModel) -> list[int]:
-    """Return the joints that external axes alone move, and those that are fixed to them."""
+@lru_cache(maxsize=64)
+def external_links(robot: RobotModel) -> tuple[int, ...]:
+    """Return the numbers of the links that external axes alone move, and of those that are fixed to them.
+
+    Raises:
+        MechanismError: a coupling mixes external axes with those of the arm.
+    """
     T, first = coordinates(robot).T, first_coordinates(robot.joints)
     inner = [k for k in range(robot.n) if k not in robot.external]
     found: list[int] = []
@@ -89,7 +94,7 @@ def _external_joints(robot: RobotModel) -> list[int]:
             )
         if (moved and not by_arm) or (not moved and joint.parent in found):
             found.append(number)
-    return found
+    return tuple(found)
 
 
 def _above(robot: RobotModel, number: int) -> set[int]:

@@ -79,8 +79,7 @@ class CellRun:
         """Return where everything that can carry a part is at a tick of the cell's clock."""
         carriers: dict[str, Pose] = {}
         for station in self.stations.values():
-            if hands := station.hands:
-                carriers |= dict.fromkeys(hands, station.attained(due))
+            carriers |= station.carriers(due)
         for device in self.devices.values():
             carriers |= device.poses(due / self.hz)
         return Moment(carriers, self.scenery.moving(carriers))

@@ -18,8 +18,8 @@ class Seat:
 
     Attributes:
         parent: name of the body that it hangs on, `WORLD` for none.
-        rides: name of the body with which it moves: a tool that holds it or what it hangs on, or a body of a
-            device; `WORLD` while it rests.
+        rides: name of the body with which it moves: a tool that holds it or what it hangs on, or a body that
+            a device or an external axis moves; `WORLD` while it rests.
         pose: X_WO while it rests, else in the frame of that body; of a tool that is the mechanical interface.
     """
 

@@ -14,6 +14,7 @@ from ropsim.model import (
     Cell,
     Part,
     Shape,
+    bearers,
     body_tree,
     carrier,
     link_name,
@@ -32,7 +33,7 @@ class Scenery:
         ground: what stands still.
         objects: on what each object and each base of a device hangs, and with what it moves.
         belts: the body with which parts on a belt move, by the name of the base that carries them.
-        surfaces: shapes of what devices move, by the name of the body or object.
+        surfaces: shapes of what devices and external axes move, by the name of the body or object.
         tools: names of the bodies of all tools.
         largest: greatest extent of a part [m].
     """
@@ -47,10 +48,10 @@ class Scenery:
     largest: float
 
     def moving(self, carriers: Mapping[str, Pose]) -> Blocks:
-        """Return the solids that devices move where they are now.
+        """Return the solids that devices and external axes move where they are now.
 
         Args:
-            carriers: X_WC of the bodies of devices, by name.
+            carriers: X_WC of the bodies that these move, by name.
         """
         if not self.surfaces:
             return NO_BLOCKS
@@ -68,7 +69,7 @@ def scenery_of(cell: Cell) -> Scenery:
     largest = max((float(np.linalg.norm(part.size)) for part in cell.parts), default=0.0)
     ground = ground_of(tree)
     objects = {name: Seat(bodies[name].parent, WORLD, pose) for name, pose in ground.poses.items()}
-    surfaces = {name: bodies[name].shapes for name in tree.names(BodyKind.DEVICE) if bodies[name].mover}
+    surfaces = {name: bodies[name].shapes for name in bearers(tree) if bodies[name].mover}
     for name in tree.names(BodyKind.OBJECT):
         rides = carrier(bodies, {}, name)
         if rides != WORLD:

@@ -45,7 +45,8 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         for name, station in cell.stations.items()
     }
     devices = {name: _device_run(cell, device, hz) for name, device in cell.devices.items()}
-    carriers = {body: pose for one in devices.values() for body, pose in one.poses(0.0).items()}
+    moved = [at.carriers(0) for at in stations.values()] + [one.poses(0.0) for one in devices.values()]
+    carriers = {body: pose for several in moved for body, pose in several.items()}
     parts, _ = stood(
         parts, tuple(parts.seats), scenery, cell.supports, Moment(carriers, scenery.moving(carriers))
     )

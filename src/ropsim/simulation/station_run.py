@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import MotionChain
 from ropsim.flow import AwaitInstruction, JointReference, Origin
-from ropsim.kinematics import forward
-from ropsim.model import Payload, Station, Tool, tool_body
+from ropsim.kinematics import forward, frames_batch
+from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
 from ropsim.simulation.move_span import MoveSpan
@@ -90,13 +90,23 @@ class StationRun:
         """Return the names of the bodies of its tools."""
         return frozenset(tool_body(name, self.station.name) for name in self.station.tools)
 
-    def attained(self, due: int) -> Pose:
-        """Return the attained pose of the mechanical interface X_WM at a tick of the cell's clock.
+    def carriers(self, due: int) -> dict[str, Pose]:
+        """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
 
-        At the tick the station has come to it is that of the arm, before it that of its recording.
+        These are its tools, with the pose of the mechanical interface, and the links that external axes move.
+        At the tick the station has come to they are those of the arm, before it those of its recording.
         """
+        hands, robot, X_WB = self.hands, self.station.robot, self.station.X_WB
+        moved = external_links(robot) if robot.external else ()
+        if not hands and not moved:
+            return {}
         q = self.plant.q if due >= self.due else self.plant.at(due / self.cell_ticks)["q"]
-        return self.station.X_WB @ forward(self.station.robot, q)
+        poses = dict.fromkeys(hands, X_WB @ forward(robot, q)) if hands else {}
+        if moved:
+            frames = frames_batch(robot, q[None])[0]
+            names = {number: link_name(number + 1, self.station.name) for number in moved}
+            poses |= {names[number]: X_WB @ Pose.from_matrix(frames[number]) for number in moved}
+        return poses
 
     def follow(self, reference: JointReference) -> None:
         """Let the arm follow a reference to its end."""

@@ -136,3 +136,83 @@ def test_stations_have_external_axes_of_their_own() -> None:
     assert cell is not None
     axes: dict[str, Any] = {name: station.robot.n for name, station in cell.stations.items()}
     assert axes == {"left": 6, "right": robots.load("scara").n + 1}
+
+
+OBJECT = '[[objects]]\nname = "fixture"\nposition = [0, 0, 20]\nsize = [80, 80, 20]\n'
+
+
+@pytest.mark.parametrize(
+    ("axes", "parent", "body"),
+    [
+        (TABLE, "positioner", "link7"),
+        (TRACK, "track", "link2"),  # the slide and the plate that turns its frame back
+        (TRACK + TABLE, "track", "link2"),
+        (TRACK + TABLE, "positioner", "link9"),
+    ],
+)
+def test_an_object_hangs_on_what_an_external_axis_moves(axes: str, parent: str, body: str) -> None:
+    cell, findings = read(axes + OBJECT + f'parent = "{parent}"\n')
+    assert findings == ()
+    assert cell is not None
+    assert cell.objects[0].parent == body
+
+
+def test_the_frame_of_the_plate_is_in_its_middle_on_top_and_turns_with_it() -> None:
+    cell, _ = read(TABLE + OBJECT.replace("[0, 0, 20]", "[100, 0, 20]") + 'parent = "positioner"\n')
+    assert cell is not None
+    q = [np.append(cell.first.robot.home[:6], math.pi / 2.0)]
+    pose = body_poses(body_tree(cell), {"robot": q})["fixture"][0]
+    assert pose[:3, 3] == pytest.approx([0.1, 1.5, 0.62], abs=POSE_TOLERANCE)  # base 90°, axis 90°
+    assert pose[:3, 0] == pytest.approx([-1.0, 0.0, 0.0], abs=POSE_TOLERANCE)
+
+
+def test_stations_of_the_long_form_have_their_name_before_the_axis() -> None:
+    text = '[stations.left]\nrobot = "puma560"\n' + TABLE + OBJECT + 'parent = "left/positioner"\n'
+    cell, findings = read_cell(SourceText("cell.toml", text), "folder")
+    assert findings == ()
+    assert cell is not None
+    assert cell.objects[0].parent == "left/link7"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "line", "words"),
+    [
+        (OBJECT + 'parent = "positioner"\n', "X809", 7, "object `positioner` is not defined in this cell"),
+        (TABLE + OBJECT + 'parent = "positoner"\n', "X809", 8, "did you mean `positioner`?"),
+        (TABLE + OBJECT + 'parent = "track"\n', "X809", 8, "objects of this cell: `fixture`, `positioner`"),
+        (TABLE + OBJECT.replace("fixture", "positioner"), "X810", 5, "the name `positioner` is taken"),
+        (TRACK + '[devices.track]\nkind = "slide"\n', "X810", 4, "the name of an external axis of this cell"),
+        (TABLE + OBJECT.replace("fixture", "link7"), "X810", 5, "the name `link7` is taken"),
+    ],
+)
+def test_names_of_axes_are_looked_at_as_all_others(text: str, code: str, line: int, words: str) -> None:
+    _, findings = read(text)
+    found = next(one for one in findings if one.code == code)
+    assert found.span is not None
+    assert found.span.line == line
+    assert words in f"{found.message} {found.hint}"
+
+
+PART = '[[parts]]\nname = "box"\nsize = [60, 60, 40]\nmass = 0.5\n'
+
+
+@pytest.mark.parametrize(
+    ("axes", "place", "codes"),
+    [
+        (TABLE, [200, 1500, 640], []),
+        (TABLE, [200, 1500, 660], ["X819"]),
+        (TABLE, [200, 1500, 600], ["X825"]),
+        (TRACK, [300, 0, 390], []),
+        (TRACK, [300, 0, 420], []),  # nothing else is there: it is not known what carries parts
+        (TRACK, [300, 0, 350], []),
+        (TRACK + TABLE, [300, 0, 420], ["X819"]),
+        (TRACK + TABLE, [300, 0, 350], ["X825"]),
+    ],
+)
+def test_parts_on_external_axes_are_looked_at_when_the_file_is_read(
+    axes: str, place: list[int], codes: list[str]
+) -> None:
+    cell, findings = read(axes + PART + f"position = {place}\n")
+    assert cell is not None
+    assert [one.code for one in findings] == codes
+    assert all(one.span is not None and one.span.line >= 8 for one in findings)
