@@ -103,23 +103,23 @@ export interface ForgetInputs {
   readonly type: 'forget_inputs'
 }
 
-/** Put the arm of a station at joint coordinates `q` [rad | m]. */
+/** Put the arm of a station at joint coordinates `q` [rad | m]; `id` comes back in `jogged`. */
 export interface JogJoints {
   readonly type: 'jog_joints'
-  readonly id: number
   readonly station: string
   readonly q: readonly number[]
   readonly tool: string
+  readonly id: number
 }
 
-/** Move the TCP of the arm of a station, standing at `q`, to a pose in W. */
+/** Move the TCP of the arm of a station, standing at `q`, to a pose in W; `id` comes back in `jogged`. */
 export interface JogTcp {
   readonly type: 'jog_tcp'
-  readonly id: number
   readonly station: string
   readonly q: readonly number[]
   readonly tool: string
   readonly target: Pose
+  readonly id: number
 }
 
 /** Let code inside the project folder run, or no more. */

@@ -3,19 +3,18 @@
 `frontend/src/wire/commands.ts` is written from these records by `tools/wire_types.py`.
 """
 
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, TypeAlias
 
 import msgspec
 from msgspec import Meta, Struct
 
-from ropsim.studio.jobs import PoseNumbers
+from ropsim.studio import jobs
+from ropsim.studio.jobs import Fidelity, LiveControl, LiveSpeed, Name, SetSignal
 
-Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
 Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
 """A path that the user has typed."""
 Number: TypeAlias = Annotated[int, Meta(ge=0, le=2**53 - 1)]
 """Whole numbers of a page; larger ones are not exact there."""
-Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
 
 
 class Hello(Struct, frozen=True, tag_field="type", tag="hello"):
@@ -79,7 +78,7 @@ class RunNow(Struct, frozen=True, tag_field="type", tag="run"):
     """Simulate now. Empty program: the cell's."""
 
     program: Name
-    fidelity: Literal["dynamic", "kinematic"]
+    fidelity: Fidelity
 
 
 class CancelRun(Struct, frozen=True, tag_field="type", tag="cancel"):
@@ -93,46 +92,20 @@ class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
     speed: float
 
 
-class LiveControl(Struct, frozen=True, tag_field="type", tag="live_control"):
-    """Pause a live run, go on, or end it; ending keeps what was recorded so far."""
-
-    action: Literal["pause", "resume", "stop"]
-
-
-class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
-    """Simulated seconds per second of the live run."""
-
-    speed: float
-
-
-class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
-    """Set an input of the cell in a live run; the simulator stamps it with simulated time."""
-
-    name: Name
-    value: float
-
-
 class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):
     """Forget recorded key presses: the next runs take the cell's own signal changes only."""
 
 
-class JogJoints(Struct, frozen=True, tag_field="type", tag="jog_joints"):
-    """Put the arm of a station at joint coordinates `q` [rad | m]."""
+class JogJoints(jobs.JogJoints, frozen=True, tag_field="type", tag="jog_joints"):
+    """Put the arm of a station at joint coordinates `q` [rad | m]; `id` comes back in `jogged`."""
 
     id: Number
-    station: Name
-    q: Coordinates
-    tool: Name
 
 
-class JogTcp(Struct, frozen=True, tag_field="type", tag="jog_tcp"):
-    """Move the TCP of the arm of a station, standing at `q`, to a pose in W."""
+class JogTcp(jobs.JogTcp, frozen=True, tag_field="type", tag="jog_tcp"):
+    """Move the TCP of the arm of a station, standing at `q`, to a pose in W; `id` comes back in `jogged`."""
 
     id: Number
-    station: Name
-    q: Coordinates
-    tool: Name
-    target: PoseNumbers
 
 
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):

@@ -1,4 +1,7 @@
-"""What the web process asks of its workers and what they answer: plain records that travel by pickle.
+"""What the web process asks of its workers and what they answer: records that travel by pickle.
+
+What a page says and a worker is told in the same words is one record of `msgspec`: it comes as JSON and
+goes on by pickle.
 
 `folder` is the absolute path of a project. Texts are named by their path inside the project with `/`, such as
 `programs/main.task`: in the `texts` of jobs, and as the source of every span in findings, events and packs.
@@ -6,8 +9,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
+from msgspec import Meta, Struct
+
+Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
+Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
 Fidelity: TypeAlias = Literal["dynamic", "kinematic"]
 RunForm: TypeAlias = Literal["recording", "inputs", "report", "code"]
 """A run as a file: NPZ, inputs as `ropsim run --inputs` takes them, HTML, text of the neutral code."""
@@ -72,22 +79,20 @@ class SaveRun:
     form: RunForm
 
 
-@dataclass(frozen=True, slots=True)
-class JogJoints:
+class JogJoints(Struct, frozen=True):
     """Put the arm of a station of the last opened scene at joint coordinates `q` [rad | m] (`JogReply`)."""
 
-    station: str
-    q: tuple[float, ...]
-    tool: str
+    station: Name
+    q: Coordinates
+    tool: Name
 
 
-@dataclass(frozen=True, slots=True)
-class JogTcp:
+class JogTcp(Struct, frozen=True):
     """Move the TCP of a station's arm, standing at `q`, to the pose `target` in W (`JogReply`)."""
 
-    station: str
-    q: tuple[float, ...]
-    tool: str
+    station: Name
+    q: Coordinates
+    tool: Name
     target: PoseNumbers
 
 
@@ -110,25 +115,22 @@ class Renew:
     job: Simulate
 
 
-@dataclass(frozen=True, slots=True)
-class LiveControl:
+class LiveControl(Struct, frozen=True, tag_field="type", tag="live_control"):
     """Pause a live run, go on, or end it; ending keeps what was recorded so far."""
 
     action: Literal["pause", "resume", "stop"]
 
 
-@dataclass(frozen=True, slots=True)
-class LiveSpeed:
-    """Simulated seconds per second of a live run."""
+class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
+    """Simulated seconds per second of the live run."""
 
     speed: float
 
 
-@dataclass(frozen=True, slots=True)
-class SetSignal:
-    """Set an input of the cell in a live run; the run stamps it with simulated time."""
+class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
+    """Set an input of the cell in a live run; the simulator stamps it with simulated time."""
 
-    name: str
+    name: Name
     value: float
 
 

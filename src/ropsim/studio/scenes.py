@@ -57,13 +57,8 @@ class Scenes:
 
     async def jog(self, command: commands.JogJoints | commands.JogTcp) -> Jogged:
         """Move the arm of a station; where the worker cannot, the answer says so and the arm stays."""
-        if isinstance(command, commands.JogJoints):
-            job: jobs.Job = jobs.JogJoints(command.station, command.q, command.tool)
-            tcp = UNIT_POSE
-        else:
-            job = jobs.JogTcp(command.station, command.q, command.tool, command.target)
-            tcp = command.target
-        reply = await self._desk.submit(job).reply
+        tcp = command.target if isinstance(command, commands.JogTcp) else UNIT_POSE
+        reply = await self._desk.submit(command).reply
         if not isinstance(reply, jobs.JogReply):
             words = reply.message if isinstance(reply, jobs.Failed) else "the arm cannot be moved now"
             return Jogged(command.id, command.q, tcp, (), reached=False, words=(JogWords("error", words),))

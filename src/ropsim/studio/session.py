@@ -153,12 +153,8 @@ class Session:
                 self.runs.cancel()
             case commands.LiveStart(program, speed):
                 self.runs.start_live(program, speed)
-            case commands.LiveControl(action):
-                self.runs.order_live(jobs.LiveControl(action))
-            case commands.LiveSpeed(speed):
-                self.runs.order_live(jobs.LiveSpeed(speed))
-            case commands.SetSignal(name, value):
-                self.runs.order_live(jobs.SetSignal(name, value))
+            case jobs.LiveControl() | jobs.LiveSpeed() | jobs.SetSignal():
+                self.runs.order_live(command)
             case commands.ForgetInputs():
                 self.runs.forget_inputs()
 

@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[3]
 PAGE_SIDE = ROOT / "frontend" / "src" / "wire"
 
 
-@pytest.mark.skipif(not PAGE_SIDE.exists(), reason="the sources of the pages are not part of this tree")
+@pytest.mark.skipif(not PAGE_SIDE.exists(), reason="an sdist carries the pages built, not their sources")
 def test_the_types_of_the_pages_are_those_of_the_records() -> None:
     command = [sys.executable, "tools/wire_types.py", "--check"]
     result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
@@ -77,7 +77,7 @@ def test_a_type_without_a_rule_is_refused() -> None:
 
 def test_a_command_is_read_from_its_json() -> None:
     text = '{"type":"jog_joints","id":7,"station":"left","q":[0,1.5],"tool":"jaws"}'
-    assert commands.read_command(text) == (commands.JogJoints(7, "left", (0.0, 1.5), "jaws"), "")
+    assert commands.read_command(text) == (commands.JogJoints("left", (0.0, 1.5), "jaws", 7), "")
 
 
 HOSTILE = [

@@ -128,6 +128,19 @@ def test_a_tab_that_comes_later_hears_of_scene_and_run(folder: Path) -> None:
     in_session(folder, play)
 
 
+def test_what_a_page_says_in_a_live_run_reaches_the_worker(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="live_start", program="main", speed=2.0)
+        await first.hear("layout")
+        await first.say(type="signal", name="gate", value=1)
+        await first.say(type="live_speed", speed=0.5)
+        await first.say(type="live_control", action="stop")
+        assert (await first.hear("run", state="done"))["inputs"] == 1
+
+    in_session(folder, play)
+
+
 def test_a_request_that_fails_is_told_and_the_next_one_is_answered(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
