@@ -6,22 +6,11 @@ import { useChanges, useTicks } from '../studio/hooks'
 import { words } from '../text/messages'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
+import type { Asked } from './asked'
 import { HoldButton } from './HoldButton'
 import { JogTcp } from './JogTcp'
 import { QuantityField } from './QuantityField'
 import { Scroll } from './Scroll'
-
-/** What was typed last, so that a refusal can be told beside it. */
-export interface Asked {
-  /** Name of the joint or direction; empty for none. */
-  readonly name: string
-  /** [m | rad] */
-  readonly value: number
-  /** What the kinematics had to say about it. */
-  readonly why: string
-  readonly set: (name: string, value: number) => void
-  readonly forget: () => void
-}
 
 /** Greatest rates of a held button [rad/s, m/s]. */
 const FASTEST = { rad: Math.PI / 6, m: 0.25 } as const

@@ -1,19 +1,49 @@
 /** What each message of the server means for the studio. */
+import type { Cursor } from '../run/cursor'
+import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
 import type { LiveStatus, Message, RunStatus, SceneMessage, Welcome } from '../wire/messages'
-import { lookFrom } from './look'
+import type { Jog } from './jog'
+import { type Look, lookFrom } from './look'
+import type { Loop } from './loop'
+import type { Picture } from './picture'
+import type { Texts } from './run_lines'
+import type { RunView } from './run_view'
+import type { Runs } from './runs'
+import type { SignalBoard } from './signal_board'
+import type { StudioStore } from './state'
 import { ProjectStorage } from './storage'
-import type { Studio } from './studio'
+import type { TextDesk } from './text_desk'
+
+/** What messages change. */
+export interface Receiving {
+  storage: ProjectStorage
+  readonly store: StudioStore
+  readonly cursor: Cursor
+  readonly desk: TextDesk
+  readonly jog: Jog
+  readonly loop: Loop
+  readonly picture: Picture
+  readonly run: Run | null
+  readonly runs: Runs
+  readonly signals: SignalBoard
+  readonly view: RunView
+  notify(level: 'error' | 'warning' | 'info', text: string, hint?: string, code?: string): void
+  select(body: number | null): void
+  setFindings(source: string, findings: readonly Finding[], texts?: Texts): void
+  setLook(change: Partial<Look>): void
+  textsMoved(): void
+}
 
 type Handlers = { readonly [T in Message['type']]: (message: Extract<Message, { type: T }>) => void }
 
 export class Receiver {
-  readonly #studio: Studio
+  readonly #studio: Receiving
   #folder: string | null = null
 
   readonly #handlers: Handlers
 
-  constructor(studio: Studio) {
+  constructor(studio: Receiving) {
     this.#studio = studio
     this.#handlers = this.#makeHandlers()
   }

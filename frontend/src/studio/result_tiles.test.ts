@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
-import type { PeakFigure, ResultFigures } from '../run/pack_file'
+import type { PeakFigure, ResultFigures } from '../run/figures'
 import type { Run } from '../run/run'
 import { METRIC, setUnits } from '../units/choice'
 import { tilesOf } from './result_tiles'

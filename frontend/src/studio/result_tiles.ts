@@ -1,5 +1,5 @@
 /** The result of a run as tiles: each a figure, in words, with the moment and the line where it arises. */
-import type { ResultFigures } from '../run/pack_file'
+import type { ResultFigures } from '../run/figures'
 import type { Run } from '../run/run'
 import { labelled } from '../run/station'
 import { resultWords as words } from '../text/result'
