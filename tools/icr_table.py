@@ -39,6 +39,7 @@ DEPENDS = {
     "CALL": ("parameters", "results"),
     "RET": ("results", ""),
     "MKJ": ("REAL … n times", "JOINTS"),
+    "MKEXT": ("POSE REAL … n times", "POSE"),
     "GETC": ("T", "REAL"),
     "SETC": ("T REAL", "T"),
     "IN": ("", "T"),

@@ -50,6 +50,9 @@ constants = st.one_of(
     numbers(3).map(lambda value: Constant(Type.VEC, value)),
     numbers(4).map(lambda value: Constant(Type.ORI, value)),
     numbers(7).map(lambda value: Constant(Type.POSE, value)),
+    st.tuples(numbers(7), st.lists(reals, max_size=12)).map(
+        lambda parts: Constant(Type.POSE, (*parts[0], *parts[1]))
+    ),
     st.lists(reals, min_size=1, max_size=7).map(lambda value: Constant(Type.JOINTS, tuple(value))),
 )
 MAX_CODE = 12

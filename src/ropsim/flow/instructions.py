@@ -49,12 +49,15 @@ class MoveInstruction:
             home position of the arm.
         modal: snapshot of the modal state.
         origin: source line and loop pass.
+        external: values of the external axes that a pose is reached with [rad | m], in the order of the axes;
+            empty to leave them where they are, as it is for joint coordinates and home.
     """
 
     kind: MotionKind
     target: Pose | tuple[float, ...] | None
     modal: ModalState
     origin: Origin = field(default_factory=Origin)
+    external: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

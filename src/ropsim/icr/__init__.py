@@ -2,6 +2,10 @@
 
 from ropsim.icr.errors import AssemblyError as AssemblyError
 from ropsim.icr.errors import UnverifiedError as UnverifiedError
+from ropsim.icr.location import Location as Location
+from ropsim.icr.location import composed as composed
+from ropsim.icr.location import external_part as external_part
+from ropsim.icr.location import pose_part as pose_part
 from ropsim.icr.machine import Machine as Machine
 from ropsim.icr.machine import MachineOptions as MachineOptions
 from ropsim.icr.opcodes import OPCODES as OPCODES
@@ -24,6 +28,7 @@ from ropsim.icr.trace import Trace as Trace
 from ropsim.icr.trace import run as run
 from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE
 from ropsim.icr.trap_kinds import TRAP_TIMED_OUT as TRAP_TIMED_OUT
+from ropsim.icr.types import MAX_EXTERNAL as MAX_EXTERNAL
 from ropsim.icr.types import Constant as Constant
 from ropsim.icr.types import Type as Type
 from ropsim.icr.types import Value as Value

@@ -226,7 +226,8 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CLOCK GRIP IO JNT LIN MSG PTP ZONE`).
+instructions that occur (`CLOCK EXT GRIP IO JNT LIN MSG PTP ZONE`). `EXT` is needed by a constant pose with
+values of external axes, too.
 """,
 )
 AXES_DIFFER = define(

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 
 from ropsim.icr.handlers import Datum, Handler
+from ropsim.icr.location import composed, external_part, pose_part
 from ropsim.icr.traps import out_of_range
 from ropsim.icr.types import Type
 from ropsim.spatial import quaternion
@@ -30,6 +31,11 @@ def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None
     stack[-count:] = [operands]
 
 
+def _make_external(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
+    location = (*stack[-count - 1][:7], *stack[-count:])
+    stack[-count - 1 :] = [location]
+
+
 def _orientation(w: float, x: float, y: float, z: float) -> Datum:
     try:
         return quaternion.normalize((w, x, y, z))
@@ -44,7 +50,7 @@ def _distance(a: Datum, b: Datum) -> float:
 
 
 def _angle(a: Datum, b: Datum) -> float:
-    w, x, y, z = quaternion.multiply(quaternion.conjugate(a[3:]), b[3:])
+    w, x, y, z = quaternion.multiply(quaternion.conjugate(a[3:7]), b[3:7])
     return 2.0 * math.atan2(math.hypot(x, y, z), abs(w))
 
 
@@ -53,7 +59,7 @@ def _components(value: tuple[float, ...], kind: Type) -> tuple[float, ...]:
     if kind is Type.ORI:
         c, b, a = quaternion.to_zyx((value[0], value[1], value[2], value[3]))
         return (a, b, c)
-    return value[:3] + _components(value[3:], Type.ORI) if kind is Type.POSE else value
+    return value[:3] + _components(value[3:7], Type.ORI) if kind is Type.POSE else value
 
 
 def _composed(components: tuple[float, ...], kind: Type) -> tuple[float, ...]:
@@ -79,7 +85,8 @@ def set_component(stack: list[Datum], _values: list[Datum], operand: Datum) -> N
         stack[-1] = (*whole[:index], number, *whole[index + 1 :])
     else:
         components = _components(whole, kind)
-        stack[-1] = _composed((*components[:index], number, *components[index + 1 :]), kind)
+        changed = _composed((*components[:index], number, *components[index + 1 :]), kind)
+        stack[-1] = changed + external_part(whole) if kind is Type.POSE else changed
 
 
 def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
@@ -92,7 +99,13 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
     elif kind in {Type.INT, Type.STR}:
         stack[-1] = str(value)
     else:
-        stack[-1] = "(" + ", ".join(format(part, ".6g") for part in _components(value, kind)) + ")"
+        stack[-1] = _listed(_components(value, kind))
+        if kind is Type.POSE and external_part(value):
+            stack[-1] += f" external {_listed(external_part(value))}"
+
+
+def _listed(values: tuple[float, ...]) -> str:
+    return "(" + ", ".join(format(part, ".6g") for part in values) + ")"
 
 
 GEOMETRY: dict[str, Handler] = {
@@ -103,10 +116,11 @@ GEOMETRY: dict[str, Handler] = {
     "MKORI.Q": _make(4, _orientation),
     "MKPOSE": _make(2, lambda position, orientation: position + orientation),
     "MKJ": _make_joints,
-    "COMPOSE": _make(2, lambda a, b: _finite("COMPOSE", quaternion.compose(a, b))),
-    "INV": _make(1, lambda a: _finite("INV", quaternion.invert(a))),
+    "MKEXT": _make_external,
+    "COMPOSE": _make(2, lambda a, b: _finite("COMPOSE", composed(a, b))),
+    "INV": _make(1, lambda a: _finite("INV", quaternion.invert(pose_part(a)))),
     "GETPOS": _make(1, lambda pose: pose[:3]),
-    "GETORI": _make(1, lambda pose: pose[3:]),
+    "GETORI": _make(1, lambda pose: pose[3:7]),
     "DIST": _make(2, _distance),
     "ANGLE": _make(2, _angle),
 }

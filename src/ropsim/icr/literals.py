@@ -3,11 +3,13 @@
 import re
 
 from ropsim.icr.tokens import Token, quoted
-from ropsim.icr.types import INT_MAX, INT_MIN, WIDTHS, Constant, Type, Value
+from ropsim.icr.types import INT_MAX, INT_MIN, WIDTHS, Constant, Type, Value, has_form
 
 _INT = re.compile(r"[+-]?[0-9]{1,19}\Z")
 _REAL = re.compile(r"[+-]?(?:(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|inf|nan)\Z")
 _BOOL = {"TRUE": True, "FALSE": False}
+_EXTERNAL = "EXT"
+"""Stands between the seven numbers of a POSE and its values of external axes."""
 
 
 def read_int(token: Token) -> int | None:
@@ -30,11 +32,26 @@ def read_constant(tokens: tuple[Token, ...]) -> Constant | None:
     if not tokens or tokens[0].is_quoted or tokens[0].text not in Type.__members__:
         return None
     kind, words = Type(tokens[0].text), tokens[1:]
+    if kind is Type.POSE:
+        return _read_pose(words)
     value = _read_simple(kind, words[0]) if len(words) == 1 else None
     if kind in WIDTHS or kind is Type.JOINTS:
         parts = read_reals(words)
         value = parts if parts and len(parts) == WIDTHS.get(kind, len(parts)) else None
     return None if value is None else Constant(kind, value)
+
+
+def _read_pose(words: tuple[Token, ...]) -> Constant | None:
+    """Return the POSE of seven numbers, which `EXT` and values of external axes may follow."""
+    width = WIDTHS[Type.POSE]
+    numbers = words
+    if len(words) > width:
+        if words[width].is_quoted or words[width].text != _EXTERNAL or len(words) == width + 1:
+            return None
+        numbers = (*words[:width], *words[width + 1 :])
+    parts = read_reals(numbers)
+    found = None if parts is None else Constant(Type.POSE, parts)
+    return found if found and has_form(found) else None
 
 
 def _read_simple(kind: Type, word: Token) -> Value | None:
@@ -57,6 +74,9 @@ def written(constant: Constant) -> str:
         text = quoted(value)
     elif isinstance(value, tuple):
         text = " ".join(map(repr, value))
+        width = WIDTHS[Type.POSE]
+        if constant.type is Type.POSE and len(value) > width:
+            text = " ".join((*map(repr, value[:width]), _EXTERNAL, *map(repr, value[width:])))
     else:
         text = repr(value)
     return f"{constant.type.value} {text}"

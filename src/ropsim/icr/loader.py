@@ -17,7 +17,7 @@ from ropsim.icr.program import Procedure, Program, Step, source_place
 from ropsim.icr.rules.flow import stacks
 from ropsim.icr.site import Site
 from ropsim.icr.stack import Stack
-from ropsim.icr.types import Constant, rotation
+from ropsim.icr.types import Constant, Type, rotation
 from ropsim.spatial import Pose, quaternion
 
 LEAVE = -1
@@ -90,7 +90,8 @@ def _value(constant: Constant) -> Datum:
     if not quaternion_part or not isinstance(constant.value, tuple):
         return constant.value
     w, x, y, z = quaternion_part
-    return (*constant.value[:-4], *quaternion.normalize((w, x, y, z)))
+    at = 3 if constant.type is Type.POSE else 0
+    return (*constant.value[:at], *quaternion.normalize((w, x, y, z)), *constant.value[at + 4 :])
 
 
 def _operand(program: Program, step: Step) -> Datum:

@@ -136,8 +136,8 @@ _TABLE = """
 0403 MKORI.Q   -        RRRR O -     [w x y z -> orientation], made a unit quaternion
 0404 MKPOSE    -        VO  P  -     [position orientation -> pose]
 0405 MKJ       count    *   J  -     joint coordinates of n reals
-0407 COMPOSE   -        PP  P  -     [X_AB X_BC -> X_AC]
-0408 INV       -        P   P  -     [X_AB -> X_BA]
+0407 COMPOSE   -        PP  P  -     [X_AB X_BC -> X_AC] with the external values of X_AB, else of X_BC
+0408 INV       -        P   P  -     [X_AB -> X_BA], without external values
 040A GETPOS    -        P   V  -     position of a pose
 040B GETORI    -        P   O  -     orientation of a pose
 040C DIST      -        PP  R  -     distance of the origins of two poses [m]
@@ -145,6 +145,7 @@ _TABLE = """
 040E CURPOSE   -        -   P  -     pose commanded last, X_KT, in the frame and for the tool in force
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)
 0413 SETC      index    *   *  -     [value real -> value with component i replaced]
+0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes] [rad | m]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]

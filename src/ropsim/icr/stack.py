@@ -51,6 +51,8 @@ def _by_operand(program: Program, procedure: Procedure, step: Step) -> tuple[Sta
         return (), (operand.type,)
     if step.mnemonic == "MKJ":
         return (Type.REAL,) * int(operand), (Type.JOINTS,)
+    if step.mnemonic == "MKEXT":
+        return (Type.POSE, *(Type.REAL,) * int(operand)), (Type.POSE,)
     name = str(operand)
     if step.mnemonic in {"LOAD", "STORE"}:
         found: Stack = (variable_type(program, procedure, name),)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, Origin
 from ropsim.icr.handlers import Datum
-from ropsim.spatial import PoseTuple
+from ropsim.icr.location import Location
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,9 +25,9 @@ class Finished:
 
 
 class Commanded(NamedTuple):
-    """The pose commanded last, with the modal state it was commanded under."""
+    """The location commanded last, with the modal state it was commanded under."""
 
-    target: PoseTuple
+    target: Location
     modal: ModalState
 
 

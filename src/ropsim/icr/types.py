@@ -12,8 +12,8 @@ Value = bool | int | float | str | tuple[float, ...]
 class Type(Enum):
     """Type of a value; all numbers are SI.
 
-    `VEC` is (x, y, z) [m], `ORI` a unit quaternion (w, x, y, z), `POSE` (x, y, z, qw, qx, qy, qz) and
-    `JOINTS` one coordinate for each axis [rad | m].
+    `VEC` is (x, y, z) [m], `ORI` a unit quaternion (w, x, y, z), `POSE` (x, y, z, qw, qx, qy, qz) and behind
+    these up to 12 values of external axes [rad | m], `JOINTS` one coordinate for each axis [rad | m].
     """
 
     BOOL = "BOOL"
@@ -27,7 +27,10 @@ class Type(Enum):
 
 
 WIDTHS = {Type.VEC: 3, Type.ORI: 4, Type.POSE: 7}
-"""How many REALs a constant of a fixed composite type has."""
+"""How many REALs a constant of a composite type has; a POSE may carry values of external axes behind them."""
+
+MAX_EXTERNAL = 12
+"""How many values of external axes a POSE may carry."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +54,8 @@ def has_form(constant: Constant) -> bool:
         return isinstance(value, str)
     if not isinstance(value, tuple) or not all(isinstance(part, float) for part in value):
         return False
+    if constant.type is Type.POSE:
+        return 0 <= len(value) - WIDTHS[Type.POSE] <= MAX_EXTERNAL
     return len(value) == WIDTHS.get(constant.type, max(len(value), 1))
 
 
@@ -63,6 +68,8 @@ def reals(constant: Constant) -> tuple[float, ...]:
 
 def rotation(constant: Constant) -> tuple[float, ...]:
     """Return the quaternion (w, x, y, z) inside a constant; empty where the type has none."""
-    if isinstance(constant.value, tuple) and constant.type in {Type.ORI, Type.POSE}:
-        return constant.value[-4:]
-    return ()
+    if not isinstance(constant.value, tuple):
+        return ()
+    if constant.type is Type.POSE:
+        return constant.value[3:7]
+    return constant.value if constant.type is Type.ORI else ()

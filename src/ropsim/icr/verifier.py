@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator
 from ropsim.core import Diagnostic, Span
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES
-from ropsim.icr.program import VERSION, Procedure, Program, channel_fault, text_place
+from ropsim.icr.program import VERSION, Operand, Procedure, Program, channel_fault, text_place
 from ropsim.icr.rules.calls import check_assignment, check_calls
 from ropsim.icr.rules.flow import check_reachability, check_stack
 from ropsim.icr.rules.operands import MAX_AXES, check_constant, check_operands
-from ropsim.icr.types import Constant, Type
+from ropsim.icr.types import WIDTHS, Constant, Type
 
 
 def verify(program: Program) -> tuple[Diagnostic, ...]:
@@ -36,9 +36,18 @@ def verify(program: Program) -> tuple[Diagnostic, ...]:
 
 def capabilities(procedures: Iterable[Procedure]) -> tuple[str, ...]:
     """Return what a robot must offer for these procedures, sorted."""
-    used = {step.mnemonic for procedure in procedures for step in procedure.code}
+    steps = [step for procedure in procedures for step in procedure.code]
+    used = {step.mnemonic for step in steps}
     offers = {OPCODES[mnemonic].capability for mnemonic in used if mnemonic in OPCODES}
+    if any(_carries_external(operand) for step in steps for operand in step.operands):
+        offers.add(OPCODES["MKEXT"].capability)
     return tuple(sorted(offers - {""}))
+
+
+def _carries_external(operand: Operand) -> bool:
+    if not isinstance(operand, Constant) or not isinstance(operand.value, tuple):
+        return False
+    return operand.type is Type.POSE and len(operand.value) > WIDTHS[Type.POSE]
 
 
 def _header(program: Program) -> Iterator[Diagnostic]:
@@ -88,6 +97,9 @@ def _declarations(program: Program) -> Iterator[Diagnostic]:
 
 
 def _pose(pose: tuple[float, ...], place: Span | None, what: str) -> Iterator[Diagnostic]:
+    if len(pose) != WIDTHS[Type.POSE]:
+        yield kinds.OPERAND_WRONG.at(place, f"{what} has {len(pose)} numbers, a pose has {WIDTHS[Type.POSE]}")
+        return
     yield from check_constant(Constant(Type.POSE, pose), place, what)
 
 

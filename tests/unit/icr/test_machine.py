@@ -47,6 +47,7 @@ def program(main: str, rest: str = "") -> Program:
         "ZONE": "ZONE",
         "MSG": "MSG",
         "GRIP": "GRIP",
+        "EXT": "EXT",
     }
     offers |= {"IN part": "IO", "IN count": "IO", "OUT": "IO", "TIME": "CLOCK", "MOVE.PTP.J": "JNT"}
     names = sorted({offer for word, offer in offers.items() if word in body + rest})
@@ -366,3 +367,59 @@ def test_a_snapshot_does_not_change_when_the_machine_goes_on() -> None:
         machine.advance()
     assert repr(state) == before
     assert hash(state) == hash(state)
+
+
+def moves(main: str) -> list[MoveInstruction]:
+    return [one for one in flow(main) if isinstance(one, MoveInstruction)]
+
+
+def external(main: str) -> list[tuple[float, ...]]:
+    """Return the values of external axes that each move is given."""
+    return [one.external for one in moves(f"{main}/HALT")]
+
+
+def test_a_move_carries_the_external_values_of_its_pose() -> None:
+    (plain, made) = moves(f"{TARGET}/MOVE.LIN/{TARGET} EXT 0.8 -1.5/MOVE.PTP/HALT")
+    assert (plain.external, made.external) == ((), (0.8, -1.5))
+    assert plain.target == made.target
+
+
+def test_external_values_are_given_and_given_anew() -> None:
+    given = f"{TARGET}/PUSH REAL 0.5/PUSH REAL 0.25/MKEXT 2"
+    assert external(f"{given}/MOVE.PTP") == [(0.5, 0.25)]
+    assert external(f"{given}/PUSH REAL -1.0/MKEXT 1/MOVE.PTP") == [(-1.0,)]
+
+
+def test_a_place_that_is_kept_keeps_its_external_values() -> None:
+    pose, other = f"{TARGET} EXT 0.5", "PUSH POSE 0.0 0.0 0.1 1.0 0.0 0.0 0.0"
+    assert external(f"{pose}/{other}/COMPOSE/MOVE.PTP") == [(0.5,)]
+    assert external(f"{other}/{pose}/COMPOSE/MOVE.PTP") == [(0.5,)]
+    assert external(f"{pose}/{other} EXT 0.25/COMPOSE/MOVE.PTP") == [(0.5,)]
+    for component in range(6):
+        assert external(f"{pose}/PUSH REAL 0.125/SETC {component}/MOVE.PTP") == [(0.5,)]
+
+
+def test_what_is_no_target_any_more_loses_its_external_values() -> None:
+    pose = f"{TARGET} EXT 0.5"
+    assert external(f"{pose}/INV/MOVE.PTP") == [()]
+    assert external(f"{pose}/GETPOS/{pose}/GETORI/MKPOSE/MOVE.PTP") == [()]
+
+
+def test_the_pose_commanded_last_is_given_back_with_its_external_values() -> None:
+    handed = moves(f"FRAME f/TOOL jaws/{TARGET} EXT 0.5/MOVE.PTP/FRAME g/TOOL -/CURPOSE/MOVE.LIN/HALT")
+    assert [one.external for one in handed] == [(0.5,), (0.5,)]
+    assert external(f"{TARGET} EXT 0.5/MOVE.PTP/{TARGET}/MOVE.PTP/CURPOSE/MOVE.PTP") == [(0.5,), (), ()]
+
+
+def test_distances_and_angles_do_not_see_external_values() -> None:
+    other = "PUSH POSE 0.1 0.2 0.8 0.0 1.0 0.0 0.0"
+    for mnemonic in ("DIST", "ANGLE"):
+        plain = flow(f"{TARGET}/{other}/{mnemonic}/FMT/MSG/HALT")
+        given = flow(f"{TARGET} EXT 0.5/{other} EXT 2.0/{mnemonic}/FMT/MSG/HALT")
+        assert [getattr(one, "text", "") for one in plain] == [getattr(one, "text", "") for one in given]
+
+
+def test_a_shown_pose_tells_its_external_values() -> None:
+    (message, _) = flow(f"{TARGET} EXT 0.5 -1.0/FMT/MSG/HALT")
+    assert isinstance(message, MessageInstruction)
+    assert message.text == "(0.1, 0.2, 0.3, 0, 0, 0) external (0.5, -1)"

@@ -138,3 +138,25 @@ def test_a_hyphen_is_no_tool_and_a_quoted_one_is() -> None:
 
 def test_a_line_without_end_is_refused_at_once() -> None:
     assert found(HEADER + "a " * 600_000) == [("I401", 2, 1)]
+
+
+def test_a_pose_may_carry_values_of_external_axes() -> None:
+    program = assemble(in_main("PUSH POSE 1 2 3 1 0 0 0 EXT 4 5", "POP", "HALT"))
+    (constant,) = program.procedures[0].code[0].operands
+    assert constant == Constant(Type.POSE, (1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0, 4.0, 5.0))
+    assert "PUSH POSE 1.0 2.0 3.0 1.0 0.0 0.0 0.0 EXT 4.0 5.0" in disassemble(program)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "1 2 3 1 0 0 0 4",
+        "1 2 3 1 0 0 0 EXT",
+        "1 2 3 1 0 0 EXT 0",
+        "1 2 3 1 0 0 0 EXT x",
+        "1 2 3 1 0 0 0 EXT" + 13 * " 1",
+        '1 2 3 1 0 0 0 "EXT" 4',
+    ],
+)
+def test_external_values_stand_behind_their_word_and_are_twelve_at_most(value: str) -> None:
+    assert found(in_main(f"PUSH POSE {value}", "POP", "HALT")) == [("I402", 3, 3)]

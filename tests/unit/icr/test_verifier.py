@@ -227,3 +227,25 @@ def test_programs_made_in_python_are_checked_as_well() -> None:
     assert in_python(base=Program("t", (), channels=(IoChannel("a", "XX", Type.BOOL),))) == ["I414"]
     assert in_python(base=Program("t", (), channels=(IoChannel("", "DI", Type.BOOL),))) == ["I413"]
     assert in_python(base=Program("t", (), channels=(IoChannel("a", "DI", Type.BOOL),) * 2)) == ["I403"]
+
+
+def test_external_values_need_a_robot_that_has_such_axes() -> None:
+    head, pose = "ICR 1.0 t\n{}PROC main\n  PUSH POSE 0.0 0.0 0.0 1.0 0.0 0.0 0.0", "  POP\n  HALT\nEND\n"
+    for given in (" EXT 1.0\n", "\n  PUSH REAL 1.0\n  MKEXT 1\n"):
+        assert [one.code for one in verify(assemble(head.format("") + given + pose))] == ["I427"]
+        assert verify(assemble(head.format("REQUIRE CAP EXT\n") + given + pose)) == ()
+
+
+@pytest.mark.parametrize("count", [0, 13])
+def test_a_pose_carries_one_to_twelve_external_values(count: int) -> None:
+    pushed = "  PUSH REAL 1.0\n" * count
+    text = (
+        f"ICR 1.0 t\nREQUIRE CAP EXT\nPROC main\n  PUSH POSE 0 0 0 1 0 0 0\n{pushed}  MKEXT {count}\n  POP\n"
+    )
+    assert [one.code for one in verify(assemble(f"{text}  HALT\nEND\n"))] == ["I414"]
+
+
+def test_frames_carry_no_external_values() -> None:
+    program = assemble(VALID)
+    longer = replace(program.frames[0], pose=(*program.frames[0].pose, 0.5))  # type: ignore[arg-type]
+    assert [one.code for one in verify(replace(program, frames=(longer,)))] == ["I414"]

@@ -29,7 +29,7 @@ def test_a_golden_program_is_canonical_sound_and_repeatable(path: Path) -> None:
 
 
 def test_the_golden_programs_are_there() -> None:
-    assert {path.stem for path in GOLDEN} >= {"square", "geometry", "signals", "lowered"}
+    assert {path.stem for path in GOLDEN} >= {"square", "geometry", "signals", "lowered", "external"}
 
 
 def test_free_text_becomes_canonical() -> None:

@@ -9,11 +9,12 @@ from ropsim.flow import (
     SyncInstruction,
 )
 from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.location import Location, composed, external_part, pose_part
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Commanded, Finished, Registers
 from ropsim.icr.traps import TrapError
 from ropsim.icr.world import World
-from ropsim.spatial import Pose, PoseTuple, quaternion
+from ropsim.spatial import Pose, quaternion
 
 
 def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -27,7 +28,9 @@ def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
     registers.commanded = Commanded(target, registers.modal)
     kind = MotionKind.LIN if site.mnemonic == "MOVE.LIN" else MotionKind.PTP
     origin = registers.origin(site.key, site.span)
-    return MoveInstruction(kind, Pose.from_tuple(target), registers.modal, origin)
+    return MoveInstruction(
+        kind, Pose.from_tuple(pose_part(target)), registers.modal, origin, external_part(target)
+    )
 
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -55,23 +58,27 @@ def _command_pose(registers: Registers, _world: World, site: Site) -> Instructio
     return None
 
 
-def _seen_now(registers: Registers) -> PoseTuple:
-    """Return the pose commanded last, X_KT for the frame and the tool in force now."""
+def _seen_now(registers: Registers) -> Location:
+    """Return the pose commanded last, X_KT for the frame and the tool in force now.
+
+    The values of external axes that were commanded with it stay with it: the axes are still there, as every
+    other way to move them leaves no pose commanded.
+    """
     if registers.commanded is None:
         raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", "move to a pose before")
     target, then = registers.commanded
     now = registers.modal
     if then.frame != now.frame or then.X_BK != now.X_BK:
-        X_BT = quaternion.compose(then.X_BK.as_tuple(), target)
-        target = quaternion.compose(quaternion.invert(now.X_BK.as_tuple()), X_BT)
+        X_BT = composed(then.X_BK.as_tuple(), target)
+        target = composed(quaternion.invert(now.X_BK.as_tuple()), X_BT)
     if then.tool != now.tool or then.X_MT != now.X_MT:
         if then.X_MT is None or now.X_MT is None:
             message = (
                 f"the pose of tool `{now.tool}` relative to tool `{then.tool}` is known to the cell only"
             )
             raise TrapError(kinds.POSE_UNKNOWN, message, "move to a pose with the new tool before")
-        X_KM = quaternion.compose(target, quaternion.invert(then.X_MT.as_tuple()))
-        target = quaternion.compose(X_KM, now.X_MT.as_tuple())
+        X_KM = composed(target, quaternion.invert(then.X_MT.as_tuple()))
+        target = composed(X_KM, now.X_MT.as_tuple())
     return target
 
 

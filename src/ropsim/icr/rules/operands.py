@@ -7,13 +7,14 @@ from ropsim.core import Diagnostic, Span, did_you_mean, near
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.program import Operand, Procedure, Program, Step, text_place
-from ropsim.icr.types import Constant, Type, has_form, reals, rotation
+from ropsim.icr.types import MAX_EXTERNAL, Constant, Type, has_form, reals, rotation
 
 UNIT_TOLERANCE = 1e-6
 """How far the length of a quaternion may be from 1: quaternions typed with 7 digits are accepted."""
 MAX_AXES = 32
 MAX_NUMBER = 65535
-_MAX_INDEX = {OperandKind.COUNT: MAX_AXES, OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
+_MAX_INDEX = {OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
+_MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
 _NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T"}
@@ -100,6 +101,8 @@ def _check_number(
 ) -> Iterator[Diagnostic]:
     low = 1 if kind is OperandKind.COUNT else 0
     high = size - 1 if kind is OperandKind.LABEL else _MAX_INDEX.get(kind, MAX_NUMBER)
+    if kind is OperandKind.COUNT:
+        high = _MAX_COUNT[step.mnemonic]
     if isinstance(operand, bool) or not isinstance(operand, int):
         yield kinds.OPERAND_WRONG.at(place, f"`{step.mnemonic}` needs a number, found {operand!r}")
     elif kind is OperandKind.LABEL and operand == size:
