@@ -1,9 +1,7 @@
 """Checks of the values of one move instruction, before anything is computed with them."""
 
 import math
-from collections.abc import Iterator
-
-import numpy as np
+from collections.abc import Iterable, Iterator
 
 from ropsim.controller.wording import coordinate, figures, passes
 from ropsim.core import Diagnostic
@@ -66,9 +64,28 @@ def check_joints(
             data={"found": len(q), "allowed": robot.n},
         )
         return (found,)
-    outside = np.flatnonzero((q < lower - _LIMIT_SLACK) | (q > upper + _LIMIT_SLACK)).tolist()
+    return limit_findings(move, q, robot, range(robot.n), (lower, upper))
+
+
+def limit_findings(
+    move: MoveInstruction, q: Array, robot: RobotModel, axes: Iterable[int], limits: tuple[Array, Array]
+) -> tuple[Diagnostic, ...]:
+    """Return M502 for each of some axes whose coordinate is out of range.
+
+    Args:
+        move: the instruction that they belong to.
+        q: joint coordinates [rad | m], shape (n,).
+        robot: the arm.
+        axes: numbers of the axes to look at, from 0.
+        limits: lower and upper limits [rad | m], shape (n,) each.
+    """
+    lower, upper = limits
+    span, origin = move.origin.span, move.origin
+    outside = (q < lower - _LIMIT_SLACK) | (q > upper + _LIMIT_SLACK)
     findings = []
-    for index in outside:
+    for index in axes:
+        if not outside[index]:
+            continue
         joint, value = robot.axis_joints[index], float(q[index])
         limit = joint.upper if value > joint.upper else joint.lower
         findings.append(
@@ -133,6 +150,9 @@ def _bad_modal(modal: ModalState) -> Iterator[Bad]:
 
 
 def _bad_target(move: MoveInstruction) -> Iterator[Bad]:
+    for number, value in enumerate(move.external, start=1):
+        if not abs(value) <= _MAX_COORDINATE:
+            yield f"value {number} of the external axes", value, "", f"a number up to ±{_MAX_COORDINATE:g}"
     if isinstance(move.target, Pose):
         yield from _bad_position("target", move.target)
     elif move.target is not None:

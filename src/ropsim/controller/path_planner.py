@@ -6,6 +6,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from ropsim.controller.entities import Refusal
+from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.target_refusals import numeric_hint, out_of_range, out_of_reach, posture_change
@@ -30,6 +31,9 @@ from ropsim.spatial import Array, Pose, frozen, record
 @record
 class StandardPathPlanner:
     """Plans synchronous PTP moves and straight LIN moves; durations are whole interpolation periods.
+
+    A PTP move to a pose takes external axes to the values that it is given, and leaves them where they are
+    without; a line always leaves them. The arm is solved with its base where they end.
 
     Every move is validated, its target brought into the base frame, then planned; what cannot be planned is
     refused with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP
@@ -99,7 +103,10 @@ class StandardPathPlanner:
             goal = self._joint_goal(move)
             return goal if isinstance(goal, Refusal) else joint_trajectory(q_start, goal, limits)
         X_BM = self._work.frame_pose(move.modal) @ move.target @ X_MT.inverse()
-        branches = self._branches(move, X_BM, q_start)
+        wrong = check_external(move, q_start, self.robot, self._range)
+        if wrong:
+            return Refusal(wrong)
+        branches = self._branches(move, X_BM, with_external(move, q_start, self.robot))
         if isinstance(branches, Refusal):
             return branches
         choice = choose(self.robot, branches, q_start, self._range, limits)
@@ -113,6 +120,9 @@ class StandardPathPlanner:
     def _plan_line(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> LineTrajectory | Refusal:
         if isinstance(move.target, Pose):
             X_BT = self._work.frame_pose(move.modal) @ move.target
+            wrong = check_external(move, q_start, self.robot, self._range)
+            if wrong:
+                return Refusal(wrong)
             branches = self._branches(move, X_BT @ X_MT.inverse(), q_start)
             if isinstance(branches, Refusal):
                 return branches
@@ -135,12 +145,15 @@ class StandardPathPlanner:
         problems = check_joints(move, goal, self.robot, self._range.lower, self._range.upper)
         return Refusal(problems) if problems else goal
 
-    def _branches(self, move: MoveInstruction, X_BM: Pose, q_start: Array) -> Array | Refusal:
-        """Return all branches that reach X_BM, turned nearest to `q_start`, NaN where absent, (b, n)."""
-        found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_start))
+    def _branches(self, move: MoveInstruction, X_BM: Pose, q_near: Array) -> Array | Refusal:
+        """Return all branches that reach X_BM, turned nearest to `q_near`, NaN where absent, (b, n).
+
+        External axes stand where `q_near` has them.
+        """
+        found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_near))
         if found.shortfall:
             return Refusal((out_of_reach(move, X_BM, found.shortfall),))
-        return nearest_turns(found.branches, q_start, self._range)
+        return nearest_turns(found.branches, q_near, self._range)
 
     def _joint_limits(self, modal: ModalState) -> JointMotionLimits:
         speed = modal.ptp_speed * self.controller.speed_override

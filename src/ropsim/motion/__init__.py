@@ -8,6 +8,7 @@ from ropsim.motion.diagnostics import OUT_OF_TASK_SPACE as OUT_OF_TASK_SPACE
 from ropsim.motion.diagnostics import POSTURE_CHANGE as POSTURE_CHANGE
 from ropsim.motion.diagnostics import UNKNOWN_FRAME as UNKNOWN_FRAME
 from ropsim.motion.diagnostics import UNKNOWN_TOOL as UNKNOWN_TOOL
+from ropsim.motion.diagnostics import WRONG_NUMBER_OF_EXTERNAL as WRONG_NUMBER_OF_EXTERNAL
 from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_JOINTS
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
 from ropsim.motion.diagnostics import ZONE_NOT_SIMULATED as ZONE_NOT_SIMULATED
@@ -15,6 +16,7 @@ from ropsim.motion.line import LineLimits as LineLimits
 from ropsim.motion.line import LineTrajectory as LineTrajectory
 from ropsim.motion.line import line_trajectory as line_trajectory
 from ropsim.motion.line_diagnostics import ACCELERATION_LIMIT as ACCELERATION_LIMIT
+from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END

@@ -95,6 +95,21 @@ coordinates do not carry over from arm to arm, poses do.
 """,
 )
 
+WRONG_NUMBER_OF_EXTERNAL = define(
+    "M520",
+    "wrong-number-of-external-values",
+    Severity.ERROR,
+    "a location has another number of values of external axes than the robot has such axes",
+    """
+A location may say where the external axes stand when the tool is there: `external (800)` for a track. It
+gives a value for each external axis of the robot that runs the program, E1 first. The message says how many
+the robot has.
+
+**How to mend it.** Give one value for each external axis, or leave `external` out: then the axes stay where
+they are. A robot gets external axes by `track` and `positioner` in the cell file.
+""",
+)
+
 BAD_MOTION_VALUE = define(
     "M509",
     "bad-motion-value",
