@@ -22,6 +22,7 @@ from ropsim.program import (
     Home,
     If,
     Local,
+    MakeExternal,
     MakePose,
     MakeVector,
     MakeZyx,
@@ -65,7 +66,11 @@ def values(kind: ValueType) -> st.SearchStrategy[Expression]:
         BOOL: st.booleans().map(lambda value: Constant(value, BOOL)) | st.just(SignalValue("part", BOOL)),
         INT: small.map(lambda value: Constant(value, INT)),
         REAL: small.map(lambda value: Constant(value / 2.0, REAL)) | st.just(SignalValue("force", REAL)),
-        POSE: small.map(lambda x: Constant((x / 4.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.0), POSE)),
+        POSE: st.builds(
+            lambda x, external: Constant((x / 4.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.0, *external), POSE),
+            small,
+            st.sampled_from([(), (), (0.8,), (0.8, -1.5)]),
+        ),
     }
     return leaves[kind] | st.just(Variable(VARIABLES[kind], kind))
 
@@ -104,6 +109,11 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
     POSE: values(POSE)
     | binary(POSE, ["compose"], POSE)
     | unary(POSE, ["invert"], POSE)
+    | st.builds(
+        MakeExternal,
+        st.deferred(lambda: expressions[POSE]),
+        st.lists(values(REAL), min_size=1, max_size=3).map(tuple),
+    )
     | st.builds(
         MakePose,
         st.builds(MakeVector, values(REAL), values(INT), values(REAL)),

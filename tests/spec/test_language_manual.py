@@ -1,5 +1,6 @@
 """The manual of the task language: every example compiles, runs and does what its comments say."""
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,9 +17,10 @@ from support.tasks import CELL
 
 MANUAL_CELL = replace(
     CELL,
+    external=("length", "angle"),
     signals={**CELL.signals, "glue": SignalUse("glue", is_input=False, type=ValueType.BOOL)},
 )
-"""The small cell of the tests, with an output."""
+"""The small cell of the tests, with an output, and a robot with a track and a positioner."""
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
 BLOCKS = blocks(DOCS / "reference" / "language.md", "task")
@@ -45,15 +47,18 @@ def compiled(text: str, environment: Environment = MANUAL_CELL) -> Compiled:
 
 
 def position(move: MoveInstruction) -> tuple[float, ...]:
-    """Return the target in the base frame [mm]."""
+    """Return the target in the base frame [mm], then the values of the external axes [mm, deg]."""
     assert isinstance(move.target, Pose)
-    return tuple(1e3 * float(c) for c in (move.modal.X_BK @ move.target).position)
+    place = tuple(1e3 * float(c) for c in (move.modal.X_BK @ move.target).position)
+    scales = (1e3, math.degrees(1.0))[: len(move.external)]
+    return place + tuple(scale * e for scale, e in zip(scales, move.external, strict=True))
 
 
 def test_the_cell_is_the_one_that_the_manual_describes() -> None:
     assert MANUAL_CELL.locations == {"infeed": (0.4, 0.3, 0.1, *DOWN)}
     assert MANUAL_CELL.frames == {"pallet": (0.4, -0.3, 0.0, 1.0, 0.0, 0.0, 0.0)}
     assert (set(MANUAL_CELL.tools), set(MANUAL_CELL.signals)) == ({"jaws"}, {"part_ok", "glue"})
+    assert MANUAL_CELL.external == ("length", "angle")
 
 
 @pytest.mark.parametrize("block", BLOCKS, ids=str)
@@ -85,7 +90,7 @@ def test_an_example_without_its_wrong_lines_runs_as_it_says(block: Block) -> Non
         elif isinstance(step, MessageInstruction):
             says.setdefault(line, []).append(step.text)
     for line, text in said(block, "at").items():
-        wanted = [tuple(map(float, point.split())) for point in text.split(";")]
+        wanted = [tuple(map(float, point.replace("external", " ").split())) for point in text.split(";")]
         found_at = at.get(line, [])
         assert len(found_at) == len(wanted), f"line {line}"
         for one, point in zip(found_at, wanted, strict=True):

@@ -8,6 +8,7 @@ from ropsim.program import (
     Binary,
     Component,
     Constant,
+    MakeExternal,
     MakeJoints,
     MakePose,
     MakeVector,
@@ -70,7 +71,7 @@ def _text(value: object) -> str:
             text = f"{op}[{_text(left)}, {_text(right)}]"
         case Component(operand=operand, index=index):
             text = f"{_text(operand)}.{index}"
-        case MakeVector() | MakeZyx() | MakePose() | MakeJoints():
+        case MakeVector() | MakeZyx() | MakePose() | MakeExternal() | MakeJoints():
             parts = [_text(getattr(value, f.name)) for f in fields(value) if f.name != "type"]
             text = f"{type(value).__name__.lower()}[{', '.join(parts)}]"
         case Settings():

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from ropsim.icr import Location
 from ropsim.program import SignalUse, Task
 from ropsim.spatial import PoseTuple
 
@@ -30,7 +31,7 @@ class Environment:
         frames: pose of each frame in the base frame [m, unit quaternion w x y z].
         tools: pose of each tool in the mechanical interface frame.
         default_tool: tool in force at the start, empty for none.
-        locations: poses in the base frame.
+        locations: poses in the base frame, with values of external axes behind them where they have some.
         signals: channels by name.
         tasks: library tasks by name.
         length: metres per bare unit where a text has no `units` line for lengths.
@@ -38,18 +39,20 @@ class Environment:
         frame: name of the frame in which texts give their locations, empty for the base frame.
         axes: what each axis of the robot is measured as, `angle` or `length`; empty where nobody knows, then
             a bare joint coordinate is an angle.
+        external: the same for each external axis of the robot.
     """
 
     frames: Mapping[str, PoseTuple] = field(default_factory=dict)
     tools: Mapping[str, PoseTuple] = field(default_factory=dict)
     default_tool: str = ""
-    locations: Mapping[str, PoseTuple] = field(default_factory=dict)
+    locations: Mapping[str, Location] = field(default_factory=dict)
     signals: Mapping[str, SignalUse] = field(default_factory=dict)
     tasks: Mapping[str, TaskSignature] = field(default_factory=dict)
     length: float = 0.01
     angle: float = math.pi / 180.0
     frame: str = ""
     axes: tuple[str, ...] = ()
+    external: tuple[str, ...] = ()
 
 
 NO_SIGNATURES = Environment()

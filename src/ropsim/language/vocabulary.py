@@ -3,7 +3,7 @@
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax.declarations import TYPES
 from ropsim.language.syntax.lexer import UNITS
-from ropsim.language.syntax.words import HEADS, NOT_YET, RESERVED
+from ropsim.language.syntax.words import EXTERNAL, HEADS, NOT_YET, RESERVED
 
 _REFUSED_TYPES = frozenset(["frame", "tool", "signal"])
 
@@ -12,6 +12,9 @@ STATEMENT_WORDS = HEADS - NOT_YET
 
 INNER_WORDS = RESERVED - HEADS
 """Words that stand inside statements and cannot be names."""
+
+LOCATION_WORDS = frozenset([EXTERNAL])
+"""Words that stand behind a location only and may be names elsewhere."""
 
 TYPE_WORDS = frozenset(TYPES) - _REFUSED_TYPES
 """Types of parameters, constants and variables."""

@@ -50,6 +50,7 @@ _PLACES = tuple(
         (r"\([^()]*;[^()]*$", "turn"),
     )
 )
+_LOCATION = re.compile(r"^\s*loc\b.*=.*\S\s+$", re.IGNORECASE)
 _MOTION = re.compile(r"^\s*(?:movj?|movl|lin)\b.*\S\s+$", re.IGNORECASE)
 
 
@@ -122,9 +123,17 @@ def _offered(
             yield from _words(words.STATEMENTS, _KEYWORD, "2")
             yield from _named(known, Role.VARIABLE)
         case "value":
-            if _MOTION.search(lead):
-                yield from _words(words.MODIFIERS, _KEYWORD, "2")
+            yield from _behind_locations(lead)
             yield from _fitting(known, expected(lead, checked.tasks))
+
+
+def _behind_locations(lead: str) -> Iterator[Json]:
+    """Yield what may follow a location, where the line may end with one."""
+    is_target = _MOTION.search(lead) is not None
+    if is_target:
+        yield from _words(words.MODIFIERS, _KEYWORD, "2")
+    if is_target or _LOCATION.search(lead):
+        yield from _words(words.LOCATIONS, _KEYWORD, "3")
 
 
 def _values(known: list[names.Known]) -> Iterator[Json]:

@@ -79,6 +79,12 @@ INNER: dict[str, Word] = {
     "home": Word("mov home", "The home position of the arm."),
 }
 
+LOCATIONS: dict[str, Word] = {
+    "external": Word(
+        "location external (e1, …)", "The location with the external axes at these values, E1 first."
+    ),
+}
+
 MODIFIERS: dict[str, Word] = {
     "speed": Word("speed v", "Speed: mm/s or deg/s for `lin`, % of the joint limits for `mov`."),
     "acc": Word("acc a", "Acceleration: mm/s2 for `lin`, % of the joint limits for `mov`."),
@@ -138,7 +144,7 @@ TYPES: dict[str, Word] = {
 def meaning_of(name: str) -> Word | None:
     """Return what a word of the language means, in any case of its letters; None for other words."""
     word = name.lower()
-    for table in (STATEMENTS, INNER, MODIFIERS, FUNCTIONS, TURNS, TYPES):
+    for table in (STATEMENTS, INNER, LOCATIONS, MODIFIERS, FUNCTIONS, TURNS, TYPES):
         if word in table:
             return table[word]
     return None

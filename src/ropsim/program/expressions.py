@@ -95,6 +95,15 @@ class MakePose:
 
 
 @dataclass(frozen=True, slots=True)
+class MakeExternal:
+    """A POSE with REAL values of external axes [rad | m] in place of those that it may have."""
+
+    pose: "Expression"
+    values: tuple["Expression", ...]
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
 class MakeJoints:
     """Joint coordinates from REALs."""
 
@@ -126,6 +135,7 @@ Expression = (
     | MakeVector
     | MakeZyx
     | MakePose
+    | MakeExternal
     | MakeJoints
     | CommandPose
     | Home

@@ -32,4 +32,5 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         angle=cell.classic.angle,
         frame=cell.classic.frame,
         axes=tuple(_MEASURES[joint.measure] for joint in at.robot.axis_joints),
+        external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
     )

@@ -50,6 +50,7 @@ def hover(uri: str, marked: str) -> str:
 def test_every_word_of_the_language_is_explained() -> None:
     assert set(words.STATEMENTS) == language.STATEMENT_WORDS
     assert set(words.INNER) == language.INNER_WORDS
+    assert set(words.LOCATIONS) == language.LOCATION_WORDS
     assert set(words.FUNCTIONS) == language.FUNCTIONS
     assert set(words.TYPES) == language.TYPE_WORDS
 
@@ -226,3 +227,10 @@ def test_the_outline_lists_tasks_and_declarations() -> None:
     found = editor.ask("textDocument/documentSymbol", textDocument={"uri": BARE})
     assert [one["name"] for one in found] == ["corner", "gap", "slots", "Pick"]
     assert found[-1]["range"]["end"]["line"] == 14
+
+
+def test_values_of_external_axes_are_offered_behind_a_location_and_explained() -> None:
+    for line in ("mov corner |", "loc stock = corner |", "lin corner above gap |"):
+        assert "external" in labels(BARE, HEAD + line)
+    assert "external" not in labels(BARE, HEAD + "mov |")
+    assert "location external (e1, …)" in hover(BARE, HEAD + "mov corner exter|nal (800)")

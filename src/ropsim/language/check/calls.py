@@ -84,7 +84,7 @@ def spread(
         or len(only.items) not in (3, 5, 6)
         or any(i.name is not None for i in only.items)
         or (first is not None and isinstance(first.value, nodes.Name) and is_location(first.value))
-        or (first is not None and isinstance(first.value, nodes.Tuple | nodes.Rebase))
+        or (first is not None and isinstance(first.value, nodes.Tuple | nodes.Rebase | nodes.External))
     )
     return only.items if is_list else arguments
 

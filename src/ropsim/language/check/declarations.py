@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from types import NoneType
 
+from ropsim.icr import composed, external_part, pose_part
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, poses, values
 from ropsim.language.check.body import Body, RejectedError
@@ -39,7 +40,7 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     )
     X_KB = quaternion.invert(X_BK)
     for name, X_BL in environment.locations.items():
-        result.symbols[name] = Value(fold.pose(quaternion.compose(X_KB, X_BL)), POSE)
+        result.symbols[name] = Value(fold.pose(composed(X_KB, X_BL)), POSE)
     result.symbols.update(environment.signals)
     _declare_all(result, top, report)
     return result
@@ -194,7 +195,7 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         if number is None or not 1 <= number <= 10_000:
             body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
         counts[k] = int(number)
-    origin = fold.pose_of(
+    origin = fold.location_of(
         convert.constant(
             body,
             values.expect(body, node.origin, POSE, "the first location"),
@@ -213,16 +214,20 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         turned = quaternion.rotate(X_KF[3:], (x, y, z))
         steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
     order = node.order.text if node.order is not None else "row"
-    return Pattern((counts[0], counts[1], counts[2]), origin, tuple(steps), order)
+    size = (counts[0], counts[1], counts[2])
+    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin))
 
 
 def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
     if isinstance(node, nodes.Rebase):
         inner = _constant_pose(body, node.operand, what)
         return quaternion.compose(body.frame(node.frame), inner)
-    pose = fold.pose_of(convert.constant(body, poses.transform(body, node), node, what))
-    assert pose is not None
-    return pose
+    value = fold.location_of(convert.constant(body, poses.transform(body, node), node, what))
+    assert value is not None
+    if external_part(value):
+        hint = "locations have them: leave them out here"
+        body.fail(kinds.WRONG_TYPE, node, f"{what} has no values of external axes", hint)
+    return pose_part(value)
 
 
 def _is_given(body: Body, name: nodes.Name, given: Mapping[str, PoseTuple], what: str) -> bool:

@@ -60,6 +60,10 @@ def _rebase(body: Body, node: nodes.Rebase) -> Value:
     return poses.rebased(body, values.check(body, node.operand), node)
 
 
+def _external(body: Body, node: nodes.External) -> Value:
+    return poses.with_external(body, values.check(body, node.operand), node)
+
+
 def _binary(body: Body, node: nodes.Binary) -> Value:
     if node.op in ("and", "or"):
         left = values.expect(body, node.left, BOOL, f"the left side of `{node.op}`")
@@ -121,6 +125,7 @@ EXPRESSIONS: Expressions = {
     nodes.Unary: _unary,
     nodes.Binary: _binary,
     nodes.Rebase: _rebase,
+    nodes.External: _external,
     nodes.State: _state,
     nodes.Function: functions.call,
     nodes.Tuple: poses.location,

@@ -3,11 +3,13 @@
 import math
 from collections.abc import Callable
 
+from ropsim.icr import Location, composed, pose_part
 from ropsim.program import (
     Binary,
     Component,
     Constant,
     Expression,
+    MakeExternal,
     MakePose,
     MakeVector,
     MakeZyx,
@@ -68,8 +70,8 @@ def whole(value: int) -> Constant:
     return Constant(int(value), ValueType.INT)
 
 
-def pose(value: PoseTuple) -> Constant:
-    """Return a POSE."""
+def pose(value: Location) -> Constant:
+    """Return a POSE, with values of external axes where the location has some."""
     return Constant(tuple(map(float, value)), ValueType.POSE)
 
 
@@ -82,14 +84,15 @@ def number_of(expression: Expression) -> float | None:
 
 
 def pose_of(expression: Expression) -> PoseTuple | None:
-    """Return the value of a constant POSE, else None."""
-    if (
-        isinstance(expression, Constant)
-        and isinstance(expression.value, tuple)
-        and len(expression.value) == 7
-    ):
-        x, y, z, qw, qx, qy, qz = expression.value
-        return (x, y, z, qw, qx, qy, qz) if expression.type is ValueType.POSE else None
+    """Return the pose of a constant POSE, without values of external axes, else None."""
+    value = location_of(expression)
+    return None if value is None else pose_part(value)
+
+
+def location_of(expression: Expression) -> Location | None:
+    """Return the value of a constant POSE, with the values of external axes that it carries, else None."""
+    if isinstance(expression, Constant) and expression.type is ValueType.POSE:
+        return expression.value if isinstance(expression.value, tuple) else None
     return None
 
 
@@ -182,15 +185,23 @@ def make_pose(position: Expression, orientation: Expression) -> Expression:
 
 
 def compose(left: Expression, right: Expression) -> Expression:
-    """Return X_AC from X_AB and X_BC."""
-    a, b = pose_of(left), pose_of(right)
+    """Return X_AC from X_AB and X_BC, with the values of external axes of the one that has some."""
+    a, b = location_of(left), location_of(right)
     if a == IDENTITY:
         return right
     if b == IDENTITY:
         return left
     if a is not None and b is not None:
-        return pose(quaternion.compose(a, b))
+        return pose(composed(a, b))
     return Binary("compose", left, right, ValueType.POSE)
+
+
+def external(location: Expression, values: tuple[Expression, ...]) -> Expression:
+    """Return a POSE with REAL values of external axes in place of those that it may have."""
+    pose_now, numbers = pose_of(location), [number_of(e) for e in values]
+    if pose_now is None or None in numbers:
+        return MakeExternal(location, values)
+    return pose((*pose_now, *(float(n or 0.0) for n in numbers)))
 
 
 def component(operand: Expression, index: int) -> Expression:

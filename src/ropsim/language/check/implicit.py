@@ -153,31 +153,34 @@ def _is_reference(item: nodes.Item, index: int, signature: Signature) -> bool:
 
 def _read(node: nodes.Node | None, found: Uses) -> None:
     """Note all names of an expression."""
+    if isinstance(node, nodes.Name):
+        found.read(node.text)
+    elif node is not None:
+        for part in _inner(node):
+            _read(part, found)
+
+
+def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
+    """Return the expressions inside an expression, from left to right."""
     match node:
-        case None | nodes.Number() | nodes.Text() | nodes.Literal():
-            return
-        case nodes.Name():
-            found.read(node.text)
         case nodes.Binary():
-            _read(node.left, found)
-            _read(node.right, found)
+            return node.left, node.right
         case nodes.Unary() | nodes.Rebase() | nodes.State() | nodes.Member():
-            _read(node.operand, found)
+            return (node.operand,)
+        case nodes.External():
+            return node.operand, *node.values
         case nodes.Function():
-            for argument in node.arguments:
-                _read(argument, found)
+            return node.arguments
         case nodes.Joints():
-            for value in node.values:
-                _read(value, found)
+            return node.values
         case nodes.Tuple():
-            for item in node.items:
-                _read(item.value, found)
-            for turn in node.turns:
-                for part in (*turn.values, turn.like):
-                    _read(part, found)
+            turned = [part for turn in node.turns for part in (*turn.values, turn.like)]
+            return *(item.value for item in node.items), *turned
+        case _:
+            return ()
 
 
 _EXPRESSIONS = (
-    nodes.Number, nodes.Text, nodes.Literal, nodes.Unary, nodes.Binary, nodes.Rebase, nodes.State,
-    nodes.Function, nodes.Tuple, nodes.Joints, nodes.Member,
+    nodes.Number, nodes.Text, nodes.Literal, nodes.Unary, nodes.Binary, nodes.Rebase, nodes.External,
+    nodes.State, nodes.Function, nodes.Tuple, nodes.Joints, nodes.Member,
 )  # fmt: skip

@@ -185,7 +185,9 @@ class _Nest:
                     "add", axes[k], fold.binary("mul", index, fold.real(step[k]), _REAL), _REAL
                 )
         orientation = Constant(self.pattern.origin[3:], ValueType.ORI)
-        return fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
+        pose = fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
+        values = tuple(map(fold.real, self.pattern.external))
+        return fold.external(pose, values) if values else pose
 
     def _int(self, counter: str) -> Expression:
         return VariableExpression(f"{self.name}__{counter}", _INT)

@@ -1,8 +1,9 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
+from ropsim.icr import MAX_EXTERNAL
 from ropsim.language.check import components, convert, fold, turns, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, LENGTH, POSE, Value
+from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Constant, Expression, ValueType
@@ -71,6 +72,33 @@ def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
     base = convert.to(body, value, POSE, node.operand, "the left side of `in`")
     change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
     return Value(fold.compose(change, base), POSE, X_KF=X_KF)
+
+
+def with_external(body: Body, value: Value, node: nodes.External) -> Value:
+    """Return `A external (e1, …)`: A with these values of external axes, a bare one in the unit of its axis.
+
+    Raises:
+        RejectedError: A is no location, or a value does not fit.
+    """
+    kind = known(value.type)
+    if isinstance(kind, Type) and kind != POSE:
+        hint = "`joints(…)` has their values behind those of the arm"
+        if kind != JOINTS:
+            hint = "write `external (…)` right behind the location, before `speed` and other modifiers"
+        message = f"`external` needs a location on its left, found {article(kind)}"
+        body.fail(kinds.WRONG_TYPE, node.operand, message, hint)
+    if len(node.values) > MAX_EXTERNAL:
+        message = f"a location has up to {MAX_EXTERNAL} values of external axes, found {len(node.values)}"
+        body.fail(kinds.WRONG_TYPE, node, message)
+    base = convert.to(body, value, POSE, node.operand, "the left side of `external`")
+    axes = body.world.environment.external
+    numbers = []
+    for k, item in enumerate(node.values):
+        number = values.check(body, item)
+        is_length = axes[k] == "length" if k < len(axes) else known(number.type) == LENGTH
+        wanted = LENGTH if is_length else ANGLE
+        numbers.append(convert.to(body, number, wanted, item, f"external axis E{k + 1}"))
+    return Value(fold.external(base, tuple(numbers)), POSE, X_KF=value.X_KF)
 
 
 def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:

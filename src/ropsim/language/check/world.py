@@ -52,12 +52,14 @@ class Pattern:
         origin: first location, in the work frame.
         steps: shift per column, row and layer in the work frame [m], three vectors.
         order: `row` (a row is filled first), `column` or `snake`.
+        external: values of external axes that all locations have [rad | m]; empty for none.
     """
 
     counts: tuple[int, int, int]
     origin: PoseTuple
     steps: tuple[tuple[float, float, float], ...]
     order: str
+    external: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

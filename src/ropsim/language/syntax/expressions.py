@@ -8,6 +8,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.lexer import LARGEST, number_parts, text_value
 from ropsim.language.syntax.nodes import (
     Binary,
+    External,
     Function,
     Item,
     Joints,
@@ -23,7 +24,7 @@ from ropsim.language.syntax.nodes import (
     Turn,
     Unary,
 )
-from ropsim.language.syntax.words import RESERVED
+from ropsim.language.syntax.words import EXTERNAL, RESERVED
 
 _COMPARISONS = {"=": "=", "==": "=", "<>": "<>", "!=": "<>", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 _SUMS = frozenset(("+", "-", "above", "offset", "rel"))
@@ -103,6 +104,8 @@ def total(cursor: Cursor) -> Node:
             cursor.count_operator()
             frame = cursor.name("the name of a frame")
             left = Rebase(left, frame, left.start, frame.end)
+        elif word == EXTERNAL:
+            left = _external(cursor, left)
         else:
             return left
 
@@ -201,6 +204,16 @@ def _function(cursor: Cursor, name: Name) -> Function:
     arguments = () if cursor.word == ")" else listed(cursor)
     cursor.close_parenthesis()
     return Function(name, arguments, name.start, cursor.end)
+
+
+def _external(cursor: Cursor, operand: Node) -> External:
+    cursor.advance()
+    if cursor.word != "(":
+        cursor.fail("`(`", f"the values of external axes stand in parentheses: `{EXTERNAL} (800)`")
+    cursor.open_parenthesis()
+    values = listed(cursor)
+    cursor.close_parenthesis()
+    return External(operand, values, operand.start, cursor.end)
 
 
 def _joints(cursor: Cursor) -> Joints:

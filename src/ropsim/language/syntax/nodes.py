@@ -73,6 +73,16 @@ class Rebase:
 
 
 @dataclass(frozen=True, slots=True)
+class External:
+    """`operand external (values)`: a location with values of external axes."""
+
+    operand: "Node"
+    values: tuple["Node", ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
 class State:
     """`operand is [not] on|off|true|false`."""
 
@@ -149,4 +159,18 @@ class Member:
     end: int
 
 
-Node = Name | Number | Text | Literal | Unary | Binary | Rebase | State | Function | Tuple | Joints | Member
+Node = (
+    Name
+    | Number
+    | Text
+    | Literal
+    | Unary
+    | Binary
+    | Rebase
+    | External
+    | State
+    | Function
+    | Tuple
+    | Joints
+    | Member
+)

@@ -100,6 +100,9 @@ RESERVED = HEADS | frozenset(
 )
 """Words that cannot be names."""
 
+EXTERNAL = "external"
+"""Stands behind a location, before the values of external axes; elsewhere it may be a name."""
+
 NOT_YET = frozenset(
     [
         "circ",

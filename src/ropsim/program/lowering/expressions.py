@@ -100,6 +100,9 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
             evaluate(scope, position, Type.VEC)
             evaluate(scope, orientation, Type.ORI)
             emit("MKPOSE")
+        case sir.MakeExternal(pose=pose, values=values):
+            evaluate(scope, pose, Type.POSE)
+            _all(scope, values, "MKEXT", len(values))
         case sir.MakeJoints(values=values):
             scope.used.axes = scope.used.axes or len(values)
             _all(scope, values, "MKJ", len(values))
@@ -121,8 +124,9 @@ def _constant(scope: Scope, constant: sir.Constant) -> Type:
     if isinstance(value, tuple):
         numbers = tuple(float(number) for number in value)
         if kind in {Type.ORI, Type.POSE}:
-            w, x, y, z = numbers[-4:]
-            numbers = (*numbers[:-4], *quaternion.normalize((w, x, y, z)))
+            at = 3 if kind is Type.POSE else 0
+            w, x, y, z = numbers[at : at + 4]
+            numbers = (*numbers[:at], *quaternion.normalize((w, x, y, z)), *numbers[at + 4 :])
         if kind is Type.JOINTS:
             scope.used.axes = scope.used.axes or len(numbers)
         value = numbers
