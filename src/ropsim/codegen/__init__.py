@@ -15,7 +15,7 @@ from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import load as load
 from ropsim.codegen.signature import Compiled as Compiled
 from ropsim.codegen.signature import StoppedError as StoppedError
-from ropsim.codegen.signature import pinned as pinned
+from ropsim.codegen.signature import bound as bound
 from ropsim.codegen.tracer import Scalar as Scalar
 from ropsim.codegen.tracer import Tracer as Tracer
 from ropsim.codegen.tracer import cos as cos

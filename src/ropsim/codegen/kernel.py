@@ -3,12 +3,12 @@
 import os
 import sys
 from collections.abc import Callable
-from functools import lru_cache, wraps
+from functools import update_wrapper
 from importlib.util import find_spec
 from types import FunctionType
 from typing import TypeVar, cast
 
-from ropsim.codegen.signature import Compiled, Signature
+from ropsim.codegen.signature import Compiled, Signature, bound
 
 F = TypeVar("F", bound=Callable[..., None])
 
@@ -31,19 +31,37 @@ def kernel(signature: str) -> Callable[[F], F]:
     """
 
     def compile_it(function: F) -> F:
-        if not numba_available():
-            return function
-
-        @wraps(function)
-        def call(*arguments: object) -> None:
-            _compiled(function, signature)(*arguments)
-
-        return cast("F", call)
+        return cast("F", Kernel(function, signature)) if numba_available() else function
 
     return compile_it
 
 
-@lru_cache(maxsize=64)
+class Kernel:
+    """A function that is compiled, or loaded from the cache folder, when it is first needed.
+
+    Args:
+        function: to be compiled.
+        signature: of it.
+    """
+
+    def __init__(self, function: Callable[..., None], signature: str) -> None:
+        update_wrapper(self, function)
+        self._function, self._signature = cast("FunctionType", function), signature
+        self._made: Compiled | None = None
+
+    def __call__(self, *arguments: object) -> None:
+        """Call it."""
+        (self._made or self._make())(*arguments)
+
+    def bound(self, *arguments: object) -> Compiled:
+        """Return the function of the arguments behind those that are given; see `ropsim.codegen.bound`."""
+        return bound(self._made or self._make(), *arguments)
+
+    def _make(self) -> Compiled:
+        made = self._made = _compiled(self._function, self._signature)
+        return made
+
+
 def _compiled(function: FunctionType, signature: str) -> Compiled:
     from inspect import getsource
 
@@ -62,8 +80,8 @@ def _build(function: FunctionType, entry: str) -> tuple[object, Compiled]:
 
     scope = {**function.__globals__, "numba": numba}
     for name, one in function.__globals__.items():
-        if isinstance(one, FunctionType) and one.__module__ == function.__module__:
-            inner = getattr(one, "__wrapped__", one)
+        inner = getattr(one, "__wrapped__", one)
+        if isinstance(inner, FunctionType) and inner.__module__ == function.__module__:
             scope[name] = numba.njit(error_model="numpy")(FunctionType(inner.__code__, scope, name))
     exec(compile(entry, f"<entry of {function.__name__}>", "exec"), scope)  # our own source
     return scope["entry"], scope[function.__name__]

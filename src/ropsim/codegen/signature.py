@@ -3,6 +3,8 @@
 import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from struct import Struct
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,7 @@ class StoppedError(RuntimeError):
 _FLOAT64 = np.dtype(np.float64)
 _AXES = {"f8[::1]": 1, "f8[:,::1]": 2, "f8[:,:,::1]": 3}
 _WHOLE, _FLOAT = "i8", "f8"
+_REAL = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +82,8 @@ class Signature:
         addresses before the arguments, for a result and for what an exception says. It runs without the
         interpreter lock. Arrays that do not fit are refused with a TypeError.
         """
-        return Caller(_ENTRY(address), self.arguments)
+        takes = tuple(_AXES.get(word, 0 if word == _WHOLE else _REAL) for word in self.arguments)
+        return Caller(_ENTRY(address), takes)
 
 
 _ENTRY = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 4)
@@ -98,74 +102,101 @@ class Caller:
 
     Args:
         function: takes four addresses: of a result, of what an exception says, and of the two blocks.
-        arguments: words of the signature.
+        takes: for each argument the axes of an array, 0 for a whole number, -1 for a float.
+        first: arguments that are laid down already, in front of those.
     """
 
-    __slots__ = ("_function", "_real", "_takes", "_whole")
+    __slots__ = ("_first", "_function", "_pack_real", "_pack_whole", "_real", "_takes", "_whole")
 
-    def __init__(self, function: Callable[..., int], arguments: tuple[str, ...]) -> None:
+    def __init__(
+        self, function: Callable[..., int], takes: tuple[int, ...], first: "_Laid | None" = None
+    ) -> None:
         self._function = function
-        self._takes = tuple(_AXES.get(word, 0 if word == _WHOLE else -1) for word in arguments)
-        self._whole: Any = ctypes.c_int64 * sum(1 + axes for axes in self._takes if axes >= 0)
-        self._real: Any = ctypes.c_double * self._takes.count(-1)
+        self._takes = takes
+        self._first = first or _Laid()  # keeps its arrays alive
+        self._whole, self._real = self._first.whole, self._first.real
+        self._pack_whole = Struct(f"{sum(1 + axes for axes in takes if axes >= 0)}q").pack
+        self._pack_real = Struct(f"{takes.count(_REAL)}d").pack
 
     def __call__(self, *arguments: object) -> None:
-        """Call it; an array may be pinned."""
+        """Call it."""
         whole: list[object] = []
         real: list[object] = []
         for axes, argument in zip(self._takes, arguments, strict=True):
             if axes > 0:
-                whole += _place_of(argument, axes)
+                whole += _placed(argument, axes)
+            elif axes:
+                real.append(argument)
             else:
-                (real if axes else whole).append(argument)
-        answers = _Answers()  # a result and what an exception says
-        address = ctypes.addressof(answers)
-        first, second = self._whole(*whole), self._real(*real)
+                whole.append(argument)
         status = self._function(
-            address, address + _POINTER, ctypes.addressof(first), ctypes.addressof(second)
+            _ANSWERS,
+            _ANSWERS + _POINTER,
+            self._whole + self._pack_whole(*whole),
+            self._real + self._pack_real(*real),
         )
         if status:
             raise StoppedError(f"compiled code ended with status {status}")
 
+    def bound(self, *arguments: object) -> "Caller":
+        """Return the function of the arguments behind those that are given."""
+        count = len(arguments)
+        whole, real = bytearray(self._whole), bytearray(self._real)
+        for axes, argument in zip(self._takes[:count], arguments, strict=True):
+            if axes > 0:
+                places = _placed(argument, axes)
+                whole += Struct(f"{len(places)}q").pack(*places)
+            elif axes:
+                real += Struct("d").pack(argument)
+            else:
+                whole += Struct("q").pack(argument)
+        laid = _Laid((self._first, *arguments), bytes(whole), bytes(real))
+        return Caller(self._function, self._takes[count:], laid)
 
-_Start: Any = ctypes.c_char * 0
-"""What lies at the address of an array, whatever its length."""
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Laid:
+    """Arguments that are the same in many calls, and what they put into the two blocks."""
+
+    arguments: tuple[object, ...] = ()
+    whole: bytes = b""
+    real: bytes = b""
+
+
+_start_of: Any = (ctypes.c_char * 0).from_buffer
+"""Gives what lies at the address of an array, whatever its length."""
+_addressof = ctypes.addressof
 _POINTER = ctypes.sizeof(ctypes.c_void_p)
-_Answers = ctypes.c_void_p * 2
+_answers = (ctypes.c_void_p * 2)()
+_ANSWERS = ctypes.addressof(_answers)
+"""Where compiled code leaves a result and what an exception says, which nobody reads."""
 
 
-class Pinned:
-    """An array for many calls of compiled code: where it lies is looked up once.
+def bound(function: Compiled, *arguments: object) -> Compiled:
+    """Return a compiled function of the arguments behind those that are given, for many calls.
 
-    Args:
-        array: of float64, without gaps; it must keep its place and shape.
+    Where the given ones lie is looked up once: an array must keep its place and shape. Numbers in it may
+    change from call to call.
     """
-
-    __slots__ = ("array", "place")
-
-    def __init__(self, array: "np.ndarray[Any, Any]") -> None:
-        self.array = array
-        self.place = _placed(array, array.ndim)
-
-
-def _place_of(array: object, axes: int) -> tuple[int, ...]:
-    if type(array) is Pinned and array.array.ndim == axes:
-        return array.place
-    return _placed(array, axes)
-
-
-def pinned(function: Compiled, array: "np.ndarray[Any, Any]") -> object:
-    """Return an array as a function takes it in many calls; one in plain Python takes it as it is."""
-    return Pinned(array) if isinstance(function, Caller) else array
+    own: Callable[..., Compiled] | None = getattr(function, "bound", None)
+    return own(*arguments) if own else partial(function, *arguments)
 
 
 def _placed(array: object, axes: int) -> tuple[int, ...]:
     """Return the address of an array and its lengths."""
+    if type(array) is np.ndarray and array.dtype is _FLOAT64:
+        lengths: tuple[int, ...] = array.shape
+        if len(lengths) == axes:
+            try:  # the quick way, which refuses what is read-only or has gaps
+                return (_addressof(_start_of(array)), *lengths)
+            except TypeError:
+                pass
+    return _placed_with_care(array, axes)
+
+
+def _placed_with_care(array: object, axes: int) -> tuple[int, ...]:
     if not isinstance(array, np.ndarray) or array.dtype != _FLOAT64 or array.ndim != axes:
         raise TypeError(f"compiled code takes an array of float64 with {axes} axes here, not {array!r:.80}")
-    flags = array.flags
-    if flags.carray:  # and can be written to: the quick way, which read-only arrays refuse
-        return (ctypes.addressof(_Start.from_buffer(array)), *array.shape)
-    if not flags.c_contiguous:
+    if not array.flags.c_contiguous:
         raise TypeError("compiled code takes arrays without gaps between their numbers")
     return (array.__array_interface__["data"][0], *array.shape)

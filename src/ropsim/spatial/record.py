@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _records: set[type] = set()
-_prints: dict[int, tuple["ref[object]", str]] = {}
-"""Fingerprints of records that live, by identity; only of those whose arrays nobody can write to."""
+_prints: dict[int, tuple["ref[object]", str, int]] = {}
+"""Fingerprint and hash of records that live, by identity; only of those whose arrays nobody can write to."""
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -64,7 +64,7 @@ def _printed(value: object) -> tuple[str, bool]:
     found = hasher.hexdigest()
     if lasts and type(value) in _records:
         key = id(value)
-        _prints[key] = ref(value, lambda _: _prints.pop(key, None)), found
+        _prints[key] = ref(value, lambda _: _prints.pop(key, None)), found, _hash_of(found)
     return found, lasts
 
 
@@ -152,7 +152,12 @@ def _is_equal(self: object, other: object) -> bool:
 
 
 def _hash(self: object) -> int:
-    return int(fingerprint(self)[:15], 16)
+    known = _prints.get(id(self))
+    return known[2] if known and known[0]() is self else _hash_of(fingerprint(self))
+
+
+def _hash_of(found: str) -> int:
+    return int(found[:15], 16)
 
 
 def _restore(self: object, state: list[object]) -> None:

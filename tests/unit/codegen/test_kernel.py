@@ -2,11 +2,12 @@
 
 import importlib
 from typing import Any
+from weakref import ref
 
 import numpy as np
 import pytest
 
-from ropsim.codegen import Engine, default_engine, kernel, numba_available
+from ropsim.codegen import Engine, bound, default_engine, kernel, numba_available
 from ropsim.spatial import Array
 
 THIRD = 1.0 / 3.0
@@ -61,6 +62,41 @@ def test_too_few_arguments_are_refused() -> None:
     call: Any = compiled_sums
     with pytest.raises((TypeError, ValueError)):
         call(np.zeros((4, 3)), 1.0)
+
+
+@pytest.mark.parametrize("function", [compiled_sums, _sums])
+@pytest.mark.parametrize("count", [0, 1, 2, 3])
+def test_a_bound_function_takes_the_rest_of_the_arguments(function: Any, count: int) -> None:
+    rows, out, whole = np.random.default_rng(1).normal(size=(4, 7)), np.empty(4), np.empty(4)
+    rows.flags.writeable = False
+    _sums(rows, 0.7, whole)
+    arguments = (rows, 0.7, out)
+    bound(function, *arguments[:count])(*arguments[count:])
+    np.testing.assert_array_equal(out, whole)
+
+
+def test_a_function_that_is_bound_twice_is_bound_to_both() -> None:
+    rows, out, whole = np.random.default_rng(2).normal(size=(4, 7)), np.empty(4), np.empty(4)
+    _sums(rows, 0.7, whole)
+    bound(bound(compiled_sums, rows), 0.7)(out)
+    np.testing.assert_array_equal(out, whole)
+
+
+def test_bound_arrays_are_read_when_the_function_is_called_and_live_as_long_as_it() -> None:
+    rows, out = np.zeros((4, 7)), np.empty(4)
+    call = bound(compiled_sums, rows, 3.0)
+    seen = ref(rows)
+    rows[:] = 1.0
+    del rows
+    call(out)
+    assert seen() is not None
+    np.testing.assert_allclose(out, 7.0, rtol=1e-15)
+
+
+def test_more_arguments_than_a_function_takes_are_not_bound() -> None:
+    if numba_available():
+        with pytest.raises((TypeError, ValueError)):
+            bound(compiled_sums, np.zeros((4, 7)), 1.0, np.empty(4), 2.0)
 
 
 def test_without_numba_a_kernel_is_the_function_itself(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, StoppedError, default_engine, load, pinned
+from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine, load
 from ropsim.controller import CompiledLaw, LawInput, PythonLaw, compiled_half, failed, law_of, rehearse
 from ropsim.core import RopsimError
 from ropsim.dynamics import (
@@ -18,7 +18,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.flow import JointReference
-from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.model import ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -103,7 +103,7 @@ class Servo:
         kernel = _kernel(robot, inner, engine or default_engine(), law)
         layout = StateLayout.of(structure_of(robot).drives, inner.traits)
         rates = controller.rates
-        bench = _Bench.of(kernel, inner, layout)
+        bench = _Bench.of(kernel, inner, layout, rates)
         return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel, bench)
 
     @property
@@ -130,17 +130,18 @@ class Servo:
         rest = np.zeros(n)
         # a single evaluation: plain Python is faster than compiling it
         compiled(self.robot, payload, Engine.PYTHON).rigid_inverse(start, rest, rest, np.zeros(6), tau)
-        values = np.zeros(self.layout.size)
-        values[self.layout.q] = start
-        memory, pending = self._memory(values), self._pending(values)
+        layout = self.layout
+        values = np.zeros(layout.size)
+        values[layout.q] = start
+        memory, pending = layout.memory(values), layout.waiting(values)
         for k, drive in enumerate(self.robot.drives):
             held = steady_drive(drive, float(start[k]), 0.0, float(tau[k]))
-            values[list(self.layout.drive(k))] = held.states
-            values[self.layout.output.start + k] = held.output
+            values[list(layout.drive(k))] = held.states
+            values[layout.output.start + k] = held.output
             pending[:, k] = held.command
             if self.law.traits.hold_row is not None:
                 memory[self.law.traits.hold_row, k] = held.command
-        return ServoState(0, values, self.layout)
+        return ServoState(0, values, layout)
 
     def recorder(self, start: ServoState, decimation: int = 1) -> Recorder:
         """Return a recorder that begins at `start` and keeps one row per `decimation` control ticks.
@@ -175,72 +176,74 @@ class Servo:
             LawError: the law reaches beyond its arrays, or in Python raises an exception.
             DivergedError: the state has become NaN or infinite.
         """
-        work = _Work(
-            np.array(state.values),
-            state.tick,
-            check_reference(reference, self.robot.n),
-            check_aux(aux, reference.ticks, self.law.traits.aux),
-            payload,
-            recorder,
-        )
+        ticks = reference.ticks
+        rows, signals = check_reference(reference, self.robot.n), check_aux(aux, ticks, self.law.traits.aux)
+        self.bench.values[:] = state.values
         if self.python_law is None:
-            self._advance(work, slice(0, reference.ticks), self.bench.parameters)
+            self._advance(state.tick, rows, signals, payload, recorder)
         else:
-            self._follow_python_law(self.python_law, work)
-        after = ServoState(state.tick + reference.ticks, work.values, self.layout)
+            self._follow_python_law(self.python_law, state.tick, rows, signals, payload, recorder)
+        after = ServoState(state.tick + ticks, self.bench.values.copy(), self.layout)
         if not after.is_finite():
             raise diverged(self.robot, after, self.control_hz)
         return after
 
-    def _advance(self, work: "_Work", rows: slice, parameters: object) -> None:
-        """Run one slice over some rows of the reference."""
-        q_ref, qd_ref, qdd_ref = (array[rows] for array in work.reference)
-        tick = work.tick + rows.start
-        recorder = work.recorder
-        log, row = recorder.claim(tick, len(q_ref))
-        plan = (tick, recorder.decimation, row, self.plant_steps, self.period)
-        values, room = work.values, self.bench.room
-        given = (parameters, *self.bench.of_payload(self.robot, self.kernel, work.payload))
-        state = (values, self._pending(values), self._memory(values))
+    def _advance(
+        self, tick: int, reference: "_Rows", signals: Array, payload: Payload, recorder: Recorder
+    ) -> None:
+        """Run one slice from a tick on."""
+        log, log_row = recorder.claim(tick, len(signals))
+        call = self.bench.slices.get(payload) or self._slice(payload)
         try:
-            self.kernel(*state, q_ref, qd_ref, qdd_ref, work.aux[rows], *given, log, *room, *plan)
+            call(*reference, signals, log, tick, recorder.decimation, log_row)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
-            after = ServoState(tick, work.values, self.layout)
+            after = ServoState(tick, self.bench.values.copy(), self.layout)
             raise diverged(self.robot, after, self.control_hz) from error
         except (IndexError, StoppedError) as error:
             raise failed(self.law, error) from error
 
-    def _follow_python_law(self, law: PythonLaw, work: "_Work") -> None:
+    def _slice(self, payload: Payload) -> Compiled:
+        """Return the slice with the constants of the plant, and tool and part as the law takes them."""
+        constants = plant_code(structure_of(self.robot)).constants(arm_numbers(self.robot, payload))
+        load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
+        made = self.bench.slices[payload] = bound(self.bench.slice, constants, load_)
+        return made
+
+    def _follow_python_law(
+        self,
+        law: PythonLaw,
+        tick: int,
+        reference: "_Rows",
+        signals: Array,
+        payload: Payload,
+        recorder: Recorder,
+    ) -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
-        n = self.robot.n
-        for k in range(len(work.reference[0])):
-            ref = np.stack([array[k] for array in work.reference])
-            meas = self._measured(work)
-            now = LawInput((work.tick + k) * self.period, ref, meas, work.payload, work.aux[k].copy())
+        n, memory = self.robot.n, self.layout.memory(self.bench.values)
+        for k in range(len(signals)):
+            ref = np.stack([array[k] for array in reference])
+            time = (tick + k) * self.period
+            now = LawInput(time, ref, self._measured(), payload, signals[k].copy())
             try:
-                answer = law.step(now, self._memory(work.values))
+                answer = law.step(now, memory)
             except RopsimError:
                 raise
             except Exception as error:  # whatever the code of a user raises is told
                 raise failed(self.law, error) from error
-            u = check_vector("u", answer, n)
-            self._advance(work, slice(k, k + 1), u.reshape(1, n))
+            self.bench.parameters[0] = check_vector("u", answer, n)
+            q, qd, qdd = (array[k : k + 1] for array in reference)
+            self._advance(tick + k, (q, qd, qdd), signals[k : k + 1], payload, recorder)
 
-    def _measured(self, work: "_Work") -> Array:
+    def _measured(self) -> Array:
         """Return coordinates, speeds and torques of the drives, shape (3, n)."""
-        meas = np.empty((3, self.robot.n))
-        meas[0], meas[1] = work.values[self.layout.q], work.values[self.layout.qd]
-        x, u = work.values[: self.layout.integrated], work.values[self.layout.output]
-        efforts(self.robot, x, u, meas[2])
+        values, meas = self.bench.values, np.empty((3, self.robot.n))
+        meas[0], meas[1] = values[self.layout.q], values[self.layout.qd]
+        efforts(self.robot, values[: self.layout.integrated], values[self.layout.output], meas[2])
         return meas
 
-    def _memory(self, values: Array) -> Array:
-        """Return what the law remembers, a view by rows."""
-        return values[self.layout.law].reshape(self.layout.law_rows, self.robot.n)
 
-    def _pending(self, values: Array) -> Array:
-        """Return the outputs that wait for their tick, a view by rows."""
-        return values[self.layout.pending].reshape(self.layout.delay, self.robot.n)
+_Rows = tuple[Array, Array, Array]
+"""Coordinates, speeds and accelerations of a reference, as compiled code takes them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -248,40 +251,24 @@ class _Bench:
     """What the calls of a slice share; nothing of it lasts from one call to the next.
 
     Attributes:
-        room: to work in.
+        values: the state vector while it is worked on.
         parameters: of the law.
-        given: by payload, what the code of the plant and the law take for it.
+        slice: the compiled slice with room to work in, parameters of the law and rates.
+        slices: the same for a payload.
     """
 
-    room: tuple[object, object]
-    parameters: object
-    given: dict[Payload, tuple[object, object]]
+    values: Array
+    parameters: Array
+    slice: Compiled
+    slices: dict[Payload, Compiled]
 
     @classmethod
-    def of(cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout) -> "_Bench":
+    def of(cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates) -> "_Bench":
+        values, parameters = np.zeros(layout.size), np.array(law.parameters)
+        state = (values, layout.waiting(values), layout.memory(values))
         room = (np.zeros((7, layout.n)), np.zeros((5, layout.integrated)))
-        first, second = (pinned(kernel, array) for array in room)
-        return cls((first, second), pinned(kernel, np.array(law.parameters)), {})
-
-    def of_payload(self, robot: RobotModel, kernel: Compiled, payload: Payload) -> tuple[object, object]:
-        """Return the constants of the plant, and tool and part as the law takes them."""
-        if payload not in self.given:
-            constants = plant_code(structure_of(robot)).constants(arm_numbers(robot, payload))
-            load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
-            self.given[payload] = (pinned(kernel, constants), pinned(kernel, load_))
-        return self.given[payload]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Work:
-    """One call of `Servo.run`: state vector (written in place), tick, reference, signals, load, recorder."""
-
-    values: Array
-    tick: int
-    reference: tuple[Array, Array, Array]
-    aux: Array
-    payload: Payload
-    recorder: Recorder
+        made = bound(kernel, *state, parameters, *room, rates.plant_steps, 1.0 / rates.control_hz)
+        return cls(values, parameters, made, {})
 
 
 def _kernel(

@@ -9,8 +9,8 @@ from ropsim.simulation.servo.state import StateLayout
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1],"
-    " f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8, i8, f8)"
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8, f8[::1], f8[::1],"
+    " f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)"
 )
 
 
@@ -28,7 +28,7 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
 
     A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
     amplifiers put out over it. `values` is the state vector, `pending` and `memory` are parts of it by rows;
-    `frame` (7, n) and `stages` (5, m) are room to work in.
+    `frame` (7, n) and `stages` (5, m) are room to work in. What is the same in many calls comes first.
     """
     n = structure.n
     size = StateLayout.of(structure.drives, traits).integrated
@@ -37,8 +37,8 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     return f"""\
 def run_slice(
-    values, pending, memory, q_ref, qd_ref, qdd_ref, aux, par, constants, load, log, frame, stages,
-    tick, decimation, log_row, plant_steps, period,
+    values, pending, memory, par, frame, stages, plant_steps, period, constants, load,
+    q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row,
 ):
     x, u = values[:{size}], values[{size}:{size + n}]
     ref, seen, out = frame[:3], frame[3:6], frame[6]

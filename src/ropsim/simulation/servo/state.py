@@ -105,6 +105,14 @@ class StateLayout:
         """Return the place of what the law remembers, by rows."""
         return slice(self.integrated + (1 + self.delay) * self.n, self.size)
 
+    def waiting(self, values: Array) -> Array:
+        """Return the outputs of the law that do not act yet, shape (delay, n); a view of a state vector."""
+        return values[self.pending].reshape(self.delay, self.n)
+
+    def memory(self, values: Array) -> Array:
+        """Return what the law remembers, shape (law_rows, n); a view of a state vector."""
+        return values[self.law].reshape(self.law_rows, self.n)
+
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""
         return tuple(field.first + field.axes.index(axis) for field in self.drives if axis in field.axes)
@@ -145,7 +153,7 @@ class ServoState:
     @property
     def law(self) -> Array:
         """Return what the law remembers, shape (rows, n)."""
-        return self.values[self.layout.law].reshape(self.layout.law_rows, self.layout.n)
+        return self.layout.memory(self.values)
 
     def drive(self, name: str) -> Array:
         """Return a state of the drives that have it, such as `current` [A], in the order of the joints.
