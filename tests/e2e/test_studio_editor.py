@@ -246,7 +246,9 @@ def test_a_finding_of_the_run_leads_to_its_time(fresh: StudioPage, first_cell: P
     fresh.rerun(shown)
     problems = fresh.show("Problems")
     row = problems.get_by_role("button", name="when the gripper closed").first
-    time = float(re.search(r"at ([\d.]+) s", row.text_content() or "")[1])  # type: ignore[index]
+    said = re.search(r"at ([\d.]+) s", row.text_content() or "")
+    assert said is not None
+    time = float(said[1])
     row.click()
     assert fresh.time() == pytest.approx(time, abs=0.005)
     active(fresh, "  close")

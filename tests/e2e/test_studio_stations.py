@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -185,10 +186,14 @@ def test_a_live_run_moves_both_arms_and_the_belt(page: StudioPage) -> None:
     page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
     for name in ("left/link6", "right/link6", "infeed/link1"):
-        page.until(lambda name=name: _way(start[name], page.poses()[name]) > MOVED)  # type: ignore[misc]  # bound here
+        page.until(partial(_has_moved, page, name, start[name]))
     shown = page.state()["shown"]
     page.page.evaluate("() => __ropsim.command('live.stop')")
     page.rerun(shown)
+
+
+def _has_moved(page: StudioPage, name: str, start: list[float]) -> bool:
+    return _way(start, page.poses()[name]) > MOVED
 
 
 def _way(one: list[float], other: list[float]) -> float:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
 
 from support import studio_launcher
 from support.patience import PATIENCE, until
@@ -45,7 +46,7 @@ def opened(studio: Studio, path: str = "/ws/studio", **headers: str) -> ClientCo
     return connect(
         f"ws://127.0.0.1:{studio.port}{path}",
         additional_headers={name: value for name, value in ours.items() if name != "Origin" and value},
-        origin=ours["Origin"] or None,  # type: ignore[arg-type]  # any text, also a foreign one
+        origin=Origin(ours["Origin"]) if ours["Origin"] else None,
         max_size=None,
         compression=None,
         proxy=None,

@@ -1,10 +1,9 @@
 """Names that machine code takes from elsewhere, in the formats of all systems."""
 
+import llvmlite.binding as llvm
 import pytest
 
 from ropsim.codegen.object_symbols import names_from_elsewhere
-
-llvm = pytest.importorskip("llvmlite.binding")
 
 SOURCE = """
 target triple = "{triple}"

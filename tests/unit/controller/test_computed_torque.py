@@ -1,6 +1,8 @@
 """The computed-torque law: errors die out as its gains say, whatever couples the axes."""
 
+import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -44,11 +46,11 @@ def output(robot: RobotModel, ref: Array, meas: Array, load: Payload) -> Array:
     from ropsim.dynamics import barycentric
 
     law = law_of(torque_controller(robot), robot)
-    scope: dict[str, object] = {"math": __import__("math")}
+    scope: dict[str, Any] = {"math": math}
     exec(law.source, scope)
     out = np.zeros(robot.n)
     numbers = barycentric(load.mass, load.com, load.inertia)
-    scope["law"](law.parameters, np.zeros((0, robot.n)), ref, meas, numbers, np.zeros(0), out)  # type: ignore[operator]
+    scope["law"](law.parameters, np.zeros((0, robot.n)), ref, meas, numbers, np.zeros(0), out)
     return out
 
 

@@ -13,6 +13,7 @@ from ropsim.flow import JointReference
 from ropsim.model import Friction, Payload, RobotModel
 from ropsim.simulation import Servo
 from support.arms import drive, random_arm, random_states
+from support.mujoco_arm import MujocoArm
 from support.servo_cases import controller, quintic
 
 FRICTION = Friction(1e-3, 0.3, -0.2)
@@ -57,9 +58,8 @@ def test_forward_dynamics_undo_inverse_dynamics_at_any_length(n: int) -> None:
 
 
 def test_a_chain_of_fifty_agrees_with_another_engine() -> None:
-    mujoco_arm = pytest.importorskip("support.mujoco_arm")
     robot = random_arm(9, ("RRP" * 17)[:50], (drive(),) * 50)
-    oracle = mujoco_arm.MujocoArm(robot)
+    oracle = MujocoArm(robot)
     for q, qd, tau in random_states(robot, 3):
         qdd = dynamics.forward_dynamics(robot, q, qd, tau)
         expected = oracle.forward(q, qd, tau)

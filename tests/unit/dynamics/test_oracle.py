@@ -10,8 +10,7 @@ from ropsim.codegen import Engine
 from ropsim.dynamics import compiled, forward_dynamics, rigid_inverse_dynamics
 from ropsim.model import DcMotor, Friction, RobotModel
 from support.arms import drive, random_arm, random_states
-
-mujoco_arm = pytest.importorskip("support.mujoco_arm")
+from support.mujoco_arm import MujocoArm
 
 AGREEMENT = 1e-9  # torques up to 1e3 and accelerations up to 1e3 in double arithmetic
 
@@ -24,7 +23,7 @@ def _frictionless_puma() -> RobotModel:
 
 def test_puma_inverse_dynamics_agree_with_mujoco() -> None:
     puma = replace(robots.load("puma560"), drives=())
-    oracle = mujoco_arm.MujocoArm(puma)
+    oracle = MujocoArm(puma)
     for q, qd, qdd in random_states(puma, 50):
         ours = rigid_inverse_dynamics(puma, q, qd, qdd)
         np.testing.assert_allclose(ours, oracle.inverse(q, qd, qdd), rtol=0, atol=AGREEMENT)
@@ -32,7 +31,7 @@ def test_puma_inverse_dynamics_agree_with_mujoco() -> None:
 
 def test_puma_forward_dynamics_with_motor_inertia_agree_with_mujoco() -> None:
     puma = _frictionless_puma()
-    oracle = mujoco_arm.MujocoArm(puma)
+    oracle = MujocoArm(puma)
     for q, qd, tau in random_states(puma, 50):
         ours = forward_dynamics(puma, q, qd, 10.0 * tau)
         np.testing.assert_allclose(ours, oracle.forward(q, qd, 10.0 * tau), rtol=1e-9, atol=AGREEMENT)
@@ -42,7 +41,7 @@ def test_puma_forward_dynamics_with_motor_inertia_agree_with_mujoco() -> None:
 def test_arms_with_prismatic_joints_agree_with_mujoco(types: str) -> None:
     motor = DcMotor(0.2, 0.2, 2.0, 1e-3, 1e-4)
     robot = random_arm(11, types, (drive(ratio=30.0, motor=motor),) * len(types))
-    oracle = mujoco_arm.MujocoArm(robot)
+    oracle = MujocoArm(robot)
     functions = compiled(robot, engine=Engine.PYTHON)
     for q, qd, tau in random_states(robot, 10):
         qdd = np.empty(robot.n)

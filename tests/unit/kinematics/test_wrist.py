@@ -1,5 +1,6 @@
 from dataclasses import replace
 from math import pi
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,9 +16,9 @@ from support.wrist_arms import all_arms, arm, backward, industrial
 PUMA_ROWS = robots.load("puma560").dh
 
 
-def with_row(index: int, **changes: float) -> RobotModel:
+def with_row(index: int, **changes: Any) -> RobotModel:
     rows = list(PUMA_ROWS)
-    rows[index] = replace(rows[index], **changes)  # type: ignore[arg-type]  # fields by name
+    rows[index] = replace(rows[index], **changes)
     return arm(tuple(rows))
 
 

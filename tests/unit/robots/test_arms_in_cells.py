@@ -1,6 +1,7 @@
 """Arms of the library in cells: a cell file of two lines opens, simulates, is jogged and drawn."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -92,15 +93,15 @@ def test_it_is_jogged_by_axes_and_by_its_tool(name: str) -> None:
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_every_link_is_drawn_where_it_is(name: str) -> None:
     robot = robots.load(name)
-    found = scene(one_station("c", robot, robots.default_controller(robot)), {})
-    bodies = {str(body["name"]): body for body in found["bodies"]}  # type: ignore[attr-defined]
+    found: Any = scene(one_station("c", robot, robots.default_controller(robot)), {})
+    bodies = {str(body["name"]): body for body in found["bodies"]}
     frames = frames_batch(robot, robot.home[np.newaxis])[0]
     for number in range(1, len(robot.joints) + 1):
         body = bodies[f"link{number}"]
         x, y, z, *_ = body["pose"]
         np.testing.assert_allclose([x, y, z], frames[number - 1, :3, 3], rtol=0, atol=1e-12)
         assert body["shapes"]
-    assert [joint["name"] for joint in found["stations"][0]["joints"]] == [  # type: ignore[index]
+    assert [joint["name"] for joint in found["stations"][0]["joints"]] == [
         joint.name for joint in robot.axis_joints
     ]
 
@@ -145,7 +146,7 @@ def test_a_station_is_drawn_and_jogged_with_its_track() -> None:
     arm = jogged(cell)
     by_axes = arm.to_joints(JogJoints("robot", here, ""))
     assert isinstance(by_axes, JogReply)
-    x, y, z, *turn = by_axes.tcp
-    back = arm.to_pose(JogTcp("robot", here, "", (x + 0.01, y, z, *turn)))  # type: ignore[arg-type]
+    x, y, z, qw, qx, qy, qz = by_axes.tcp
+    back = arm.to_pose(JogTcp("robot", here, "", (x + 0.01, y, z, qw, qx, qy, qz)))
     assert isinstance(back, JogReply)
     assert (back.reached, back.q[6:]) == (True, (0.5, 0.3))

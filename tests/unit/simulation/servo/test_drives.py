@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from ropsim import robots
 from ropsim.codegen import Engine
@@ -93,7 +94,6 @@ def _free_axis() -> tuple[RobotModel, float]:
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_an_elastic_axis_moves_as_the_matrix_exponential_says(sign: float) -> None:
     """Two inertias and a spring, driven by a DC motor: linear in (q, q̇, i, θ/G, ω/G)."""
-    linalg = pytest.importorskip("scipy.linalg")
     robot, inertia = _free_axis()
     turned = replace(ELASTIC, transmission=ElasticGear(sign * RATIO, STIFFNESS, DAMPING))
     robot = replace(robot, drives=(turned,))
@@ -108,7 +108,7 @@ def test_an_elastic_axis_moves_as_the_matrix_exponential_says(sign: float) -> No
     A[2, [2, 4, 5]] = (
         np.array([-MOTOR.resistance, -sign * RATIO * MOTOR.back_emf_constant, sign * 5.0]) / MOTOR.inductance
     )
-    expected = linalg.expm(A * 0.04) @ np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+    expected = expm(A * 0.04) @ np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
     start = servo.initial_state(np.zeros(1))
     after = servo.run(start, standing(np.zeros(1), 40), NOTHING, servo.recorder(start))
     attained = [after.q[0], after.qd[0], *(after.drive(name)[0] for name in ("current", "motor_coordinate"))]

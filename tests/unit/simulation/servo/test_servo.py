@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from ropsim import robots
 from ropsim.codegen import Engine
@@ -220,7 +221,6 @@ def test_the_integral_stands_still_while_the_output_is_clipped(servo: Servo) -> 
 
 def test_a_single_axis_moves_as_the_matrix_exponential_says() -> None:
     """Without gravity and Coulomb friction, motor and axis are linear in (q̇, i): ẋ = A·x + b·u."""
-    linalg = pytest.importorskip("scipy.linalg")
     one = drive(ratio=60.0)
     robot = replace(random_arm(6, "R", (one,)), gravity=np.zeros(3))
     servo = Servo.build(robot, controller(1, Rates(1000, 4, 16)), _constant(5.0), Engine.PYTHON)
@@ -230,7 +230,7 @@ def test_a_single_axis_moves_as_the_matrix_exponential_says() -> None:
     A = np.zeros((3, 3))
     A[0, 1] = one.ratio * motor.torque_constant / inertia
     A[1] = np.array([-one.ratio * motor.back_emf_constant, -motor.resistance, 5.0]) / motor.inductance
-    expected = (linalg.expm(A * 0.05) @ np.array([0.0, 0.0, 1.0]))[:2]
+    expected = (expm(A * 0.05) @ np.array([0.0, 0.0, 1.0]))[:2]
     state = servo.initial_state(np.zeros(1))
     after = servo.run(state, standing(np.zeros(1), 50), NOTHING, servo.recorder(state))
     integration = 1e-7  # RK4 at 62.5 µs with an electrical time constant of 1.7 ms

@@ -64,7 +64,8 @@ def test_a_part_on_the_belt_goes_with_the_belt() -> None:
 
 def test_each_station_has_its_base_in_the_pack_and_its_robot_in_the_scene() -> None:
     cell, _, pack = run()
-    described: list[Any] = scene(cell)["stations"]  # type: ignore[assignment]
+    document: Any = scene(cell)
+    described = document["stations"]
     assert [one["name"] for one in described] == list(cell.stations) == list(pack.header["bases"])
     for one, station in zip(described, cell.stations.values(), strict=True):
         assert one["base"] == pytest.approx(list(station.X_WB.as_tuple()), abs=ROUNDING)
@@ -90,9 +91,9 @@ def test_events_and_channels_say_whose_they_are() -> None:
 
 def test_bodies_of_devices_are_drawn_by_their_own_shapes_only() -> None:
     cell, _, _ = run()
-    bodies: list[Any] = scene(cell)["bodies"]  # type: ignore[assignment]
+    document: Any = scene(cell)
     own = {body.name: body.shapes for body in body_tree(cell).bodies if body.kind is BodyKind.DEVICE}
-    drawn = {body["name"]: body["shapes"] for body in bodies if body["kind"] == "device"}
+    drawn = {body["name"]: body["shapes"] for body in document["bodies"] if body["kind"] == "device"}
     assert drawn.keys() == own.keys()
     assert {name: len(shapes) for name, shapes in drawn.items()} == {
         name: len(shapes) for name, shapes in own.items()

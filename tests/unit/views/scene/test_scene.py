@@ -64,7 +64,8 @@ CELL = one_station(
     objects=(FixedObject("shelf", Pose(frozen([0.7, 0.0, 0.5])), tuple(Shape(solid) for solid in SOLIDS)),),
     signals={"ready": Signal("ready", is_input=True, initial=1.0)},
 )
-BODIES: list[Any] = scene(CELL)["bodies"]  # type: ignore[assignment]
+SCENE: Any = scene(CELL)
+BODIES: list[Any] = SCENE["bodies"]
 PLACES = body_tree(CELL).places()
 
 
@@ -140,7 +141,7 @@ def test_a_part_is_a_box_below_its_grasp_point_and_waits_unseen_in_its_supply() 
 
 
 def test_frames_are_marked_in_the_world_and_the_tcp_on_the_last_link() -> None:
-    marks: Any = {mark["kind"]: mark for mark in scene(CELL)["frames"]}  # type: ignore[attr-defined]
+    marks: Any = {mark["kind"]: mark for mark in SCENE["frames"]}
     assert marks["world"]["pose"] == list(Pose().as_tuple())
     assert matrix(marks["base"]["pose"]) == pytest.approx(TURNED.matrix(), abs=ROUNDING)
     for kind, X_WK in (("frame", CELL.frames["table"]), ("location", CELL.locations["here"])):
