@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 
 from ropsim.views.characters import width
 from ropsim.views.style import Style, Tone, paint
@@ -16,10 +17,20 @@ class Cell:
 
 
 def columns_text(header: tuple[str, ...], rows: Sequence[tuple[Cell, ...]], style: Style) -> list[str]:
-    """Return a table: the first column aligned left, all others right, two spaces between them."""
-    widths = [max([width(title), *(width(row[k].text) for row in rows)]) for k, title in enumerate(header)]
-    titles = tuple(Cell(title, Tone.QUIET) for title in header)
-    return [_line(row, widths, style) for row in (titles, *rows)]
+    """Return a table: the first column aligned left, all others right, two spaces between them.
+
+    Args:
+        header: titles of the columns, each of one line or more.
+        rows: a cell for each column.
+        style: whether cells have colours.
+    """
+    titles = [
+        tuple(Cell(text, Tone.QUIET) for text in line)
+        for line in zip_longest(*(title.split("\n") for title in header), fillvalue="")
+    ]
+    lines = [*titles, *rows]
+    widths = [max(width(line[k].text) for line in lines) for k in range(len(header))]
+    return [_line(line, widths, style) for line in lines]
 
 
 def _line(row: tuple[Cell, ...], widths: list[int], style: Style) -> str:

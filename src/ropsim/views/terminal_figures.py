@@ -3,7 +3,7 @@
 import math
 
 from ropsim.flow import SLOW
-from ropsim.views.characters import clean, fit
+from ropsim.views.characters import clean, fit, width
 from ropsim.views.columns import Cell, columns_text
 from ropsim.views.figures import (
     MILLIMETRES,
@@ -35,6 +35,7 @@ LEGEND = (
 )
 
 NAMES = 24
+"""Columns that the name of a joint or task takes at most."""
 SHOWN_TASKS = 10
 
 _SIGNS = {Closeness.FAR: "", Closeness.NEAR: " !", Closeness.BEYOND: " !!"}
@@ -93,19 +94,26 @@ def joint_lines(joints: tuple[JointSummary, ...], style: Style) -> list[str]:
     """Return what the joints did as a table, whose signs `LEGEND` explains; nothing without joints."""
     if not joints:
         return []
-    types = [joint.facts.type for joint in joints]
-    title = (
-        "joint",
-        f"torque {joined_units(map(effort_scale, types))}",
-        "share",
-        f"speed {joined_units(map(speed_scale, types))}",
-        "share",
-        f"range left {joined_units(map(coordinate_scale, types))}",
-        "line",
-        f"lag {joined_units(map(coordinate_scale, types))}",
-    )
     rows = [_joint_row(joint) for joint in joints]
-    return columns_text(title, rows, style)
+    beside, below = (_joint_titles(joints, between) for between in (" ", "\n"))
+    widest = max(width(line) for line in columns_text(beside, rows, Style.PLAIN))
+    return columns_text(beside if widest <= COLUMNS else below, rows, style)
+
+
+def _joint_titles(joints: tuple[JointSummary, ...], between: str) -> tuple[str, ...]:
+    """Return the titles of the columns, with `between` before each unit."""
+    types = [joint.facts.type for joint in joints]
+    coordinate = joined_units(map(coordinate_scale, types))
+    return (
+        "joint",
+        f"torque{between}{joined_units(map(effort_scale, types))}",
+        "share",
+        f"speed{between}{joined_units(map(speed_scale, types))}",
+        "share",
+        f"range left{between}{coordinate}",
+        "line",
+        f"lag{between}{coordinate}",
+    )
 
 
 def path_lines(path: PathSummary, style: Style) -> list[str]:
@@ -147,7 +155,7 @@ def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
     coordinate = coordinate_scale(facts.type)
     near = joint.nearest
     return (
-        Cell(fit(clean(joint.name), 8)),
+        Cell(fit(clean(joint.name), NAMES)),
         Cell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
         _limit_cell(joint.effort_share, joint.effort_closeness),
         Cell(fixed(joint.speed.size, speed_scale(facts.type), 1)),

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Channel, Fidelity, MotionKind, MoveEvent, SkipEvent, TaskEvent
+from ropsim.flow import AxisType, Channel, Fidelity, MotionKind, MoveEvent, SkipEvent, TaskEvent
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
 from support.golden import GOLDEN, check_golden
@@ -39,6 +39,28 @@ def test_long_names_do_not_break_the_columns() -> None:
     events = (TaskEvent(0.0, 1.0, name="t" * 200, serial=1, depth=9),)
     text = report(events=events, facts=facts(project="p" * 300))
     assert max(width(line) for line in text.splitlines()) <= COLUMNS
+
+
+def test_names_of_joints_are_shown_whole_up_to_24_columns() -> None:
+    plain = station()
+    names = ("shoulder_pan_joint", "j" * 30)
+    axes = tuple(replace(axis, name=name) for axis, name in zip(plain.axes[:2], names, strict=True))
+    text = report(facts=facts(stations=(replace(plain, axes=(*axes, *plain.axes[2:])),)))
+    lines = [line for line in text.splitlines() if line.startswith(("  shoulder", "  jjj"))]
+    assert [line.split()[0] for line in lines] == ["shoulder_pan_joint", "j" * 23 + "…"]
+    assert width(lines[0]) == width(lines[1])
+
+
+def test_units_stand_below_where_they_do_not_fit_beside() -> None:
+    plain = station()
+    track = replace(plain.axes[5], type=AxisType.PRISMATIC)
+    text = report(facts=facts(stations=(replace(plain, axes=(*plain.axes[:5], track)),)))
+    assert max(width(line) for line in text.splitlines()) <= COLUMNS
+    title, units = text[text.index("  joint ") :].splitlines()[:2]
+    assert "N·m" not in title
+    assert [title.index(word) + len(word) for word in ("torque", "speed", "lag")] == [
+        units.index(unit) + len(unit) for unit in ("N·m or N", "°/s or mm/s", "° or mm        ° or mm")
+    ]
 
 
 def test_skipped_moves_are_told_first_and_beside_the_cycle_time() -> None:
