@@ -4,6 +4,7 @@ import numpy as np
 
 from ropsim.flow import JointReference
 from ropsim.model import Payload
+from ropsim.simulation.past import Past
 from ropsim.simulation.plant import constant
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
 from ropsim.spatial import Array
@@ -22,6 +23,7 @@ class KinematicPlant:
         self._q = np.array(q)
         self._tick = 0
         self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
+        self._past = Past(0, self._q)
         self._log.begin(np.concatenate([q, np.zeros(len(q))]))
 
     @property
@@ -40,12 +42,21 @@ class KinematicPlant:
         table, row = self._log.claim(self._tick, reference.ticks)
         kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
         table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
+        self._past.enter(self._tick + 1, reference.q)
         self._q = np.array(reference.q[-1])
         self._tick += reference.ticks
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Stand still at `q` for `ticks` control ticks."""
         self.follow(constant(q, ticks), payload)
+
+    def q_at(self, tick: float) -> Array:
+        """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""
+        return self._past.at(tick)
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more where the arm was before a tick."""
+        self._past.forget(tick)
 
     def log(self) -> dict[str, Array]:
         """Return tick, q, qd, q_ref and qd_ref."""

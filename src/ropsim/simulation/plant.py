@@ -30,6 +30,17 @@ class Plant(Protocol):
         """Advance by `ticks` control ticks with a constant reference."""
         ...
 
+    def q_at(self, tick: float) -> Array:
+        """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,).
+
+        They are exact at control ticks, however coarse the recording is, and linear between two of them.
+        """
+        ...
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more where the arm was before a tick."""
+        ...
+
     def log(self) -> dict[str, Array]:
         """Return what was recorded: arrays (rows, n) by channel name, and `tick` (rows,)."""
         ...

@@ -44,6 +44,8 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)
             continue
+        for at in state.stations.values():
+            at.forget(state.stations[name].due)
         try:
             next(state.at_work[name])
             state.watch.advanced(state)

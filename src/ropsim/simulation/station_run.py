@@ -94,19 +94,24 @@ class StationRun:
         """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
 
         These are its tools, with the pose of the mechanical interface, and the links that external axes move.
-        At the tick the station has come to they are those of the arm, before it those of its recording.
+        From the tick on that the station has come to they are those of the arm now, before it those of its past,
+        which is kept from the least tick on that any station has come to.
         """
         hands, robot, X_WB = self.hands, self.station.robot, self.station.X_WB
         moved = external_links(robot) if robot.external else ()
         if not hands and not moved:
             return {}
-        q = self.plant.q if due >= self.due else self.plant.at(due / self.cell_ticks)["q"]
+        q = self.plant.q if due >= self.due else self.plant.q_at(due / self.cell_ticks)
         poses = dict.fromkeys(hands, X_WB @ forward(robot, q)) if hands else {}
         if moved:
             frames = frames_batch(robot, q[None])[0]
             names = {number: link_name(number + 1, self.station.name) for number in moved}
             poses |= {names[number]: X_WB @ Pose.from_matrix(frames[number]) for number in moved}
         return poses
+
+    def forget(self, due: int) -> None:
+        """Drop where the arm was before a tick of the cell's clock."""
+        self.plant.forget(due // self.cell_ticks)
 
     def follow(self, reference: JointReference) -> None:
         """Let the arm follow a reference to its end."""

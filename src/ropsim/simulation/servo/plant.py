@@ -10,6 +10,7 @@ from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.servo.checks import check_signals
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation.servo.tick_recorder import TickRecorder
 from ropsim.spatial import Array
 
 
@@ -37,7 +38,9 @@ class ServoPlant:
             check_signals(self._servo.law, cell)
         self._state = self._servo.initial_state(station.q_start, payload)
         record_ticks = options.record_ticks(self._servo.control_hz)
-        self._recorder = Recorder(robot, self._state, record_ticks, options.most_rows)
+        others = len(cell.stations) + len(cell.devices) > 1
+        kind = TickRecorder if others else Recorder
+        self._recorder = kind(robot, self._state, record_ticks, options.most_rows)
 
     @property
     def q(self) -> Array:
@@ -47,12 +50,13 @@ class ServoPlant:
     @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
-        return self._recorder.decimation
+        return self._recorder.record_ticks
 
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance by one control tick per row of `reference`, in one compiled call."""
         aux = self._signals(reference.ticks)
         self._state = self._servo.run(self._state, reference, payload, self._recorder, aux)
+        self._recorder.take()
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Advance by `ticks` control ticks with a constant reference."""
@@ -65,6 +69,14 @@ class ServoPlant:
     def at(self, tick: float) -> dict[str, Array]:
         """Return the recorded channels at a tick, linear between two rows, shape (n,) each."""
         return self._recorder.at(tick)
+
+    def q_at(self, tick: float) -> Array:
+        """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""
+        return self._recorder.q_at(tick)
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more where the arm was before a tick."""
+        self._recorder.forget(tick)
 
     def _signals(self, ticks: int) -> Array:
         """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid."""

@@ -35,7 +35,12 @@ class Recorder:
 
     @property
     def decimation(self) -> int:
-        """Return the control ticks between two rows."""
+        """Return the control ticks between two rows that are to be written."""
+        return self._log.decimation
+
+    @property
+    def record_ticks(self) -> int:
+        """Return the control ticks between two rows that are kept."""
         return self._log.decimation
 
     @property
@@ -56,6 +61,16 @@ class Recorder:
             ticks: how many.
         """
         return self._log.claim(tick, ticks)
+
+    def take(self) -> None:
+        """Take notice that the rows claimed have been written."""
+
+    def q_at(self, tick: float) -> Array:
+        """Return the attained joint coordinates at a tick, linear between two rows; shape (n,)."""
+        return self.at(tick)["q"]
+
+    def forget(self, tick: int) -> None:
+        """Take notice that nobody asks any more for coordinates before a tick."""
 
     def channels(self) -> dict[str, Array]:
         """Return what was recorded by name: views of the log, a column for each joint that has the quantity.
