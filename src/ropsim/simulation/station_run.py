@@ -94,8 +94,8 @@ class StationRun:
         """Return the attained poses X_WC of what carries parts at a tick of the cell's clock, by name.
 
         These are its tools, with the pose of the mechanical interface, and the links that external axes move.
-        From the tick on that the station has come to they are those of the arm now, before it those of its past,
-        which is kept from the least tick on that any station has come to.
+        From the tick on that the station has come to they are those of the arm now, before it those of its
+        past, which is kept from the least tick on that any station has come to.
         """
         hands, robot, X_WB = self.hands, self.station.robot, self.station.X_WB
         moved = external_links(robot) if robot.external else ()
