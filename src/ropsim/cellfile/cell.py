@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.destinations import Surroundings
 from ropsim.cellfile.devices import read_devices
+from ropsim.cellfile.external_values import read_external_values
 from ropsim.cellfile.fixed_objects import read_objects
 from ropsim.cellfile.mounts import Mount, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
@@ -65,7 +66,9 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     tools = read_tools(root.named("tools"), units)
     stations = read_stations(root, tools, units)
     frames = read_frames(root.named("frames"), units)
-    locations = read_locations(root.named("locations"), frames, units)
+    places = root.named("locations")
+    external = read_external_values(places, stations, units)
+    locations = read_locations(places, frames, units)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
     classic = _classic(root.table("classic"), frames)
@@ -97,6 +100,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         supports=supports,
         signals=signals,
         classic=classic,
+        external=external,
     )
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)

@@ -9,7 +9,7 @@ from ropsim.language import Definition, Outline, Role, TaskForm
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Surroundings
-from ropsim.model import Cell, Signal, in_base
+from ropsim.model import Cell, JointType, Signal, Station, in_base
 from ropsim.spatial import Pose, quaternion
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -24,12 +24,14 @@ class Known:
         role: what it stands for.
         text: the most important about it on one line.
         origin: `cell` or `text`.
+        note: what else there is to say; may be empty.
     """
 
     name: str
     role: Role
     text: str
     origin: str
+    note: str = ""
 
 
 def word_at(document: Document, position: Position) -> tuple[str, int] | None:
@@ -47,7 +49,8 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
     if cell is None or station is None:
         return
     for name, pose in in_base(station.X_WB, cell.locations).items():
-        yield Known(name, Role.LOCATION, pose_words(pose), "cell")
+        note = external_words(station, cell.external_at(name, station))
+        yield Known(name, Role.LOCATION, pose_words(pose), "cell", note)
     for name, pose in in_base(station.X_WB, cell.frames).items():
         yield Known(name, Role.FRAME, pose_words(pose), "cell")
     for name, tool in station.tools.items():
@@ -70,6 +73,18 @@ def pose_words(pose: Pose) -> str:
     place = ", ".join(_shown(value * 1000.0, 1) for value in (x, y, z))
     turned = ", ".join(_shown(math.degrees(value), 1) for value in (roll, pitch, yaw))
     return f"({place}) mm, roll pitch yaw ({turned})°"
+
+
+def external_words(station: Station, values: tuple[float, ...]) -> str:
+    """Return where the external axes of a station stand; empty without values."""
+    joints = [station.robot.axis_joints[k] for k in station.robot.external][: len(values)]
+    shown = [
+        f"{joint.name} {_shown(math.degrees(value), 1)}°"
+        if joint.measure is JointType.REVOLUTE
+        else f"{joint.name} {_shown(value * 1000.0, 1)} mm"
+        for joint, value in zip(joints, values, strict=True)
+    ]
+    return f"external axes: {', '.join(shown)}" if shown else ""
 
 
 def signal_words(signal: Signal) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ropsim.model.device import Device
+from ropsim.model.external_values import ExternalValues
 from ropsim.model.part import Part
 from ropsim.model.signal import Signal
 from ropsim.model.station import Station
@@ -42,6 +43,7 @@ class Cell:
         supports: when a part lies on something.
         signals: by name.
         classic: settings for classic files.
+        external: where external axes stand at a location, by its name, for those that say so.
     """
 
     name: str
@@ -55,11 +57,17 @@ class Cell:
     supports: SupportLimits = SupportLimits()
     signals: Mapping[str, Signal] = field(default_factory=dict)
     classic: ClassicSettings = field(default_factory=ClassicSettings)
+    external: Mapping[str, ExternalValues] = field(default_factory=dict)
 
     @property
     def first(self) -> Station:
         """Return the station that is meant where none is named."""
         return next(iter(self.stations.values()))
+
+    def external_at(self, location: str, station: Station) -> tuple[float, ...]:
+        """Return the values of the external axes of a station at a location [rad | m]; empty for none."""
+        given = self.external.get(location)
+        return given.of(station) if given else ()
 
     def station_of(self, program: str) -> Station:
         """Return the station that runs a program, by its name; the first one where none does."""

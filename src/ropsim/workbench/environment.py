@@ -23,7 +23,10 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         frames={name: pose.as_tuple() for name, pose in in_base(at.X_WB, cell.frames).items()},
         tools={name: tool.X_MT.as_tuple() for name, tool in at.tools.items()},
         default_tool=at.default_tool,
-        locations={name: pose.as_tuple() for name, pose in in_base(at.X_WB, cell.locations).items()},
+        locations={
+            name: (*pose.as_tuple(), *cell.external_at(name, at))
+            for name, pose in in_base(at.X_WB, cell.locations).items()
+        },
         signals={
             name: SignalUse(name, signal.is_input, ValueType.REAL if signal.analog else ValueType.BOOL)
             for name, signal in cell.signals.items()

@@ -87,6 +87,10 @@ position = [0, 0, 120]
 gripper = {}
 [tools.pen]
 position = [0, 0, 80]
+[locations.stock]
+position = [500, 300, 600]
+external = [500]
+station = "left"
 [devices.belt]
 kind = "conveyor"
 base = { position = [350, -1400, 500], rpy = [0, 0, 90] }

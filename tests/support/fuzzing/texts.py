@@ -83,6 +83,7 @@ def _everything() -> language.Environment:
         locations={name: pose for one in found for name, pose in one.locations.items()},
         signals={name: use for one in found for name, use in one.signals.items()},
         axes=max((one.axes for one in found), key=len),
+        external=max((one.external for one in found), key=len),
     )
 
 

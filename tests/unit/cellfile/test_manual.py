@@ -1,5 +1,6 @@
 """The manual of the cell file is true: its example is right and every key of the example is documented."""
 
+import math
 import re
 import tomllib
 from pathlib import Path
@@ -34,6 +35,7 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert len(first.parts) == 37
     assert external is not None
     assert external.first.robot.n == 8
+    assert external.external["stock"].values == pytest.approx((1.2, math.pi / 2.0))
     assert stations is not None
     assert list(stations.stations) == ["left", "right"]
     assert devices is not None

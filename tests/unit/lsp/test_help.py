@@ -234,3 +234,14 @@ def test_values_of_external_axes_are_offered_behind_a_location_and_explained() -
         assert "external" in labels(BARE, HEAD + line)
     assert "external" not in labels(BARE, HEAD + "mov |")
     assert "location external (e1, …)" in hover(BARE, HEAD + "mov corner exter|nal (800)")
+
+
+def test_hover_over_a_location_tells_where_its_external_axes_stand(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    cell = folder / "cell.toml"
+    text = cell.read_text("utf-8").replace("[robot]\n", "[robot]\ntrack = { length = 2000 }\n", 1)
+    cell.write_text(text + "\n[locations.stock]\nposition = [800, 0, 500]\nexternal = [800]\n", "utf-8")
+    told = hover(uri_of(folder / "programs" / "x.task"), HEAD + "mov sto|ck")
+    assert "(800, 0, 500) mm" in told
+    assert told.endswith("external axes: E1 800 mm")

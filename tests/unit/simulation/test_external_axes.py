@@ -19,6 +19,7 @@ CELL = (
     '[robot]\nmodel = "puma560"\ntrack = { length = 3000 }\n'
     "positioner = { radius = 400, height = 600, base = { position = [0, 2000, 0] } }\n"
     "[locations.far]\nposition = [1500, 300, 1000]\n"
+    "[locations.stock]\nposition = [-100, 300, 1000]\nexternal = [-800, -45]\n"
 )
 PROGRAM = """program main
 units mm, deg, s
@@ -105,3 +106,40 @@ def test_coordinates_that_lack_the_external_axes_are_told() -> None:
     assert [found.code for found in result.findings] == ["M508"]
     assert "`puma560` has 8 joints" in result.findings[0].message
     assert result.findings[0].hint == "give 8 values, from the base to the tip, then E1, E2"
+
+
+def ran(*lines: str) -> Recording:
+    code = compiled("program main\nunits mm, deg, s\n" + "\n".join(lines) + "\n")
+    assert code.icr is not None, [str(one) for one in code.diagnostics]
+    return run(cell(), {"robot": code.icr}, RunOptions(fidelity=Fidelity.KINEMATIC))
+
+
+def test_a_location_takes_the_external_axes_along_and_a_line_leaves_them_there() -> None:
+    recording = ran(
+        "mov stock above 50", "lin stock", "wait 0.1", "mov far external (800, 90)", "lin here rel (0, 0, 20)"
+    )
+    assert (recording.ok, [str(one) for one in recording.findings]) == (True, [])
+    q, robot = recording.channels["q"].values, cell().first.robot
+    at_stock = np.array([-0.8, -np.pi / 4.0])
+    there = np.flatnonzero((np.abs(q[:, 6:] - at_stock) < SHORT).all(axis=1))
+    goal = cell().locations["stock"].position
+    assert min(float(np.linalg.norm(forward(robot, row).position - goal)) for row in q[there]) < 1e-6
+    assert q[-1, 6:] == pytest.approx([0.8, np.pi / 2.0], abs=SHORT)
+
+
+def test_a_line_to_a_location_whose_axes_stand_elsewhere_is_told_on_its_line() -> None:
+    recording = ran("mov stock above 50", "mov home", "lin stock")
+    (first, second) = recording.findings
+    assert [found.code for found in (first, second)] == ["M521", "M521"]
+    assert first.span is not None
+    assert first.span.line == 5
+    assert "external axis `E1` from 0.0 mm to -800.0 mm" in first.message
+
+
+@pytest.mark.parametrize("values", ["(800)", "(800, 90, 0)"])
+def test_another_number_of_values_is_told_on_its_line(values: str) -> None:
+    (found,) = ran("wait 0.1", f"mov far external {values}").findings
+    assert found.code == "M520"
+    assert found.span is not None
+    assert found.span.line == 4
+    assert "has 2 (E1, E2)" in found.message
