@@ -1,5 +1,8 @@
 """Generated code: traced expressions, straight-line source, compiled and cached modules."""
 
+from ropsim.codegen.caller import Compiled as Compiled
+from ropsim.codegen.caller import StoppedError as StoppedError
+from ropsim.codegen.caller import bound as bound
 from ropsim.codegen.emit import Bounds as Bounds
 from ropsim.codegen.emit import SourceFunction as SourceFunction
 from ropsim.codegen.emit import emit as emit
@@ -13,9 +16,6 @@ from ropsim.codegen.hoist import hoisted as hoisted
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import load as load
-from ropsim.codegen.signature import Compiled as Compiled
-from ropsim.codegen.signature import StoppedError as StoppedError
-from ropsim.codegen.signature import bound as bound
 from ropsim.codegen.tracer import Scalar as Scalar
 from ropsim.codegen.tracer import Tracer as Tracer
 from ropsim.codegen.tracer import cos as cos

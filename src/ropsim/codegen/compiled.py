@@ -8,8 +8,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from ropsim.codegen.caller import Compiled
 from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
-from ropsim.codegen.signature import Compiled, Signature
+from ropsim.codegen.signature import Signature
 from ropsim.core import cache_folder
 from ropsim.version import __version__
 

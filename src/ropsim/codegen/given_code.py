@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.codegen.caller import Compiled
 from ropsim.codegen.emit import SourceFunction, emit
 from ropsim.codegen.engine import Engine
 from ropsim.codegen.hoist import CONSTANTS, hoisted
 from ropsim.codegen.load import load
-from ropsim.codegen.signature import Compiled
 from ropsim.codegen.tracer import Scalar
 
 Array = npt.NDArray[np.float64]

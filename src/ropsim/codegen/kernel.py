@@ -8,7 +8,8 @@ from importlib.util import find_spec
 from types import FunctionType
 from typing import TypeVar, cast
 
-from ropsim.codegen.signature import Compiled, Signature, bound
+from ropsim.codegen.caller import Compiled, bound
+from ropsim.codegen.signature import Signature
 
 F = TypeVar("F", bound=Callable[..., None])
 

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from ropsim.codegen.caller import Compiled
 from ropsim.codegen.compiled import compiled
 from ropsim.codegen.emit import Bounds, SourceFunction
 from ropsim.codegen.engine import Engine
-from ropsim.codegen.signature import Compiled, Signature
+from ropsim.codegen.signature import Signature
 
 
 def load(name: str, functions: Sequence[SourceFunction], engine: Engine) -> Compiled:

@@ -1,11 +1,13 @@
 """Inverse kinematics: from a pose to all joint coordinates that reach it. The one door for all arms."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import accumulate
 
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.codegen import Compiled, bound
 from ropsim.kinematics import selection_kernel
 from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows, turning_axes
 from ropsim.kinematics.diagnostics import NotFiniteError
@@ -19,26 +21,30 @@ from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
 from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
 from ropsim.kinematics.solver import InverseSolver
 from ropsim.model import RobotModel, held_arm
-from ropsim.spatial import Array, Pose, frozen, record
+from ropsim.spatial import Array, Pose, frozen
 
 NEIGHBOUR = 0.1
 """A pose this near to that of `near` [m, entries of the rotation matrix] may be its neighbour on a path."""
 TURN = 2.0 * np.pi
 
 
-@record
+@dataclass(frozen=True, slots=True, eq=False)
 class _Desk:
     """What a question about one arm needs.
 
     Attributes:
         solver: of the arm.
+        names: of the branches, in the order of the rows.
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
         rest: zeros, shape (n,).
+        select: chooses among branches by these limits.
     """
 
     solver: InverseSolver
+    names: tuple[Posture, ...]
     limits: Array
     rest: Array
+    select: Compiled
 
 
 def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | None = None) -> Array:
@@ -91,19 +97,21 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
     branches = desk.solver.branches(T[np.newaxis], near)[0]
     if near is not desk.rest and desk.solver.may_stay(near):
         _keep(robot, desk, T, near, branches)
+    names = desk.names
     rows, n = branches.shape
     found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
     found[0] = 1.0 if respected else 0.0
-    selection_kernel.select(branches, desk.limits, found)
+    desk.select(branches, found)
     marks = found[: 2 * rows + 2].tolist()
     present, listed = int(marks[0]), int(marks[1])
-    names = desk.solver.postures
-    variants = found[2 * rows + 2 :].reshape(-1, n)
-    solutions = variants[:listed].copy()  # not a view, which would keep all of `found`
     if listed:
+        counts = [int(count) for count in marks[3 : 3 + 2 * listed : 2]]
+        # copied, so that no view keeps all of `found`
+        variants = found[2 * rows + 2 : 2 * rows + 2 + (rows + sum(counts)) * n].copy().reshape(-1, n)
         postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
-        turns = _turns(variants[rows:], marks[3 : 3 + 2 * listed : 2])
-        return IkResult(IkStatus.FOUND, solutions, postures, turns, branches, names)
+        turns = _turns(variants[rows:], counts)
+        return IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
+    solutions = np.empty((0, n))
     if not present:
         if not np.isfinite(T).all():
             raise NotFiniteError("pose")
@@ -151,14 +159,12 @@ def _external(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
     return robot.home if held is None else joint_vector(robot, held)
 
 
-def _turns(variants: Array, counts: list[float]) -> tuple[Array, ...]:
+def _turns(variants: Array, counts: list[int]) -> tuple[Array, ...]:
     """Return the further turns of each solution, of which there are `counts`."""
-    none = variants[:0].copy()
-    turns, first = [], 0
-    for count in map(int, counts):
-        turns.append(variants[first : first + count].copy() if count else none)
-        first += count
-    return tuple(turns)
+    if not any(counts):
+        return (variants[:0],) * len(counts)
+    ends = list(accumulate(counts))
+    return tuple([variants[end - count : end] for end, count in zip(ends, counts, strict=True)])
 
 
 def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array) -> None:
@@ -182,4 +188,5 @@ def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array
 def _desk(robot: RobotModel) -> _Desk:
     solver = solver_of(robot)
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
-    return _Desk(solver, limits, frozen(np.zeros(robot.n)))
+    rest = frozen(np.zeros(robot.n))
+    return _Desk(solver, solver.postures, limits, rest, bound(selection_kernel.select, limits))

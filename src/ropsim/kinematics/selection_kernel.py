@@ -16,12 +16,12 @@ MOST_TURNS = 32.0
 
 
 @kernel("void(f8[:,::1], f8[:,::1], f8[::1])")
-def select(branches: Array, limits: Array, found: Array) -> None:
+def select(limits: Array, branches: Array, found: Array) -> None:
     """List the branches that count.
 
     Args:
-        branches: joint coordinates of all rows, NaN where absent [rad | m], shape (m, n).
         limits: lower and upper limits [rad | m], and 1.0 for joints that turn, shape (3, n).
+        branches: joint coordinates of all rows, NaN where absent [rad | m], shape (m, n).
         found: found[0] is 1.0 where limits count, else 0.0. Afterwards found[0] is the number of present
             rows, found[1] that of listed branches, then come row and number of further turns of each (2·m
             numbers), the branches themselves, the least turned variant of each (m·n), and the further turns

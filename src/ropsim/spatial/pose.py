@@ -66,7 +66,7 @@ class Pose:
         """Return the homogeneous matrix, shape (4, 4)."""
         x_row, y_row, z_row = self._rotation_rows()
         x, y, z = self.position.tolist()
-        return np.array([[*x_row, x], [*y_row, y], [*z_row, z], [0.0, 0.0, 0.0, 1.0]])
+        return np.array((*x_row, x, *y_row, y, *z_row, z, 0.0, 0.0, 0.0, 1.0)).reshape(4, 4)
 
     def rotation(self) -> Array:
         """Return R_AB, shape (3, 3)."""

@@ -18,7 +18,7 @@ def selected(branches: Array, limits: Array, respected: float = 1.0) -> list[tup
     m, n = branches.shape
     found = np.full(2 * m + 2 + m * TURN_VARIANTS * n, np.nan)
     found[0] = respected
-    select(branches, limits, found)
+    select(limits, branches, found)
     variants, further, result = found[2 * m + 2 :].reshape(-1, n), m, []
     for k in range(int(found[1])):
         row, more = int(found[2 + 2 * k]), int(found[3 + 2 * k])

@@ -12,11 +12,13 @@ centre is in J at
     Rz(θ1)·(x, -D, z),  x = a1 + L2·cos θ2 + L3·cos θ23,  z = h + L2·sin θ2 + L3·sin θ23.
 """
 
+from functools import lru_cache
 from math import hypot, inf, sin, sqrt
 from typing import ClassVar
 
 import numpy as np
 
+from ropsim.codegen import Compiled, bound
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.polish import POSE_SLACK, polished
 from ropsim.kinematics.posture import Posture
@@ -81,13 +83,13 @@ class SphericalWristSolver:
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return all branches of many poses, shape (k, 8, 6); see `InverseSolver.branches`."""
-        starts = self._rows(self.strict, T, near)
+        starts = _rows(closed_form(self), T, near)
         if self.snapped_by == Snap():
             return starts
         found = polished(self.chain, T, starts)
         lost = np.isnan(found) & ~np.isnan(starts)
         if lost.any():
-            kept = self._rows(self.keeping, T, near)
+            kept = _rows(bound(kernel.inverse_rows, self.keeping), T, near)
             found = np.where(lost, polished(self.chain, T, np.where(lost, kept, np.nan)), found)
         return found
 
@@ -121,11 +123,18 @@ class SphericalWristSolver:
             reach = Reach("wrist centre", "2", best, shortest, longest)
         return Shortfall(IkStatus.OUT_OF_REACH, reach)
 
-    def _rows(self, flat: Array, T: Array, near: Array) -> Array:
-        out, room = np.empty((len(T), 8, 6)), np.empty(30)
-        room[:6] = near
-        kernel.inverse_rows(flat, room, T, out)
-        return out
+
+def _rows(solve: Compiled, T: Array, near: Array) -> Array:
+    out, room = np.empty((len(T), 8, 6)), np.empty(30)
+    room[:6] = near
+    solve(room, T, out)
+    return out
+
+
+@lru_cache(maxsize=64)
+def closed_form(solver: SphericalWristSolver) -> Compiled:
+    """Return the kernel of an arm that is in the class: `closed_form(solver)(room, T, out)`."""
+    return bound(kernel.inverse_rows, solver.strict)
 
 
 def recognise(robot: RobotModel) -> SphericalWristSolver | str:
