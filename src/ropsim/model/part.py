@@ -33,7 +33,8 @@ class Part:
         X_WO: pose of the object frame (grasp point, top centre, z up) in the world frame at time 0; for a
             part of a supply, the pose at the supply.
         supply: name of the supply it comes from, empty for a part that lies there from the start.
-        turn: place in the queue of its supply: it appears when the part before it has been taken away.
+        turn: place in the queue of its supply: it appears when the part before it has been taken or carried
+            away.
         colour: `#rrggbb`.
         material: how its surface takes the light.
         destination: where it is to be at the end, None where that is free.

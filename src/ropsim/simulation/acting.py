@@ -6,13 +6,12 @@ from bisect import bisect_right
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.model import Part
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
 from ropsim.simulation.diagnostics import RUN_OFF
+from ropsim.simulation.feeding import along, feed, room_at
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.track import tick_at
-from ropsim.spatial import Pose
 
 
 def act(run: CellRun, device: DeviceRun) -> None:
@@ -23,13 +22,15 @@ def act(run: CellRun, device: DeviceRun) -> None:
     told = device.driving.act(device.course, Now(time, lambda name: run.is_on(name, time), carried))
     place = bisect_right(device.scripted, tick)
     nexts = list(device.scripted[place : place + 1])
-    if told.due < math.inf:
-        nexts.append(max(tick_at(told.due, run.hz), tick + 1))
+    due = min(told.due, room_at(run, device, time))
+    if due < math.inf:
+        nexts.append(max(tick_at(due, run.hz), tick + 1))
     device.due = min(nexts, default=NEVER)
     for name, level in device.heard(told.levels):
         run.set_input(name, tick, float(level))
     if told.lost:
         _lose(run, device, told.lost, tick)
+    feed(run, tick)
 
 
 def _riders(parts: Placements, device: DeviceRun) -> list[str]:
@@ -39,15 +40,8 @@ def _riders(parts: Placements, device: DeviceRun) -> list[str]:
 
 def _carried(name: str, run: CellRun) -> Carried:
     seat, part = run.parts.seats[name], run.scenery.parts[name]
-    centre, half = _along(part, seat.pose)
+    centre, half = along(part, seat.pose)
     return Carried(name, centre + half, 2.0 * half)
-
-
-def _along(part: Part, pose: Pose) -> tuple[float, float]:
-    """Return the middle of a part along z of the body that it moves with, and half its length [m]."""
-    R = pose.rotation()
-    centre = pose.position[2] - R[2, 2] * part.size[2] / 2.0
-    return float(centre), float(np.abs(R[2]) @ part.size / 2.0)
 
 
 def _lose(run: CellRun, device: DeviceRun, names: tuple[str, ...], tick: int) -> None:

@@ -1,12 +1,13 @@
 """The running state of a cell: everything that changes while its stations work, against one clock."""
 
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.controller import ScriptedSensors
 from ropsim.core import Diagnostic
 from ropsim.flow import Event, InputChange, Placement
-from ropsim.model import Cell, Tool
+from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
 from ropsim.simulation.moment import Moment
@@ -40,6 +41,7 @@ class CellRun:
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stopped: whether the run was ended by who watches.
         inputs: changes of inputs that are not from the cell.
+        supplies: of each supply the part that has come last, and those that are still to come.
     """
 
     cell: Cell
@@ -58,6 +60,7 @@ class CellRun:
     tracks: dict[str, Track] = field(default_factory=dict)
     stopped: bool = False
     inputs: list[InputChange] = field(default_factory=list)
+    supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
 
     @property
     def tick(self) -> int:

@@ -9,6 +9,7 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.course import Course, Piece
 from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.devices.table import DRIVINGS
+from ropsim.simulation.feeding import supplies_of
 from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.moment import Moment
@@ -64,6 +65,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         placements=list(at_start(scenery.tree, parts, scenery.objects)),
         tracks={f"signal.{name}": signal_track(signal, hz) for name, signal in cell.signals.items()},
         inputs=list(inputs),
+        supplies=supplies_of(cell),
     )
 
 
