@@ -34,7 +34,7 @@ def test_every_box_is_gripped_and_released_once(recording: Recording) -> None:
 def test_boxes_are_set_down_on_the_6_by_6_pattern(recording: Recording) -> None:
     cell = ropsim.open(CELL).cell
     assert cell is not None
-    pallet = cell.frames["pallet"]
+    pallet = cell.frames["pallet"].X_PK
     times = [event.time for event in recording.events if event.kind == "release"]
     tcp = recording.channels["attained_position"].values[np.searchsorted(recording.time, times)]
     slots = [[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)]
@@ -47,7 +47,7 @@ def test_boxes_are_set_down_on_the_6_by_6_pattern(recording: Recording) -> None:
 def test_infeed_and_pallet_centre_are_half_a_metre_apart() -> None:
     cell = ropsim.open(CELL).cell
     assert cell is not None
-    centre = cell.frames["pallet"].position + cell.frames["pallet"].rotation() @ np.array(
+    centre = cell.frames["pallet"].X_PK.position + cell.frames["pallet"].X_PK.rotation() @ np.array(
         [0.1875, 0.1875, 0.04]
     )
     assert float(np.linalg.norm(cell.locations["infeed"].position - centre)) >= 0.5

@@ -153,7 +153,7 @@ def test_all_boxes_stand_on_the_pallet_at_the_end(open_page: Pages, palletizing:
     page = opened(open_page, palletizing)
     cell = palletizing.project.cell
     assert cell is not None
-    X_WP = cell.frames["pallet"]
+    X_WP = cell.frames["pallet"].X_PK
     seek(page, palletizing.recording.duration)
     shown = poses(page)
     boxes = np.array([shown[f"box_{k}"][:3] for k in range(1, 37)])

@@ -9,7 +9,7 @@ from ropsim.controller import MotionChain, PlannedMove, Refusal, plan_move
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
-from ropsim.model import Tool
+from ropsim.model import Frame, Tool
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 
@@ -27,7 +27,7 @@ CELL = one_station(
         "gripper": Tool("gripper", Pose(np.array([0.0, 0.0, 0.1]))),
         "torch": Tool("torch", Pose(np.array([0.02, -0.03, 0.15]), np.array([0.9, 0.1, 0.2, 0.3]))),
     },
-    frames={"pallet": Pose(np.array([0.4, -0.2, 0.1]), np.array([0.0, 1.0, 0.2, 0.0]))},
+    frames={"pallet": Frame(Pose(np.array([0.4, -0.2, 0.1]), np.array([0.0, 1.0, 0.2, 0.0])))},
 )
 CHAIN = chain_of(CELL)
 

@@ -8,9 +8,10 @@ from ropsim.cellfile.destinations import Surroundings
 from ropsim.cellfile.devices import read_devices
 from ropsim.cellfile.external_values import read_external_values
 from ropsim.cellfile.fixed_objects import read_objects
+from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
-from ropsim.cellfile.poses import read_frames, read_locations
+from ropsim.cellfile.poses import read_locations
 from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
 from ropsim.cellfile.signals import read_signals
 from ropsim.cellfile.stations import read_stations
@@ -22,15 +23,16 @@ from ropsim.cellfile.tools import read_tools
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import (
     ROBOT,
+    WORLD,
     Cell,
     ClassicSettings,
     Device,
+    Frame,
     Signal,
     Station,
     link_name,
     tool_body,
 )
-from ropsim.spatial import Pose
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
 _KEY = re.compile(r"'([^']*)'")
@@ -65,19 +67,21 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     units = _units(root.table("units"))
     tools = read_tools(root.named("tools"), units)
     stations = read_stations(root, tools, units)
-    frames = read_frames(root.named("frames"), units)
-    places = root.named("locations")
-    external = read_external_values(places, stations, units)
-    locations = read_locations(places, frames, units)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
-    classic = _classic(root.table("classic"), frames)
     devices = _read_devices(root, signals, stations, units)
     mounts = mounts_of(stations, devices)
     taken = _bodies(stations, devices, mounts)
     objects = read_objects(root.tables("objects"), taken, mounts, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
-    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, Surroundings(units, locations))
+    others = {*devices, *(thing.name for thing in objects)}
+    frames = read_frames(root.named("frames"), mounts_of(stations, {}), others, units)
+    places_of = root.named("locations")
+    external = read_external_values(places_of, stations, units)
+    locations, located = read_locations(places_of, frames, units)
+    classic = _classic(root.table("classic"), frames)
+    around = Surroundings(units, locations, located)
+    groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, around)
     supports = read_supports(root.table("supports"), units)
     head = root.table("cell")
     name = head.text("name", folder_name)
@@ -94,6 +98,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         devices=devices,
         frames=frames,
         locations=locations,
+        located=located,
         parts=tuple(part for group in groups for part in group.parts),
         objects=objects,
         sinks=sinks,
@@ -144,7 +149,10 @@ def _units(table: TomlTable) -> Units:
     return units
 
 
-def _classic(table: TomlTable, frames: Mapping[str, Pose]) -> ClassicSettings:
+def _classic(table: TomlTable, frames: Mapping[str, Frame]) -> ClassicSettings:
+    named = table.values.get("frame")
+    if isinstance(named, str) and named in frames and frames[named].parent != WORLD:
+        note_moving(table, "frame", "frame", named)
     classic = ClassicSettings(
         metres(table.choice("length", LENGTH_UNITS, "cm")),
         radians(table.choice("angle", ANGLE_UNITS, "deg")),

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.frames import note_moving
 from ropsim.cellfile.grid import read_grid
 from ropsim.cellfile.poses import read_pose
 from ropsim.cellfile.quantity import Units
@@ -21,11 +22,13 @@ class Surroundings:
 
     Attributes:
         units: of the file.
-        locations: X_WT by name.
+        locations: X_WT by name; of those in a frame that moves X_KT.
+        located: names of the frames that move in which locations are given, by the name of the location.
     """
 
     units: Units
     locations: Mapping[str, Pose]
+    located: Mapping[str, str]
 
 
 def read_destinations(
@@ -49,6 +52,8 @@ def read_destinations(
             kinds.CONFLICTING_CELL_KEYS, inner.key_span("position"), message, "keep one of them"
         )
     name = inner.reference("location", locations, "location")
+    if name in around.located:
+        note_moving(inner, "location", "location", name)
     if "location" not in inner:
         inner.require("position")
     given = "rpy" in inner or "quaternion" in inner

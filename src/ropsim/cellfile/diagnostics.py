@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X801 to X819 and X825."""
+"""The kinds of mistakes in cell files, X801 to X819, X825 and X826."""
 
 from ropsim.core import Severity, define
 
@@ -314,5 +314,28 @@ position = [0, 1200, 700]      # wrong: its top is at the height of the plate; r
 ```
 
 Nothing is said in a cell without fixed objects, devices and positioners, or with one that is drawn by a mesh.
+""",
+)
+
+UNFIT_FRAME = define(
+    "X826",
+    "unfit-frame",
+    Severity.ERROR,
+    "a task frame that moves, or lies, where it cannot",
+    """
+A task frame stands in the world, or lies on what an external axis of a robot moves: `parent = "positioner"`
+or `"track"`, of a station with a name `"left/positioner"`. Only the controller of that robot knows where such
+a frame is when a move ends, so only its program can work in it.
+
+A frame cannot lie on a device or an object: no controller moves these. Classic files and destinations of
+parts need a place that stands still, so neither `frame` of `[classic]` nor `location` of a `destination` can
+be one that moves.
+
+```toml
+[frames.fixture]
+parent = "table"              # wrong where `table` is a device or an object
+parent = "positioner"         # right
+position = [100, 0, 0]
+```
 """,
 )

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.quantity import NUMBER, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.model import WORLD, Frame
 from ropsim.spatial import Pose, quaternion
 
 ORIGIN = (0.0, 0.0, 0.0)
@@ -29,29 +30,28 @@ def read_base(table: TomlTable, units: Units) -> Pose:
 
 
 def read_locations(
-    tables: Mapping[str, TomlTable], frames: Mapping[str, Pose], units: Units
-) -> dict[str, Pose]:
-    """Return the named tool poses X_WT; a location may be given in one of `frames` (X_WK by name)."""
-    return {name: _location(table, frames, units) for name, table in tables.items()}
+    tables: Mapping[str, TomlTable], frames: Mapping[str, Frame], units: Units
+) -> tuple[dict[str, Pose], dict[str, str]]:
+    """Return the named tool poses X_WT, and the names of the frames that move in which some are given.
+
+    A location may be given in one of `frames`; the pose of one in a frame that moves is X_KT.
+    """
+    found = {name: _location(table, frames, units) for name, table in tables.items()}
+    located = {name: frame for name, (_, frame) in found.items() if frame}
+    return {name: pose for name, (pose, _) in found.items()}, located
 
 
-def read_frames(tables: Mapping[str, TomlTable], units: Units) -> dict[str, Pose]:
-    """Return the task frames X_WK by name."""
-    frames = {}
-    for name, table in tables.items():
-        table.require("position")
-        frames[name] = read_pose(table, units)
-        table.finish()
-    return frames
-
-
-def _location(table: TomlTable, frames: Mapping[str, Pose], units: Units) -> Pose:
+def _location(table: TomlTable, frames: Mapping[str, Frame], units: Units) -> tuple[Pose, str]:
     table.require("position")
     frame = table.reference("frame", frames, "frame")
     down = TOOL_DOWN if table.flag("down", default=True) else quaternion.IDENTITY
     local = _pose(table, units, _orientation(table, units, down, ("rpy", "quaternion", "down")))
     table.finish()
-    return frames[frame] @ local if frame else local
+    if not frame:
+        return local, ""
+    if frames[frame].parent != WORLD:
+        return local, frame
+    return frames[frame].X_PK @ local, ""
 
 
 def _pose(table: TomlTable, units: Units, orientation: quaternion.Quaternion) -> Pose:

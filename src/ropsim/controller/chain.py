@@ -13,11 +13,12 @@ from ropsim.controller.entity_faults import guarded, unusable
 from ropsim.controller.interpolator import StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform
 from ropsim.controller.joint_interpolator import SplineJointInterpolator
+from ropsim.controller.moving_frames import frames_of_others, moving_frames
 from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.model import Cell, Rates, Station, in_base
+from ropsim.model import Cell, Rates, Station, in_base, still_frames
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -79,14 +80,17 @@ def standard_chain(cell: Cell, station: Station) -> MotionChain:
     This is the one place where the poses of the world become those of the controller, in the base frame.
     """
     robot, tools, tool = station.robot, station.tools, station.default_tool
-    frames = in_base(station.X_WB, cell.frames)
+    frames = in_base(station.X_WB, still_frames(cell.frames))
+    moving, others = moving_frames(cell, station), frames_of_others(cell, station)
     return MotionChain(
-        StandardPathPlanner(robot, station.controller, tools, frames, tool, robot.home),
+        StandardPathPlanner(
+            robot, station.controller, tools, frames, tool, robot.home, moving=moving, others=others
+        ),
         StandardInterpolator(),
         StandardInverseTransform(robot, tools, tool),
         SplineJointInterpolator(),
         station.controller.rates,
-        WorkFrames(tools, frames, tool),
+        WorkFrames(tools, frames, tool, moving, others),
     )
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
+from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.target_refusals import numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
@@ -43,10 +44,12 @@ class StandardPathPlanner:
         robot: the arm.
         controller: rates, defaults on lines, speed override.
         tools: of the cell, by name.
-        frames: task frames of the cell, X_BK by name.
+        frames: task frames of the cell that stand still, X_BK by name.
         default_tool: tool in force where a program names none; empty for none.
         home: joint coordinates of a target without coordinates [rad | m], shape (n,).
         orientation: how the tool turns on lines.
+        moving: task frames that the external axes of the robot move, by name.
+        others: names of the stations that move other task frames, by the name of the frame.
     """
 
     robot: RobotModel
@@ -56,6 +59,8 @@ class StandardPathPlanner:
     default_tool: str
     home: Array
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
+    moving: Mapping[str, MovingFrame] = field(default_factory=dict)
+    others: Mapping[str, str] = field(default_factory=dict)
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
@@ -66,7 +71,8 @@ class StandardPathPlanner:
         object.__setattr__(self, "_range", JointRange.of(robot))
         limits = JointMotionLimits(robot.max_speeds, robot.max_accelerations, robot.max_jerks)
         object.__setattr__(self, "_limits", limits)
-        object.__setattr__(self, "_work", WorkFrames(self.tools, self.frames, self.default_tool))
+        work = WorkFrames(self.tools, self.frames, self.default_tool, self.moving, self.others)
+        object.__setattr__(self, "_work", work)
 
     def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
         """Return the trajectory of a move that starts at rest at `q_start`, or why there is none.
@@ -80,6 +86,8 @@ class StandardPathPlanner:
         problems = check_values(move)
         if isinstance(X_MT, Diagnostic):
             problems = (*problems, X_MT)
+        if isinstance(move.target, Pose):
+            problems = (*problems, *self._work.out_of_hand(move.modal, span))
         if problems or isinstance(X_MT, Diagnostic):
             return Refusal(problems)
         findings = zone_findings(move)
@@ -102,11 +110,12 @@ class StandardPathPlanner:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
             return goal if isinstance(goal, Refusal) else joint_trajectory(q_start, goal, limits)
-        X_BM = self._work.frame_pose(move.modal) @ move.target @ X_MT.inverse()
         wrong = check_external(move, q_start, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
-        branches = self._branches(move, X_BM, with_external(move, q_start, self.robot))
+        there = with_external(move, q_start, self.robot)
+        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ X_MT.inverse()
+        branches = self._branches(move, X_BM, there)
         if isinstance(branches, Refusal):
             return branches
         choice = choose(self.robot, branches, q_start, self._range, limits)
@@ -119,7 +128,7 @@ class StandardPathPlanner:
 
     def _plan_line(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> LineTrajectory | Refusal:
         if isinstance(move.target, Pose):
-            X_BT = self._work.frame_pose(move.modal) @ move.target
+            X_BT = self._work.frame_pose(move.modal, q_start) @ move.target
             wrong = check_external(move, q_start, self.robot, self._range)
             if wrong:
                 return Refusal(wrong)

@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import field
 
+from ropsim.controller.moving_frames import MovingFrame
 from ropsim.core import Diagnostic, Span, did_you_mean
 from ropsim.flow import ModalState
 from ropsim.model import Tool
-from ropsim.motion import UNKNOWN_FRAME, UNKNOWN_TOOL
-from ropsim.spatial import Pose, record
+from ropsim.motion import FRAME_OF_OTHERS, UNKNOWN_FRAME, UNKNOWN_TOOL
+from ropsim.spatial import Array, Pose, record
 
 _IDENTITY = Pose()
 
@@ -18,13 +19,17 @@ class WorkFrames:
 
     Attributes:
         tools: by name.
-        frames: X_BK by name.
+        frames: X_BK of those that stand still, by name.
+        moving: those that the external axes of the robot move, by name.
+        others: names of the stations that move the other ones, by the name of the frame.
         default_tool: name of the tool in force where a program names none; empty for none.
     """
 
     tools: Mapping[str, Tool] = field(default_factory=dict)
     frames: Mapping[str, Pose] = field(default_factory=dict)
     default_tool: str = ""
+    moving: Mapping[str, MovingFrame] = field(default_factory=dict)
+    others: Mapping[str, str] = field(default_factory=dict)
 
     def tool_pose(self, modal: ModalState, span: Span | None) -> Pose | Diagnostic:
         """Return X_MT of the tool in force, or M506 where nobody gives its pose.
@@ -49,19 +54,40 @@ class WorkFrames:
             data={"tool": name},
         )
 
-    def frame_pose(self, modal: ModalState) -> Pose:
-        """Return X_BK of the task frame in force."""
-        return self.frames.get(modal.frame, modal.X_BK)
+    def frame_pose(self, modal: ModalState, q: Array) -> Pose:
+        """Return X_BK of the task frame in force.
+
+        Args:
+            modal: the modal state of the move.
+            q: joint coordinates [rad | m], shape (n,), of which those of the external axes count: where these
+                are when the move ends.
+        """
+        moving = self.moving.get(modal.frame)
+        return moving.pose(q) if moving else self.frames.get(modal.frame, modal.X_BK)
+
+    def out_of_hand(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
+        """Return M519 where another station moves the task frame in force, else nothing."""
+        if modal.frame not in self.others:
+            return ()
+        station = self.others[modal.frame]
+        finding = FRAME_OF_OTHERS.at(
+            span,
+            f"task frame `{modal.frame}` is moved by the station `{station}`, this one cannot work in it",
+            hint=f"work in it with the program of `{station}`, or give this one a frame that stands still",
+            data={"frame": modal.frame, "station": station},
+        )
+        return (finding,)
 
     def frame_findings(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
         """Return M512 where a named task frame has no pose of its own, else nothing."""
-        if not modal.frame or modal.frame in self.frames or modal.X_BK != _IDENTITY:
+        names = {*self.frames, *self.moving, *self.others}
+        if not modal.frame or modal.frame in names or modal.X_BK != _IDENTITY:
             return ()
-        known = ", ".join(f"`{frame}`" for frame in sorted(self.frames)) or "none"
+        known = ", ".join(f"`{frame}`" for frame in sorted(names)) or "none"
         finding = UNKNOWN_FRAME.at(
             span,
             f"task frame `{modal.frame}` is not defined, the frames of the cell are {known}",
-            hint=did_you_mean(modal.frame, self.frames) or f"add `[frames.{modal.frame}]` to the cell file",
+            hint=did_you_mean(modal.frame, names) or f"add `[frames.{modal.frame}]` to the cell file",
             data={"frame": modal.frame},
         )
         return (finding,)

@@ -3,9 +3,10 @@
 import math
 from collections.abc import Callable
 
+from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.handlers import Datum, Handler
-from ropsim.icr.location import composed, external_part, pose_part
-from ropsim.icr.traps import out_of_range
+from ropsim.icr.location import Location, composed, external_part, in_frame, located, pose_part, tag_of
+from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.types import Type
 from ropsim.spatial import quaternion
 
@@ -32,8 +33,8 @@ def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None
 
 
 def _make_external(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
-    location = (*stack[-count - 1][:7], *stack[-count:])
-    stack[-count - 1 :] = [location]
+    location = stack[-count - 1]
+    stack[-count - 1 :] = [located(pose_part(location), tuple(stack[-count:]), tag_of(location))]
 
 
 def _orientation(w: float, x: float, y: float, z: float) -> Datum:
@@ -45,11 +46,32 @@ def _orientation(w: float, x: float, y: float, z: float) -> Datum:
         ) from None
 
 
+def _compose(a: Location, b: Location) -> Location:
+    location = composed(a, b)
+    _finite("COMPOSE", pose_part(location))
+    return location
+
+
+def _same_frame(name: str, a: Datum, b: Datum) -> None:
+    """Trap where two poses are given in different task frames.
+
+    Raises:
+        TrapError: where one is to the other is not known.
+    """
+    one, other = tag_of(a), tag_of(b)
+    if one != other:
+        names = " and ".join(f"`{tag.name}`" if tag else "the task frame in force" for tag in (one, other))
+        message = f"`{name}` is given poses in {names}, whose places to each other change"
+        raise TrapError(kinds.POSE_UNKNOWN, message, "compare locations that are given in one frame")
+
+
 def _distance(a: Datum, b: Datum) -> float:
+    _same_frame("DIST", a, b)
     return _finite("DIST", (math.dist(a[:3], b[:3]),))[0]
 
 
 def _angle(a: Datum, b: Datum) -> float:
+    _same_frame("ANGLE", a, b)
     w, x, y, z = quaternion.multiply(quaternion.conjugate(a[3:7]), b[3:7])
     return 2.0 * math.atan2(math.hypot(x, y, z), abs(w))
 
@@ -86,7 +108,7 @@ def set_component(stack: list[Datum], _values: list[Datum], operand: Datum) -> N
     else:
         components = _components(whole, kind)
         changed = _composed((*components[:index], number, *components[index + 1 :]), kind)
-        stack[-1] = changed + external_part(whole) if kind is Type.POSE else changed
+        stack[-1] = (*changed, *whole[7:]) if kind is Type.POSE else changed
 
 
 def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
@@ -102,6 +124,8 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
         stack[-1] = _listed(_components(value, kind))
         if kind is Type.POSE and external_part(value):
             stack[-1] += f" external {_listed(external_part(value))}"
+        if kind is Type.POSE and (tag := tag_of(value)) is not None:
+            stack[-1] += f" in {tag.name}"
 
 
 def _listed(values: tuple[float, ...]) -> str:
@@ -117,7 +141,8 @@ GEOMETRY: dict[str, Handler] = {
     "MKPOSE": _make(2, lambda position, orientation: position + orientation),
     "MKJ": _make_joints,
     "MKEXT": _make_external,
-    "COMPOSE": _make(2, lambda a, b: _finite("COMPOSE", composed(a, b))),
+    "COMPOSE": _make(2, _compose),
+    "INFRAME": in_frame,
     "INV": _make(1, lambda a: _finite("INV", quaternion.invert(pose_part(a)))),
     "GETPOS": _make(1, lambda pose: pose[:3]),
     "GETORI": _make(1, lambda pose: pose[3:7]),

@@ -12,6 +12,7 @@ from ropsim.icr.handlers import (
     store_global,
     store_local,
 )
+from ropsim.icr.location import FrameTag
 from ropsim.icr.operations import OPERATIONS
 from ropsim.icr.program import Procedure, Program, Step, source_place
 from ropsim.icr.rules.flow import stacks
@@ -58,7 +59,10 @@ def _code(
         else:
             handler = HANDLERS.get(step.mnemonic) or GEOMETRY[step.mnemonic]
             operand = step.operands[0] if step.operands else None
-            code.append((handler, _value(operand) if isinstance(operand, Constant) else operand))
+            datum = _value(operand) if isinstance(operand, Constant) else operand
+            if step.mnemonic == "INFRAME":
+                datum = _frame(program, operand) if operand else None
+            code.append((handler, datum))
     return code
 
 
@@ -94,6 +98,12 @@ def _value(constant: Constant) -> Datum:
     return (*constant.value[:at], *quaternion.normalize((w, x, y, z)), *constant.value[at + 4 :])
 
 
+def _frame(program: Program, name: Datum) -> FrameTag:
+    """Return a task frame with its nominal pose; without a name the base frame."""
+    pose = next((Pose.from_tuple(one.pose) for one in program.frames if one.name == name), Pose())
+    return FrameTag(str(name), pose)
+
+
 def _operand(program: Program, step: Step) -> Datum:
     name = step.operands[0] if step.operands else None
     if step.mnemonic == "CALL":
@@ -101,7 +111,7 @@ def _operand(program: Program, step: Step) -> Datum:
         callee = program.procedures[index]
         return index, callee.name, len(callee.parameters), len(callee.locals)
     if step.mnemonic == "FRAME":
-        return name, next((Pose.from_tuple(one.pose) for one in program.frames if one.name == name), Pose())
+        return _frame(program, name)
     if step.mnemonic == "TOOL":
         poses = {one.name: one.pose for one in program.tools}
         pose = poses[str(name)] if name else Pose().as_tuple()

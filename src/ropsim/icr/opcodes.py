@@ -136,13 +136,14 @@ _TABLE = """
 0403 MKORI.Q   -        RRRR O -     [w x y z -> orientation], made a unit quaternion
 0404 MKPOSE    -        VO  P  -     [position orientation -> pose]
 0405 MKJ       count    *   J  -     joint coordinates of n reals
-0407 COMPOSE   -        PP  P  -     [X_AB X_BC -> X_AC] with the external values of X_AB, else of X_BC
-0408 INV       -        P   P  -     [X_AB -> X_BA], without external values
+0407 COMPOSE   -        PP  P  -     [X_AB X_BC -> X_AC], external values and frame of X_AB, else X_BC
+0408 INV       -        P   P  -     [X_AB -> X_BA], without external values and frame
 040A GETPOS    -        P   V  -     position of a pose
 040B GETORI    -        P   O  -     orientation of a pose
 040C DIST      -        PP  R  -     distance of the origins of two poses [m]
 040D ANGLE     -        PP  R  -     angle between the orientations of two poses [rad], 0 .. pi
 040E CURPOSE   -        -   P  -     pose commanded last, X_KT, in the frame and for the tool in force
+0410 INFRAME   frame    P   P  -     [pose -> the same numbers in a task frame of its own]; - for none
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)
 0413 SETC      index    *   *  -     [value real -> value with component i replaced]
 0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes] [rad | m]

@@ -16,6 +16,7 @@ from ropsim.kinematics.forward import forward_batch as forward_batch
 from ropsim.kinematics.forward import frames_batch as frames_batch
 from ropsim.kinematics.forward import frames_of_steps as frames_of_steps
 from ropsim.kinematics.forward import joint_frames as joint_frames
+from ropsim.kinematics.frame_poses import frame_poses as frame_poses
 from ropsim.kinematics.ground import Ground as Ground
 from ropsim.kinematics.ground import ground_of as ground_of
 from ropsim.kinematics.ground import standings_at_start as standings_at_start

@@ -28,10 +28,14 @@ class Environment:
     """The names that a cell and a library give to programs.
 
     Attributes:
-        frames: pose of each frame in the base frame [m, unit quaternion w x y z].
+        frames: pose of each frame in the base frame [m, unit quaternion w x y z]; of one that moves where it
+            is at the start.
+        moving: names of the frames that external axes move.
         tools: pose of each tool in the mechanical interface frame.
         default_tool: tool in force at the start, empty for none.
-        locations: poses in the base frame, with values of external axes behind them where they have some.
+        locations: poses in the base frame, or in the frame that `located` names, with values of external axes
+            behind them where they have some.
+        located: names of the frames that move in which locations are given, by the name of the location.
         signals: channels by name.
         tasks: library tasks by name.
         length: metres per bare unit where a text has no `units` line for lengths.
@@ -53,6 +57,8 @@ class Environment:
     frame: str = ""
     axes: tuple[str, ...] = ()
     external: tuple[str, ...] = ()
+    moving: frozenset[str] = frozenset()
+    located: Mapping[str, str] = field(default_factory=dict)
 
 
 NO_SIGNATURES = Environment()

@@ -49,8 +49,7 @@ def _about(
     around = workshop.surroundings(document, documents)
     for one in names.of_cell(around):
         if one.name == word:
-            where = names.frame_note(one.role, around.cell)
-            told = [f"{one.text} {where}".strip(), *([one.note] if one.note else [])]
+            told = [f"{one.text} {one.where}".strip(), *([one.note] if one.note else [])]
             return [f"**{plain(word)}**: {one.role.value} of the cell", *map(plain, told)]
     known = words.meaning_of(word)
     return [_code(known.form), plain(known.meaning)] if known is not None else []

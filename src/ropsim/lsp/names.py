@@ -9,7 +9,7 @@ from ropsim.language import Definition, Outline, Role, TaskForm
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Surroundings
-from ropsim.model import Cell, JointType, Signal, Station, in_base
+from ropsim.model import WORLD, JointType, Signal, Station, in_base, still_frames
 from ropsim.spatial import Pose, quaternion
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -24,6 +24,7 @@ class Known:
         role: what it stands for.
         text: the most important about it on one line.
         origin: `cell` or `text`.
+        where: in which frame its pose is given, empty for what has none.
         note: what else there is to say; may be empty.
     """
 
@@ -31,6 +32,7 @@ class Known:
     role: Role
     text: str
     origin: str
+    where: str = ""
     note: str = ""
 
 
@@ -48,13 +50,19 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
     cell, station = around.cell, around.station
     if cell is None or station is None:
         return
-    for name, pose in in_base(station.X_WB, cell.locations).items():
+    still = {name: pose for name, pose in cell.locations.items() if name not in cell.located}
+    places = {name: (pose, "in the base frame") for name, pose in in_base(station.X_WB, still).items()}
+    places |= {name: (cell.locations[name], f"in the frame {frame}") for name, frame in cell.located.items()}
+    for name, (pose, where) in places.items():
         note = external_words(station, cell.external_at(name, station))
-        yield Known(name, Role.LOCATION, pose_words(pose), "cell", note)
-    for name, pose in in_base(station.X_WB, cell.frames).items():
-        yield Known(name, Role.FRAME, pose_words(pose), "cell")
+        yield Known(name, Role.LOCATION, pose_words(pose), "cell", where, note)
+    for name, pose in in_base(station.X_WB, still_frames(cell.frames)).items():
+        yield Known(name, Role.FRAME, pose_words(pose), "cell", "in the base frame")
+    for name, one in cell.frames.items():
+        if one.parent != WORLD:
+            yield Known(name, Role.FRAME, pose_words(one.X_PK), "cell", f"on {one.parent}, which moves")
     for name, tool in station.tools.items():
-        yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell")
+        yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell", "in the mechanical interface")
     for name, signal in cell.signals.items():
         yield Known(name, Role.SIGNAL, signal_words(signal), "cell")
 
@@ -92,13 +100,6 @@ def signal_words(signal: Signal) -> str:
     sort = "analog " if signal.analog else ""
     first = f"{signal.initial:g}" if signal.analog else ("on" if signal.initial else "off")
     return f"{sort}{'input' if signal.is_input else 'output'}, {first} at the start"
-
-
-def frame_note(role: Role, cell: Cell | None) -> str:
-    """Return in which frame the pose of a name of the cell is given."""
-    if cell is None or role is Role.SIGNAL:
-        return ""
-    return "in the mechanical interface" if role is Role.TOOL else "in the base frame"
 
 
 def task_notes(outline: Outline, name: str) -> tuple[str, ...]:

@@ -65,6 +65,8 @@ from ropsim.model.drive import Transmission as Transmission
 from ropsim.model.drive import VoltageAmplifier as VoltageAmplifier
 from ropsim.model.drive import ideal_drive as ideal_drive
 from ropsim.model.external_values import ExternalValues as ExternalValues
+from ropsim.model.frame import Frame as Frame
+from ropsim.model.frame import still_frames as still_frames
 from ropsim.model.geometry import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry import Box as Box
 from ropsim.model.geometry import Cylinder as Cylinder

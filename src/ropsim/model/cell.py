@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from ropsim.model.device import Device
 from ropsim.model.external_values import ExternalValues
+from ropsim.model.frame import Frame
 from ropsim.model.part import Part
 from ropsim.model.signal import Signal
 from ropsim.model.station import Station
@@ -35,8 +36,9 @@ class Cell:
         name: of the project.
         stations: robots under their controllers, by name, at least one.
         devices: what moves beside the robots, by name.
-        frames: task frames X_WK by name.
-        locations: named points (tool poses X_WT) by name.
+        frames: task frames by name.
+        locations: named points (tool poses X_WT) by name; of one that is given in a frame that moves X_KT.
+        located: names of the frames that move in which locations are given, by the name of the location.
         parts: what can be grasped.
         objects: what stands around.
         sinks: where parts leave.
@@ -49,8 +51,9 @@ class Cell:
     name: str
     stations: Mapping[str, Station]
     devices: Mapping[str, Device] = field(default_factory=dict)
-    frames: Mapping[str, Pose] = field(default_factory=dict)
+    frames: Mapping[str, Frame] = field(default_factory=dict)
     locations: Mapping[str, Pose] = field(default_factory=dict)
+    located: Mapping[str, str] = field(default_factory=dict)
     parts: tuple[Part, ...] = ()
     objects: tuple[FixedObject, ...] = ()
     sinks: tuple[Sink, ...] = ()

@@ -1,6 +1,7 @@
 """Trajectories: jerk-limited profiles, synchronous pose-to-pose motion, straight lines; their findings."""
 
 from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
+from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
 from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE
 from ropsim.motion.diagnostics import MOVE_TOO_LONG as MOVE_TOO_LONG
 from ropsim.motion.diagnostics import OUT_OF_REACH as OUT_OF_REACH

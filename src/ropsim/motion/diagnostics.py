@@ -152,6 +152,22 @@ of the base frame. The move is made in base coordinates, which is seldom what wa
 """,
 )
 
+FRAME_OF_OTHERS = define(
+    "M519",
+    "frame-of-others",
+    Severity.ERROR,
+    "a move in a task frame that another station moves",
+    """
+The task frame lies on the positioner, or on the carriage of the track, of another station. Where it is when a
+move ends is known to the controller of that station only, so this one cannot plan a move in it. The move is
+skipped.
+
+**How to mend it.** A station can work in frames that stand still and in those on its own external axes. Let
+the other station turn its positioner to a known place and tell so by a signal, and give this one a frame in
+the world that describes the fixture there.
+""",
+)
+
 MOVE_TOO_LONG = define(
     "M513",
     "move-too-long",

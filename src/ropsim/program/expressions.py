@@ -119,6 +119,19 @@ class CommandPose:
 
 
 @dataclass(frozen=True, slots=True)
+class InFrame:
+    """A POSE whose numbers are given in a frame of its own, in whatever frame the program works.
+
+    Where a frame moves, as on a positioner, its place is known only when the move is planned. Without a name
+    the numbers are those of the frame in force.
+    """
+
+    operand: "Expression"
+    frame: str
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
 class Home:
     """The home position of the arm; only as the target of a PTP move."""
 
@@ -138,5 +151,6 @@ Expression = (
     | MakeExternal
     | MakeJoints
     | CommandPose
+    | InFrame
     | Home
 )

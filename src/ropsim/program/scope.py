@@ -18,6 +18,7 @@ class Used:
     signals: Mapping[str, SignalUse]
     channels: dict[str, IoChannel] = field(default_factory=dict)
     tools: dict[str, None] = field(default_factory=dict)
+    frames: dict[str, None] = field(default_factory=dict)
     axes: int | None = None
 
     @classmethod
@@ -100,6 +101,17 @@ class Scope:
             raise unsound(f"signal `{name}` is not declared")
         letters = ("D" if signal.type is Type.BOOL else "A") + ("I" if signal.is_input else "O")
         return self.used.channels.setdefault(name, IoChannel(name, letters, signal.type))
+
+    def frame(self, name: str) -> str:
+        """Return the name of a frame in which locations are given, and note its use.
+
+        Raises:
+            LoweringError: there is no such frame.
+        """
+        if name not in self.program.frames:
+            raise unsound(f"frame `{name}` is not declared")
+        self.used.frames.setdefault(name)
+        return name
 
     def callee(self, name: str) -> Task:
         """Return a task and note the call.

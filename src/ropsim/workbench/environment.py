@@ -1,8 +1,12 @@
 """What programs can name in a cell, for the compiler."""
 
+from collections.abc import Mapping
+
+from ropsim.kinematics import frame_poses
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import Cell, JointType, Station, in_base
+from ropsim.model import WORLD, Cell, JointType, Station, in_base
 from ropsim.program import SignalUse, ValueType
+from ropsim.spatial import Pose, PoseTuple
 
 _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 
@@ -10,7 +14,8 @@ _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 def environment_of(cell: Cell | None, station: Station | None = None) -> Environment:
     """Return frames, tools, locations and signals of a cell as the compiler's environment.
 
-    Programs give poses in the base frame B of their robot, so frames are X_BK and locations X_BT here.
+    Programs give poses in the base frame B of their robot, so frames are X_BK and locations X_BT here. A
+    frame that external axes move has the pose that it has at the start, and a location in it is X_KT.
 
     Args:
         cell: None for a program without one.
@@ -19,13 +24,15 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
     if cell is None:
         return NO_SIGNATURES
     at = station or cell.first
+    still = {name: pose for name, pose in cell.locations.items() if name not in cell.located}
+    relative = {name: cell.locations[name] for name in cell.located}
     return Environment(
-        frames={name: pose.as_tuple() for name, pose in in_base(at.X_WB, cell.frames).items()},
+        frames=_tuples(in_base(at.X_WB, frame_poses(cell))),
         tools={name: tool.X_MT.as_tuple() for name, tool in at.tools.items()},
         default_tool=at.default_tool,
         locations={
             name: (*pose.as_tuple(), *cell.external_at(name, at))
-            for name, pose in in_base(at.X_WB, cell.locations).items()
+            for name, pose in {**in_base(at.X_WB, still), **relative}.items()
         },
         signals={
             name: SignalUse(name, signal.is_input, ValueType.REAL if signal.analog else ValueType.BOOL)
@@ -36,4 +43,10 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         frame=cell.classic.frame,
         axes=tuple(_MEASURES[joint.measure] for joint in at.robot.axis_joints),
         external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
+        moving=frozenset(name for name, frame in cell.frames.items() if frame.parent != WORLD),
+        located=cell.located,
     )
+
+
+def _tuples(poses: Mapping[str, Pose]) -> dict[str, PoseTuple]:
+    return {name: pose.as_tuple() for name, pose in poses.items()}

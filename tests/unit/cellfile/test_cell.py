@@ -43,12 +43,12 @@ def test_name_and_default_program_come_from_the_section_cell() -> None:
 def test_lengths_are_in_the_unit_of_the_file(unit: str, metres: float) -> None:
     cell = cell_of(f'[units]\nlength = "{unit}"\n[frames.f]\nposition = [1, -2, 0.5]\n')
     expected = metres * np.array([1.0, -2.0, 0.5])
-    assert np.allclose(cell.frames["f"].position, expected, rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.frames["f"].X_PK.position, expected, rtol=0, atol=POSE_TOLERANCE)
 
 
 def test_angles_may_be_in_radians() -> None:
     cell = cell_of('[units]\nangle = "rad"\n[frames.f]\nposition = [0, 0, 0]\nrpy = [0, 0, 1.5]\n')
-    assert cell.frames["f"].orientation[3] == pytest.approx(math.sin(0.75))
+    assert cell.frames["f"].X_PK.orientation[3] == pytest.approx(math.sin(0.75))
 
 
 def test_rpy_turns_about_the_fixed_axes_x_then_y_then_z() -> None:
@@ -57,13 +57,13 @@ def test_rpy_turns_about_the_fixed_axes_x_then_y_then_z() -> None:
     rx = np.array([[1, 0, 0], [0, math.cos(a), -math.sin(a)], [0, math.sin(a), math.cos(a)]])
     ry = np.array([[math.cos(b), 0, math.sin(b)], [0, 1, 0], [-math.sin(b), 0, math.cos(b)]])
     rz = np.array([[math.cos(c), -math.sin(c), 0], [math.sin(c), math.cos(c), 0], [0, 0, 1]])
-    assert np.allclose(cell.frames["f"].rotation(), rz @ ry @ rx, rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.frames["f"].X_PK.rotation(), rz @ ry @ rx, rtol=0, atol=POSE_TOLERANCE)
 
 
 def test_a_quaternion_may_replace_rpy() -> None:
     cell = cell_of("[frames.f]\nposition = [0, 0, 0]\nquaternion = [0.7071, 0, 0, 0.7071]\n")
     assert np.allclose(
-        cell.frames["f"].orientation, [math.sqrt(0.5), 0, 0, math.sqrt(0.5)], rtol=0, atol=1e-9
+        cell.frames["f"].X_PK.orientation, [math.sqrt(0.5), 0, 0, math.sqrt(0.5)], rtol=0, atol=1e-9
     )
 
 
@@ -77,7 +77,7 @@ def test_file_and_cell_speak_of_the_world_wherever_the_base_stands() -> None:
     )
     cell = cell_of(text)
     assert np.allclose(cell.first.X_WB.position, [0.1, 0, 0], rtol=0, atol=POSE_TOLERANCE)
-    assert np.allclose(cell.frames["f"].position, [0.1, 0.2, 0.3], rtol=0, atol=POSE_TOLERANCE)
+    assert np.allclose(cell.frames["f"].X_PK.position, [0.1, 0.2, 0.3], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.locations["l"].position, [0, 0, 0], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.sinks[0].position, [0.1, 0.05, 0], rtol=0, atol=POSE_TOLERANCE)
     assert np.allclose(cell.parts[0].X_WO.position, [0.11, 0, 0], rtol=0, atol=POSE_TOLERANCE)

@@ -30,7 +30,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, stations, devices = (read_cell(SourceText("", one), "")[0] for one in EXAMPLES)
+    first, external, stations, devices, frames = (read_cell(SourceText("", one), "")[0] for one in EXAMPLES)
     assert first is not None
     assert len(first.parts) == 37
     assert external is not None
@@ -40,11 +40,23 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert list(stations.stations) == ["left", "right"]
     assert devices is not None
     assert list(devices.devices) == ["belt", "door", "table"]
+    assert frames is not None
+    assert frames.located == {"corner": "fixture"}
 
 
 def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
     asked: set[str] = set()
-    for section in ("cell", "units", "robot", "controller", "tools.a", "locations.a", "signals.a", "classic"):
+    for section in (
+        "cell",
+        "units",
+        "robot",
+        "controller",
+        "tools.a",
+        "locations.a",
+        "frames.a",
+        "signals.a",
+        "classic",
+    ):
         text = f'[robot]\nmodel = "puma560"\n[{section}]\nqqqqqqqqqqqq = 1\n'
         if section == "robot":
             text = '[robot]\nmodel = "puma560"\nqqqqqqqqqqqq = 1\n'

@@ -113,7 +113,7 @@ def test_a_planner_with_the_drive_transform_swings_the_tool_in_a_plane() -> None
 
 def test_targets_are_meant_in_the_task_frame_of_the_cell() -> None:
     X_BT = shifted(interface_pose(START), 0.05, 0.0, 0.0)
-    X_KT = CELL.frames["pallet"].inverse() @ X_BT
+    X_KT = CELL.frames["pallet"].X_PK.inverse() @ X_BT
     nominal = Pose(np.array([9.0, 9.0, 9.0]))  # overridden by the cell
     move = planned(ptp(X_KT, ModalState(frame="pallet", X_BK=nominal)))
     assert np.abs(interface_pose(move.q_end).matrix() - X_BT.matrix()).max() < AT_SAMPLES

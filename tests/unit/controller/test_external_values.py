@@ -11,7 +11,7 @@ from ropsim.controller import MotionChain, Refusal, plan_move
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, posture
-from ropsim.model import RobotModel, Tool, beside, on_track
+from ropsim.model import Frame, RobotModel, Tool, beside, on_track
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 from support.motion import CHAIN, LINE, PASS, PUMA, START, interface_pose, lin, planned, ptp
@@ -31,7 +31,7 @@ CASES = [(robot, seed) for robot in (TRACK, BOTH) for seed in range(12)]
 def chain(robot: RobotModel) -> MotionChain:
     controller = robots.default_controller(robot)
     tools = {"torch": Tool("torch", X_MT)}
-    return chain_of(one_station("test", robot, controller, tools=tools, frames={"pallet": X_BK}))
+    return chain_of(one_station("test", robot, controller, tools=tools, frames={"pallet": Frame(X_BK)}))
 
 
 CHAINS = {robot.n: chain(robot) for robot in (TRACK, BOTH)}

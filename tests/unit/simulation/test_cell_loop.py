@@ -8,7 +8,7 @@ import pytest
 import ropsim
 from ropsim.flow import GripEvent, MoveEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward
-from ropsim.model import Cell, Gripper, Part, Tool
+from ropsim.model import Cell, Frame, Gripper, Part, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
@@ -151,11 +151,11 @@ def test_a_cell_that_is_moved_as_a_whole_makes_the_same_run(cell: Cell) -> None:
     """The program speaks in the base frame: nothing of the run tells where in the world the base stands."""
     moved = Pose(np.array([1.5, -0.7, 0.4]), np.array([0.8, 0.0, 0.0, 0.6]))
     (box,) = cell.parts
-    here = replace(cell, frames={"k": Pose(np.array([0.45, 0.0, 0.3]))})
+    here = replace(cell, frames={"k": Frame(Pose(np.array([0.45, 0.0, 0.3])))})
     there = replace(
         with_station(here, X_WB=moved),
         parts=(replace(box, X_WO=moved @ box.X_WO),),
-        frames={name: moved @ pose for name, pose in here.frames.items()},
+        frames={name: Frame(moved @ one.X_PK) for name, one in here.frames.items()},
     )
     lines = ("mov (450, -150, 100)", "close", "mov (0, 0, 20) in k", "open", "mov home")
     one, other = ran(here, *lines), ran(there, *lines)

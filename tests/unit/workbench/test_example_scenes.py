@@ -54,7 +54,7 @@ def test_every_place_of_the_pallet_is_carried_at_some_of_its_corners() -> None:
     corners = [np.array([i * half[0], j * half[1], 0.0]) for i in (-1, 1) for j in (-1, 1)]
     for row in range(6):
         for column in range(6):
-            place = (cell.frames["pallet"] @ Pose(np.array([0.075 * column, 0.075 * row, 0.0]))).position
+            place = (cell.frames["pallet"].X_PK @ Pose(np.array([0.075 * column, 0.075 * row, 0.0]))).position
             assert sum(rests(cell, place + corner) for corner in corners) >= 2
 
 

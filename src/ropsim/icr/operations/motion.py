@@ -1,5 +1,7 @@
 """Operations of motion and gripper, and the pose commanded last."""
 
+from dataclasses import replace
+
 from ropsim.flow import (
     GripAction,
     GripInstruction,
@@ -9,7 +11,7 @@ from ropsim.flow import (
     SyncInstruction,
 )
 from ropsim.icr import trap_kinds as kinds
-from ropsim.icr.location import Location, composed, external_part, pose_part
+from ropsim.icr.location import Location, composed, external_part, pose_part, tag_of
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Commanded, Finished, Registers
 from ropsim.icr.traps import TrapError
@@ -27,10 +29,10 @@ def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
     target = registers.stack.pop()
     registers.commanded = Commanded(target, registers.modal)
     kind = MotionKind.LIN if site.mnemonic == "MOVE.LIN" else MotionKind.PTP
-    origin = registers.origin(site.key, site.span)
-    return MoveInstruction(
-        kind, Pose.from_tuple(pose_part(target)), registers.modal, origin, external_part(target)
-    )
+    origin, modal, tag = registers.origin(site.key, site.span), registers.modal, tag_of(target)
+    if tag is not None:
+        modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
+    return MoveInstruction(kind, Pose.from_tuple(pose_part(target)), modal, origin, external_part(target))
 
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -62,13 +64,13 @@ def _seen_now(registers: Registers) -> Location:
     """Return the pose commanded last, X_KT for the frame and the tool in force now.
 
     The values of external axes that were commanded with it stay with it: the axes are still there, as every
-    other way to move them leaves no pose commanded.
+    other way to move them leaves no pose commanded. A location in a task frame of its own is still in that.
     """
     if registers.commanded is None:
         raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", "move to a pose before")
     target, then = registers.commanded
     now = registers.modal
-    if then.frame != now.frame or then.X_BK != now.X_BK:
+    if tag_of(target) is None and (then.frame != now.frame or then.X_BK != now.X_BK):
         X_BT = composed(then.X_BK.as_tuple(), target)
         target = composed(quaternion.invert(now.X_BK.as_tuple()), X_BT)
     if then.tool != now.tool or then.X_MT != now.X_MT:

@@ -66,7 +66,7 @@ def set_mode(body: Body, node: syntax.SetMode) -> Block:
     """Return a modal setting; `set frame` acts on the literals that follow and leaves nothing to run."""
     if node.setting.word == "frame":
         assert node.setting.name is not None
-        body.X_KC = body.frame(node.setting.name)
+        body.X_KC, body.moving = body.frame(node.setting.name)
         return ()
     return (Set(settings.gather(body, (node.setting,)), body.statement_span),)
 

@@ -44,7 +44,8 @@ class Body:
         result: type of the value to return, or None.
         task: name of the task, empty for the control statements.
         line: the line in hand.
-        X_KC: frame of literals, in the work frame.
+        X_KC: frame of literals, in the work frame; the identity where that frame moves.
+        moving: name of the frame of literals where it moves, empty where it stands still.
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
@@ -67,6 +68,7 @@ class Body:
         self.task = task
         self.line = Line.empty()
         self.X_KC: PoseTuple = IDENTITY
+        self.moving = ""
         self.loops: list[Loop] = []
         self.depth = 0
         self.is_tolerant = False
@@ -117,18 +119,20 @@ class Body:
         if self.find(name) is None:
             self.names[name] = Poison()
 
-    def frame(self, name: Name) -> PoseTuple:
-        """Return X_KF of a frame by name.
+    def frame(self, name: Name) -> tuple[PoseTuple, str]:
+        """Return X_KF of a frame by name; of one that moves the identity, and its name.
 
         Raises:
             RejectedError: there is no such frame.
         """
+        if name.text in self.world.environment.moving:
+            return IDENTITY, name.text
         frames = self.world.frames
         if name.text == "base" and "base" not in frames:
-            return quaternion.invert(self.world.X_BK)
+            return quaternion.invert(self.world.X_BK), ""
         if name.text not in frames:
             self.unknown(kinds.UNKNOWN_FRAME, name, "frame", (*frames, "base"))
-        return quaternion.compose(quaternion.invert(self.world.X_BK), frames[name.text])
+        return quaternion.compose(quaternion.invert(self.world.X_BK), frames[name.text]), ""
 
     def tool(self, name: Name) -> str:
         """Return the name of a tool that exists.
@@ -157,13 +161,14 @@ class Body:
     # --- scopes
 
     @contextmanager
-    def in_frame(self, X_KC: PoseTuple) -> Iterator[None]:
-        """Read literals in another frame for a while."""
-        before, self.X_KC = self.X_KC, X_KC
+    def in_frame(self, X_KC: PoseTuple, moving: str) -> Iterator[None]:
+        """Read literals in another frame for a while; `frame` tells what it is."""
+        before = self.X_KC, self.moving
+        self.X_KC, self.moving = X_KC, moving
         try:
             yield
         finally:
-            self.X_KC = before
+            self.X_KC, self.moving = before
 
     @contextmanager
     def in_loop(self, loop: Loop) -> Iterator[None]:

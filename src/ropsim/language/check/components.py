@@ -5,7 +5,7 @@ import math
 from ropsim.language.check import fold
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import POSE, Type, Value, known
-from ropsim.program import Constant, Expression, Unary, ValueType
+from ropsim.program import Constant, Expression, InFrame, Unary, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
@@ -19,7 +19,12 @@ UPRIGHT = fold.zyx(fold.real(0.0), fold.real(0.0), fold.real(0.0))
 
 
 def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expression:
-    """Return X_CT of a location X_KT: the numbers it has in the frame in force."""
+    """Return X_CT of a location X_KT: the numbers it has in the frame in force.
+
+    A location in a frame that moves has the numbers that it has there.
+    """
+    if isinstance(location_in_work_frame, InFrame):
+        return location_in_work_frame.operand
     return fold.compose(fold.pose(quaternion.invert(body.X_KC)), location_in_work_frame)
 
 
@@ -34,7 +39,7 @@ def polar(
     body: Body, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
 ) -> Expression:
     """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth."""
-    X_BC = quaternion.compose(body.world.X_BK, body.X_KC)
+    X_BC = fold.IDENTITY if body.moving else quaternion.compose(body.world.X_BK, body.X_KC)
     if yaw is None:
         point = fold.compose(fold.pose(X_BC), fold.make_pose(position, UPRIGHT))
         yaw = fold.binary("atan2", fold.component(point, 1), fold.component(point, 0), ValueType.REAL)
@@ -51,6 +56,7 @@ def _turn(q: quaternion.Quaternion) -> Expression:
 
 def position_of(expression: Expression) -> Expression:
     """Return the VEC of a POSE."""
+    expression = fold.without_frame(expression)
     value = fold.pose_of(expression)
     if value is not None:
         return Constant(value[:3], ValueType.VEC)
@@ -59,6 +65,7 @@ def position_of(expression: Expression) -> Expression:
 
 def orientation_of(expression: Expression) -> Expression:
     """Return the ORI of a POSE."""
+    expression = fold.without_frame(expression)
     value = fold.pose_of(expression)
     if value is not None:
         return Constant(value[3:], ValueType.ORI)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from types import NoneType
 
-from ropsim.icr import composed, external_part, pose_part
+from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, poses, values
 from ropsim.language.check.body import Body, RejectedError
@@ -18,7 +18,7 @@ from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
-from ropsim.program import SignalUse, ValueType
+from ropsim.program import InFrame, SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 
@@ -40,10 +40,17 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     )
     X_KB = quaternion.invert(X_BK)
     for name, X_BL in environment.locations.items():
-        result.symbols[name] = Value(fold.pose(composed(X_KB, X_BL)), POSE)
+        result.symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL)
     result.symbols.update(environment.signals)
     _declare_all(result, top, report)
     return result
+
+
+def _location(moving: str, X_KB: PoseTuple, pose: Location) -> Value:
+    """Return a location of the cell in the work frame, or in the frame `moving` that it is given in."""
+    if moving:
+        return Value(fold.in_frame(fold.pose(pose), moving), POSE, X_KF=fold.IDENTITY)
+    return Value(fold.pose(composed(X_KB, pose)), POSE)
 
 
 def _units(top: Iterable[Line], environment: Environment) -> UnitSystem:
@@ -92,7 +99,7 @@ def _frames(
         ):
             name = node.setting.name.text
             chosen = name if name in frames else chosen
-            chosen = "" if name == "base" and name not in frames else chosen
+            chosen = "" if (name == "base" and name not in frames) or name in environment.moving else chosen
             break
     return frames, frames.get(chosen, fold.IDENTITY), chosen if chosen in frames else ""
 
@@ -174,8 +181,9 @@ def _symbol(body: Body, node: _SymbolNode) -> Symbol:
 
 
 def _fixed(body: Body, value: Value, node: nodes.Node, what: str) -> Value:
-    expression = convert.constant(body, value.expression, node, what)
-    return Value(expression, value.type, value.is_bare, value.X_KF)
+    numbers = convert.constant(body, fold.without_frame(value.expression), node, what)
+    moving = value.expression.frame if isinstance(value.expression, InFrame) else ""
+    return Value(fold.in_frame(numbers, moving), value.type, value.is_bare, value.X_KF)
 
 
 def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
@@ -195,14 +203,9 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         if number is None or not 1 <= number <= 10_000:
             body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
         counts[k] = int(number)
-    origin = fold.location_of(
-        convert.constant(
-            body,
-            values.expect(body, node.origin, POSE, "the first location"),
-            node.origin,
-            "the first location",
-        )
-    )
+    first = values.expect(body, node.origin, POSE, "the first location")
+    numbers = convert.constant(body, fold.without_frame(first), node.origin, "the first location")
+    origin = fold.location_of(numbers)
     assert origin is not None
     checked = values.check(body, node.origin)
     X_KF = checked.X_KF if checked.X_KF is not None else body.X_KC
@@ -215,13 +218,19 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
     order = node.order.text if node.order is not None else "row"
     size = (counts[0], counts[1], counts[2])
-    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin))
+    moving = first.frame if isinstance(first, InFrame) else ""
+    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving)
 
 
 def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
     if isinstance(node, nodes.Rebase):
         inner = _constant_pose(body, node.operand, what)
-        return quaternion.compose(body.frame(node.frame), inner)
+        X_KF, moving = body.frame(node.frame)
+        if moving:
+            message = f"{what} cannot be given in `{moving}`, which an external axis moves"
+            hint = "describe it in the cell file, with the same `parent`"
+            body.fail(name_kinds.FRAME_MOVES, node.frame, message, hint)
+        return quaternion.compose(X_KF, inner)
     value = fold.location_of(convert.constant(body, poses.transform(body, node), node, what))
     assert value is not None
     if external_part(value):

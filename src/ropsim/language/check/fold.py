@@ -9,6 +9,7 @@ from ropsim.program import (
     Component,
     Constant,
     Expression,
+    InFrame,
     MakeExternal,
     MakePose,
     MakeVector,
@@ -184,8 +185,23 @@ def make_pose(position: Expression, orientation: Expression) -> Expression:
     return MakePose(position, orientation)
 
 
+def in_frame(operand: Expression, frame: str) -> Expression:
+    """Return a POSE whose numbers are those of `operand` in a frame of its own; without a name, in none."""
+    operand = without_frame(operand)
+    return operand if isinstance(operand, Constant) and not frame else InFrame(operand, frame)
+
+
+def without_frame(operand: Expression) -> Expression:
+    """Return the numbers of a POSE alone, where it is known that it has a frame of its own."""
+    return operand.operand if isinstance(operand, InFrame) else operand
+
+
 def compose(left: Expression, right: Expression) -> Expression:
     """Return X_AC from X_AB and X_BC, with the values of external axes of the one that has some."""
+    if isinstance(left, InFrame):
+        return InFrame(compose(left.operand, without_frame(right)), left.frame)
+    if isinstance(right, InFrame):
+        return InFrame(compose(left, right.operand), right.frame)
     a, b = location_of(left), location_of(right)
     if a == IDENTITY:
         return right
@@ -198,6 +214,8 @@ def compose(left: Expression, right: Expression) -> Expression:
 
 def external(location: Expression, values: tuple[Expression, ...]) -> Expression:
     """Return a POSE with REAL values of external axes in place of those that it may have."""
+    if isinstance(location, InFrame):
+        return InFrame(external(location.operand, values), location.frame)
     pose_now, numbers = pose_of(location), [number_of(e) for e in values]
     if pose_now is None or None in numbers:
         return MakeExternal(location, values)
@@ -206,6 +224,7 @@ def external(location: Expression, values: tuple[Expression, ...]) -> Expression
 
 def component(operand: Expression, index: int) -> Expression:
     """Return component `index` (x y z, then rx ry rz) of a POSE."""
+    operand = without_frame(operand)
     value = pose_of(operand)
     if value is None:
         return Component(operand, index)

@@ -187,7 +187,8 @@ class _Nest:
         orientation = Constant(self.pattern.origin[3:], ValueType.ORI)
         pose = fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
         values = tuple(map(fold.real, self.pattern.external))
-        return fold.external(pose, values) if values else pose
+        location = fold.external(pose, values) if values else pose
+        return fold.in_frame(location, self.pattern.moving) if self.pattern.moving else location
 
     def _int(self, counter: str) -> Expression:
         return VariableExpression(f"{self.name}__{counter}", _INT)

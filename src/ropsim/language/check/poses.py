@@ -13,6 +13,8 @@ from ropsim.spatial import quaternion
 def location(body: Body, node: nodes.Tuple) -> Value:
     """Return the location of a tuple, read in the frame in force and given in the work frame.
 
+    In a frame that moves it is given in that one.
+
     Three numbers are a position with the tool pointing down, or with the orientation after `;`. Five are
     x, y, z, pitch, roll: R = Rz(atan2(y, x))·Ry(pitch)·Rx(roll) in the base frame, the approach direction
     along its +X. Six are x, y, z, roll, pitch, yaw with R = Rz(yaw)·Ry(pitch)·Rx(roll).
@@ -21,7 +23,8 @@ def location(body: Body, node: nodes.Tuple) -> Value:
         RejectedError: the tuple is not a location.
     """
     X_CT = _pose(body, node, Constant(components.DOWN, ValueType.ORI))
-    return Value(fold.compose(fold.pose(body.X_KC), X_CT), POSE, X_KF=body.X_KC)
+    X_KT = fold.compose(fold.pose(body.X_KC), X_CT)
+    return Value(fold.in_frame(X_KT, body.moving) if body.moving else X_KT, POSE, X_KF=body.X_KC)
 
 
 def transform(body: Body, node: nodes.Node) -> Expression:
@@ -68,10 +71,11 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
 
 def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
     """Return `A in F`: the numbers that A has in the frame in force, read in F."""
-    X_KF = body.frame(node.frame)
+    X_KF, moving = body.frame(node.frame)
     base = convert.to(body, value, POSE, node.operand, "the left side of `in`")
     change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
-    return Value(fold.compose(change, base), POSE, X_KF=X_KF)
+    X_KT = fold.compose(change, base)
+    return Value(fold.in_frame(X_KT, moving) if body.world.environment.moving else X_KT, POSE, X_KF=X_KF)
 
 
 def with_external(body: Body, value: Value, node: nodes.External) -> Value:

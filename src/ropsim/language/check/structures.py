@@ -19,7 +19,7 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
 
     A `set frame` holds up to the end of these items.
     """
-    before = body.X_KC
+    before = body.X_KC, body.moving
     body.depth += 1
     result: list[Statement] = []
     for item in items:
@@ -31,7 +31,7 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
             )
         except RejectedError:
             lines.poison_targets(body, line.statement)
-    body.X_KC = before
+    body.X_KC, body.moving = before
     body.depth -= 1
     return tuple(result)
 
@@ -122,8 +122,9 @@ def _for(body: Body, section: Section, node: syntax.For) -> Block:
 def _with(body: Body, section: Section, node: syntax.With) -> Block:
     chosen = settings.gather(body, node.settings)
     frames = [s for s in node.settings if s.word == "frame" and s.name is not None]
-    X_KC = body.frame(frames[0].name) if frames and frames[0].name else body.X_KC
-    with body.in_frame(X_KC):
+    here = body.X_KC, body.moving
+    X_KC, moving = body.frame(frames[0].name) if frames and frames[0].name else here
+    with body.in_frame(X_KC, moving):
         inner = walk(body, section.body)
     body.line = section.header
     return inner if chosen.is_empty else (With(chosen, inner, body.statement_span),)

@@ -49,10 +49,11 @@ class Pattern:
 
     Attributes:
         counts: columns, rows, layers; 1 where not given.
-        origin: first location, in the work frame.
-        steps: shift per column, row and layer in the work frame [m], three vectors.
+        origin: first location, in the work frame, or in the one that `moving` names.
+        steps: shift per column, row and layer in that frame [m], three vectors.
         order: `row` (a row is filled first), `column` or `snake`.
         external: values of external axes that all locations have [rad | m]; empty for none.
+        moving: name of the frame that moves in which it is given, empty for none.
     """
 
     counts: tuple[int, int, int]
@@ -60,6 +61,7 @@ class Pattern:
     steps: tuple[tuple[float, float, float], ...]
     order: str
     external: tuple[float, ...] = ()
+    moving: str = ""
 
 
 @dataclass(frozen=True, slots=True)

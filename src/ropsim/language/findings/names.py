@@ -163,3 +163,25 @@ the same name, the pose of the cell is used everywhere, and the declaration chan
 Remove the declaration, or give it a name of its own.
 """,
 )
+
+FRAME_MOVES = define(
+    "N215",
+    "frame-moves",
+    Severity.ERROR,
+    "a frame of the program that would have to move",
+    """
+Frames that a program declares stand still. One that turns with a positioner, or goes with the carriage of a
+track, is described in the cell file. Locations can be given in it in the program.
+
+```toml
+[frames.fixture]
+parent = "positioner"
+position = [100, 0, 0]
+```
+
+```text
+frame corner = (50, 0, 0) in fixture     # wrong
+loc corner = (50, 0, 0) in fixture       # right
+```
+""",
+)

@@ -92,6 +92,23 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
         case sir.Component(operand=operand, index=index):
             evaluate(scope, operand, static_type(scope, operand))
             emit("GETC", index)
+        case sir.MakeVector() | sir.MakeZyx() | sir.MakePose() | sir.MakeExternal() | sir.MakeJoints():
+            _make(scope, expression)
+        case sir.CommandPose():
+            emit("CURPOSE")
+        case sir.InFrame(operand=operand, frame=frame):
+            evaluate(scope, operand, Type.POSE)
+            emit("INFRAME", scope.frame(frame) if frame else "")
+        case sir.Home():
+            raise unsound("the home position is a target of PTP moves only")
+    return static_type(scope, expression)
+
+
+def _make(
+    scope: Scope,
+    expression: sir.MakeVector | sir.MakeZyx | sir.MakePose | sir.MakeExternal | sir.MakeJoints,
+) -> None:
+    match expression:
         case sir.MakeVector(x=x, y=y, z=z):
             _all(scope, (x, y, z), "MKVEC")
         case sir.MakeZyx(c=c, b=b, a=a):
@@ -99,18 +116,13 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
         case sir.MakePose(position=position, orientation=orientation):
             evaluate(scope, position, Type.VEC)
             evaluate(scope, orientation, Type.ORI)
-            emit("MKPOSE")
+            scope.emitter.emit("MKPOSE")
         case sir.MakeExternal(pose=pose, values=values):
             evaluate(scope, pose, Type.POSE)
             _all(scope, values, "MKEXT", len(values))
         case sir.MakeJoints(values=values):
             scope.used.axes = scope.used.axes or len(values)
             _all(scope, values, "MKJ", len(values))
-        case sir.CommandPose():
-            emit("CURPOSE")
-        case sir.Home():
-            raise unsound("the home position is a target of PTP moves only")
-    return static_type(scope, expression)
 
 
 def _all(scope: Scope, values: tuple[sir.Expression, ...], mnemonic: str, *operands: int) -> None:

@@ -59,7 +59,7 @@ def _procedures(program: Program, source: str, used: Used) -> dict[str, Scope]:
     """Lower `main` and all that it reaches, depth first."""
     main = Scope(program, None, used, source, _block)
     if program.frame:
-        main.emitter.emit("FRAME", program.frame)
+        main.emitter.emit("FRAME", main.frame(program.frame))
     if program.tool:
         robot.use_tool(main, program.tool)
         main.emitter.emit("TOOL", program.tool)
@@ -111,18 +111,10 @@ def _assembled(
         axes=used.axes,
         variables=_variables(program.main_locals),
         channels=tuple(used.channels.values()),
-        frames=_frames(program),
+        frames=tuple(icr.FrameDefinition(name, _canonical(program.frames[name])) for name in used.frames),
         tools=tuple(icr.ToolDefinition(name, _tool_pose(program, name)) for name in used.tools),
         source=source,
     )
-
-
-def _frames(program: Program) -> tuple[icr.FrameDefinition, ...]:
-    if not program.frame:
-        return ()
-    if program.frame not in program.frames:
-        raise unsound(f"frame `{program.frame}` is not declared")
-    return (icr.FrameDefinition(program.frame, _canonical(program.frames[program.frame])),)
 
 
 def _tool_pose(program: Program, name: str) -> PoseTuple | None:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ropsim.flow import channel_name
-from ropsim.model import Cell, Mesh, Station, link_name
+from ropsim.model import WORLD, Cell, Frame, Mesh, Station, link_name
 from ropsim.spatial import Array, Pose
 from ropsim.views.scene.arm import reach
 from ropsim.views.scene.bodies import NO_BODY, SceneBody, scene_bodies
@@ -89,14 +89,27 @@ def _frames(cell: Cell, bodies: tuple[SceneBody, ...]) -> list[dict[str, object]
     marks = [
         ("world", "world", NO_BODY, Pose()),
         *((channel_name("base", one.name), "base", NO_BODY, one.X_WB) for one in stations),
-        *((name, "frame", NO_BODY, X_WK) for name, X_WK in cell.frames.items()),
-        *((name, "location", NO_BODY, X_WT) for name, X_WT in cell.locations.items()),
+        *((name, "frame", *_hung(one, places)) for name, one in cell.frames.items()),
+        *((name, "location", *_located(cell, name, places)) for name in cell.locations),
         *(_tcp(one, places) for one in stations),
     ]
     return [
         {"name": name, "kind": kind, "parent": parent, "pose": plain_pose(pose)}
         for name, kind, parent, pose in marks
     ]
+
+
+def _hung(frame: Frame, places: Mapping[str, int]) -> tuple[int, Pose]:
+    """Return the place of the link that moves a task frame, and its pose there; else that in the world."""
+    return places[frame.parent] if frame.parent != WORLD else NO_BODY, frame.X_PK
+
+
+def _located(cell: Cell, name: str, places: Mapping[str, int]) -> tuple[int, Pose]:
+    """Return the place of the link that moves a location, and its pose there; else that in the world."""
+    if name not in cell.located:
+        return NO_BODY, cell.locations[name]
+    link, X_PK = _hung(cell.frames[cell.located[name]], places)
+    return link, X_PK @ cell.locations[name]
 
 
 def _tcp(station: Station, places: Mapping[str, int]) -> tuple[str, str, int, Pose]:

@@ -141,7 +141,7 @@ def test_bodies_are_those_of_the_scene(shown: Shown) -> None:
 
 def test_the_36_boxes_end_on_the_pallet() -> None:
     shown = show("palletizing")
-    pallet, end = shown.cell.frames["pallet"], shown.recording.duration
+    pallet, end = shown.cell.frames["pallet"].X_PK, shown.recording.duration
     boxes = np.array([shown.pack.pose(f"box_{k}", end).position for k in range(1, 37)])
     local = (boxes - pallet.position) @ pallet.rotation()
     slots = np.array([[0.075 * i, 0.075 * j, 0.04] for i in range(6) for j in range(6)])

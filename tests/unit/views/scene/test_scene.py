@@ -10,11 +10,14 @@ import numpy as np
 import pytest
 
 from ropsim import robots
+from ropsim.cellfile import read_cell
+from ropsim.core import SourceText
 from ropsim.kinematics import frames_batch, joint_frames
 from ropsim.model import (
     Box,
     Cylinder,
     FixedObject,
+    Frame,
     Gripper,
     Mesh,
     Part,
@@ -55,7 +58,7 @@ CELL = one_station(
     X_WB=TURNED,
     tools={"jaws": JAWS, "pen": PEN},
     default_tool="jaws",
-    frames={"table": Pose(frozen([0.5, 0.0, 0.2]))},
+    frames={"table": Frame(Pose(frozen([0.5, 0.0, 0.2])))},
     locations={"here": Pose(frozen([0.6, 0.1, 0.3]))},
     parts=(
         Part("first", frozen([0.06, 0.05, 0.04]), 0.1, Pose(frozen([0.5, 0.1, 0.3])), "supply", 0, "#112233"),
@@ -144,7 +147,7 @@ def test_frames_are_marked_in_the_world_and_the_tcp_on_the_last_link() -> None:
     marks: Any = {mark["kind"]: mark for mark in SCENE["frames"]}
     assert marks["world"]["pose"] == list(Pose().as_tuple())
     assert matrix(marks["base"]["pose"]) == pytest.approx(TURNED.matrix(), abs=ROUNDING)
-    for kind, X_WK in (("frame", CELL.frames["table"]), ("location", CELL.locations["here"])):
+    for kind, X_WK in (("frame", CELL.frames["table"].X_PK), ("location", CELL.locations["here"])):
         assert matrix(marks[kind]["pose"]) == pytest.approx(X_WK.matrix(), abs=ROUNDING)
     assert marks["tcp"]["parent"] == PLACES["link6"]
     assert marks["tcp"]["pose"][:3] == pytest.approx([0.0, 0.0, 0.2], abs=ROUNDING)
@@ -179,3 +182,20 @@ def test_the_extent_holds_the_corners_of_every_box() -> None:
     extent: Any = scene(replace(with_station(CELL, X_WB=Pose()), objects=(far,), parts=()))["extent"]
     assert extent["max"][0] == pytest.approx(6.0)
     assert extent["min"][2] == pytest.approx(-2.0)
+
+
+def test_what_lies_on_a_positioner_is_marked_on_the_link_that_moves_it() -> None:
+    text = (
+        '[robot]\nmodel = "puma560"\n'
+        "positioner = { radius = 300, height = 500, base = { position = [0, 900, 0] } }\n"
+        '[frames.fixture]\nparent = "positioner"\nposition = [100, 0, 20]\n'
+        '[locations.corner]\nframe = "fixture"\nposition = [10, 0, 40]\ndown = false\n'
+    )
+    cell, _ = read_cell(SourceText("cell.toml", text), "cell")
+    assert cell is not None
+    shown: Any = scene(cell)
+    plate = [body["name"] for body in shown["bodies"]].index("link7")
+    marks = {mark["name"]: mark for mark in shown["frames"]}
+    assert [marks[name]["parent"] for name in ("fixture", "corner")] == [plate, plate]
+    assert marks["fixture"]["pose"][:3] == pytest.approx([0.1, 0.0, 0.02], abs=ROUNDING)
+    assert marks["corner"]["pose"][:3] == pytest.approx([0.11, 0.0, 0.06], abs=ROUNDING)
