@@ -1,17 +1,24 @@
 """Laws of whole moves on random targets: planned within limits, or refused with a reason on the line."""
 
+from dataclasses import replace
+
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ropsim import robots
 from ropsim.controller import Refusal, plan_move
 from ropsim.flow import ModalState
-from ropsim.kinematics import forward_batch
+from ropsim.kinematics import forward, forward_batch
+from ropsim.model import on_track
 from ropsim.spatial import Array, Pose
+from support.cells import chain_of, one_station
 from support.motion import CHAIN, LINE, PUMA, Target, interface_pose, lin, ptp, shifted
 
 POSE = 1e-9  # [m] and per entry of the rotation; the promise of the inverse kinematics
 BETWEEN_SAMPLES = 20e-6  # [m] off the line between two poses 4 ms apart
+TRACK = on_track(PUMA, robots.linear_track(4.0))
+TRACK_CHAIN = chain_of(one_station("track", TRACK, robots.default_controller(TRACK)))
 OVERSHOOT = 1.01  # of limits: the spline rounds the corners of the acceleration
 
 shares = st.lists(st.floats(0.05, 0.95), min_size=6, max_size=6)
@@ -101,3 +108,19 @@ def test_no_value_of_a_program_raises_an_exception(target: Target, modal: ModalS
             assert all(finding.span == LINE for finding in move.diagnostics)
         else:
             assert np.isfinite(move.reference.q).all()
+
+
+@settings(max_examples=150, derandomize=True)
+@given(st.booleans(), configurations, st.lists(wild | st.floats(-3.0, 3.0), max_size=3).map(tuple))
+def test_no_value_of_an_external_axis_raises_an_exception(
+    is_line: bool, goal: Array, external: tuple[float, ...]
+) -> None:
+    q = np.append(goal, 0.5)
+    move = replace((lin if is_line else ptp)(forward(TRACK, q)), external=external)
+    planned = plan_move(TRACK_CHAIN, move, np.append(PUMA.home, 0.5))
+    if isinstance(planned, Refusal):
+        assert planned.diagnostics
+        assert all(finding.span == LINE for finding in planned.diagnostics)
+    else:
+        assert len(external) < 2
+        assert np.abs(planned.q_end[6:] - (external or (0.5,))).max() < POSE

@@ -146,7 +146,7 @@ _TABLE = """
 0410 INFRAME   frame    P   P  -     [pose -> the same numbers in a task frame of its own]; - for none
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)
 0413 SETC      index    *   *  -     [value real -> value with component i replaced]
-0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes] [rad | m]
+0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]
