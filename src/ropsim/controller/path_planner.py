@@ -128,10 +128,10 @@ class StandardPathPlanner:
 
     def _plan_line(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> LineTrajectory | Refusal:
         if isinstance(move.target, Pose):
-            X_BT = self._work.frame_pose(move.modal, q_start) @ move.target
             wrong = check_external(move, q_start, self.robot, self._range)
             if wrong:
                 return Refusal(wrong)
+            X_BT = self._work.frame_pose(move.modal, q_start) @ move.target
             branches = self._branches(move, X_BT @ X_MT.inverse(), q_start)
             if isinstance(branches, Refusal):
                 return branches
