@@ -48,21 +48,42 @@ class Blocks:
         Returns:
             Lower and upper heights z [m], shape (p, s) each; NaN where a line passes by.
         """
-        R, half = self.rotations[rows], self.halves[rows][:, np.newaxis]  # (p, 3, 3), (p, 1, 3)
-        beside = points - self.centres[rows][:, np.newaxis, :2]
-        start = np.einsum("psi,pij->psj", beside, R[:, :2])  # point of the line at the height of the centre
-        along = R[:, np.newaxis, 2]  # direction of the line in axes of the block, (p, 1, 3)
-        flat = np.abs(along) < 1e-12
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            one, other = (-half - start) / along, (half - start) / along
-        inside = np.abs(start) <= half
-        lower = np.where(flat, np.where(inside, -np.inf, np.inf), np.minimum(one, other)).max(axis=2)
-        upper = np.where(flat, np.where(inside, np.inf, -np.inf), np.maximum(one, other)).min(axis=2)
-        missed = (lower > upper) | (
-            np.hypot(beside[..., 0], beside[..., 1]) > self.radii[rows][:, np.newaxis]
-        )
-        height = self.centres[rows][:, 2:]
+        R, half, centres = self.rotations[rows], self.halves[rows], self.centres[rows]
+        x, y = (points[:, :, axis] - centres[:, axis, np.newaxis] for axis in (0, 1))
+        lower, upper = np.full(x.shape, -np.inf), np.full(x.shape, np.inf)
+        for axis in range(3):
+            # point of the line at the height of the centre, and its direction, along an axis of the block
+            start = x * R[:, 0, axis, np.newaxis] + y * R[:, 1, axis, np.newaxis]
+            below, above = _stretch(start, R[:, 2, axis, np.newaxis], half[:, axis, np.newaxis])
+            np.maximum(lower, below, out=lower)
+            np.minimum(upper, above, out=upper)
+        missed, radii = lower > upper, self.radii[rows][:, np.newaxis]
+        if np.isfinite(radii).any():
+            missed |= np.hypot(x, y) > radii
+        height = centres[:, 2:]
         return np.where(missed, np.nan, height + lower), np.where(missed, np.nan, height + upper)
+
+
+def _stretch(start: Array, along: Array, half: Array) -> tuple[Array, Array]:
+    """Return between which heights above `start` (p, s) lines are between two faces [m], (p, s) each.
+
+    Args:
+        start: coordinate where the height is 0 [m].
+        along: by how much it grows with the height, shape (p, 1).
+        half: coordinate of the faces, to both sides [m], shape (p, 1).
+    """
+    flat = np.abs(along) < 1e-12
+    if flat.all():
+        beside = np.abs(start) > half
+        return np.where(beside, np.inf, -np.inf), np.where(beside, -np.inf, np.inf)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        one, other = (-half - start) / along, (half - start) / along
+    below, above = np.minimum(one, other), np.maximum(one, other)
+    if flat.any():
+        beside = np.abs(start) > half
+        below = np.where(flat, np.where(beside, np.inf, -np.inf), below)
+        above = np.where(flat, np.where(beside, -np.inf, np.inf), above)
+    return below, above
 
 
 def stacked(groups: Iterable[Blocks]) -> Blocks:

@@ -50,11 +50,20 @@ class Placements:
         """Return the pose X_MO of the part that some tools hold and of all that rides on it, by name."""
         return {name: seat.pose for name, seat in self.seats.items() if seat.rides in hands}
 
-    def family(self, name: str) -> tuple[str, ...]:
-        """Return the names of a part and of all parts that hang on it, directly or not; itself first."""
-        found = [name]
-        for one in found:
-            found += [other for other, seat in self.seats.items() if seat.parent == one]
+    def family(self, *names: str) -> tuple[str, ...]:
+        """Return the names of parts and of all parts that hang on them, directly or not, each one once.
+
+        Behind each part comes what hangs on it, before the next one.
+        """
+        children: dict[str, list[str]] = {}
+        for name, seat in self.seats.items():
+            children.setdefault(seat.parent, []).append(name)
+        found: dict[str, None] = {}
+        for name in names:
+            own = [] if name in found else [name]
+            for one in own:
+                found[one] = None
+                own += [child for child in children.get(one, ()) if child not in found]
         return tuple(found)
 
     def with_seats(self, seats: Mapping[str, Seat]) -> "Placements":

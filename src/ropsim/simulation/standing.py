@@ -41,9 +41,7 @@ def stood(
     state = state.with_seats(
         {name: replace(state.seats[name], parent=_parent(one, scenery)) for name, one in found.items()}
     )
-    family = dict.fromkeys(
-        one for name in names for one in state.family(name)
-    )  # what lies on them rides along
+    family = state.family(*names)  # what lies on them rides along
     carriers = {name: _carrier(state, name, scenery, moment) for name in family}
     moved = {
         name: replace(state.seats[name], rides=carrier, pose=moment.on(carrier, poses[name]))

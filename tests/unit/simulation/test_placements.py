@@ -15,7 +15,7 @@ from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import close_on, initial_parts, payload, release
-from ropsim.simulation.placements import Placements, changes
+from ropsim.simulation.placements import Placements, Seat, changes
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 from support.cells import one_station
@@ -52,6 +52,26 @@ CELL = one_station(
     start=ARM.home,
 )
 LINES = ("mov near", "close", "mov out", "open", "mov far", "close", "mov near above 100 mm", "wait 1 s")
+
+
+STACKS = {"a1": "a", "b": "", "a": "", "a2": "a", "a1x": "a1", "b1": "b"}
+"""On what each part hangs."""
+
+
+@pytest.mark.parametrize(
+    ("asked", "family"),
+    [
+        (("a",), ("a", "a1", "a2", "a1x")),
+        (("a1x",), ("a1x",)),
+        (("b", "a1", "a", "b1"), ("b", "b1", "a1", "a1x", "a", "a2")),
+        ((), ()),
+    ],
+)
+def test_what_hangs_on_parts_comes_behind_them_and_once(
+    asked: tuple[str, ...], family: tuple[str, ...]
+) -> None:
+    placements = Placements({name: Seat(parent, "", Pose()) for name, parent in STACKS.items()})
+    assert placements.family(*asked) == family
 
 
 @dataclass
