@@ -31,8 +31,8 @@ def read_objects(
     parents = dict.fromkeys((*(str(table.values.get("name", "")) for table in tables), *mounts))
     objects = tuple(_object(table, parents, mounts, units) for table in tables)
     if tables:
-        spans = ((thing.name, table.value_span("name")) for table, thing in zip(tables, objects, strict=True))
-        report_doubles(tables[0].findings, spans, taken)
+        named = ((thing.name, table) for table, thing in zip(tables, objects, strict=True))
+        report_doubles(tables[0].findings, named, taken)
     return _without_rings(objects, tables)
 
 

@@ -1,6 +1,6 @@
 """The parts, supplies and sinks of a cell file."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -13,7 +13,6 @@ from ropsim.cellfile.poses import ORIGIN, read_pose
 from ropsim.cellfile.quantity import MASS, Units
 from ropsim.cellfile.shapes import read_colour, read_material
 from ropsim.cellfile.tomltext.checks import Findings, TomlTable
-from ropsim.core import Span
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 
@@ -48,7 +47,8 @@ def read_parts(
         *(PartGroup(table, tuple(_supply(table, around))) for table in supplies),
     )
     if groups:
-        report_doubles(groups[0].table.findings, _named_spans(groups), taken)
+        named = ((part.name, group.table) for group in groups for part in group.parts)
+        report_doubles(groups[0].table.findings, named, taken)
     return groups
 
 
@@ -62,8 +62,8 @@ def read_sinks(tables: tuple[TomlTable, ...], units: Units) -> tuple[Sink, ...]:
         sinks.append(Sink(table.text("name", ""), (x, y, z), radius))
         table.finish()
     if tables:
-        spans = ((sink.name, table.value_span("name")) for table, sink in zip(tables, sinks, strict=True))
-        report_doubles(tables[0].findings, spans)
+        named = ((sink.name, table) for table, sink in zip(tables, sinks, strict=True))
+        report_doubles(tables[0].findings, named)
     return tuple(sinks)
 
 
@@ -122,28 +122,24 @@ def _body(table: TomlTable, units: Units) -> tuple[Array, float]:
     return frozen(size), table.number("mass", MASS, 0.0)
 
 
-def _named_spans(groups: Iterable[PartGroup]) -> Iterator[tuple[str, Span]]:
-    for group in groups:
-        span = group.table.value_span("name")
-        for part in group.parts:
-            yield part.name, span
-
-
 def report_doubles(
-    findings: Findings, named: Iterable[tuple[str, Span]], taken: Mapping[str, str] = MappingProxyType({})
+    findings: Findings,
+    named: Iterable[tuple[str, TomlTable]],
+    taken: Mapping[str, str] = MappingProxyType({}),
 ) -> None:
     """Note each name that occurs again or that something else has; empty names have been reported as missing.
 
     Args:
         findings: get the notes.
-        named: names with the places where they are given.
+        named: names with the tables that give them.
         taken: who has them, for names that are in use elsewhere.
     """
-    seen: dict[str, Span] = {}
+    seen: dict[str, TomlTable] = {}
     reported = {""}
-    for name, span in named:
+    for name, table in named:
         if (name in seen or name in taken) and name not in reported:
-            hint = taken.get(name) or f"the other one stands in line {seen[name].line}"
+            hint = taken.get(name) or f"the other one stands in line {seen[name].value_span('name').line}"
+            span = table.value_span("name")
             findings.add(kinds.DUPLICATE_CELL_NAME, span, f"the name `{name}` is taken", hint)
             reported.add(name)
-        seen.setdefault(name, span)
+        seen.setdefault(name, table)

@@ -11,9 +11,9 @@ def place_in_cell_file(text: SourceText, name: str) -> Span | None:
     """Return where a location, frame, tool, signal, station or device is defined; None where none is."""
     try:
         keys = positions(text).keys
+        return next((keys[table, name] for table in _TABLES if (table, name) in keys), None)
     except (ValueError, RecursionError):
         return None
-    return next((keys[table, name] for table in _TABLES if (table, name) in keys), None)
 
 
 def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:

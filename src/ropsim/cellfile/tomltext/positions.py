@@ -3,18 +3,30 @@
 The text must be valid TOML: what `tomllib` accepts is walked through once more, for the places only.
 """
 
+import re
 import tomllib
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import accumulate
 
 from ropsim.core import SourceText, Span
 
 Path = tuple[str | int, ...]
 
-_BLANK = " \t"
-_SPACE = " \t\n"
+_BLANK = re.compile(r"(?:[ \t]+|#[^\n]*)*+")
+_SPACE = re.compile(r"(?:[ \t\n]+|#[^\n]*)*+")
+_ITEMS = re.compile(r"(?:[ \t\n,]+|#[^\n]*)*+")
+_BARE_KEY = re.compile(r"[^ \t\n.=\]]*")
+_PLAIN = re.compile(r"[^,\]}#\n]*")
+_STRINGS = {
+    '"': re.compile(r'"(?:[^"\\]++|\\.)*+"?', re.DOTALL),
+    "'": re.compile(r"'[^']*'?"),
+    '"""': re.compile(r'"""(?:[^"\\]++|\\.|"(?!""))*+(?:"""+)?', re.DOTALL),
+    "'''": re.compile(r"'''(?:[^']++|'(?!''))*+(?:'''+)?", re.DOTALL),
+}
+"""By their quotation marks; a long text may end with up to two of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,13 +57,35 @@ class Positions:
 
 
 def positions(source: SourceText) -> Positions:
-    """Return the places of all keys and values of a valid TOML text."""
-    text = "\n".join(source.lines)
-    walk = _Walk(text)
-    walk.document()
-    starts = (0, *accumulate(len(line) + 1 for line in source.lines))
-    keys, values = (_Spans(source, text, starts, found) for found in (walk.keys, walk.values))
+    """Return the places of all keys and values of a valid TOML text.
+
+    Most files are right and nothing points into them: the text is walked through when a place is asked for.
+    """
+    places = _Places(source)
+    keys, values = _Spans(places, lambda walk: walk.keys), _Spans(places, lambda walk: walk.values)
     return Positions(keys, values, source.span(1))
+
+
+@dataclass(frozen=True, eq=False)
+class _Places:
+    """A text and where things stand in it."""
+
+    source: SourceText
+
+    @cached_property
+    def text(self) -> str:
+        return "\n".join(self.source.lines)
+
+    @cached_property
+    def starts(self) -> tuple[int, ...]:
+        """Return the offset of each line."""
+        return (0, *accumulate(len(line) + 1 for line in self.source.lines))
+
+    @cached_property
+    def walk(self) -> "_Walk":
+        walk = _Walk(self.text)
+        walk.document()
+        return walk
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,22 +93,23 @@ class _Spans(Mapping[Path, Span]):
     """Spans by path, made when they are asked for: most of a file is never pointed to.
 
     Attributes:
-        source: the text with its name.
-        text: its lines, joined.
-        starts: offset of each line.
-        stretches: offsets of start and end by path.
+        places: where things stand.
+        chosen: what of them, offsets of start and end by path.
     """
 
-    source: SourceText
-    text: str
-    starts: tuple[int, ...]
-    stretches: Mapping[Path, tuple[int, int]]
+    places: _Places
+    chosen: "Callable[[_Walk], Mapping[Path, tuple[int, int]]]"
+
+    @property
+    def stretches(self) -> Mapping[Path, tuple[int, int]]:
+        return self.chosen(self.places.walk)
 
     def __getitem__(self, path: Path) -> Span:
         start, end = self.stretches[path]
-        line = bisect_right(self.starts, start)
-        first, _, _ = self.text[start:end].partition("\n")
-        return self.source.span(line, start - self.starts[line - 1] + 1, len(first))
+        starts = self.places.starts
+        line = bisect_right(starts, start)
+        first, _, _ = self.places.text[start:end].partition("\n")
+        return self.places.source.span(line, start - starts[line - 1] + 1, len(first))
 
     def __contains__(self, path: object) -> bool:
         return path in self.stretches
@@ -84,6 +119,15 @@ class _Spans(Mapping[Path, Span]):
 
     def __len__(self) -> int:
         return len(self.stretches)
+
+
+@dataclass(slots=True)
+class _Open:
+    """A list or inline table that is not closed yet; `count` is None for a table."""
+
+    path: Path
+    start: int
+    count: int | None
 
 
 @dataclass(slots=True)
@@ -102,7 +146,7 @@ class _Walk:
             if self.text[self.at] == "[":
                 section = self._header()
             else:
-                self._key_value(section)
+                self._value(self._key(section))
 
     def _header(self) -> Path:
         start = self.at
@@ -126,7 +170,8 @@ class _Walk:
         self.keys[path] = (start, self.at)
         return path
 
-    def _key_value(self, section: Path) -> None:
+    def _key(self, section: Path) -> Path:
+        """Pass over a key and the equals sign; return the path of the value that follows."""
         path = section
         for name, start, end in self._dotted_key():
             path = (*path, name)
@@ -134,7 +179,7 @@ class _Walk:
         self._skip(_BLANK)
         self.at += 1  # the equals sign
         self._skip(_BLANK)
-        self._value(path)
+        return path
 
     def _dotted_key(self) -> list[tuple[str, int, int]]:
         pieces = []
@@ -145,9 +190,7 @@ class _Walk:
                 raw = self.text[start : self.at]
                 name = next(iter(tomllib.loads(f"{raw} = 0"))) if "\\" in raw else raw[1:-1]
             else:
-                while self.text[self.at : self.at + 1] not in {*_SPACE, ".", "=", "]", ""}:
-                    self.at += 1
-                name = self.text[start : self.at]
+                name = self.text[start : self._skip(_BARE_KEY)]
             pieces.append((name, start, self.at))
             self._skip(_BLANK)
             if self.text[self.at : self.at + 1] != ".":
@@ -155,52 +198,44 @@ class _Walk:
             self.at += 1
 
     def _value(self, path: Path) -> None:
-        start = self.at
-        first = self.text[start : start + 1]
-        if first in {'"', "'"}:
-            self._string()
-        elif first == "[":
-            self._list(path)
-        elif first == "{":
-            self._inline_table(path)
-        else:
-            while self.text[self.at : self.at + 1] not in {",", "]", "}", "#", "\n", ""}:
+        """Pass over a value and all that is in it; without recursion, however deep it is nested."""
+        around: list[_Open] = []
+        while True:
+            start = self.at
+            first = self.text[start : start + 1]
+            if first in {"[", "{"}:
+                around.append(_Open(path, start, 0 if first == "[" else None))
                 self.at += 1
-            self.at = start + max(len(self.text[start : self.at].rstrip()), 1)
-        self.values[path] = (start, self.at)
-
-    def _list(self, path: Path) -> None:
-        self.at += 1
-        count = 0
-        while self._skip(_SPACE + ",") < len(self.text) and self.text[self.at] != "]":
-            self._value((*path, count))
-            count += 1
-        self.at += 1
-
-    def _inline_table(self, path: Path) -> None:
-        self.at += 1
-        while self._skip(_SPACE + ",") < len(self.text) and self.text[self.at] != "}":
-            self._key_value(path)
-        self.at += 1
+            else:
+                if first in {'"', "'"}:
+                    self._string()
+                else:
+                    plain = self.text[start : self._skip(_PLAIN)]
+                    self.at = start + max(len(plain.rstrip()), 1)
+                self.values[path] = (start, self.at)
+            while around and (
+                self._skip(_ITEMS) >= len(self.text)
+                or self.text[self.at] == ("}" if around[-1].count is None else "]")
+            ):
+                closed = around.pop()
+                self.at += 1
+                self.values[closed.path] = (closed.start, self.at)
+            if not around:
+                return
+            inner = around[-1]
+            if inner.count is None:
+                path = self._key(inner.path)
+            else:
+                path = (*inner.path, inner.count)
+                inner.count += 1
 
     def _string(self) -> None:
         quote = self.text[self.at]
         mark = quote * 3 if self.text.startswith(quote * 3, self.at) else quote
-        self.at += len(mark)
-        while self.at < len(self.text) and not self.text.startswith(mark, self.at):
-            self.at += 2 if quote == '"' and self.text[self.at] == "\\" else 1
-        self.at += len(mark)
-        while len(mark) == 3 and self.text[self.at : self.at + 1] == quote:
-            self.at += 1  # a long text may end with up to two quotation marks of its own
+        self._skip(_STRINGS[mark])
 
-    def _skip(self, characters: str) -> int:
-        """Pass over `characters` and comments; return the new place."""
-        while self.at < len(self.text):
-            if self.text[self.at] == "#":
-                end = self.text.find("\n", self.at)
-                self.at = end if end >= 0 else len(self.text)
-            elif self.text[self.at] in characters:
-                self.at += 1
-            else:
-                break
+    def _skip(self, pattern: re.Pattern[str]) -> int:
+        """Pass over what a pattern, which may be empty, meets here; return the new place."""
+        found = pattern.match(self.text, self.at)
+        self.at = found.end() if found else self.at
         return self.at

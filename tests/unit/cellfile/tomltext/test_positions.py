@@ -72,3 +72,11 @@ def test_an_unknown_path_gives_the_nearest_thing_around_it() -> None:
     places = positions(SourceText("t", TEXT))
     assert words(places.key(("a", "b", "nothing", 3))) == "[a.b]"
     assert places.key(("nothing",)).line == 1
+
+
+@pytest.mark.parametrize(("opened", "closed"), [("[", "]"), ("{a = ", "}")])
+def test_values_are_found_however_deep_they_are_nested(opened: str, closed: str) -> None:
+    depth = 2_000  # more than a recursion could go
+    places = positions(SourceText("t", f"x = {opened * depth}1{closed * depth}\nlast = 2\n"))
+    assert len(places.values) == depth + 2
+    assert places.value(("last",)).line == 2
