@@ -15,6 +15,15 @@ export const LANE_HEIGHT: Readonly<Record<Lane['kind'], number>> = {
 
 /** Ticks with numbers are at least so far from each other [px]. */
 const TICK_ROOM = 64
+/** A wait is a thin line [px]. */
+const WAIT_HEIGHT = 3
+const GROUNDS: Readonly<Record<Bar['tone'], string>> = {
+  task: '--accent',
+  move: '--accent',
+  act: '--accent',
+  wait: '--quiet',
+  held: '--good',
+}
 /** Shorter bars have no words in them [px]. */
 const WORD_ROOM = 22
 const FONT = '10.5px system-ui, "DejaVu Sans", sans-serif'
@@ -72,10 +81,10 @@ function paintBar(canvas: Canvas, lane: Lane, bar: Bar, top: number, height: num
   if (right < 0 || left > width) return
   // A gap of a pixel between neighbours, where there is room for one.
   const wide = Math.max(right - left - (right - left > 4 ? 1 : 0), 1)
-  const ground = bar.tone === 'held' ? colour('--good') : colour('--accent')
-  context.globalAlpha = { task: 0.45, move: 0.75, wait: 0.35, held: 0.45 }[bar.tone]
-  context.fillStyle = ground
-  context.fillRect(left, top, wide, height)
+  context.globalAlpha = { task: 0.45, move: 0.75, act: 0.35, wait: 0.6, held: 0.45 }[bar.tone]
+  context.fillStyle = colour(GROUNDS[bar.tone])
+  if (bar.tone === 'wait') context.fillRect(left, top + (height - WAIT_HEIGHT) / 2, wide, WAIT_HEIGHT)
+  else context.fillRect(left, top, wide, height)
   context.globalAlpha = 1
   // Names of tasks stand beside their lanes.
   if (lane.kind !== 'held') return

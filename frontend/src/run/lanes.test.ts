@@ -56,6 +56,12 @@ describe('lanes of the timeline', () => {
     ])
   })
 
+  it('tell moves, other steps and waits apart', () => {
+    const kinds = ['move', 'grip', 'wait', 'await', 'output']
+    const made = lanes(runWith(kinds.map((kind, at) => event(at, 0.5, kind))))
+    expect(made[0]?.bars.map(bar => bar.tone)).toEqual(['move', 'act', 'wait', 'wait', 'act'])
+  })
+
   it('are those of each station, with its own steps and its own part in the gripper', () => {
     const closed = { ...series([0, 2], [0, 1]) }
     const run = {

@@ -10,7 +10,7 @@ export interface Bar {
   readonly to: number
   /** Stands in the bar where there is room for it, and in words under the pointer. */
   readonly text: string
-  readonly tone: 'task' | 'move' | 'wait' | 'held'
+  readonly tone: 'task' | 'move' | 'act' | 'wait' | 'held'
 }
 
 export interface Lane {
@@ -73,9 +73,15 @@ function stepLane(run: Run, station: string, marks: Marks): Lane {
     from: step.time,
     to: step.end,
     text: `${words.line(step.line)} · ${step.text}`,
-    tone: step.kind === 'move' ? 'move' : 'wait',
+    tone: toneOf(step.kind),
   }))
   return lane('steps', labelled(run.stations, station, words.lanes.steps), bars, station)
+}
+
+/** Moves stand out, and waits stand back, so that it is seen how long a station is idle. */
+function toneOf(kind: string): Bar['tone'] {
+  if (kind === 'move') return 'move'
+  return kind === 'wait' || kind === 'await' ? 'wait' : 'act'
 }
 
 /** One lane for each task of a station, a called one below its first caller. */

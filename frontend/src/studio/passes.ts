@@ -7,7 +7,7 @@ export interface Pass {
   readonly to: number
 }
 
-const KINDS = new Set(['move', 'skip', 'grip', 'release', 'wait', 'output', 'message', 'task'])
+const KINDS = new Set(['move', 'skip', 'grip', 'release', 'wait', 'await', 'output', 'message', 'task'])
 
 /** Passes of a line in order of time; what a line did in one go (moves of a called task) is one pass. */
 export function passesOf(run: Run, isDocument: (source: string) => boolean, line: number): readonly Pass[] {

@@ -3,6 +3,7 @@
 from ropsim.flow.channel import Channel as Channel
 from ropsim.flow.channel import ChannelGroup as ChannelGroup
 from ropsim.flow.events import EVENTS as EVENTS
+from ropsim.flow.events import AwaitEvent as AwaitEvent
 from ropsim.flow.events import Event as Event
 from ropsim.flow.events import GripEvent as GripEvent
 from ropsim.flow.events import InputEvent as InputEvent
@@ -44,3 +45,5 @@ from ropsim.flow.reference import PoseSetpoints as PoseSetpoints
 from ropsim.flow.settling import SLOW as SLOW
 from ropsim.flow.settling import Settling as Settling
 from ropsim.flow.settling import settling_of as settling_of
+from ropsim.flow.waiting import Waiting as Waiting
+from ropsim.flow.waiting import waiting_of as waiting_of

@@ -85,7 +85,7 @@ class SkipEvent(Event):
 
 @dataclass(frozen=True, slots=True)
 class WaitEvent(Event):
-    """The program stood still.
+    """The program stood still for a time.
 
     Attributes:
         pause: how long it asked for [s]; the event is shorter where the run was cut short.
@@ -95,6 +95,24 @@ class WaitEvent(Event):
 
     _: KW_ONLY
     pause: float
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitEvent(Event):
+    """The program stood still until a channel had a value, or its timeout was over.
+
+    Attributes:
+        channel: name of the input or output.
+        value: that it waited for.
+        came: whether it came; false where the timeout or the run was over before.
+    """
+
+    kind: ClassVar[str] = "await"
+
+    _: KW_ONLY
+    channel: str
+    value: bool
+    came: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,6 +214,7 @@ EVENTS: Mapping[str, type[Event]] = MappingProxyType(
             MoveEvent,
             SkipEvent,
             WaitEvent,
+            AwaitEvent,
             OutputEvent,
             MessageEvent,
             GripEvent,

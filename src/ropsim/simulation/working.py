@@ -7,6 +7,7 @@ from dataclasses import replace
 from ropsim.controller import LawError
 from ropsim.core import Diagnostic
 from ropsim.flow import (
+    AwaitEvent,
     AwaitInstruction,
     GripInstruction,
     Instruction,
@@ -89,6 +90,7 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
         case MessageInstruction():
             run.note(at, at.tick, MessageEvent(*at.when(at.tick), step.origin, text=step.text))
         case SyncInstruction():
+            since = at.tick
             # A program that does nothing but look at channels must see time pass.
             if at.waiting:
                 yield from at.stand(at.station.controller.rates.interpolation_ticks)
@@ -96,6 +98,9 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
                 at.awaits = step
                 yield from _await(at, step, world)
                 at.awaits = None
+                found = (*at.when(since), step.origin)
+                came = AwaitEvent(*found, channel=step.channel, value=step.value, came=world.came)
+                run.note(at, since, came)
     at.waiting = isinstance(step, SyncInstruction)
 
 

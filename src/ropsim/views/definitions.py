@@ -10,6 +10,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "1e-6 rad/s (m/s for a sliding joint).",
         "settling": "Time after a move until every joint is in position, summed over all moves. "
         "A stop looks at positions only, not at speeds.",
+        "waiting": "Time in which the program stood at a `wait`: for a time, a signal or a condition. "
+        "The share is that of the cycle time of the station.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "

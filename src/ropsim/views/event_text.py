@@ -1,6 +1,7 @@
 """What happened, in the words that people read on timelines and lists."""
 
 from ropsim.flow import (
+    AwaitEvent,
     Event,
     GripEvent,
     InputEvent,
@@ -23,16 +24,17 @@ def event_text(event: Event) -> str:
             return f"{motion.value} not possible"
         case WaitEvent(pause=pause):
             return f"wait {pause:g} s"
+        case AwaitEvent(channel=channel, value=value, came=came):
+            wanted = channel if value else f"not {channel}"
+            return f"wait until {wanted}" + ("" if came else ", in vain")
         case OutputEvent(channel=channel, value=value):
             return f"{channel} = {value}"
-        case MessageEvent(text=text):
+        case MessageEvent(text=text) | TaskEvent(name=text):
             return text
         case GripEvent(part=part):
             return f"close on {part or 'nothing'}"
         case ReleaseEvent(part=part):
             return f"release {part}" if part else "open"
-        case TaskEvent(name=name):
-            return name
         case InputEvent(signal=signal, value=value):
             return f"{signal} = {value:g}"
         case _:

@@ -17,7 +17,9 @@ from ropsim.flow import (
     Settling,
     SkipEvent,
     StationFacts,
+    Waiting,
     settling_of,
+    waiting_of,
 )
 from ropsim.views.channels import station_views
 from ropsim.views.joint_summary import JointSummary, summarize_joints
@@ -42,6 +44,7 @@ class StationSummary:
         share_in_motion: share of its cycle time in which any joint reference speed exceeds 1e-6 rad/s
             (m/s for a sliding joint); NaN where unknown.
         settling: what settling after moves cost.
+        waiting: how long its program stood at waits.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the straight moves.
@@ -55,13 +58,14 @@ class StationSummary:
     skipped: tuple[SkipEvent, ...]
     share_in_motion: float
     settling: Settling
+    waiting: Waiting
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
 
 
 class Figures(Protocol):
-    """What a whole run and one of its stations have both: time, moves, settling."""
+    """What a whole run and one of its stations have both: time, moves, settling, waits."""
 
     @property
     def cycle_time(self) -> float:
@@ -76,6 +80,11 @@ class Figures(Protocol):
     @property
     def settling(self) -> Settling:
         """Return what settling after moves cost."""
+        ...
+
+    @property
+    def waiting(self) -> Waiting:
+        """Return how long programs stood at waits."""
         ...
 
     @property
@@ -149,6 +158,7 @@ def _station(recording: Recording, facts: StationFacts) -> StationSummary:
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
         share_in_motion=share_in_motion(recording, cycle_time),
         settling=settling_of(events, cycle_time),
+        waiting=waiting_of(events, cycle_time),
         tasks=summarize_tasks(recording),
         joints=summarize_joints(recording),
         path=summarize_path(recording),

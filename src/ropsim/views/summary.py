@@ -13,7 +13,9 @@ from ropsim.flow import (
     RunFacts,
     Settling,
     SkipEvent,
+    Waiting,
     settling_of,
+    waiting_of,
 )
 from ropsim.views.channels import invalid_samples
 from ropsim.views.device_summary import DeviceSummary, summarize_devices
@@ -49,6 +51,7 @@ class Summary:
         share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
             (m/s for a sliding joint); NaN where unknown.
         settling: what settling after moves cost, as a share of the cycle times of all stations together.
+        waiting: how long programs stood at waits, as a share of the same.
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the straight moves.
@@ -71,6 +74,7 @@ class Summary:
     skipped: tuple[SkipEvent, ...]
     share_in_motion: float
     settling: Settling
+    waiting: Waiting
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
@@ -119,6 +123,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
     """
     events, stations = recording.events, summarize_stations(recording)
     cycle_time = end_of(events)
+    together = sum(one.cycle_time for one in stations) or cycle_time
     whole = stations[0] if len(stations) == 1 else None
     findings = (*before, *recording.findings)
     groups = group_findings(findings)
@@ -132,7 +137,8 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
         share_in_motion=share_in_motion(recording, cycle_time),
-        settling=settling_of(events, sum(one.cycle_time for one in stations) or cycle_time),
+        settling=settling_of(events, together),
+        waiting=waiting_of(events, together),
         tasks=whole.tasks if whole else summarize_tasks(recording),
         joints=whole.joints if whole else summarize_joints(recording),
         path=whole.path if whole else summarize_path(recording),

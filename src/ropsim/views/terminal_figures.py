@@ -49,11 +49,12 @@ def cycle_time_line(figures: Figures, summary: Summary, style: Style) -> str:
 
 
 def effort_lines(figures: Figures, summary: Summary) -> list[str]:
-    """Return how much of the time an arm moves, what settling cost, and what it did."""
+    """Return how much of the time an arm moves, what settling and waits cost, and what it did."""
     moves = " + ".join(f"{count} {clean(kind)}" for kind, count in figures.moves.items()) or "none"
     return [
         f"in motion    {percent(figures.share_in_motion)} of the cycle time",
         *_settling(figures, summary),
+        *_waiting(figures),
         f"moves        {moves}; {plural(figures.grips, 'grip')}, {plural(figures.releases, 'release')}",
     ]
 
@@ -69,6 +70,18 @@ def _settling(figures: Figures, summary: Summary) -> list[str]:
         slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
         lines.append(f"             longest {settling.longest:.3f} s{place}{slow}")
     return lines
+
+
+def _waiting(figures: Figures) -> list[str]:
+    """Return how long the program stood at waits, and where longest; nothing where it did not."""
+    waiting = figures.waiting
+    if not waiting.total > 0.0:
+        return []
+    place = place_text(waiting.line, waiting.visit)
+    return [
+        f"waiting      {seconds(waiting.total)} s, {percent(waiting.share)} of the cycle time",
+        f"             longest {seconds(waiting.longest)} s{place}",
+    ]
 
 
 def task_lines(tasks: tuple[TaskSummary, ...], style: Style) -> list[str]:

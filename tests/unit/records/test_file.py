@@ -10,6 +10,7 @@ import pytest
 from ropsim.core import Diagnostic, Label, Severity, TextEdit
 from ropsim.flow import EVENTS as KINDS
 from ropsim.flow import (
+    AwaitEvent,
     Channel,
     Destinations,
     Event,
@@ -50,6 +51,7 @@ EVENTS: tuple[Event, ...] = (
     MoveEvent(*WHEN, motion=MotionKind.PTP, ordinal=8),
     SkipEvent(*WHEN, motion=MotionKind.PTP),
     WaitEvent(*WHEN, pause=float("inf")),
+    AwaitEvent(*WHEN, channel="ready", value=False, came=True),
     *(OutputEvent(*WHEN, channel="lamp", value=value) for value in (True, 1, 1.0, float("-inf"))),
     MessageEvent(*WHEN, text="lone surrogate \ud800, \0 and ünïcode"),
     GripEvent(*WHEN, part="box"),

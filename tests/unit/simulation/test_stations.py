@@ -8,7 +8,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.flow import GripEvent, MoveEvent, OutputEvent, Recording, ReleaseEvent
+from ropsim.flow import AwaitEvent, GripEvent, MoveEvent, OutputEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward
 from ropsim.model import (
     Barrier,
@@ -100,6 +100,27 @@ def test_a_program_sees_what_another_one_sets_not_before_it_is_set() -> None:
     assert said[0] >= 0.5
     assert said[1] == pytest.approx(1.25, abs=0.004 + 1e-9)
     assert said[1] >= 1.25
+
+
+def test_a_wait_for_a_signal_is_an_event_that_tells_whether_the_signal_came() -> None:
+    recording = ran(
+        cell(station("left"), station("right", AWAY), signals={"go": switch("go")}),
+        left=("wait 0.5 s", "set go on", "wait 1 s"),
+        right=("wait until go", "wait until go", 'wait until not go timeout 0.25 s else print "on"'),
+    )
+    waits = recording.events_of(AwaitEvent)
+    assert [(one.channel, one.value, one.came) for one in waits] == [
+        ("go", True, True),
+        ("go", True, True),
+        ("go", False, False),
+    ]
+    assert {one.station for one in waits} == {"right"}
+    came, again, late = waits
+    assert came.time == 0.0
+    assert came.duration == pytest.approx(0.5, abs=0.004 + 1e-9)
+    assert again.duration <= 0.004 + 1e-9
+    assert late.duration == pytest.approx(0.25, abs=0.004 + 1e-9)
+    assert len({one.line for one in waits}) == 3
 
 
 def test_the_last_word_on_a_signal_that_two_stations_set_is_the_later_one() -> None:

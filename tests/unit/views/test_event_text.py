@@ -2,6 +2,7 @@ import pytest
 
 from ropsim.flow import (
     EVENTS,
+    AwaitEvent,
     Event,
     GripEvent,
     InputEvent,
@@ -21,6 +22,8 @@ TEXTS: list[tuple[Event, str]] = [
     (MoveEvent(0.0, origin=Origin(visit=3), motion=MotionKind.LIN, ordinal=0), "LIN pass 3"),
     (SkipEvent(0.0, motion=MotionKind.PTP), "PTP not possible"),
     (WaitEvent(0.0, pause=0.5), "wait 0.5 s"),
+    (AwaitEvent(0.0, channel="ready", value=True, came=True), "wait until ready"),
+    (AwaitEvent(0.0, channel="ready", value=False, came=False), "wait until not ready, in vain"),
     (OutputEvent(0.0, channel="lamp", value=True), "lamp = True"),
     (MessageEvent(0.0, text="two\nlines"), "two\nlines"),
     (GripEvent(0.0, part="box"), "close on box"),

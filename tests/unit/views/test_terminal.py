@@ -5,11 +5,23 @@ from typing import Any
 import numpy as np
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import AxisType, Channel, Fidelity, MotionKind, MoveEvent, SkipEvent, TaskEvent
+from ropsim.flow import (
+    AwaitEvent,
+    AxisType,
+    Channel,
+    Fidelity,
+    MotionKind,
+    MoveEvent,
+    Origin,
+    SkipEvent,
+    TaskEvent,
+    WaitEvent,
+)
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.views.characters import width
 from support.golden import GOLDEN, check_golden
 from support.recordings import (
+    SOURCE,
     empty_recording,
     estimates,
     facts,
@@ -39,6 +51,19 @@ def test_long_names_do_not_break_the_columns() -> None:
     events = (TaskEvent(0.0, 1.0, name="t" * 200, serial=1, depth=9),)
     text = report(events=events, facts=facts(project="p" * 300))
     assert max(width(line) for line in text.splitlines()) <= COLUMNS
+
+
+def test_waits_are_told_with_the_longest_one_and_not_at_all_where_there_are_none() -> None:
+    assert "waiting" not in report()
+    events = pick_and_place(3).events
+    waits = (
+        AwaitEvent(1.0, 2.0, "robot", Origin(SOURCE.span(9), 2), channel="ready", value=True, came=True),
+        WaitEvent(4.0, 0.5, "robot", Origin(SOURCE.span(8)), pause=0.5),
+    )
+    text = report(events=(*events, *waits))
+    share = 2.5 / max(event.end for event in events)
+    assert f"waiting      2.50 s, {share * 100:.0f} % of the cycle time" in text
+    assert "             longest 2.00 s (line 9 pass 2)" in text
 
 
 def test_names_of_joints_are_shown_whole_up_to_24_columns() -> None:

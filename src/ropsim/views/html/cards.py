@@ -26,6 +26,7 @@ def key_figures(summary: Summary) -> str:
         [
             _cycle_time(summary, summary),
             *_settling_figure(summary, summary),
+            *(_waiting_figure(summary) if len(summary.stations) == 1 else ()),
             *_work(summary),
             *_destinations_figure(summary),
             *_device_figures(summary.devices),
@@ -42,6 +43,7 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
         [
             _cycle_time(station, summary),
             *_settling_figure(station, summary),
+            *_waiting_figure(station),
             *_work(station),
             *_path_figure(station),
             *_joint_figures(station.joints),
@@ -87,6 +89,16 @@ def _settling_figure(figures: Figures, summary: Summary) -> list[Card]:
     longest = f"; longest {settling.longest:.3f} s{place}" if settling.longest > 0.0 else ""
     slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""
     return [("settling", f"{seconds(settling.total)} s", share + longest + slow)]
+
+
+def _waiting_figure(figures: Figures) -> list[Card]:
+    waiting = figures.waiting
+    if not waiting.total > 0.0:
+        return []
+    longest = f"longest {seconds(waiting.longest)} s{place_text(waiting.line, waiting.visit)}"
+    return [
+        ("waiting", f"{seconds(waiting.total)} s", f"{percent(waiting.share)} of the cycle time; {longest}")
+    ]
 
 
 def _destinations_figure(summary: Summary) -> list[Card]:

@@ -12,7 +12,7 @@ from ropsim.views.summary import Summary
 SHOWN_TASKS = 12
 SHOWN_SIGNALS = 24
 
-_INSTRUCTIONS = {"grip": "closing", "release": "opening", "wait": "waiting"}
+_INSTRUCTIONS = {"grip": "closing", "release": "opening", "wait": "waiting", "await": "waiting"}
 
 
 def schedule(recording: Recording, summary: Summary) -> str:
@@ -27,15 +27,13 @@ def schedule(recording: Recording, summary: Summary) -> str:
         elif isinstance(event, MoveEvent):
             lanes.setdefault((event.station, event.motion.value), []).append((event.time, event.end))
         elif event.kind in _INSTRUCTIONS and event.duration > 0.0:
-            lanes.setdefault((event.station, event.kind), []).append((event.time, event.end))
+            doing = (event.station, _INSTRUCTIONS[event.kind])
+            lanes.setdefault(doing, []).append((event.time, event.end))
     names = [task.name for task in summary.tasks if task.name in tasks][:SHOWN_TASKS]
-    kinds = sorted(lanes, key=lambda lane: (lane[0], lane[1] in _INSTRUCTIONS, lane[1]))
+    kinds = sorted(lanes, key=lambda lane: (lane[0], lane[1] in _INSTRUCTIONS.values(), lane[1]))
     rows = [
         *(SpanRow(name, tasks[name]) for name in names),
-        *(
-            SpanRow(labelled(recording, station, _INSTRUCTIONS.get(kind, kind)), lanes[station, kind])
-            for station, kind in kinds
-        ),
+        *(SpanRow(labelled(recording, station, kind), lanes[station, kind]) for station, kind in kinds),
     ]
     if not rows:
         return ""
