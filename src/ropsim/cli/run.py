@@ -21,7 +21,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     sources = project.texts
     _check_places(options, project)
     programs = {} if project.is_broken else project.programs(options.program)
-    before = (*project.diagnostics, *found_in(programs.values()))
+    before = (*project.diagnostics, *found_in(programs))
     if not programs or any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)

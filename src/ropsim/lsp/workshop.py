@@ -1,8 +1,9 @@
 """What is made of documents: the cell around them and their findings, remembered until a text changes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 
 from ropsim import language
 from ropsim.cellfile import read_cell
@@ -13,6 +14,9 @@ from ropsim.userfiles import read_text_file
 from ropsim.workbench import CheckedText, check_text, environment_of
 
 CELL_FILE = "cell.toml"
+
+#: What a program can name that no station runs.
+NO_STATION: Mapping[str, language.Environment] = MappingProxyType({"": language.NO_SIGNATURES})
 
 #: Texts outside of a project end their search for a cell file after so many folders.
 _MAX_DEPTH = 40
@@ -26,15 +30,18 @@ class Surroundings:
         folder: of the project, None outside of one.
         cell_text: text of the cell file, open or on the disk.
         cell: the cell, None outside of a project and where the file is wrong.
-        station: that runs the program, None without a cell.
-        environment: names for the compiler.
+        environments: names for the compiler, by the name of each station that runs the program.
     """
 
     folder: Path | None = None
     cell_text: SourceText | None = None
     cell: Cell | None = None
-    station: Station | None = None
-    environment: language.Environment = language.NO_SIGNATURES
+    environments: Mapping[str, language.Environment] = field(default_factory=lambda: NO_STATION)
+
+    @property
+    def station(self) -> Station | None:
+        """Return the first station that runs the program, None without a cell."""
+        return self.cell.stations[next(iter(self.environments))] if self.cell else None
 
     @property
     def is_broken(self) -> bool:
@@ -76,11 +83,11 @@ class Workshop:
             _, findings = read_cell(source, _folder_name(document))
             checked = CheckedText(source, findings)
         elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
-            checked = check_text(source, language.NO_SIGNATURES, None, None, self._lines)
+            checked = check_text(source, None, NO_STATION, self._lines)
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
             checked = CheckedText(source, syntax, checked.tasks)
         else:
-            checked = check_text(source, around.environment, around.cell, around.station, self._lines)
+            checked = check_text(source, around.cell, around.environments, self._lines)
         self._checked[document.uri] = (document, around, checked)
         return checked
 
@@ -103,8 +110,12 @@ class Workshop:
         if known is not None and known.cell_text == text:
             return known
         cell = read_cell(text, folder.name)[0] if text is not None else None
-        station = cell.station_of(program) if cell else None
-        made = Surroundings(folder, text, cell, station, environment_of(cell, station))
+        environments = (
+            {station.name: environment_of(cell, station) for station in cell.stations_of(program)}
+            if cell
+            else NO_STATION
+        )
+        made = Surroundings(folder, text, cell, environments)
         self._surroundings[folder, program] = made
         return made
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from ropsim import language
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell, Station
-from ropsim.workbench.compiled_project import compile_program, unbound
+from ropsim.workbench.compiled_project import compile_program, found_at, unbound
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,22 +26,35 @@ class CheckedText:
 
 def check_text(
     text: SourceText,
-    environment: language.Environment,
     cell: Cell | None,
-    station: Station | None,
+    environments: Mapping[str, language.Environment],
     cache: language.LineCache,
 ) -> CheckedText:
-    """Return the findings of a task text or an ICR text (by its ending), quickly.
+    """Return the findings of a task text or an ICR text (by its ending) at all stations that run it, quickly.
 
     The code that comes out of the compiler is not verified once more, which it passes by construction.
 
     Args:
         text: the program.
-        environment: what the cell gives names to.
         cell: the cell, None for a text outside of a project.
-        station: that runs the program, None for the first one.
+        environments: what the cell gives names to, by the name of the station, one at least.
         cache: kept between versions of the text.
     """
+    checked = [
+        _at_station(text, cell, cell.stations[name] if cell else None, environment, cache)
+        for name, environment in environments.items()
+    ]
+    found = {name: one.diagnostics for name, one in zip(environments, checked, strict=True)}
+    return CheckedText(text, found_at(found), checked[0].tasks)
+
+
+def _at_station(
+    text: SourceText,
+    cell: Cell | None,
+    station: Station | None,
+    environment: language.Environment,
+    cache: language.LineCache,
+) -> CheckedText:
     if text.name.endswith(".icr"):
         return CheckedText(text, compile_program(text, cell, station).diagnostics)
     compiled = language.compile(text.text, environment, text.name, cache)

@@ -1,7 +1,7 @@
 """Programs after compilation, from task text or from ICR text."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from ropsim import icr, language, program
 from ropsim.core import Diagnostic, SourceText, did_you_mean
@@ -55,9 +55,46 @@ def compile_program(text: SourceText, cell: Cell | None, station: Station | None
     return CompiledProgram(text, None, code, findings)
 
 
-def found_in(programs: Iterable[CompiledProgram]) -> tuple[Diagnostic, ...]:
-    """Return the findings of some programs, each once."""
-    return tuple(dict.fromkeys(found for one in programs for found in one.diagnostics))
+def found_in(programs: Mapping[str, CompiledProgram]) -> tuple[Diagnostic, ...]:
+    """Return the findings of programs by station, each once, text after text."""
+    texts: dict[str, dict[str, tuple[Diagnostic, ...]]] = {}
+    for station, one in programs.items():
+        texts.setdefault(one.source.name, {})[station] = one.diagnostics
+    return tuple(found for stations in texts.values() for found in found_at(stations))
+
+
+def found_at(stations: Mapping[str, Sequence[Diagnostic]]) -> tuple[Diagnostic, ...]:
+    """Return what was found in one text at the stations that run it, each finding once, in order of place.
+
+    What was not found at all of them has a note that says at which it was.
+
+    Args:
+        stations: findings by the name of the station.
+    """
+    if len(stations) == 1:
+        return tuple(found for findings in stations.values() for found in dict.fromkeys(findings))
+    first: dict[tuple[object, ...], Diagnostic] = {}
+    where: dict[tuple[object, ...], dict[str, None]] = {}
+    for name, findings in stations.items():
+        for one in findings:
+            said = (one.code, one.span, one.message)  # hints list what the station has instead
+            first.setdefault(said, one)
+            where.setdefault(said, {})[name] = None
+    told = (
+        one if len(where[said]) == len(stations) else replace(one, notes=(*one.notes, _at_only(where[said])))
+        for said, one in first.items()
+    )
+    return tuple(sorted(told, key=_place))
+
+
+def _at_only(stations: Collection[str]) -> str:
+    names = ", ".join(f"`{name}`" for name in stations)
+    return f"at station{'s' if len(stations) > 1 else ''} {names} only"
+
+
+def _place(found: Diagnostic) -> tuple[bool, int, int]:
+    """Return by what findings are put in order; those without a place are the last."""
+    return (False, found.span.line, found.span.column) if found.span else (True, 0, 0)
 
 
 def unbound(code: icr.Program, cell: Cell | None, station: Station | None) -> tuple[Diagnostic, ...]:

@@ -79,13 +79,16 @@ class Project:
             return CompiledProject({}, self.diagnostics)
         compiled = {name: self._at_stations(name, text) for name, text in self.sources.items()}
         found = [one for programs in compiled.values() for one in found_in(programs)]
-        programs = {name: programs[0] for name, programs in compiled.items()}
+        programs = {name: next(iter(stations.values())) for name, stations in compiled.items()}
         return CompiledProject(programs, (*self.diagnostics, *self._unwritten(), *found))
 
-    def _at_stations(self, name: str, text: SourceText) -> tuple[CompiledProgram, ...]:
+    def _at_stations(self, name: str, text: SourceText) -> dict[str, CompiledProgram]:
         """Return a program compiled for each station that runs it: their tools and places differ."""
-        stations = self.cell.stations_of(name) if self.cell else (None,)
-        return tuple(compile_program(text, self.cell, station) for station in stations)
+        if self.cell is None:
+            return {ROBOT: compile_program(text, None)}
+        return {
+            station.name: compile_program(text, self.cell, station) for station in self.cell.stations_of(name)
+        }
 
     def program(self, name: str | None = None) -> CompiledProgram:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.

@@ -73,7 +73,7 @@ def made_ready(job: Simulate | LiveStart) -> Runnable | RunReply:
     compiled = project.program(job.program or None)
     name = next(key for key, text in project.sources.items() if text is compiled.source)
     programs = project.programs(job.program or None)
-    findings = (*project.diagnostics, *found_in(programs.values()))
+    findings = (*project.diagnostics, *found_in(programs))
     if any(one.is_error for one in findings):
         return RunReply("refused", name, findings=plain_findings(findings))
     cell, codes = project.runnable(programs)
