@@ -46,13 +46,15 @@ from ropsim.version import __version__
 
 def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOptions) -> Recording:
     """Return the recording of a run that has ended."""
-    rows = _rows(run)
+    logs = {name: at.plant.log() for name, at in run.stations.items()}
+    rows = _rows(run, logs)
     time = rows / run.hz
     channels: dict[str, Channel] = {}
     events: list[Event] = [*input_events(inputs_taken(run))]
     judged: list[Diagnostic] = []
     for name, at in run.stations.items():
-        own, source = _station_channels(at, rows), programs[name].source if name in programs else ""
+        own = _station_channels(at, logs.pop(name), rows)
+        source = programs[name].source if name in programs else ""
         channels |= {channel_name(quantity, name): channel for quantity, channel in own.items()}
         mine = [event for event in run.events if event.station == name]
         events += _with_errors(mine, at, rows, own["path_error"].values)
@@ -73,16 +75,16 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements))
 
 
-def _rows(run: CellRun) -> Array:
+def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:
     """Return the ticks of the cell's clock that have a row, those of the station that has the fewest."""
-    ticks = [at.plant.log()["tick"] * at.cell_ticks for at in run.stations.values()]
+    ticks = [logs[name]["tick"] * at.cell_ticks for name, at in run.stations.items()]
     return min(ticks, key=len)
 
 
-def _station_channels(at: StationRun, rows: Array) -> dict[str, Channel]:
+def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) -> dict[str, Channel]:
     """Return the channels of a station at ticks of the cell's clock, without its name before theirs."""
-    log = at.plant.log()
-    own, ticks = log.pop("tick"), rows / at.cell_ticks
+    own, ticks = logged["tick"], rows / at.cell_ticks
+    log = {name: values for name, values in logged.items() if name != "tick"}
     if not np.array_equal(own, ticks):  # it is recorded at other ticks: linear between two rows
         log = {
             name: np.column_stack([np.interp(ticks, own, one) for one in values.T])
