@@ -8,6 +8,7 @@ from ropsim.controller import ScriptedSensors
 from ropsim.core import Diagnostic
 from ropsim.flow import Event, InputChange, Placement
 from ropsim.model import Cell, Part, Tool
+from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
 from ropsim.simulation.inputs import signal_track
 from ropsim.simulation.moment import Moment
@@ -42,6 +43,7 @@ class CellRun:
         stopped: whether the run was ended by who watches.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and those that are still to come.
+        clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
     """
 
     cell: Cell
@@ -61,6 +63,7 @@ class CellRun:
     stopped: bool = False
     inputs: list[InputChange] = field(default_factory=list)
     supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
+    clasps: dict[str, Clasp] = field(default_factory=dict)
 
     @property
     def tick(self) -> int:

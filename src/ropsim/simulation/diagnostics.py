@@ -229,6 +229,28 @@ which goes on waiting. A wait with a `timeout` is never in vain.
 """,
 )
 
+PULLED_APART = define(
+    "S743",
+    "pulled-apart",
+    Severity.ERROR,
+    "two grippers were closed on one part and moved apart",
+    """
+A part was handed over: a second gripper closed on it, and it hangs on that one from then on. The first one
+was still closed on it when one of the two moved away, by more than the `capture` of the first one. The real
+part would have been pulled out of one of the grippers, or bent.
+
+Let the first gripper open before anything moves, and let each program wait for the other:
+
+| gives | takes |
+|---|---|
+| `set offered on` | `wait until offered` |
+| `wait until gripped` | `close`, `set gripped on` |
+| `open`, then move away, `set offered off` | `wait until not offered`, then move away |
+
+Two arms that carry a part together, both closed on it, may move as long as they keep their distance.
+""",
+)
+
 RUN_OFF = define(
     "S741",
     "run-off",

@@ -8,6 +8,7 @@ from ropsim.model import Gripper, Tool, tool_body
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
 from ropsim.simulation.fingering import closed_on, go
+from ropsim.simulation.handing import kept, let_go, take_over
 from ropsim.simulation.parts import close_on, release
 from ropsim.simulation.placements import Placements
 from ropsim.simulation.standing import release_findings, stood
@@ -23,9 +24,13 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
         run.findings.append(_cannot_grasp(instruction, tool))
         return
     _move_fingers(run, at, tool, instruction.action)
+    if instruction.action is GripAction.OPEN:
+        let_go(run, at, tool)
     yield from at.stand(round(_dwell(tool.gripper, instruction.action) * at.hz))
     if instruction.action is GripAction.CLOSE:
-        run.take(at, at.tool, _picked_up(run, at, tool))
+        taken = _picked_up(run, at, tool)
+        take_over(run, at, tool, taken)
+        run.take(at, at.tool, taken)
         part = run.parts.held(at.hands)
         if not part:
             run.findings.append(_nothing_grasped(instruction, tool))
@@ -68,8 +73,13 @@ def _picked_up(run: CellRun, at: StationRun, tool: Tool) -> Placements:
 
 
 def _put_down(run: CellRun, at: StationRun, part: str, instruction: GripInstruction) -> Placements:
-    """Return the placements after the part in the gripper is left, and note where that was wrong."""
+    """Return the placements after the part in the gripper is left, and note where that was wrong.
+
+    A part on which another gripper is still closed hangs on that one again.
+    """
     moment = run.moment(at.due)
+    if held := kept(run, part, moment):
+        return held
     left = release(run.parts, run.cell, at.hands, moment)
     if part not in left.seats:
         return left

@@ -13,6 +13,7 @@ from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
 from ropsim.simulation.endless_waits import are_endless, end_waits
+from ropsim.simulation.handing import look_for_pulls
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.start import start_run
@@ -44,13 +45,16 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)
             continue
+        least = state.stations[name].due
+        look_for_pulls(state, least, programs)
         for at in state.stations.values():
-            at.forget(state.stations[name].due)
+            at.forget(least)
         try:
             next(state.at_work[name])
             state.watch.advanced(state)
         except StopIteration:
             del state.at_work[name]
     state.come_together()
+    look_for_pulls(state, state.tick, programs)
     state.watch.ended(state)
     return recording_of(state, programs, options)
