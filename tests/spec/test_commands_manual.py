@@ -87,7 +87,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "icr verify my_cell": {"ok", "id"} | found,
         "icr run my_cell": {"ok", "instructions", "steps"} | found,
         "robot list": {"robots"},
-        "robot show puma560": {"name", "title", "joints", "inverse_kinematics", "origins"},
+        "robot show puma560": {"name", "title", "joints", "following", "inverse_kinematics", "origins"},
         "robot audit puma560": {"ok"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
         "robot ik puma560 500 100 400 180 0 30": {

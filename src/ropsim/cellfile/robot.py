@@ -18,6 +18,7 @@ from ropsim.model import (
     PathDefaults,
     Rates,
     RobotModel,
+    coupled_limits,
     gain_names,
 )
 from ropsim.spatial import Array, Pose, frozen, record
@@ -122,6 +123,21 @@ def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
         message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
         hint = "without `start` the arm starts at its home position"
         table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
+    coupled = coupled_limits(model)
+    for joint, value, beyond in zip(
+        coupled.joints, coupled.values(start).tolist(), coupled.excess(start).tolist(), strict=True
+    ):
+        if beyond:
+            quantity = units.turn if joint.measure is JointType.REVOLUTE else units.position
+            found, lower, upper = (
+                quantity.show(one / quantity.scale) for one in (value, joint.lower, joint.upper)
+            )
+            message = (
+                f"joint `{joint.name}`, which follows the axes, would start at {found}, "
+                f"its limits are {lower} and {upper}"
+            )
+            hint = "without `start` the arm starts at its home position"
+            table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start"), message, hint)
     return frozen(start)
 
 

@@ -67,7 +67,7 @@ def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
     rows = [(*names, "posture", "beyond its limits" if any(one.beyond for one in branches) else "")]
     for one in branches:
         values = [f"{shown(q * scale, 3):.3f}" for q, (scale, _) in zip(one.q, shows, strict=True)]
-        rows.append((*values, str(one.posture), ", ".join(_excess(robot, joint) for joint in one.beyond)))
+        rows.append((*values, str(one.posture), ", ".join(_excess(joint) for joint in one.beyond)))
     longest = max(len(row[-2]) for row in rows)
     return [
         "  ".join(f"{cell:>{_WIDTH}}" for cell in row[:-2]) + f"   {row[-2]:{longest}}  {row[-1]}".rstrip()
@@ -75,8 +75,8 @@ def _table(robot: RobotModel, branches: Sequence[_Branch]) -> list[str]:
     ]
 
 
-def _excess(robot: RobotModel, beyond: LimitViolation) -> str:
-    scale, unit = display(robot.axis_joints[beyond.joint].measure)
+def _excess(beyond: LimitViolation) -> str:
+    scale, unit = display(beyond.model.measure)
     space = "" if unit == "°" else " "
     return f"joint {beyond.name} by {beyond.excess * scale:.1f}{space}{unit}"
 

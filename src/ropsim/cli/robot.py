@@ -11,7 +11,7 @@ from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import solver_document, solver_lines
 from ropsim.core import RopsimError, Severity, define
-from ropsim.model import Joint, JointType, RobotModel
+from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
@@ -44,7 +44,7 @@ def list_(options: argparse.Namespace, output: Output) -> int:
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a model."""
     robot = robots.load(options.name)
-    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot), ""]
+    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot), *_following(robot), ""]
     for text in solver_lines(robot):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
@@ -59,6 +59,10 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
                 for joint in robot.axis_joints
+            ],
+            "following": [
+                {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
+                for joint in coupled_limits(robot).joints
             ],
             "inverse_kinematics": solver_document(robot),
             "origins": [[one.parameters, one.kind, one.source] for one in robot.origins],
@@ -88,6 +92,16 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0
+
+
+def _following(robot: RobotModel) -> list[str]:
+    """Return a line for each joint that follows axes and has limits of its own."""
+    found = []
+    for joint in coupled_limits(robot).joints:
+        scale, unit = display(joint.measure)
+        lower, upper = f"{joint.lower * scale:.1f} {unit}", f"{joint.upper * scale:.1f} {unit}"
+        found.append(f"joint {joint.name}, which follows the axes: {lower} to {upper}")
+    return ["", *found] if found else []
 
 
 def _joint_rows(robot: RobotModel) -> list[str]:

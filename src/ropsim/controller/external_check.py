@@ -48,7 +48,7 @@ def check_external(
     if move.kind is MotionKind.LIN:
         return _moved_on_line(move, q_start, robot)
     there = with_external(move, q_start, robot)
-    return limit_findings(move, there, robot, robot.external, (limits.lower, limits.upper))
+    return limit_findings(move, there, robot, limits, robot.external)
 
 
 def _wrong_number(move: MoveInstruction, robot: RobotModel) -> Diagnostic:

@@ -73,7 +73,7 @@ class StandardInverseTransform:
             found = follower.follow(matrices, inverse_batch(self.robot, matrices, q_start), q_start)
         p_start = (forward_batch(self.robot, q_start[None])[0] @ X_MT.matrix())[:3, 3]
         line = Line(move, setpoints, p_start, q_start)
-        refusals = limit_refusals(line, found.q, self.robot, self._range)
+        refusals = limit_refusals(line, found.q, self._range)
         if not refusals and not found.complete:
             refusals = (lost(line, found, self.robot, matrices),)
         refusals = refusals or speed_refusals(line, found.q, self.robot)

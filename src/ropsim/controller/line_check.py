@@ -91,7 +91,7 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
     )
 
 
-def limit_refusals(line: Line, q: Array, robot: RobotModel, limits: JointRange) -> tuple[Diagnostic, ...]:
+def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic, ...]:
     """Return M503 for the joint that meets its limit first, or nothing."""
     excess = limits.excess(q)
     outside = np.flatnonzero(excess.any(axis=1))
@@ -99,9 +99,10 @@ def limit_refusals(line: Line, q: Array, robot: RobotModel, limits: JointRange) 
         return ()
     row = int(outside[0])
     index = int(np.argmax(excess[row]))
-    furthest = float(q[int(np.argmax(excess[:, index])), index])
-    joint = robot.axis_joints[index]
-    limit = joint.upper if q[row, index] > joint.upper else joint.lower
+    values = limits.values(q)[:, index]
+    furthest = float(values[int(np.argmax(excess[:, index]))])
+    joint = limits.joints[index]
+    limit = joint.upper if values[row] > joint.upper else joint.lower
     share = line.share(row)
     finding = JOINT_LIMIT_ON_LINE.at(
         line.move.origin.span,

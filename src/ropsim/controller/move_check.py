@@ -1,8 +1,11 @@
 """Checks of the values of one move instruction, before anything is computed with them."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterator
 
+import numpy as np
+
+from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, figures, passes
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
@@ -19,7 +22,6 @@ from ropsim.spatial import Array, Pose
 MAX_DURATION = 600.0  # [s] of one move; beyond it a mistaken unit is certain enough
 _MAX_COORDINATE = 1e3  # [m]
 _MAX_RATE = 1e6  # any speed, acceleration or jerk, in SI units
-_LIMIT_SLACK = 1e-9  # [rad | m]; rounding of a coordinate that stands exactly on its limit
 
 
 def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
@@ -41,7 +43,7 @@ def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
 
 
 def check_joints(
-    move: MoveInstruction, q: Array, robot: RobotModel, lower: Array, upper: Array
+    move: MoveInstruction, q: Array, robot: RobotModel, limits: JointRange
 ) -> tuple[Diagnostic, ...]:
     """Return M508 where the number of joint coordinates is wrong, or M502 for each one out of range.
 
@@ -49,8 +51,7 @@ def check_joints(
         move: the instruction that they belong to.
         q: joint coordinates [rad | m], shape (m,).
         robot: the arm.
-        lower: limits of the arm [rad | m], shape (n,).
-        upper: limits of the arm [rad | m], shape (n,).
+        limits: of its joints.
     """
     span, origin = move.origin.span, move.origin
     if len(q) != robot.n:
@@ -64,37 +65,36 @@ def check_joints(
             data={"found": len(q), "allowed": robot.n},
         )
         return (found,)
-    return limit_findings(move, q, robot, range(robot.n), (lower, upper))
+    return limit_findings(move, q, robot, limits, range(len(limits.joints)))
 
 
 def limit_findings(
-    move: MoveInstruction, q: Array, robot: RobotModel, axes: Iterable[int], limits: tuple[Array, Array]
+    move: MoveInstruction, q: Array, robot: RobotModel, limits: JointRange, numbers: Container[int]
 ) -> tuple[Diagnostic, ...]:
-    """Return M502 for each of some axes whose coordinate is out of range.
+    """Return M502 for each of some joints whose coordinate is out of range.
 
     Args:
         move: the instruction that they belong to.
         q: joint coordinates [rad | m], shape (n,).
         robot: the arm.
-        axes: numbers of the axes to look at, from 0.
-        limits: lower and upper limits [rad | m], shape (n,) each.
+        limits: of its joints.
+        numbers: of the joints to look at, among those of the limits.
     """
-    lower, upper = limits
-    span, origin = move.origin.span, move.origin
-    outside = (q < lower - _LIMIT_SLACK) | (q > upper + _LIMIT_SLACK)
+    origin = move.origin
+    values, outside = limits.values(q[None])[0], np.flatnonzero(limits.excess(q[None])[0]).tolist()
     findings = []
-    for index in axes:
-        if not outside[index]:
-            continue
-        joint, value = robot.axis_joints[index], float(q[index])
+    for index in (number for number in outside if number in numbers):
+        joint, value = limits.joints[index], float(values[index])
         limit = joint.upper if value > joint.upper else joint.lower
         findings.append(
             JOINT_OUT_OF_RANGE.at(
-                span,
+                origin.span,
                 f"target has joint `{joint.name}` at {coordinate(joint, value)}, "
                 f"the limit is {coordinate(joint, limit)}",
                 label=passes(origin),
-                hint="give a coordinate within the limits of the joint",
+                hint="give a coordinate within the limits of the joint"
+                if index < robot.n
+                else "the joint follows the axes: change the coordinates that move it",
                 data={**figures(joint, value, limit), "pass": origin.visit},
             )
         )

@@ -120,7 +120,7 @@ class StandardPathPlanner:
             return branches
         choice = choose(self.robot, branches, q_start, self._range, limits)
         if choice is None:
-            return Refusal((out_of_range(move, branches, self.robot, self._range),))
+            return Refusal((out_of_range(move, branches, self._range),))
         trajectory = joint_trajectory(q_start, choice.q, limits)
         if choice.keeps_posture:
             return trajectory
@@ -136,7 +136,7 @@ class StandardPathPlanner:
             if isinstance(branches, Refusal):
                 return branches
             if not (self._range.excess(branches) == 0.0).all(axis=1).any():
-                return Refusal((out_of_range(move, branches, self.robot, self._range),))
+                return Refusal((out_of_range(move, branches, self._range),))
         else:
             goal = self._joint_goal(move)
             if isinstance(goal, Refusal):
@@ -151,7 +151,7 @@ class StandardPathPlanner:
     def _joint_goal(self, move: MoveInstruction) -> Array | Refusal:
         """Return the target in joint coordinates (home where the move has none)."""
         goal = np.array(move.target) if isinstance(move.target, tuple) else self.home
-        problems = check_joints(move, goal, self.robot, self._range.lower, self._range.upper)
+        problems = check_joints(move, goal, self.robot, self._range)
         return Refusal(problems) if problems else goal
 
     def _branches(self, move: MoveInstruction, X_BM: Pose, q_near: Array) -> Array | Refusal:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.kinematics import posture, solver_of, turning_axes
-from ropsim.model import RobotModel
+from ropsim.model import CoupledLimits, Joint, RobotModel, coupled_limits
 from ropsim.motion import JointMotionLimits, durations
 from ropsim.spatial import Array, record
 
@@ -14,27 +14,45 @@ _LIMIT_SLACK = 1e-9  # [rad | m]; rounding of inverse kinematics at a coordinate
 
 @record
 class JointRange:
-    """The limits of all joints as arrays.
+    """The limits of all joints as arrays: of the n axes, and of m joints that follow them by couplings.
 
     Attributes:
-        lower: [rad | m], shape (n,).
-        upper: [rad | m], shape (n,).
-        revolute: whether a joint turns (and may add whole turns), shape (n,).
+        lower: of the axes [rad | m], shape (n,).
+        upper: of the axes [rad | m], shape (n,).
+        revolute: whether an axis turns (and may add whole turns), shape (n,).
+        joints: of the axes, and those that follow, n + m of them.
+        coupled: limits of those that follow.
     """
 
     lower: Array
     upper: Array
     revolute: Array
+    joints: tuple[Joint, ...]
+    coupled: CoupledLimits
 
     @classmethod
     def of(cls, robot: RobotModel) -> "JointRange":
         """Return the range of an arm."""
-        return cls(robot.lower_limits, robot.upper_limits, turning_axes(robot))
+        coupled = coupled_limits(robot)
+        joints = (*robot.axis_joints, *coupled.joints)
+        return cls(robot.lower_limits, robot.upper_limits, turning_axes(robot), joints, coupled)
 
     def excess(self, q: Array) -> Array:
-        """Return how far each coordinate lies outside its limits [rad | m]: 0 inside, NaN for NaN."""
+        """Return how far each coordinate lies outside its limits [rad | m]: 0 inside, NaN for NaN.
+
+        Args:
+            q: of the axes [rad | m], shape (k, n).
+
+        Returns:
+            Of all joints, shape (k, n + m).
+        """
         beyond: Array = np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)
-        return np.where(beyond <= _LIMIT_SLACK, 0.0, beyond)
+        own = np.where(beyond <= _LIMIT_SLACK, 0.0, beyond)
+        return np.concatenate((own, self.coupled.excess(q)), axis=1) if self.coupled.joints else own
+
+    def values(self, q: Array) -> Array:
+        """Return the coordinates of all joints [rad | m], shape (k, n + m), for those of the axes (k, n)."""
+        return np.concatenate((q, self.coupled.values(q)), axis=1)
 
 
 @record

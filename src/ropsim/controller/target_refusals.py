@@ -62,7 +62,7 @@ def _miss_data(miss: Miss | None) -> dict[str, object]:
     return {} if miss is None else {"missing_m": miss.distance, "missing_rad": miss.angle}
 
 
-def out_of_range(move: MoveInstruction, branches: Array, robot: RobotModel, limits: JointRange) -> Diagnostic:
+def out_of_range(move: MoveInstruction, branches: Array, limits: JointRange) -> Diagnostic:
     """Return M502 for a command pose that every posture reaches only beyond the joint limits.
 
     The joint that is named is the worst one of the posture that comes nearest to the limits.
@@ -70,14 +70,13 @@ def out_of_range(move: MoveInstruction, branches: Array, robot: RobotModel, limi
     Args:
         move: the instruction.
         branches: of the pose, with their best turns, NaN where absent [rad | m], shape (b, n).
-        robot: the arm.
         limits: of the joints.
     """
     turned = branches[~np.isnan(branches).any(axis=1)]
     excess = limits.excess(turned)
     nearest = int(np.argmin(excess.max(axis=1)))
     index = int(np.argmax(excess[nearest]))
-    joint, value = robot.axis_joints[index], float(turned[nearest, index])
+    joint, value = limits.joints[index], float(limits.values(turned)[nearest, index])
     limit = joint.upper if value > joint.upper else joint.lower
     count = len(turned)
     reach = "one posture reaches" if count == 1 else f"{count} postures reach"

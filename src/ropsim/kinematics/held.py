@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.kinematics.forward import frames_batch
-from ropsim.kinematics.result import IkResult
+from ropsim.kinematics.result import NO_AXIS, IkResult
 from ropsim.model import BASE_LINK, HeldArm, RobotModel
 from ropsim.spatial import Array
 
@@ -49,5 +49,8 @@ def result_of_robot(held: HeldArm, q: Array, found: IkResult) -> IkResult:
         solutions=of_robot(held, q, found.solutions),
         turns=tuple(of_robot(held, q, turns) for turns in found.turns),
         branches=of_robot(held, q, found.branches),
-        violations=tuple(replace(one, joint=held.axes[one.joint]) for one in found.violations),
+        violations=tuple(
+            replace(one, joint=held.axes[one.joint]) if one.joint != NO_AXIS else one
+            for one in found.violations
+        ),
     )

@@ -20,7 +20,7 @@ from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
 from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
 from ropsim.kinematics.solver import InverseSolver
-from ropsim.model import RobotModel, held_arm
+from ropsim.model import CoupledLimits, RobotModel, coupled_limits, held_arm
 from ropsim.spatial import Array, Pose, frozen
 
 NEIGHBOUR = 0.1
@@ -38,6 +38,7 @@ class _Desk:
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
         rest: zeros, shape (n,).
         select: chooses among branches by these limits.
+        coupled: limits of joints that are no axes.
     """
 
     solver: InverseSolver
@@ -45,6 +46,7 @@ class _Desk:
     limits: Array
     rest: Array
     select: Compiled
+    coupled: CoupledLimits
 
 
 def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | None = None) -> Array:
@@ -110,16 +112,15 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
         variants = found[2 * rows + 2 : 2 * rows + 2 + (rows + sum(counts)) * n].copy().reshape(-1, n)
         postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
         turns = _turns(variants[rows:], counts)
-        return IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
+        result = IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
+        return _within(robot, desk.coupled, result) if respected and desk.coupled.joints else result
     solutions = np.empty((0, n))
     if not present:
         if not np.isfinite(T).all():
             raise NotFiniteError("pose")
         shortfall = desk.solver.shortfall(T)
         return IkResult(shortfall.status, solutions, (), (), branches, names, (), shortfall)
-    outside = [limit_violations(robot, q) for q in branches if q[0] == q[0]]
-    nearest = min(outside, key=lambda violations: violations[0].excess)
-    return IkResult(IkStatus.OUT_OF_LIMITS, solutions, (), (), branches, names, nearest)
+    return _out_of_limits(robot, branches, names)
 
 
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
@@ -143,6 +144,31 @@ def branch(result: IkResult, posture: Posture) -> Array | None:
     """Return the joint coordinates [rad | m] of a posture, limits ignored, shape (n,); None if absent."""
     rows = [q for q, name in zip(result.branches, result.names, strict=True) if name == posture]
     return next((q for q in rows if q[0] == q[0]), None)
+
+
+def _out_of_limits(robot: RobotModel, branches: Array, names: tuple[Posture, ...]) -> IkResult:
+    """Return the answer where every branch breaks a limit, with what the one that does so least breaks."""
+    outside = [limit_violations(robot, q) for q in branches if q[0] == q[0]]
+    nearest = min((one for one in outside if one), key=lambda violations: violations[0].excess)
+    return IkResult(IkStatus.OUT_OF_LIMITS, branches[:0].copy(), (), (), branches, names, nearest)
+
+
+def _within(robot: RobotModel, coupled: CoupledLimits, found: IkResult) -> IkResult:
+    """Return an answer without what is beyond the limits of joints that follow axes by couplings."""
+    kept = []
+    for first, posture_, turns in zip(found.solutions, found.postures, found.turns, strict=True):
+        variants = np.vstack((first, turns))
+        inside = variants[(coupled.excess(variants) == 0.0).all(axis=1)]
+        if len(inside):
+            kept.append((posture_, inside))
+    if not kept:
+        return _out_of_limits(robot, found.branches, found.names)
+    return replace(
+        found,
+        solutions=np.array([inside[0] for _, inside in kept]),
+        postures=tuple(one for one, _ in kept),
+        turns=tuple(inside[1:].copy() for _, inside in kept),
+    )
 
 
 def _with_held_axes(robot: RobotModel, pose: Pose, options: IkOptions) -> IkResult:
@@ -189,4 +215,5 @@ def _desk(robot: RobotModel) -> _Desk:
     solver = solver_of(robot)
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
     rest = frozen(np.zeros(robot.n))
-    return _Desk(solver, solver.postures, limits, rest, bound(selection_kernel.select, limits))
+    select = bound(selection_kernel.select, limits)
+    return _Desk(solver, solver.postures, limits, rest, select, coupled_limits(robot))

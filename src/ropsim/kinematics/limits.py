@@ -4,9 +4,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.arrays import joint_vector, turning_axes
-from ropsim.kinematics.result import LimitViolation
+from ropsim.kinematics.result import NO_AXIS, LimitViolation
 from ropsim.kinematics.selection_kernel import LIMIT_SLACK
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array
 
 TURN = 2.0 * np.pi
@@ -29,15 +29,18 @@ def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
 def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
     """Return the joints that are outside their limits in every turn, worst first.
 
+    Joints that follow axes by couplings are looked at in the turns of the axes nearest to their limits.
+
     Args:
         robot: arm with n joints.
         q: joint coordinates [rad | m], shape (n,), such as a row of `IkResult.branches`.
     """
-    found = []
-    for index, (joint, value) in enumerate(
-        zip(robot.axis_joints, turned_to_limits(robot, q).tolist(), strict=True)
-    ):
+    found, turned, coupled = [], turned_to_limits(robot, q), coupled_limits(robot)
+    numbers = (*range(robot.n), *(NO_AXIS for _ in coupled.joints))
+    joints = (*robot.axis_joints, *coupled.joints)
+    values = (*turned.tolist(), *coupled.values(turned).tolist())
+    for index, joint, value in zip(numbers, joints, values, strict=True):
         limit = min(max(value, joint.lower), joint.upper)
         if abs(value - limit) > LIMIT_SLACK:
-            found.append(LimitViolation(index, joint.name, value, limit))
+            found.append(LimitViolation(index, joint, value, limit))
     return tuple(sorted(found, key=lambda violation: -violation.excess))

@@ -4,7 +4,11 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.kinematics.posture import Posture
+from ropsim.model import Joint
 from ropsim.spatial import Array, frozen, record
+
+NO_AXIS = -1
+"""Index of a joint that is no axis."""
 
 
 class Limits(Enum):
@@ -47,16 +51,21 @@ class LimitViolation:
     """A joint that a branch needs outside its limits.
 
     Attributes:
-        joint: index from 0.
-        name: name of the joint.
+        joint: index of the axis from 0; `NO_AXIS` for a joint that follows axes by a coupling.
+        model: the joint itself.
         value: what the branch needs, in the turn nearest to the limits [rad | m].
         limit: the limit that it passes [rad | m].
     """
 
     joint: int
-    name: str
+    model: Joint
     value: float
     limit: float
+
+    @property
+    def name(self) -> str:
+        """Return the name of the joint."""
+        return self.model.name
 
     @property
     def excess(self) -> float:

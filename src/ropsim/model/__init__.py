@@ -38,6 +38,8 @@ from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.coordinates import Coordinates as Coordinates
 from ropsim.model.coordinates import coordinates as coordinates
 from ropsim.model.coordinates import passive_coordinates as passive_coordinates
+from ropsim.model.coupled_limits import CoupledLimits as CoupledLimits
+from ropsim.model.coupled_limits import coupled_limits as coupled_limits
 from ropsim.model.coupling import Coupling as Coupling
 from ropsim.model.device import Barrier as Barrier
 from ropsim.model.device import BeltDrive as BeltDrive

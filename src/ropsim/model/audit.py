@@ -8,6 +8,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.model import diagnostics as kinds
+from ropsim.model.coupled_limits import coupled_limits
 from ropsim.model.joint import Joint, JointType
 from ropsim.model.link import Link
 from ropsim.model.mechanism import Mechanism
@@ -43,6 +44,7 @@ def audit(robot: Mechanism) -> tuple[Diagnostic, ...]:
             chain.from_iterable(_placement(joint) for joint in robot.joints),
             chain.from_iterable(_link_findings(str(i), link) for i, link in enumerate(robot.links, start=1)),
             _home(robot),
+            _coupled_home(robot),
             _origins(robot),
         )
     )
@@ -121,6 +123,24 @@ def _home(robot: Mechanism) -> Iterator[Diagnostic]:
                 None,
                 f"the home position has joint `{joint.name}` at {value:.4g} {unit}, allowed is "
                 f"{joint.lower:.4g} to {joint.upper:.4g} {unit}",
+                hint="move the home position into the limits",
+                data={f"found_{unit}": value, f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
+            )
+
+
+def _coupled_home(robot: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the joints that follow axes by couplings and are beyond their limits at home."""
+    if len(robot.home) != robot.n:
+        return
+    limits = coupled_limits(robot)
+    values, excess = limits.values(robot.home).tolist(), limits.excess(robot.home).tolist()
+    for joint, value, beyond in zip(limits.joints, values, excess, strict=True):
+        if beyond:
+            unit = "m" if joint.measure is JointType.PRISMATIC else "rad"
+            yield kinds.HOME_OUT_OF_RANGE.at(
+                None,
+                f"the home position brings joint `{joint.name}`, which follows axes, to {value:.4g} {unit}, "
+                f"allowed is {joint.lower:.4g} to {joint.upper:.4g} {unit}",
                 hint="move the home position into the limits",
                 data={f"found_{unit}": value, f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
             )

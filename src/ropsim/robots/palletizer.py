@@ -8,7 +8,7 @@ q3.
 """
 
 from functools import lru_cache
-from math import radians, sqrt
+from math import pi, radians, sqrt
 
 import numpy as np
 
@@ -42,7 +42,8 @@ from ropsim.robots.palletizer_shapes import (
 from ropsim.spatial import Array, Pose, frozen
 
 _UPRIGHT = np.array([1.0, 1.0, 0.0, 0.0]) / sqrt(2.0)  # Rx(90°): x stays, y points up, z to the right side
-_PASSIVE = JointLimits(-3.2, 3.2, 10.0, 100.0, 1000.0)  # of joints that follow
+_PASSIVE = JointLimits(-2.0 * pi, 2.0 * pi, 10.0, 100.0, 1000.0)  # of joints that follow: none of their own
+_FOLDED, _DRAWN_OUT = radians(-155.0), radians(-25.0)  # forearm against the lower arm drawn on
 _TURN, _ARM, _CRANK, _ELBOW, _ROD, _WRIST, _TRIANGLE, _LOW_LINK, _HIGH_LINK, _FLANGE = range(10)
 
 _COUPLINGS = (
@@ -59,6 +60,12 @@ _ORIGINS = (
         "link lengths, limits, masses, moments of inertia",
         "estimated",
         "round numbers between those of palletizers for 100 to 200 kg with about 3 m reach",
+    ),
+    ParameterOrigin(
+        "limits of the elbow",
+        "estimated",
+        "the forearm stays 25° from the lower arm drawn on and 25° from lying back on it, where the "
+        "parallelogram of crank and rod folds flat; catalogues limit axes 2 and 3 together in this way",
     ),
     ParameterOrigin(
         "motors, gears, friction",
@@ -110,6 +117,7 @@ def _joints() -> tuple[Joint, ...]:
         _CRANK: JointLimits(radians(-80), radians(25), radians(110), 3.0, 30.0, 9000.0),
         _FLANGE: JointLimits(radians(-350), radians(350), radians(350), 15.0, 150.0, 800.0),
     }
+    axes[_ELBOW] = JointLimits(_FOLDED, _DRAWN_OUT, 10.0, 100.0, 1000.0)  # follows axes 2 and 3
     places = (
         ("1", BASE_LINK, Pose()),
         ("2", _TURN, at_shoulder),

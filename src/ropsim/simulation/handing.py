@@ -87,10 +87,11 @@ def _distance(run: CellRun, clasp: Clasp, tick: int) -> float:
         return 0.0
     holder = _holder(run, clasp.part)
     if holder is not None:
-        X_WO = holder.attained(tick) @ seat.pose
+        X_WO = holder.carriers(tick)[seat.rides] @ seat.pose
     else:
         X_WO = seat.pose if seat.rides == WORLD else run.moment(tick).pose(seat)
-    tcp = (clasp.at.attained(tick) @ clasp.tool.X_MT).position
+    hand = tool_body(clasp.tool.name, clasp.at.station.name)
+    tcp = (clasp.at.carriers(tick)[hand] @ clasp.tool.X_MT).position
     return float(np.linalg.norm(_point(X_WO, clasp.point) - tcp))
 
 

@@ -17,6 +17,7 @@ from ropsim.kinematics import (
 from ropsim.model import BodyTree, Cell, Station, body_tree, link_name, tool_body
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.choice import nearest
+from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, singularity_words, worst_first
 from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
 
@@ -46,7 +47,7 @@ class JoggedArm:
             return Failed(wrong or self._no_tool(job.tool))
         wanted = np.array(job.q, dtype=np.float64)
         robot = self.station.robot
-        q = np.clip(wanted, robot.lower_limits, robot.upper_limits)
+        q = within_limits(robot, wanted)
         return self._reply(q, X_MT, limit_words(robot, q, wanted))
 
     def to_pose(self, job: JogTcp) -> JogReply | Failed:
@@ -60,7 +61,7 @@ class JoggedArm:
         X_BM = self.station.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:
-            return self._reply(here, X_MT, refusal_words(robot, found))
+            return self._reply(here, X_MT, refusal_words(found))
         choice = nearest(robot, found, here)
         words: Words = [*choice.words, *limit_words(robot, choice.q, choice.q)]
         if solver_of(robot).method is Method.NUMERIC:

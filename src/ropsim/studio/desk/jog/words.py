@@ -7,7 +7,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ropsim.kinematics import IkResult, Shortfall, jacobian, singular_distances
-from ropsim.model import Joint, JointType, RobotModel
+from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.spatial import Array
 from ropsim.studio.jobs import Level
 
@@ -44,12 +44,15 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
         wanted: where it was to stand, shape (n,).
     """
     words: Words = []
-    for joint, value, wish in zip(robot.axis_joints, q.tolist(), wanted.tolist(), strict=True):
+    coupled = coupled_limits(robot)
+    joints = (*robot.axis_joints, *coupled.joints)
+    values, wishes = ((*one.tolist(), *coupled.values(one).tolist()) for one in (q, wanted))
+    for joint, value, wish in zip(joints, values, wishes, strict=True):
         upper = joint.upper - value <= value - joint.lower
         limit = joint.upper if upper else joint.lower
         left = abs(limit - value)
         named = f"{'upper' if upper else 'lower'} limit {shown(joint, limit)}"
-        if wish != value:
+        if wish - joint.upper > AT_LIMIT or joint.lower - wish > AT_LIMIT:
             words.append(("error", f"joint {joint.name} stops at its {named}"))
         elif left <= AT_LIMIT:
             words.append(("warning", f"joint {joint.name} is at its {named}"))
@@ -58,13 +61,13 @@ def limit_words(robot: RobotModel, q: Array, wanted: Array) -> Words:
     return words
 
 
-def refusal_words(robot: RobotModel, found: IkResult) -> Words:
+def refusal_words(found: IkResult) -> Words:
     """Return why a pose cannot be had: out of reach, or which limits its nearest branch breaks."""
     if found.shortfall is not None:
         return [("error", _shortfall_text(found.shortfall))]
     words: Words = []
     for one in found.violations:
-        joint = robot.axis_joints[one.joint]
+        joint = one.model
         side = "upper" if one.value > one.limit else "lower"
         text = (
             f"joint {joint.name} would have to go to {shown(joint, one.value)}, "
