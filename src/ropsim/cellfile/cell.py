@@ -9,7 +9,7 @@ from ropsim.cellfile.devices import read_devices
 from ropsim.cellfile.external_values import read_external_values
 from ropsim.cellfile.fixed_objects import read_objects
 from ropsim.cellfile.frames import note_moving, read_frames
-from ropsim.cellfile.mounts import Mount, mounts_of
+from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
 from ropsim.cellfile.poses import read_locations
 from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
@@ -74,8 +74,9 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     taken = _bodies(stations, devices, mounts)
     objects = read_objects(root.tables("objects"), taken, mounts, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
-    others = {*devices, *(thing.name for thing in objects)}
-    frames = read_frames(root.named("frames"), mounts_of(stations, {}), others, units)
+    axes = axes_of(stations)
+    others = {*mounts, *(thing.name for thing in objects)} - set(axes)
+    frames = read_frames(root.named("frames"), axes, others, units)
     places_of = root.named("locations")
     external = read_external_values(places_of, stations, units)
     locations, located = read_locations(places_of, frames, units)
@@ -116,7 +117,7 @@ def _read_devices(
     root: TomlTable, signals: Mapping[str, Signal], stations: Mapping[str, Station | None], units: Units
 ) -> dict[str, Device]:
     tables = root.named("devices")
-    axes = mounts_of(stations, {})
+    axes = axes_of(stations)
     for name in tables:
         if name in stations or name in axes:
             whose = "a station" if name in stations else "an external axis"

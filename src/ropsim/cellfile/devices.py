@@ -4,26 +4,25 @@ from collections.abc import Mapping
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.body_shapes import read_body_shapes
 from ropsim.cellfile.device_signals import check_device_signals
+from ropsim.cellfile.kind import read_kind
 from ropsim.cellfile.poses import read_base
 from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.shapes import Look, read_look, read_shapes
+from ropsim.cellfile.shapes import Look, read_look
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import (
     Barrier,
     BeltDrive,
-    Box,
-    Cylinder,
     Device,
     DeviceDrive,
     IndexDrive,
     JointType,
     Mechanism,
-    Shape,
     Signal,
     SwitchDrive,
 )
-from ropsim.spatial import Pose, frozen
+from ropsim.spatial import Pose
 
 KINDS = ("conveyor", "slide", "turntable")
 _UNKNOWN = SwitchDrive("", 0.0, 0.1, 1.0, 1.0)
@@ -46,7 +45,7 @@ def read_devices(
     """
     devices = {}
     for name, table in tables.items():
-        kind = _kind(table)
+        kind = read_kind(table, KINDS)
         if not kind:
             devices[name] = Device(name, robots.slide(()), _UNKNOWN, Pose())
             continue
@@ -61,19 +60,6 @@ def read_devices(
         devices[name] = Device(name, mechanism, drive, X_WB)
     check_device_signals(devices, tables, signals)
     return devices
-
-
-def _kind(table: TomlTable) -> str:
-    """Return the kind of a device; empty where it is missing or unknown, then nothing else is looked at."""
-    if "kind" in table:
-        return table.choice("kind", KINDS, "") if table.text("kind", "") else ""
-    if table.present:
-        words = ", ".join(f'`"{kind}"`' for kind in KINDS)
-        message = f"`{table.name_of('kind').rpartition('.')[0]}` needs `kind`"
-        table.findings.add(
-            kinds.MISSING_CELL_KEY, table.findings.places.key(table.path), message, f"add it: one of {words}"
-        )
-    return ""
 
 
 def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> tuple[Mechanism, BeltDrive]:
@@ -100,31 +86,11 @@ def _barrier(table: TomlTable, length: float, signals: Mapping[str, Signal], uni
 
 
 def _slide(table: TomlTable, units: Units) -> Mechanism:
-    return robots.slide(_shapes(table, units))
+    return robots.slide(read_body_shapes(table, units))
 
 
 def _turntable(table: TomlTable, units: Units) -> Mechanism:
-    return robots.rotary(_shapes(table, units))
-
-
-def _shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
-    """Return what the moving body looks like: `shapes`, or a block or disc whose top is at its frame."""
-    look = read_look(table, Look())
-    given = [key for key in ("size", "diameter", "shapes") if key in table]
-    if len(given) > 1:
-        message = f"`{given[0]}` and `{given[1]}` both say what the device looks like"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(given[1]), message, "keep one of them")
-    if not given:
-        table.require("size")
-        return ()
-    if given[0] == "shapes":
-        return read_shapes(table, units, look)
-    if given[0] == "size":
-        x, y, z = table.numbers("size", 3, units.extent, (_SMALL,) * 3)
-        return (look.shape(Box((x, y, z)), Pose(frozen([0.0, 0.0, -z / 2.0]))),)
-    diameter = table.number("diameter", units.extent, _SMALL)
-    height = table.number("height", units.extent, 0.05)
-    return (look.shape(Cylinder(diameter / 2.0, height), Pose(frozen([0.0, 0.0, -height / 2.0]))),)
+    return robots.rotary(read_body_shapes(table, units))
 
 
 def _axis_drive(

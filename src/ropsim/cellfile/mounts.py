@@ -14,19 +14,28 @@ def mounts_of(stations: Mapping[str, Station | None], devices: Mapping[str, Devi
     """Return all names but those of objects that `parent` can have in a cell file.
 
     These are `track` and `positioner` of each station that has one, behind the name of the station where it
-    has one of its own (`left/positioner`), and the names of devices.
+    has one of its own (`left/positioner`), the names of stations of one axis, and those of devices.
 
     Args:
         stations: by name, None for one whose robot is unknown.
         devices: by name.
     """
-    found = {
+    known = {name: station for name, station in stations.items() if station is not None}
+    found = axes_of(known)
+    for name, station in known.items():
+        if not station.robot.has_arm:
+            found[name] = (link_name(station.robot.tip + 1, name), station.robot.X_nM)
+    return found | {name: mount_of(device) for name, device in devices.items()}
+
+
+def axes_of(stations: Mapping[str, Station | None]) -> dict[str, Mount]:
+    """Return the external axes of the arms of some stations; arguments and names as in `mounts_of`."""
+    return {
         f"{station.prefix}{word}": (link_name(link + 1, name), Pose())
         for name, station in stations.items()
-        if station is not None
+        if station is not None and station.robot.has_arm
         for word, link in _external(station.robot).items()
     }
-    return found | {name: mount_of(device) for name, device in devices.items()}
 
 
 def _external(robot: RobotModel) -> dict[str, int]:

@@ -64,10 +64,36 @@ def read_robot(
         units: units of the file.
     """
     table.require(key)
+    external = read_external_axes(table, units)
+    return _section(table, settings, _load(table, key, settings, external, X_WB), X_WB, units)
+
+
+def read_driven(
+    table: TomlTable, model: RobotModel | None, settings: TomlTable, X_WB: Pose, units: Units
+) -> RobotSection | None:
+    """Return a model that the file describes under its standard controller; see `read_robot`.
+
+    Args:
+        table: section `[stations.NAME]`.
+        model: with drives, None where its description is wrong.
+        settings: section `[stations.NAME.controller]`.
+        X_WB: base frame in the world frame.
+        units: units of the file.
+    """
+    loaded = None if model is None else (model, robots.default_controller(model, _rates(settings)))
+    return _section(table, settings, loaded, X_WB, units)
+
+
+def _section(
+    table: TomlTable,
+    settings: TomlTable,
+    loaded: tuple[RobotModel, ControllerModel] | None,
+    X_WB: Pose,
+    units: Units,
+) -> RobotSection | None:
+    """Return a model under the controller that the settings change; both tables are finished."""
     override = table.number("speed_override", SHARE, 1.0)
     start_given = "start" in table
-    external = read_external_axes(table, units)
-    loaded = _load(table, key, settings, external, X_WB)
     if loaded is None:
         table.finish()
         return None

@@ -3,11 +3,13 @@
 from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.one_axis import read_mechanism
 from ropsim.cellfile.poses import read_base
 from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.robot import read_robot
+from ropsim.cellfile.robot import RobotSection, read_driven, read_robot
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import ROBOT, Station, Tool
+from ropsim.spatial import Pose
 
 
 def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> dict[str, Station | None]:
@@ -49,10 +51,23 @@ def _long(name: str, table: TomlTable, tools: Mapping[str, Tool], units: Units) 
     tool = table.reference("tool", tools, "tool")
     own = _tools(table, tool, tools)
     program = table.text("program", name)
-    section = read_robot(table, "robot", table.table("controller"), X_WB, units)
+    settings = table.table("controller")
+    if "mechanism" in table:
+        section = _one_axis(table, settings, X_WB, units)
+    else:
+        section = read_robot(table, "robot", settings, X_WB, units)
     if section is None:
         return None
     return Station(name, section.model, section.controller, X_WB, own, tool, section.start, program)
+
+
+def _one_axis(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -> RobotSection | None:
+    """Return the section of a station that has a mechanism of one axis in place of a robot."""
+    if "robot" in table:
+        message = f"`{table.name_of('robot')}` and `mechanism` both say what the station moves"
+        table.text("robot", "")
+        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("robot"), message, "keep one of them")
+    return read_driven(table, read_mechanism(table.table("mechanism"), units), settings, X_WB, units)
 
 
 def _tools(table: TomlTable, tool: str, tools: Mapping[str, Tool]) -> dict[str, Tool]:

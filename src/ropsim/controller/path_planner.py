@@ -10,7 +10,7 @@ from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
-from ropsim.controller.target_refusals import numeric_hint, out_of_range, out_of_reach, posture_change
+from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
@@ -86,6 +86,7 @@ class StandardPathPlanner:
         problems = check_values(move)
         if isinstance(X_MT, Diagnostic):
             problems = (*problems, X_MT)
+        problems = (*problems, *no_arm(move, self.robot))
         if isinstance(move.target, Pose):
             problems = (*problems, *self._work.out_of_hand(move.modal, span))
         if problems or isinstance(X_MT, Diagnostic):

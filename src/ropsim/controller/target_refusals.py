@@ -17,8 +17,24 @@ from ropsim.kinematics import (
     solver_of,
 )
 from ropsim.model import RobotModel
-from ropsim.motion import JOINT_OUT_OF_RANGE, OUT_OF_REACH, OUT_OF_TASK_SPACE, POSTURE_CHANGE
+from ropsim.motion import JOINT_OUT_OF_RANGE, NO_ARM, OUT_OF_REACH, OUT_OF_TASK_SPACE, POSTURE_CHANGE
 from ropsim.spatial import Array, Pose
+
+
+def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return M518 where a pose or a line is asked of a station that has no arm, else nothing."""
+    if robot.has_arm or not (isinstance(move.target, Pose) or move.kind is MotionKind.LIN):
+        return ()
+    axes = ", ".join(f"`{joint.name}`" for joint in robot.axis_joints)
+    what = "a straight line" if move.kind is MotionKind.LIN else "a pose"
+    finding = NO_ARM.at(
+        move.origin.span,
+        f"{what} needs an arm, this station has the axis {axes} only",
+        label=passes(move.origin),
+        hint="move it by `mov joints(…)` with its coordinate",
+        data={"pass": move.origin.visit},
+    )
+    return (finding,)
 
 
 def out_of_reach(move: MoveInstruction, X_BM: Pose, shortfall: Shortfall) -> Diagnostic:

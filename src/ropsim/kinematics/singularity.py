@@ -41,6 +41,8 @@ def singular_distances(robot: RobotModel, q: npt.ArrayLike) -> SingularDistances
         NotFiniteError: M552, q holds NaN or infinity.
     """
     values = joint_vector(robot, q)
+    if not robot.has_arm:
+        return None
     if robot.external:
         values = values[list(held_arm(robot).axes)]
     solver = solver_of(robot)

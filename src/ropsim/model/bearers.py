@@ -36,7 +36,9 @@ def _bears(tree: BodyTree, body: Body) -> bool:
 
 def _carries_an_arm(tree: BodyTree, body: Body) -> bool:
     robot = tree.mechanisms[body.mover.mechanism] if body.mover else None
-    if body.kind is not BodyKind.LINK or not isinstance(robot, RobotModel) or not robot.external:
+    if body.kind is not BodyKind.LINK or not isinstance(robot, RobotModel):
+        return False
+    if not robot.external or not robot.has_arm:
         return False
     link, way = held_arm(robot).carrier, set()
     while link != BASE_LINK:

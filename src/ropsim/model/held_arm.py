@@ -35,9 +35,19 @@ def held_arm(robot: RobotModel) -> HeldArm:
     It is what hangs on the last link on the way to the interface that external axes move.
 
     Raises:
-        MechanismError: the robot cannot be, or a coupling mixes external axes with those of the arm.
+        MechanismError: the robot cannot be or has no arm, or a coupling mixes external axes with those of the
+            arm.
     """
     check_mechanism(robot)
+    if not robot.has_arm:
+        raise MechanismError(
+            kinds.BAD_EXTERNAL.at(
+                None,
+                f"`{robot.name}` has external axes only, and no arm for inverse kinematics",
+                hint="leave an axis to the arm, or move the robot by its joint coordinates",
+                data={"found": robot.external, "allowed": robot.n},
+            )
+        )
     external = set(external_links(robot))
     way, link = [], robot.tip
     while link != BASE_LINK:

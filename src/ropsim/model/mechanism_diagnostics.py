@@ -124,10 +124,11 @@ BAD_EXTERNAL = define(
     "X828",
     "impossible-external-axis",
     Severity.ERROR,
-    "a robot names an external axis that it does not have, or has external axes only",
+    "a robot names an external axis that it does not have, or has no arm where one is needed",
     """
-`external` holds numbers of axes, counted from 0, each once, and leaves at least one axis to the arm: these
-are what inverse kinematics moves.
+`external` holds numbers of axes, counted from 0, each once. The others are those of the arm, which inverse
+kinematics moves. A robot with external axes only has no arm: a station of one axis is moved by its
+coordinate, and has no inverse kinematics.
 """,
 )
 

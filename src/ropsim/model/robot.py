@@ -32,6 +32,11 @@ class RobotModel(Mechanism):
             object.__setattr__(self, "tip", len(self.joints) - 1)
 
     @property
+    def has_arm(self) -> bool:
+        """Return whether it has axes that inverse kinematics moves; a station of one axis has none."""
+        return len(self.external) < self.n
+
+    @property
     def interface_link(self) -> int:
         """Return the number of the link that carries the mechanical interface."""
         return self.tip

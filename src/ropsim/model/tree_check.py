@@ -90,13 +90,13 @@ def axis_findings(mechanism: Mechanism) -> Iterator[Diagnostic]:
 
 
 def external_findings(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    """Return X828 where external axes are no axes, or all of them."""
+    """Return X828 where external axes are no axes."""
     external: tuple[int, ...] = getattr(mechanism, "external", ())
     twice = len(set(external)) != len(external)
-    if twice or not set(external) <= set(range(mechanism.n)) or (external and len(external) >= mechanism.n):
+    if twice or not set(external) <= set(range(mechanism.n)):
         yield kinds.BAD_EXTERNAL.at(
             None,
             f"`{mechanism.name}` has the external axes {list(external)} of {mechanism.n} axes",
-            hint="name axes by their numbers from 0, each once, and leave one to the arm",
+            hint="name axes by their numbers from 0, each once",
             data={"found": external, "allowed": mechanism.n},
         )

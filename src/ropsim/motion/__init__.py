@@ -4,6 +4,7 @@ from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
 from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE
 from ropsim.motion.diagnostics import MOVE_TOO_LONG as MOVE_TOO_LONG
+from ropsim.motion.diagnostics import NO_ARM as NO_ARM
 from ropsim.motion.diagnostics import OUT_OF_REACH as OUT_OF_REACH
 from ropsim.motion.diagnostics import OUT_OF_TASK_SPACE as OUT_OF_TASK_SPACE
 from ropsim.motion.diagnostics import POSTURE_CHANGE as POSTURE_CHANGE

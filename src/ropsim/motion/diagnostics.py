@@ -152,6 +152,21 @@ of the base frame. The move is made in base coordinates, which is seldom what wa
 """,
 )
 
+NO_ARM = define(
+    "M518",
+    "no-arm",
+    Severity.ERROR,
+    "a pose or a line is asked of a station that has no arm",
+    """
+A station with `mechanism` in place of `robot` has one axis, which slides or turns. It has no tool centre
+point that could be brought to a pose or along a line; its axis is moved by its coordinate. The move is
+skipped.
+
+**How to mend it.** Write `mov joints(500)`: a length for a slide, an angle for a turntable, in the units of
+the program. Such targets can have names: `loc loaded = joints(500)`.
+""",
+)
+
 FRAME_OF_OTHERS = define(
     "M519",
     "frame-of-others",

@@ -1,4 +1,4 @@
-"""Mechanisms of one axis for stations: linear track, turntable, sliding door, belt."""
+"""Mechanisms that stations have beside their arms: linear track, turntable."""
 
 from math import pi
 
@@ -20,11 +20,10 @@ from ropsim.model import (
     Revolve,
     Shape,
     limited,
-    rod,
 )
 from ropsim.spatial import Array, Pose
 
-_FRAME, _PLATE, _STEEL, _ACCENT, _RUBBER = "#3d464f", "#cfd4d8", "#a3abb3", "#e2702b", "#4a525a"
+_FRAME, _PLATE, _STEEL, _ACCENT = "#3d464f", "#cfd4d8", "#a3abb3", "#e2702b"
 _ALONG_X = Pose(orientation=np.array([1.0, 0.0, 1.0, 0.0]))  # Ry(90°): z of the joint points along x
 _BACK = _ALONG_X.inverse()
 _ESTIMATE = (
@@ -58,43 +57,6 @@ def linear_track(length: float, carriage_mass: float = 250.0, name: str = "linea
     return _sliding(
         name, "Linear track", limits, height, (carriage_mass, (0.9, 0.95, 0.09)), (*beds, *rails), (plate,)
     )
-
-
-def sliding_door(width: float, height: float, mass: float = 40.0, name: str = "sliding_door") -> Mechanism:
-    """Return a door that slides along x of its base frame: closed at 0, open at `width`.
-
-    Args:
-        width: of the leaf, which is what it travels [m], > 0.
-        height: of the leaf [m], > 0.
-        mass: of the leaf [kg].
-        name: of the mechanism.
-    """
-    limits = JointLimits(0.0, width, 0.8, 2.0, 20.0, 400.0)
-    rail = Shape(Box((2.0 * width, 0.06, 0.08)), Pose(np.array([width / 2.0, 0.0, height + 0.06])), _FRAME)
-    leaf = Shape(Box((width, 0.03, height)), Pose(np.array([0.0, 0.0, height / 2.0])), _ACCENT)
-    return _sliding(name, "Sliding door", limits, 0.0, (mass, (width, 0.03, height)), (rail,), (leaf,))
-
-
-def belt(length: float, width: float, height: float = 0.8, name: str = "belt") -> Mechanism:
-    """Return a conveyor belt along x of its base frame; its coordinate is how far the belt has run [m].
-
-    The link is the belt; its frame lies on the belt, at 0 at its upstream end.
-
-    Args:
-        length: of the belt [m], > 0.
-        width: [m], > 0.
-        height: of its upper side over the floor [m].
-        name: of the mechanism.
-    """
-    limits = JointLimits(-1e4, 1e4, 1.0, 2.0, 20.0, 500.0)
-    bed = Shape(Box((length, width, 0.06)), Pose(np.array([length / 2.0, 0.0, height - 0.04])), _RUBBER)
-    legs = tuple(
-        rod((x, y, 0.0), (x, y, height - 0.06), 0.03, None, _FRAME)
-        for x in (0.1 * length, 0.9 * length)
-        for y in (-0.45 * width, 0.45 * width)
-    )
-    body = (8.0 * length * width + 10.0, (length, width, 0.02))
-    return _sliding(name, "Conveyor belt", limits, height, body, (bed, *legs), ())
 
 
 def turntable(

@@ -30,7 +30,9 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, stations, devices, frames = (read_cell(SourceText("", one), "")[0] for one in EXAMPLES)
+    first, external, stations, axis, devices, frames = (
+        read_cell(SourceText("", one), "")[0] for one in EXAMPLES
+    )
     assert first is not None
     assert len(first.parts) == 37
     assert external is not None
@@ -38,6 +40,8 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert external.external["stock"].values == pytest.approx((1.2, math.pi / 2.0))
     assert stations is not None
     assert list(stations.stations) == ["left", "right"]
+    assert axis is not None
+    assert [one.robot.has_arm for one in axis.stations.values()] == [False]
     assert devices is not None
     assert list(devices.devices) == ["belt", "door", "table"]
     assert frames is not None
@@ -72,6 +76,7 @@ def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
             if found.code == "X802":
                 asked.update(re.findall(r"`(\w+)`", found.hint))
     for text in (
+        *('[stations.a.mechanism]\nkind = "slide"\n', '[stations.a.mechanism]\nkind = "turntable"\n'),
         *("[stations.a]\n", "[stations.a.controller]\n", "[stations.a]\ntrack = { qqqqqqqqqqqq = 1 }\n"),
         *("[stations.a]\npositioner = { qqqqqqqqqqqq = 1 }\n", '[devices.a]\nkind = "conveyor"\n'),
         *('[devices.a]\nkind = "slide"\n', '[devices.a]\nkind = "turntable"\ndiameter = 1\n'),

@@ -83,7 +83,7 @@ WRONG = {
         "an earlier one holds",
     ),
     "absent external axis": (replace(ARM, external=(4,)), "X828", "[4] of 4 axes"),
-    "nothing but external axes": (replace(ARM, external=(0, 1, 2, 3)), "X828", "of 4 axes"),
+    "external axis twice": (replace(ARM, external=(3, 3)), "X828", "[3, 3] of 4 axes"),
 }
 
 
@@ -146,3 +146,13 @@ def test_a_closed_chain_is_described_and_placed_but_not_simulated() -> None:
 def test_random_trees_are_sound() -> None:
     for seed in range(20):
         assert not [finding for finding in audit(random_tree(seed, 8).robot) if finding.is_error]
+
+
+def test_a_robot_of_external_axes_alone_moves_and_has_no_inverse_kinematics() -> None:
+    alone = replace(ARM, external=(0, 1, 2, 3))
+    assert [one for one in audit(alone) if one.is_error] == []
+    q = np.full(4, 0.2)
+    np.testing.assert_array_equal(kinematics.forward(alone, q).matrix(), kinematics.forward(ARM, q).matrix())
+    with pytest.raises(RopsimError) as caught:
+        kinematics.inverse(alone, Pose())
+    assert caught.value.diagnostic.code == "X828"

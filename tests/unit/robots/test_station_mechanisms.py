@@ -11,9 +11,7 @@ from ropsim.spatial import Array, Pose
 
 TRACK = robots.linear_track(4.0, carriage_mass=300.0)
 TABLE = robots.turntable(0.8, height=0.7, inertia=25.0)
-DOOR = robots.sliding_door(1.2, 2.0, mass=40.0)
-BELT = robots.belt(3.0, 0.6, height=0.8)
-ALL = [TRACK, TABLE, DOOR, BELT]
+ALL = [TRACK, TABLE]
 ROUNDING = 1e-12
 
 
@@ -34,19 +32,12 @@ def test_the_carriage_keeps_the_axes_of_the_floor() -> None:
     assert (TRACK.lower_limits.tolist(), TRACK.upper_limits.tolist()) == ([-2.0], [2.0])
 
 
-def test_door_and_belt_go_along_x_from_where_they_are_closed() -> None:
-    np.testing.assert_allclose(mounting(DOOR, 0.0), np.eye(4), rtol=0, atol=ROUNDING)
-    assert mounting(DOOR, 1.2)[:3, 3] == pytest.approx([1.2, 0.0, 0.0])
-    assert mounting(BELT, 0.5)[:3, 3] == pytest.approx([0.5, 0.0, 0.8])
-    assert DOOR.upper_limits.tolist() == [1.2]
-
-
 def test_the_table_turns_about_the_vertical() -> None:
     turned = Pose(np.array([0.0, 0.0, 0.7]), np.array([np.cos(0.2), 0.0, 0.0, np.sin(0.2)])).matrix()
     np.testing.assert_allclose(mounting(TABLE, 0.4), turned, rtol=0, atol=ROUNDING)
 
 
-@pytest.mark.parametrize(("mechanism", "moved"), [(TRACK, 300.0), (TABLE, 25.0), (DOOR, 40.0)])
+@pytest.mark.parametrize(("mechanism", "moved"), [(TRACK, 300.0), (TABLE, 25.0)])
 def test_a_drive_moves_the_body_and_its_own_rotor(mechanism: Mechanism, moved: float) -> None:
     drive = mechanism.drives[0]
     inertia = moved + drive.motor.rotor_inertia * drive.ratio**2

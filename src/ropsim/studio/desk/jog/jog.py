@@ -37,6 +37,8 @@ class JoggedArm:
     def warm(self) -> None:
         """Load the compiled kinematics."""
         robot = self.station.robot
+        if not robot.has_arm:
+            return
         inverse(robot, forward(robot, robot.home), IkOptions(near=robot.home))
 
     def to_joints(self, job: JogJoints) -> JogReply | Failed:
@@ -58,6 +60,8 @@ class JoggedArm:
             return Failed(wrong or self._no_tool(job.tool))
         here = np.array(job.q, dtype=np.float64)
         robot = self.station.robot
+        if not robot.has_arm:
+            return self._reply(here, X_MT, [("error", "there is no arm to move, only an axis")])
         X_BM = self.station.X_WB.inverse() @ Pose.from_tuple(job.target) @ X_MT.inverse()
         found = inverse(robot, X_BM, IkOptions(near=here))
         if found.status is not IkStatus.FOUND:

@@ -170,3 +170,18 @@ def test_an_arm_without_closed_form_is_jogged_and_told_that_it_was_solved_numeri
     assert isinstance(reply, JogReply)
     assert reply.q == pytest.approx(there, abs=1e-8)
     assert ("info", "found numerically, further branches may exist") in reply.words
+
+
+def test_a_station_of_one_axis_is_jogged_by_its_coordinate_only() -> None:
+    axis = robots.AxisData(0.0, 0.6, 0.5, 1.0, 10.0)
+    robot = robots.driven_slide((), axis)
+    arms = JoggedArms.of(one_station("c", robot, robots.default_controller(robot)))
+    arms.warm()
+    reply = arms.move(JogJoints(ROBOT, (0.8,), ""))
+    assert isinstance(reply, JogReply)
+    assert reply.q == (0.6,)
+    assert reply.tcp[:3] == pytest.approx((0.6, 0.0, 0.0))
+    asked = arms.move(JogTcp(ROBOT, (0.3,), "", (0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)))
+    assert isinstance(asked, JogReply)
+    assert (asked.q, asked.reached) == ((0.3,), False)
+    assert asked.words[0] == ("error", "there is no arm to move, only an axis")

@@ -1,0 +1,21 @@
+"""The key `kind` of a cell file, which says what the other keys of its table are."""
+
+from collections.abc import Sequence
+
+from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.tomltext.checks import TomlTable
+
+
+def read_kind(table: TomlTable, known: Sequence[str]) -> str:
+    """Return the kind that a table describes; empty where it is missing or unknown, which is noted.
+
+    Nothing else of such a table is to be looked at.
+    """
+    if "kind" in table:
+        return table.choice("kind", known, "") if table.text("kind", "") else ""
+    if table.present:
+        words = ", ".join(f'`"{kind}"`' for kind in known)
+        message = f"`{table.name_of('kind').rpartition('.')[0]}` needs `kind`"
+        span = table.findings.places.key(table.path)
+        table.findings.add(kinds.MISSING_CELL_KEY, span, message, f"add it: one of {words}")
+    return ""
