@@ -144,3 +144,62 @@ input = 3
 [signals.stands]
 input = 4
 """
+
+AXES = """
+[stations.turner]
+robot = "puma560"
+tool = "jaws"
+base = { position = [100, 0, 0], rpy = [0, 0, 10] }
+track = { length = 2000, mount = { rpy = [0, 0, 90] } }
+positioner = { radius = 300, height = 500, base = { position = [600, 700, 0] } }
+start = [0, 75, -180, 0, -75, 0, 200, 30]
+[stations.shuttle]
+base = { position = [-600, 300, 500], rpy = [0, 0, 90] }
+start = [200]
+[stations.shuttle.mechanism]
+kind = "slide"
+low = 0
+high = 900
+mass = 15
+size = [300, 200, 20]
+speed = 800
+acceleration = 2000
+[stations.lift]
+base = { position = [-600, -600, 100] }
+[stations.lift.mechanism]
+kind = "turntable"
+low = -360
+high = 360
+inertia = 2
+diameter = 400
+speed = 180
+acceleration = 400
+[tools.jaws]
+position = [0, 0, 120]
+gripper = {}
+[frames.fixture]
+parent = "turner/positioner"
+position = [0, 100, 20]
+rpy = [0, 0, 90]
+[frames.rack]
+parent = "turner/track"
+position = [300, 300, 200]
+[locations.corner]
+frame = "fixture"
+position = [30, 0, 40]
+[[objects]]
+name = "nest"
+parent = "turner/positioner"
+position = [0, 100, 20]
+size = [100, 100, 20]
+[[objects]]
+name = "tray"
+parent = "shuttle"
+position = [0, 0, 20]
+size = [100, 100, 20]
+[[parts]]
+name = "box"
+size = [40, 40, 40]
+mass = 0.2
+position = [-600, 500, 560]
+"""

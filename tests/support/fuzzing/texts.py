@@ -12,17 +12,46 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.records.plain_values import numeric
 from ropsim.views import Style, diagnostics_text, scene
 from ropsim.workbench.environment import environment_of
-from support.fuzzing.cells import RIGHT, STATIONS
+from support.fuzzing.cells import AXES, RIGHT, STATIONS
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word
 from support.fuzzing.target import Target
 
 _ROOT = Path(__file__).parents[3]
-_CELLS = (RIGHT.encode(), STATIONS.encode(), (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes())
+_CELLS = (
+    RIGHT.encode(),
+    STATIONS.encode(),
+    AXES.encode(),
+    (_ROOT / "examples" / "first_cell" / "cell.toml").read_bytes(),
+)
 _CELL_FILES = tuple(sorted(_ROOT.glob("examples/*/cell.toml")))
 _ICRS = tuple(
     path.read_bytes() for path in sorted(_ROOT.glob("tests/golden/icr/*.icr")) if path.stat().st_size < 2_000
 )
-_TASKS = tuple(path.read_bytes() for path in sorted(_ROOT.glob("examples/*/programs/*.task")))
+_ON_FIXTURE = b"""program turning
+units mm, deg, s
+pattern slots = grid 2 x 2 from corner step (0, 30, 0), (30, 0, 0)
+task Bring(place)
+  mov place above 80
+  lin place offset (0, 0, 10)
+endp
+mov joints(0, 75, -180, 0, -75, 0, 200, 90)
+Bring corner
+with frame fixture
+  mov (10, 20, 60)
+endwith
+for each s in slots
+  Bring s
+endf
+q = corner
+q.z = 100
+mov q in base
+mov here above 50
+print dist(corner, q)
+"""
+_TASKS = (
+    *(path.read_bytes() for path in sorted(_ROOT.glob("examples/*/programs/*.task"))),
+    _ON_FIXTURE,
+)
 _VALUES = (
     *(b"nan", b"-inf", b"1e308", b"0xffffffffffffffffff", b'"text"', b"[]", b"{}", b"true", b"[[1]]"),
     *(b"1979-05-27", b"-1", b"0", b"[1, 2]", b"[1, 2, 3]", b"[nan, 0, 1e308]", b'""', b"{ a = 1 }"),
@@ -73,8 +102,9 @@ def _task(content: bytes) -> str:
 
 @cache
 def _everything() -> language.Environment:
-    """Return an environment with all names of the examples' cells, so that their programs are right."""
-    every = [read_cell(SourceText("cell.toml", path.read_text("utf-8")), "")[0] for path in _CELL_FILES]
+    """Return an environment with all names of the cells, so that the programs are right."""
+    texts = (*(path.read_text("utf-8") for path in _CELL_FILES), AXES)
+    every = [read_cell(SourceText("cell.toml", text), "")[0] for text in texts]
     found = [environment_of(cell, at) for cell in every if cell for at in cell.stations.values()]
     return replace(
         found[0],
@@ -84,6 +114,8 @@ def _everything() -> language.Environment:
         signals={name: use for one in found for name, use in one.signals.items()},
         axes=max((one.axes for one in found), key=len),
         external=max((one.external for one in found), key=len),
+        moving=frozenset(name for one in found for name in one.moving),
+        located={name: frame for one in found for name, frame in one.located.items()},
     )
 
 
