@@ -67,7 +67,10 @@ def run(options: argparse.Namespace, output: Output) -> int:
 
 
 def instruction_text(one: Instruction) -> str:
-    """Return one line for an instruction: source line, pass, what; millimetres and degrees."""
+    """Return one line for an instruction: source line, pass, what; millimetres and degrees.
+
+    Joint coordinates and values of external axes are in rad and m: only a robot knows which.
+    """
     place = f"{one.origin.span.line if one.origin.span else 0:>5} #{one.origin.visit:<4}"
     match one:
         case MoveInstruction(kind=kind, target=Pose() as pose):
@@ -77,6 +80,7 @@ def instruction_text(one: Instruction) -> str:
             what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
             what += f"roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
             what += f" in {one.modal.frame}" if one.modal.frame else ""
+            what += f" external ({', '.join(f'{e:.6g}' for e in one.external)})" if one.external else ""
         case MoveInstruction(kind=kind, target=None):
             what = f"{kind.value} home"
         case MoveInstruction(kind=kind, target=target):

@@ -1,0 +1,13 @@
+"""One line for each instruction of a program that is run without a robot."""
+
+from ropsim.cli.icr import instruction_text
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.spatial import Pose
+
+
+def test_a_move_tells_the_values_of_external_axes_that_it_is_given() -> None:
+    pose = Pose.from_tuple((0.8, 0.7, 0.91, 0.0, 1.0, 0.0, 0.0))
+    plain = instruction_text(MoveInstruction(MotionKind.PTP, pose, ModalState()))
+    given = instruction_text(MoveInstruction(MotionKind.PTP, pose, ModalState(), external=(0.8, -1.5)))
+    assert plain.endswith("PTP x 800.000 y 700.000 z 910.000 mm, roll 180.00 pitch 0.00 yaw 0.00 deg")
+    assert given == plain + " external (0.8, -1.5)"
