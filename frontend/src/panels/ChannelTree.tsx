@@ -1,6 +1,7 @@
 /** All channels in groups, with boxes to tick and a field to search. */
 import { useState } from 'react'
 import type { PlotColumn } from '../plot/plot'
+import { unitOf } from '../run/column_units'
 import type { ChannelInfo } from '../run/run'
 import { words } from '../text/messages'
 import { channelName, columnLabel, columnName, partsOf, quantityName } from '../units/names'
@@ -49,7 +50,8 @@ export function ChannelTree({ channels, chosen, onChoose }: ChannelTreeProps) {
           <legend>{group.name}</legend>
           {group.channels.map(channel => {
             const all = channel.columns.map((_, column) => column)
-            const unit = shownUnit(channel.unit).unit
+            const units = all.map(column => shownUnit(unitOf(channel, column)).unit)
+            const unit = [...new Set(units)].join(' | ')
             return (
               <div key={channel.name} className="channel" title={`${channel.name} · ${channel.description}`}>
                 <label>

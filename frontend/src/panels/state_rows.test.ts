@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest'
+import { unitsByAxes } from '../run/column_units'
 import type { ChannelInfo } from '../run/run'
 import type { JointDescription, StationDescription } from '../scene/description'
 import { filterRows, share, stateRows } from './state_rows'
@@ -29,6 +30,7 @@ function channel(
   return {
     name,
     unit,
+    units: unitsByAxes({ unit, columns }, STATION.joints),
     columns,
     description: `all about ${name}`,
     group,
@@ -40,8 +42,8 @@ function channel(
 
 const ROWS = stateRows(
   [
-    channel('q', 'rad', ['1', '2'], 'joints'),
-    channel('qd', 'rad/s', ['1', '2'], 'joints'),
+    channel('q', 'rad | m', ['1', '2'], 'joints'),
+    channel('qd', 'rad | m/s', ['1', '2'], 'joints'),
     channel('payload', 'kg', [''], 'program'),
   ],
   [STATION],

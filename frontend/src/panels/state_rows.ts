@@ -1,4 +1,5 @@
 /** Rows of the table of states: every column of every channel, with the range its bar stands for. */
+import { unitOf } from '../run/column_units'
 import type { ChannelInfo } from '../run/run'
 import { channelOf } from '../run/station'
 import type { JointDescription, StationDescription } from '../scene/description'
@@ -41,7 +42,7 @@ export function stateRows(
         symbol: symbolOf(channel.name, name),
         jointName: joint ? jointName(joint.name) : '',
         description: channel.description,
-        unit: joint?.type === 'prismatic' ? linear(channel.unit) : channel.unit,
+        unit: unitOf(channel, column),
         group: channel.group,
         min,
         max,
@@ -64,12 +65,6 @@ function rangeOf(
   if (joint && isOf(channel, 'q', 'q_ref')) return [joint.lower, joint.upper]
   if (joint && isOf(channel, 'qd', 'qd_ref')) return [-joint.maxSpeed, joint.maxSpeed]
   return [channel.min[column] ?? Number.NaN, channel.max[column] ?? Number.NaN]
-}
-
-/** Units of a prismatic joint's coordinates. */
-function linear(unit: string): string {
-  const units: Readonly<Record<string, string>> = { rad: 'm', 'rad/s': 'm/s', N·m: 'N' }
-  return units[unit] ?? unit
 }
 
 /** Rows of a group whose name, symbol or description holds all words. */

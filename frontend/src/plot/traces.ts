@@ -1,4 +1,5 @@
 /** What is plotted: columns of a run with their names, units and points. */
+import { unitOf } from '../run/column_units'
 import type { Run } from '../run/run'
 import { columnName, symbolOf } from '../units/names'
 import { shownUnit } from '../units/quantity'
@@ -31,7 +32,7 @@ export function tracesOf(run: Run, columns: readonly PlotColumn[]): readonly Tra
       {
         name: columnName(channel.name, name),
         symbol: symbolOf(channel.name, name),
-        unit: channel.unit,
+        unit: unitOf(channel, column.column),
         column,
         held: run.series(column.channel, column.column)?.held ?? false,
       },

@@ -16,7 +16,9 @@ interface Row {
 const AXES = ['x', 'y', 'z'] as const
 
 export class Readout {
-  readonly element = element('dl', { class: 'replay-values' })
+  readonly element = element('div', { class: 'replay-values' })
+  /** Where rows are added. */
+  #list = element('dl')
   readonly #rows: Row[] = []
   readonly #run: Run
   readonly #stations: readonly StationDescription[]
@@ -25,20 +27,24 @@ export class Readout {
   constructor(run: Run, scene: SceneDescription) {
     this.#run = run
     this.#stations = scene.stations
+    this.element.append(this.#list)
     this.#row(words.time, time => formatQuantity(time, 's'))
     for (const station of scene.stations) this.#addStation(station)
   }
 
   #addStation(station: StationDescription): void {
-    const named = (text: string) => labelled(this.#stations, station.name, text)
+    if (this.#stations.length > 1) {
+      this.#list = element('dl')
+      this.element.append(element('h4', {}, station.name), this.#list)
+    }
     const q = channelOf('q', station.name)
     for (const [k, axis] of AXES.entries()) {
       const value = (time: number) => this.#tcp(station, time)[k] ?? Number.NaN
-      this.#row(named(`${words.tcp} ${axis}`), time => formatQuantity(value(time), 'm'))
+      this.#row(`${words.tcp} ${axis}`, time => formatQuantity(value(time), 'm'))
     }
     for (const [k, joint] of station.joints.entries()) {
       const unit = joint.type === 'revolute' ? 'rad' : 'm'
-      this.#row(named(jointName(joint.name)), time => formatQuantity(this.#run.value(q, k, time), unit))
+      this.#row(jointName(joint.name), time => formatQuantity(this.#run.value(q, k, time), unit))
     }
   }
 
@@ -68,7 +74,7 @@ export class Readout {
 
   #row(name: string, text: (time: number) => string): void {
     const value = element('dd')
-    this.element.append(element('div', {}, element('dt', {}, name), value))
+    this.#list.append(element('div', {}, element('dt', {}, name), value))
     this.#rows.push({ value, text })
   }
 }

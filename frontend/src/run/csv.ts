@@ -1,6 +1,7 @@
 /** A run as a table of comma-separated values (RFC 4180): named columns in the units that are shown. */
 import { columnName } from '../units/names'
 import { shownUnit } from '../units/quantity'
+import { unitOf } from './column_units'
 import type { Run } from './run'
 
 /** Figures of a number: more than any recorded quantity has. */
@@ -9,7 +10,7 @@ const FIGURES = 9
 export function csvOf(run: Run): string {
   const columns = run.channels.flatMap(channel =>
     channel.columns.map((name, column) => {
-      const { unit, factor } = shownUnit(channel.unit)
+      const { unit, factor } = shownUnit(unitOf(channel, column))
       const title = columnName(channel.name, name)
       return { channel: channel.name, column, factor, title: unit ? `${title} [${unit}]` : title }
     }),

@@ -2,6 +2,7 @@
 import type { Pose, SceneDescription } from '../scene/description'
 import type { StateFrame } from '../wire/frame'
 import type { LiveLayout, Placed, Printed, SignalStamped } from '../wire/messages'
+import { unitsByAxes } from './column_units'
 import { FrameStore } from './frame_store'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
@@ -45,7 +46,10 @@ export class LiveRun implements Run {
     this.stations = layout.stations
     this.#bases = new Map(scene.stations.map(({ name, base }) => [name, base]))
     this.#names = scene.bodies.map(body => body.name)
-    this.channels = channelsOf(layout)
+    this.channels = channelsOf(layout).map(channel => {
+      const axes = scene.stations.find(one => one.name === channel.subject)?.joints ?? []
+      return { ...channel, units: unitsByAxes(channel, axes) }
+    })
     this.#columns = layout.channels.length
     this.#bodies = layout.bodies
     this.#store = new FrameStore(this.#columns + POSE * layout.bodies.length)

@@ -1,6 +1,7 @@
 /** A finished run, read from its pack. */
 import type { SceneDescription } from '../scene/description'
 import { Clock, Column } from './column'
+import { unitsByAxes } from './column_units'
 import type { RunFacts } from './facts'
 import type { ResultFigures } from './figures'
 import { openPack, type PackHeader } from './pack_file'
@@ -51,16 +52,21 @@ export class RecordedRun implements Run {
       const columns = channel.columns.map(column => new Column(column.code, body, this.#clock))
       this.#columns.set(channel.name, columns)
     }
-    const recorded = header.channels.map(({ name, unit, description, group, subject, columns }) => ({
-      name,
-      unit,
-      description,
-      group,
-      subject,
-      columns: columns.map(column => column.name),
-      min: columns.map(column => column.min ?? Number.NaN),
-      max: columns.map(column => column.max ?? Number.NaN),
-    }))
+    const recorded = header.channels.map(({ name, unit, description, group, subject, columns }) => {
+      const axes = this.facts.stations.find(one => one.name === subject)?.axes ?? []
+      const names = columns.map(column => column.name)
+      return {
+        name,
+        unit,
+        units: unitsByAxes({ unit, columns: names }, axes),
+        description,
+        group,
+        subject,
+        columns: names,
+        min: columns.map(column => column.min ?? Number.NaN),
+        max: columns.map(column => column.max ?? Number.NaN),
+      }
+    })
     const speeds = this.stations.flatMap(({ name }) => {
       const position = channelOf('attained_position', name)
       const speed = speedOf([0, 1, 2].map(column => this.#recorded(position, column)))

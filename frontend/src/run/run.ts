@@ -34,6 +34,8 @@ export interface RunEvent {
 export interface ChannelInfo {
   readonly name: string
   readonly unit: string
+  /** Of each column, where they differ. */
+  readonly units?: readonly string[] | undefined
   /** Names of the columns; one empty name for a channel of one column. */
   readonly columns: readonly string[]
   readonly description: string

@@ -26,8 +26,10 @@ from ropsim.views.task_summary import TaskSummary
 def joint_table(joints: tuple[JointSummary, ...]) -> str:
     """Return extremes per joint against their limits."""
     types = [joint.facts.type for joint in joints]
-    coordinate = joined_units(map(coordinate_scale, types))
-    effort, speed = joined_units(map(effort_scale, types)), joined_units(map(speed_scale, types))
+    coordinate, effort, speed = (
+        joined_units(map(scale, types)) for scale in (coordinate_scale, effort_scale, speed_scale)
+    )
+    speed = speed.replace(" or ", "<br>or ")  # the table is as wide as the page
     header = (
         "joint",
         f"peak torque<br>[{effort}]",
@@ -37,8 +39,8 @@ def joint_table(joints: tuple[JointSummary, ...]) -> str:
         f"limit<br>[{speed}]",
         "share",
         "peak current<br>[A]",
-        f"following error<br>RMS [{coordinate}]",
-        f"following error<br>max [{coordinate}]",
+        f"following<br>error RMS<br>[{coordinate}]",
+        f"following<br>error max<br>[{coordinate}]",
     )
     return table("Peaks are magnitudes over the whole run.", header, [_joint_row(joint) for joint in joints])
 
