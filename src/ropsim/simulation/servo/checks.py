@@ -25,6 +25,7 @@ from ropsim.simulation.servo.diagnostics import (
 from ropsim.simulation.servo.state import ServoState
 from ropsim.spatial import Array, real_numbers
 
+_FLOAT64 = np.dtype(np.float64)
 MOST_DELAY = 1000
 """Longest delay of a law [control ticks]."""
 
@@ -148,7 +149,7 @@ def check_aux(aux: Array | None, ticks: int, names: tuple[str, ...]) -> Array:
         ServoArrayError: they are missing or have another shape.
     """
     allowed = (ticks, len(names))
-    given = np.zeros((ticks, 0)) if aux is None else aux
+    given = np.empty((ticks, 0)) if aux is None else aux
     if given.shape != allowed:
         raise _bad_shape(
             "array `aux`", given.shape, f"{allowed}, a column for each signal that the law reads"
@@ -178,15 +179,16 @@ def check_reference(reference: JointReference, n: int) -> tuple[Array, Array, Ar
     Raises:
         ServoArrayError: the arrays are not all of shape (ticks, n).
     """
-    allowed = (reference.ticks, n)
-    for name, array in (("q", reference.q), ("qd", reference.qd), ("qdd", reference.qdd)):
-        if array.shape != allowed:
-            raise _bad_shape(f"array `reference.{name}`", array.shape, f"(ticks, {n}) for all three")
-    return _plain(reference.q), _plain(reference.qd), _plain(reference.qdd)
+    q, qd, qdd = reference.q, reference.qd, reference.qdd
+    if not q.shape == qd.shape == qdd.shape == (len(q), n):
+        for name, array in (("q", q), ("qd", qd), ("qdd", qdd)):
+            if array.shape != (len(q), n):
+                raise _bad_shape(f"array `reference.{name}`", array.shape, f"(ticks, {n}) for all three")
+    return _plain(q), _plain(qd), _plain(qdd)
 
 
 def _plain(array: Array) -> Array:
-    if array.flags.carray and array.dtype == np.float64:
+    if array.dtype is _FLOAT64 and array.flags.carray:
         return array
     return np.require(array, np.float64, ["C", "W"])
 

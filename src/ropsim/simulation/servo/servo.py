@@ -176,8 +176,9 @@ class Servo:
             LawError: the law reaches beyond its arrays, or in Python raises an exception.
             DivergedError: the state has become NaN or infinite.
         """
-        ticks = reference.ticks
-        rows, signals = check_reference(reference, self.robot.n), check_aux(aux, ticks, self.law.traits.aux)
+        rows = check_reference(reference, self.layout.n)
+        ticks = len(rows[0])
+        signals = check_aux(aux, ticks, self.law.traits.aux)
         self.bench.values[:] = state.values
         if self.python_law is None:
             self._advance(state.tick, rows, signals, payload, recorder)
