@@ -1,4 +1,4 @@
-"""A cell whose external axes carry things, in a real browser: jog, tables, plots and the picture know them."""
+"""The studio of a cell whose axes carry things: a part on a positioner, a shuttle with its own program."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
