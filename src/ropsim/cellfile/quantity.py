@@ -70,7 +70,7 @@ class Units:
     @property
     def extent(self) -> Quantity:
         """Return an edge, radius or distance: 1 µm to 100 m."""
-        return self.position.within(1e-6, 100.0)
+        return Quantity(self.length, metres(self.length), 1e-6, 100.0)
 
     @property
     def turn(self) -> Quantity:

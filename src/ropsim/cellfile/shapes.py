@@ -32,6 +32,7 @@ from ropsim.model import (
 )
 from ropsim.spatial import Pose
 
+_MATERIALS = tuple(known.value for known in Material)
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
 _OPACITY = NUMBER.within(0.0, 1.0)
 _SCALE = NUMBER.within(1e-6, 1e3)
@@ -72,7 +73,7 @@ def read_colour(table: TomlTable, default: str) -> str:
 
 def read_material(table: TomlTable, default: Material) -> Material:
     """Return the key `material`, checked."""
-    return Material(table.choice("material", [known.value for known in Material], default.value))
+    return Material(table.choice("material", _MATERIALS, default.value))
 
 
 def read_shapes(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:

@@ -130,7 +130,8 @@ def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
     low_others, high_others = others.reaches()
     if not len(low) or not len(low_others):
         return np.empty(0, np.intp), np.empty(0, np.intp)
-    cell = max(float(np.median(high[:, :2] - low[:, :2])), 1e-3)
+    widths = np.sort(high[:, :2] - low[:, :2], axis=None)
+    cell = max(float(widths[len(widths) // 2]), 1e-3)
     count = np.floor(high_others[:, :2] / cell) - np.floor(low_others[:, :2] / cell) + 1.0
     wide = np.prod(count, axis=1) > MOST_CELLS
     slim = np.flatnonzero(~wide)

@@ -19,10 +19,11 @@ def normalize(q: Quaternion) -> Quaternion:
     Raises:
         ValueError: the length is zero or not finite.
     """
-    length = math.sqrt(sum(c * c for c in q))
+    w, x, y, z = q
+    length = math.sqrt(w * w + x * x + y * y + z * z)
     if not math.isfinite(length) or length == 0.0:
         raise ValueError("quaternion has no direction")
-    w, x, y, z = (c / length for c in q)
+    w, x, y, z = w / length, x / length, y / length, z / length
     return (w, x, y, z) if w >= 0.0 else (-w, -x, -y, -z)
 
 
