@@ -39,14 +39,14 @@ def bare_call() -> float:
 
 
 def test_inverse_of_one_pose(benchmark: Any) -> None:
-    """The rest beside two bare calls of compiled code is what Python adds: matrix, result, postures."""
+    """The rest beside two bare calls of compiled code is what Python adds: matrix, result, turns."""
     measure = Measure(benchmark)
     pose = ropsim.kinematics.forward(ROBOT, ROBOT.home)
     found, time = measure(lambda: ropsim.kinematics.inverse(ROBOT, pose), rounds=2000, warmup=100)
     assert len(found.solutions) > 0
     measure.figure("us per pose, from Python", 1e6 * time.median)
     measure.figure("us per pose, from Python, best", 1e6 * time.best)
-    measure.figure("bare calls of the kernel in that time", time.best / bare_call(), most=6.0)
+    measure.figure("bare calls of the kernel in that time", time.best / bare_call(), most=8.0)
 
 
 def test_inverse_near_to_where_the_arm_stands(benchmark: Any) -> None:
