@@ -224,6 +224,9 @@ ready`, the right one sets `ready` after `wait until offered`. Let one of them s
 sets a signal on and off again while the other one looks elsewhere, the other one misses it: set it off only
 when the other one has answered.
 
+A program that goes round in a loop and does nothing but look at signals and stand, such as a wait for two
+signals at once, waits too. One that counts its passes or looks at the time does not.
+
 An input that nobody changes needs `changes` in the cell file, recorded inputs, or a key in a live run,
 which goes on waiting. A wait with a `timeout` is never in vain.
 """,

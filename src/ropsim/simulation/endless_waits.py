@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ropsim.core import Diagnostic
-from ropsim.flow import AwaitInstruction
+from ropsim.flow import Origin
 from ropsim.icr import Program
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER
@@ -16,7 +16,8 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
     """Return whether every program at work waits for a channel and nothing can happen any more.
 
     That is so when none of the waits has a timeout, no channel has its value, no script of the cell changes
-    one of them later, no device has anything left to do, and nobody may press keys. What a sensor interface
+    one of them later, no device has anything left to do, and nobody may press keys. A program that does
+    nothing but look at channels in a loop, and has found the same twice, waits too. What a sensor interface
     of a user's own delivers cannot be foreseen.
 
     Args:
@@ -24,63 +25,91 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
         options: of the run.
     """
     stations = [run.stations[name] for name in run.at_work]
-    if not all(at.awaits and at.awaits.timeout is None and not at.in_vain for at in stations):
+    if not all(_waits(at) for at in stations):
         return False
     if options.sensors is not None or run.watch.may_press:
         return False
     if any(device.due != NEVER for device in run.devices.values()):
         return False
-    return all(_stays_away(run, at, at.awaits) for at in stations if at.awaits)
+    return all(_stays(run, at) for at in stations)
 
 
 def end_waits(run: CellRun, programs: Mapping[str, Program]) -> None:
     """End the programs at work where they wait, each with a finding (S742)."""
     for name in run.at_work:
         at = run.stations[name]
-        if at.awaits:
-            run.findings.append(_finding(run, at, at.awaits, programs))
-            at.in_vain = True
+        run.findings.append(_finding(run, at, programs))
+        at.in_vain = True
 
 
-def _stays_away(run: CellRun, at: StationRun, step: AwaitInstruction) -> bool:
-    sample = run.sensors.read(step.channel, at.time)
-    value = sample.value if sample.valid else False
-    return value != step.value and not run.sensors.changes_after(step.channel, at.time)
+def _waits(at: StationRun) -> bool:
+    if at.in_vain:
+        return False
+    return at.awaits.timeout is None if at.awaits else at.polled is not None
 
 
-def _finding(
-    run: CellRun, at: StationRun, step: AwaitInstruction, programs: Mapping[str, Program]
-) -> Diagnostic:
-    name, channel = at.station.name, step.channel
-    devices = [one for one, device in run.devices.items() if channel in device.device.tells]
-    setters = [] if _is_input(run, channel) else [one for one in programs if _sets(programs[one], channel)]
-    notes = [f"`{channel}` is set by the device `{one}`, which stands" for one in devices]
-    for one in setters:
-        whose = "this program" if one == name else f"the program of `{one}`"
-        notes.append(f"`{channel}` is set by {whose}, which {_state(run, one)}")
+def _stays(run: CellRun, at: StationRun) -> bool:
+    """Return whether the channels stay as they are, and the one that is waited for has not come."""
+    for channel in _channels(at):
+        sample = run.sensors.read(channel, at.time)
+        value = sample.value if sample.valid else False
+        there = value == at.awaits.value if at.awaits else value != _reads(at)[channel]
+        if there or run.sensors.changes_after(channel, at.time):
+            return False
+    return True
+
+
+def _channels(at: StationRun) -> tuple[str, ...]:
+    return (at.awaits.channel,) if at.awaits else tuple(sorted(_reads(at)))
+
+
+def _reads(at: StationRun) -> Mapping[str, bool | float]:
+    return at.polled.reads if at.polled else {}
+
+
+def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> Diagnostic:
+    name, origin = at.station.name, _origin(at)
+    notes: list[str] = []
+    hints: list[str] = []
+    for channel in _channels(at):
+        devices = [one for one, device in run.devices.items() if channel in device.device.tells]
+        setters = (
+            [] if _is_input(run, channel) else [one for one in programs if _sets(programs[one], channel)]
+        )
+        notes += [f"`{channel}` is set by the device `{one}`, which stands" for one in devices]
+        for one in setters:
+            whose = "this program" if one == name else f"the program of `{one}`"
+            notes.append(f"`{channel}` is set by {whose}, which {_state(run, one)}")
+        if not devices and not setters:
+            notes.append(_nobody(run, channel))
+        hints.append(_hint(run, channel, devices, setters))
     return WAITS_IN_VAIN.at(
-        step.origin.span,
-        f"`{name}` waits for {_wanted(step)}, and nothing can change that any more "
+        origin.span,
+        f"`{name}` waits for {_wanted(at)}, and nothing can change that any more "
         f"(t = {at.time:.2f} s): the run ends here",
-        label=f"pass {step.origin.visit}",
-        notes=tuple(notes) or (_nobody(run, channel),),
-        hint=_hint(run, channel, devices, setters),
+        label=f"pass {origin.visit}",
+        notes=tuple(notes),
+        hint=hints[0],
         data={
             "station": name,
-            "channel": channel,
-            "value": bool(step.value),
+            "channel": ", ".join(_channels(at)),
             "time_s": at.time,
-            "pass": step.origin.visit,
+            "pass": origin.visit,
         },
     )
 
 
+def _origin(at: StationRun) -> Origin:
+    step = at.awaits or at.polled
+    return step.origin if step else Origin()
+
+
 def _state(run: CellRun, name: str) -> str:
-    step = run.stations[name].awaits if name in run.at_work else None
-    if step is None:
+    if name not in run.at_work:
         return "has ended"
-    line = f" on line {step.origin.span.line}" if step.origin.span else ""
-    return f"waits for {_wanted(step)}{line}"
+    at = run.stations[name]
+    span = _origin(at).span
+    return f"waits for {_wanted(at)}{f' on line {span.line}' if span else ''}"
 
 
 def _nobody(run: CellRun, channel: str) -> str:
@@ -109,5 +138,7 @@ def _is_input(run: CellRun, channel: str) -> bool:
     return signal is not None and signal.is_input
 
 
-def _wanted(step: AwaitInstruction) -> str:
-    return f"`{step.channel}` to {'come on' if step.value else 'go off'}"
+def _wanted(at: StationRun) -> str:
+    if at.awaits:
+        return f"`{at.awaits.channel}` to {'come on' if at.awaits.value else 'go off'}"
+    return "a change of " + " or ".join(f"`{channel}`" for channel in _channels(at))

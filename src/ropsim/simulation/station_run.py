@@ -11,6 +11,7 @@ from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.plant import Plant
+from ropsim.simulation.polling import Polled
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array, Pose
 
@@ -38,6 +39,7 @@ class StationRun:
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
         waiting: whether the last instruction did nothing but wait for the ones before it.
         awaits: what it stands for, where it waits for a channel.
+        polled: what it looks at again and again, where it does nothing else.
         in_vain: whether that will never come; the program is over then.
         cut_short: whether standing still was ended by `last_tick`; the program is over then.
     """
@@ -57,6 +59,7 @@ class StationRun:
     fingers: dict[str, Course] = field(default_factory=dict)
     waiting: bool = False
     awaits: AwaitInstruction | None = None
+    polled: Polled | None = None
     in_vain: bool = False
     cut_short: bool = False
 

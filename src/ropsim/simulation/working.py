@@ -55,7 +55,8 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     )
     machine = Machine(program, world)
     step = last = machine.advance()
-    while not isinstance(step, Finished) and not at.is_over:
+    while not isinstance(step, Finished) and not at.is_over and not at.in_vain:
+        at.polled = world.polling.look(machine, step)
         with _blamed(step):
             yield from _carry_out(run, at, step, world)
             yield

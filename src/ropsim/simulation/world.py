@@ -1,9 +1,10 @@
 """What the interpreter of a station sees of the simulated cell: time and channels."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ropsim.controller import SensorInterface
+from ropsim.simulation.polling import Polling
 
 
 @dataclass(slots=True)
@@ -16,6 +17,7 @@ class SimulatedWorld:
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
         came: whether the channel that was waited for last came to have its value.
+        polling: is told what the program looks at.
     """
 
     sensors: SensorInterface
@@ -23,15 +25,18 @@ class SimulatedWorld:
     look: Callable[[], None]
     longest_wait: float
     came: bool = False
+    polling: Polling = field(default_factory=Polling)
 
     def read(self, channel: str) -> bool | float:
         """Return the present value of a channel; one that is not valid reads as off."""
         self.look()
         sample = self.sensors.read(channel, self.now())
-        return sample.value if sample.valid else False
+        value = self.polling.reads[channel] = sample.value if sample.valid else False
+        return value
 
     def time(self) -> float:
         """Return the simulated time [s]."""
+        self.polling.timed = True
         return self.now()
 
     def wait(self, channel: str, value: bool | float, timeout: float | None) -> bool:  # noqa: FBT001 - a signal's value
