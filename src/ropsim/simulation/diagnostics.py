@@ -216,7 +216,7 @@ WAITS_IN_VAIN = define(
     """
 Every program that still ran waited for a signal, no device was moving or had anything left to do, and no
 change of an input that somebody waits for lay ahead. Nothing could happen any more, so the run was ended
-there. Each program that waits has a finding at its line; the note says who sets the signal, and where that
+there. Each program that waits has a finding at its line; it says who sets the signal, and where that
 program stands.
 
 Two programs that wait for each other are the usual case: the left one sets `offered` after `wait until

@@ -85,10 +85,8 @@ def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> D
         hints.append(_hint(run, channel, devices, setters))
     return WAITS_IN_VAIN.at(
         origin.span,
-        f"`{name}` waits for {_wanted(at)}, and nothing can change that any more "
-        f"(t = {at.time:.2f} s): the run ends here",
+        f"`{name}` waits for {_wanted(at)} for ever, from t = {at.time:.2f} s on: {'; '.join(notes)}",
         label=f"pass {origin.visit}",
-        notes=tuple(notes),
         hint=hints[0],
         data={
             "station": name,
