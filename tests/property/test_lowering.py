@@ -21,6 +21,7 @@ from ropsim.program import (
     Grip,
     Home,
     If,
+    InFrame,
     Local,
     MakeExternal,
     MakePose,
@@ -109,6 +110,7 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
     POSE: values(POSE)
     | binary(POSE, ["compose"], POSE)
     | unary(POSE, ["invert"], POSE)
+    | st.builds(InFrame, st.deferred(lambda: expressions[POSE]), st.sampled_from(["plate", ""]))
     | st.builds(
         MakeExternal,
         st.deferred(lambda: expressions[POSE]),
@@ -192,7 +194,15 @@ def programs(draw: st.DrawFn) -> Program:
     main = draw(blocks(2, calls=("a", "b")))
     identity = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
     return Program(
-        "t", main, LOCALS, (a, b), "", {}, {"jaws": identity}, draw(st.sampled_from(["", "jaws"])), SIGNALS
+        "t",
+        main,
+        LOCALS,
+        (a, b),
+        "",
+        {"plate": identity},
+        {"jaws": identity},
+        draw(st.sampled_from(["", "jaws"])),
+        SIGNALS,
     )
 
 
