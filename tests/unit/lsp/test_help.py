@@ -173,6 +173,21 @@ def test_hover_tells_the_pose_of_the_cell_in_millimetres_and_degrees(program: st
     assert "(-40, -600, 600) mm, roll pitch yaw (180, 8, 0)° in the base frame" in told
 
 
+def test_hover_tells_in_which_frame_a_location_moves(program: str, tmp_path: Path) -> None:
+    cell = tmp_path / "cell" / "cell.toml"
+    text = cell.read_text("utf-8").replace(
+        "[robot]\n",
+        "[robot]\npositioner = { radius = 200, height = 300, base = { position = [0, 900, 0] } }\n",
+    )
+    text += '\n[frames.nest]\nparent = "positioner"\nposition = [0, 50, 20]\n'
+    text += '[locations.seat]\nframe = "nest"\nposition = [10, 0, 40]\n'
+    cell.write_text(text, "utf-8")
+    assert "(10, 0, 40) mm, roll pitch yaw (180, 0, 0)° in the frame nest" in hover(
+        program, HEAD + "mov se|at"
+    )
+    assert "(0, 50, 20) mm" in hover(program, HEAD + "mov (0, 0, 0) in ne|st")
+
+
 def test_hover_tells_what_a_signal_is(program: str) -> None:
     assert "input, off at the start" in hover(program, HEAD + "wait until part_|ok")
 
