@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from ropsim.core import Span
 from ropsim.flow import (
     EVENTS,
+    AwaitEvent,
     Channel,
     Event,
     InputChange,
@@ -98,6 +99,7 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
     "path_error_max": st.none() | NUMBERS,
     "channel": TEXTS,
     "signal": TEXTS,
+    "came": st.booleans(),
     "text": TEXTS,
     "part": TEXTS,
     "name": TEXTS,
@@ -109,8 +111,8 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
 
 def events() -> st.SearchStrategy[Event]:
     """Return events of all kinds with any fields."""
-    values = st.booleans() | st.integers() | NUMBERS
-    drawn = {kind: FIELDS | {"value": values if kind is OutputEvent else NUMBERS} for kind in EVENTS.values()}
+    values = {OutputEvent: st.booleans() | st.integers() | NUMBERS, AwaitEvent: st.booleans()}
+    drawn = {kind: FIELDS | {"value": values.get(kind, NUMBERS)} for kind in EVENTS.values()}
     return st.sampled_from(list(EVENTS.values())).flatmap(
         lambda kind: st.builds(kind, **{one.name: drawn[kind].get(one.name, NUMBERS) for one in fields(kind)})
     )
