@@ -11,6 +11,7 @@ from ropsim.spatial import Pose, record
 
 _LONGEST = 50.0  # [m]
 _LEAST = 0.01  # [m] of travel, of a radius
+_LOWEST = 0.5  # [m], of a gantry
 _LIGHTEST = 1.0  # [kg]
 _LEAST_INERTIA = 0.1  # [kg·m²]
 _FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
@@ -60,35 +61,58 @@ def read_external_axes(table: TomlTable, units: Units) -> ExternalAxes:
 
 
 def _track(table: TomlTable, units: Units) -> tuple[Mechanism, Pose]:
-    table.require("length")
-    length = table.number("length", units.position.within(_LEAST, _LONGEST), 1.0)
-    mass = table.number("carriage_mass", MASS.within(_LIGHTEST, MASS.high), 250.0)
+    kind = table.choice("kind", tuple(_TRACKS), "linear")
     mount = table.table("mount")
     X_LB = read_pose(mount, units)
     mount.finish()
-    track = _limited(robots.linear_track(length, mass), table, units)
+    track = _limited(_TRACKS[kind](table, units), table, units)
     table.finish()
     return track, X_LB
 
 
 def _positioner(table: TomlTable, units: Units) -> tuple[Mechanism, Pose]:
+    kind = table.choice("kind", tuple(_POSITIONERS), "turntable")
     table.require("radius", "base")
     radius = table.number("radius", units.position.within(_LEAST, _LONGEST), 0.5)
-    height = table.number("height", units.position.within(_LEAST, _LONGEST), 0.7)
     inertia = table.number("inertia", MOMENT.within(_LEAST_INERTIA, MOMENT.high), 40.0)
+    height = table.number("height", units.position.within(_LEAST, _LONGEST), _HEIGHTS[kind])
     X_WP = read_base(table, units)
-    turntable = _limited(robots.turntable(radius, height, inertia), table, units)
+    positioner = _limited(_POSITIONERS[kind](radius, height, inertia), table, units)
     table.finish()
-    return turntable, X_WP
+    return positioner, X_WP
+
+
+def _linear(table: TomlTable, units: Units) -> Mechanism:
+    table.require("length")
+    length = table.number("length", units.position.within(_LEAST, _LONGEST), 1.0)
+    return robots.linear_track(length, table.number("carriage_mass", _CARRIED, 250.0))
+
+
+def _gantry(table: TomlTable, units: Units) -> Mechanism:
+    table.require("length", "width", "height")
+    way = units.position.within(_LEAST, _LONGEST)
+    length, width = table.number("length", way, 1.0), table.number("width", way, 1.0)
+    height = table.number("height", units.position.within(_LOWEST, _LONGEST), 2.0)
+    bridge = table.number("bridge_mass", _CARRIED, 500.0)
+    return robots.gantry(length, width, height, bridge, table.number("carriage_mass", _CARRIED, 150.0))
 
 
 def _limited(mechanism: Mechanism, table: TomlTable, units: Units) -> Mechanism:
-    """Return a mechanism of one axis with the speed and acceleration that the file gives."""
-    number = mechanism.axes[0]
-    joint = mechanism.joints[number]
-    rate = units.path if joint.type is JointType.PRISMATIC else units.orientation
-    speed = table.number("speed", rate(1, _FASTEST[joint.type]), joint.max_speed)
-    acceleration = table.number("acceleration", rate(2, _HARDEST[joint.type]), joint.max_acceleration)
-    changed = replace(joint, max_speed=speed, max_acceleration=acceleration, max_jerk=_RISE * acceleration)
-    joints = (*mechanism.joints[:number], changed, *mechanism.joints[number + 1 :])
+    """Return a mechanism with the speed and acceleration that the file gives for all its axes."""
+    axes = mechanism.axis_joints
+    rate = units.path if axes[0].type is JointType.PRISMATIC else units.orientation
+    if "speed" in table:
+        speed = table.number("speed", rate(1, _FASTEST[axes[0].type]), axes[0].max_speed)
+        axes = tuple(replace(joint, max_speed=speed) for joint in axes)
+    if "acceleration" in table:
+        most = table.number("acceleration", rate(2, _HARDEST[axes[0].type]), axes[0].max_acceleration)
+        axes = tuple(replace(joint, max_acceleration=most, max_jerk=_RISE * most) for joint in axes)
+    limited = dict(zip(mechanism.axes, axes, strict=True))
+    joints = tuple(limited.get(number, joint) for number, joint in enumerate(mechanism.joints))
     return replace(mechanism, joints=joints)
+
+
+_CARRIED = MASS.within(_LIGHTEST, MASS.high)
+_TRACKS = {"linear": _linear, "gantry": _gantry}
+_POSITIONERS = {"turntable": robots.turntable, "tilt_and_turn": robots.tilting_turntable}
+_HEIGHTS = {"turntable": 0.7, "tilt_and_turn": 0.8}

@@ -8,6 +8,10 @@ from ropsim.robots.diagnostics import UnknownRobotError as UnknownRobotError
 from ropsim.robots.driven_axes import AxisData as AxisData
 from ropsim.robots.driven_axes import driven_rotary as driven_rotary
 from ropsim.robots.driven_axes import driven_slide as driven_slide
+from ropsim.robots.external_axes import gantry as gantry
+from ropsim.robots.external_axes import linear_track as linear_track
+from ropsim.robots.external_axes import tilting_turntable as tilting_turntable
+from ropsim.robots.external_axes import turntable as turntable
 from ropsim.robots.fingers import parallel_fingers as parallel_fingers
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
@@ -16,5 +20,3 @@ from ropsim.robots.library import names as names
 from ropsim.robots.standard_controller import LoopBandwidths as LoopBandwidths
 from ropsim.robots.standard_controller import standard_bandwidths as standard_bandwidths
 from ropsim.robots.standard_controller import standard_gains as standard_gains
-from ropsim.robots.station_mechanisms import linear_track as linear_track
-from ropsim.robots.station_mechanisms import turntable as turntable

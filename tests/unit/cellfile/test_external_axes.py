@@ -77,6 +77,37 @@ def test_the_positioner_stands_in_the_world_wherever_the_robot_is() -> None:
     assert plate[:3, 0] == pytest.approx([0.0, 1.0, 0.0], abs=POSE_TOLERANCE)
 
 
+HANGING = "length = 3000, width = 2000, height = 2500, mount = { rpy = [180, 0, 0] }"
+GANTRY = f'track = {{ kind = "gantry", {HANGING} }}\n'
+PLATE = "radius = 300, height = 800, speed = 60, base = { position = [900, 0, 0] }"
+TILTING = f'positioner = {{ kind = "tilt_and_turn", {PLATE} }}\n'
+
+
+def test_an_arm_hangs_from_a_gantry() -> None:
+    robot, arm = station_of(GANTRY).robot, robots.load("puma560")
+    assert [(joint.name, joint.lower, joint.upper) for joint in robot.axis_joints[6:]] == [
+        ("E1", -1.5, 1.5),
+        ("E2", -1.0, 1.0),
+    ]
+    x, y, z = forward(arm, arm.home).position
+    found = forward(robot, np.append(arm.home, (0.4, -0.3))).position
+    assert found == pytest.approx([x + 0.4, -y - 0.3, 2.5 - z], abs=POSE_TOLERANCE)
+
+
+def test_a_plate_tilts_and_turns_with_what_hangs_on_it() -> None:
+    nest = '[[objects]]\nname = "nest"\nparent = "positioner"\nposition = [0, 200, 0]\nsize = [50, 50, 10]\n'
+    cell, findings = read(TILTING + nest)
+    assert findings == ()
+    assert cell is not None
+    robot = cell.first.robot
+    assert robot.max_speeds[6:] == pytest.approx([math.radians(60)] * 2)
+    q = np.append(robot.home[:6], (math.pi / 2, math.pi / 2))
+    placed = body_poses(body_tree(cell), {"robot": [q]})["nest"][0]
+    # after the turn at x = -200 of the plate, which now stands upright and looks to -y
+    assert placed[:3, 3] == pytest.approx([0.7, -0.1, 0.7], abs=POSE_TOLERANCE)
+    assert placed[:3, 2] == pytest.approx([0.0, -1.0, 0.0], abs=POSE_TOLERANCE)
+
+
 def test_start_has_a_value_for_every_axis_in_its_own_unit() -> None:
     station = station_of(TRACK + TABLE + "start = [0, 75, -180, 0, -75, 0, -1200, 45]\n")
     assert station.start[6:] == pytest.approx([-1.2, math.pi / 4])
@@ -106,6 +137,10 @@ def test_gravity_of_a_tilted_track_is_felt_by_all_of_it() -> None:
 @pytest.mark.parametrize(
     ("text", "code", "words"),
     [
+        ('track = { kind = "gantri", length = 1000 }\n', "X808", "`linear`, `gantry`"),
+        ('track = { kind = "gantry", length = 1000, width = 500 }\n', "X803", "needs `height`"),
+        ("track = { length = 1000, width = 500 }\n", "X802", "`robot.track.width`"),
+        ('positioner = { kind = "tilt", radius = 300, base = {} }\n', "X808", "`tilt_and_turn`"),
         ("track = {}\n", "X803", "`robot.track` needs `length`"),
         ("track = 3\n", "X804", "`robot.track` is a whole number"),
         ("track = { length = 0 }\n", "X806", "allowed is 10 to 50000 mm"),
