@@ -52,6 +52,10 @@ def _compose(a: Location, b: Location) -> Location:
     return location
 
 
+def _reframe(change: Location, location: Location) -> Location:
+    return location if tag_of(location) is not None else _compose(change, location)
+
+
 def _same_frame(name: str, a: Datum, b: Datum) -> None:
     """Trap where two poses are given in different task frames.
 
@@ -143,6 +147,7 @@ GEOMETRY: dict[str, Handler] = {
     "MKEXT": _make_external,
     "COMPOSE": _make(2, _compose),
     "INFRAME": in_frame,
+    "REFRAME": _make(2, _reframe),
     "INV": _make(1, lambda a: _finite("INV", quaternion.invert(pose_part(a)))),
     "GETPOS": _make(1, lambda pose: pose[:3]),
     "GETORI": _make(1, lambda pose: pose[3:7]),

@@ -144,6 +144,7 @@ _TABLE = """
 040D ANGLE     -        PP  R  -     angle between the orientations of two poses [rad], 0 .. pi
 040E CURPOSE   -        -   P  -     pose commanded last, X_KT, in the frame and for the tool in force
 0410 INFRAME   frame    P   P  -     [pose -> the same numbers in a task frame of its own]; - for none
+0411 REFRAME   -        PP  P  -     [X_AB X_BC -> X_AC]; X_BC as it is where it has a task frame of its own
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)
 0413 SETC      index    *   *  -     [value real -> value with component i replaced]
 0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes]

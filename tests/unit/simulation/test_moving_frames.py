@@ -266,3 +266,42 @@ def test_here_keeps_frame_and_values() -> None:
     """The pose commanded last stays with the axis: after a turn `here` goes along with its frame."""
     text = "mov corner external (40)\nlin here above 80\nlin here offset (0, 0, -80)\n"
     assert_there(ran(text), in_fixture(0.03, 0.0, 0.04, np.radians(40.0)))
+
+
+SHIFTED = """task Go(place)
+  with frame pallet
+    {}
+  endwith
+endp
+
+mov joints(0, 75, -180, 0, -75, 0, {})
+Go corner
+"""
+
+
+@pytest.mark.parametrize("turn", [0.0, 40.0])
+@pytest.mark.parametrize(
+    ("line", "place"),
+    [
+        ("mov place offset (10, 20, 30)", (0.04, 0.02, 0.07)),
+        ("mov (place.x + 10, place.y, place.z) in fixture", (0.04, 0.0, 0.04)),
+        ("mov place in fixture", (0.03, 0.0, 0.04)),
+    ],
+)
+def test_a_parameter_keeps_its_frame_where_another_one_is_in_force(
+    turn: float, line: str, place: tuple[float, float, float]
+) -> None:
+    """The frame `pallet` stands elsewhere and is turned by nothing but the base."""
+    recording = ran(SHIFTED.format(line, turn))
+    assert_there(recording, in_fixture(*place, np.radians(turn)))
+
+
+def test_a_parameter_of_the_work_frame_is_seen_in_the_frame_in_force() -> None:
+    """The same task with a location that stands still: `offset` goes along the axes of `pallet`."""
+    text = SHIFTED.format("mov place offset (10, 20, 30)", 40.0).replace("Go corner", "Go infeed")
+    place = cell_of().locations["infeed"] if "infeed" not in cell_of().located else None
+    assert place is not None
+    X_WK = cell_of().frames["pallet"].X_PK
+    way = X_WK.rotation() @ np.array([0.01, 0.02, 0.03])
+    reached = tool_pose_at_the_end(ran(text))
+    np.testing.assert_allclose(reached.position, place.position + way, rtol=0.0, atol=REACHED)

@@ -116,7 +116,7 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
     return (
         Assign(copy, components.numbers_in_frame(body, here), span),
         AssignComponent(copy, index, value, span),
-        Assign(name, fold.compose(fold.pose(body.X_KC), seen), span),
+        Assign(name, components.reframed(body, body.X_KC, seen), span),
     )
 
 

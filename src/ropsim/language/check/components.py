@@ -5,7 +5,7 @@ import math
 from ropsim.language.check import fold
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import POSE, Type, Value, known
-from ropsim.program import Constant, Expression, InFrame, Unary, ValueType
+from ropsim.program import Constant, Expression, Unary, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
@@ -23,15 +23,20 @@ def numbers_in_frame(body: Body, location_in_work_frame: Expression) -> Expressi
 
     A location in a frame that moves has the numbers that it has there.
     """
-    if isinstance(location_in_work_frame, InFrame):
-        return location_in_work_frame.operand
-    return fold.compose(fold.pose(quaternion.invert(body.X_KC)), location_in_work_frame)
+    return reframed(body, quaternion.invert(body.X_KC), location_in_work_frame)
+
+
+def reframed(body: Body, X_AB: PoseTuple, location: Expression) -> Expression:
+    """Return X_AC of a location X_BC; one in a frame that moves keeps the numbers that it has there."""
+    if body.world.environment.moving:
+        return fold.reframe(X_AB, location)
+    return fold.compose(fold.pose(X_AB), location)
 
 
 def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expression, Expression]:
     """Return pitch and roll of a location in the convention of five numbers."""
     unturned = fold.compose(location_in_work_frame, fold.pose((0.0, 0.0, 0.0, *quaternion.conjugate(_LEVEL))))
-    X_BT = fold.compose(fold.pose(body.world.X_BK), unturned)
+    X_BT = reframed(body, body.world.X_BK, unturned)
     return fold.component(X_BT, 4), fold.component(X_BT, 3)
 
 

@@ -212,6 +212,15 @@ def compose(left: Expression, right: Expression) -> Expression:
     return Binary("compose", left, right, ValueType.POSE)
 
 
+def reframe(change: PoseTuple, location: Expression) -> Expression:
+    """Return X_AC from X_AB and X_BC; a location in a frame that moves stays as it is, where it is given."""
+    if isinstance(location, InFrame) or change == IDENTITY:
+        return location
+    if isinstance(location, Constant):
+        return compose(pose(change), location)
+    return Binary("reframe", pose(change), location, ValueType.POSE)
+
+
 def external(location: Expression, values: tuple[Expression, ...]) -> Expression:
     """Return a POSE with REAL values of external axes in place of those that it may have."""
     if isinstance(location, InFrame):

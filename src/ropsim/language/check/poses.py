@@ -62,8 +62,14 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
         return Value(fold.compose(base, fold.make_pose(back, components.UPRIGHT)), POSE, X_KF=value.X_KF)
     if node.op == "rel":
         return Value(fold.compose(base, transform(body, node.right)), POSE, X_KF=value.X_KF)
-    X_KF = body.X_KC if value.X_KF is None else value.X_KF
     way = shift(body, node.right, "the shift of `offset`")
+    if value.X_KF is None and body.world.environment.moving:
+        # given in the frame in force, or in one that moves: which of both is known when the program runs
+        shifted = fold.compose(
+            fold.make_pose(way, components.UPRIGHT), components.numbers_in_frame(body, base)
+        )
+        return Value(components.reframed(body, body.X_KC, shifted), POSE)
+    X_KF = body.X_KC if value.X_KF is None else value.X_KF
     rotation = fold.pose((0.0, 0.0, 0.0, *X_KF[3:]))
     turned = components.position_of(fold.compose(rotation, fold.make_pose(way, components.UPRIGHT)))
     return Value(fold.compose(fold.make_pose(turned, components.UPRIGHT), base), POSE, X_KF=value.X_KF)
@@ -73,9 +79,11 @@ def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
     """Return `A in F`: the numbers that A has in the frame in force, read in F."""
     X_KF, moving = body.frame(node.frame)
     base = convert.to(body, value, POSE, node.operand, "the left side of `in`")
+    if body.world.environment.moving:
+        numbers = fold.without_frame(components.numbers_in_frame(body, base))
+        return Value(fold.in_frame(fold.compose(fold.pose(X_KF), numbers), moving), POSE, X_KF=X_KF)
     change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
-    X_KT = fold.compose(change, base)
-    return Value(fold.in_frame(X_KT, moving) if body.world.environment.moving else X_KT, POSE, X_KF=X_KF)
+    return Value(fold.compose(change, base), POSE, X_KF=X_KF)
 
 
 def with_external(body: Body, value: Value, node: nodes.External) -> Value:

@@ -24,6 +24,7 @@ _PLAIN = {
     "and": ("AND", Type.BOOL),
     "or": ("OR", Type.BOOL),
     "compose": ("COMPOSE", Type.POSE),
+    "reframe": ("REFRAME", Type.POSE),
     "distance": ("DIST", Type.POSE),
 }
 
