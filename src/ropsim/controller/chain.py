@@ -17,7 +17,7 @@ from ropsim.controller.moving_frames import frames_of_others, moving_frames
 from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.flow import JointReference, JointSamples, ModalState, MoveInstruction, PoseSetpoints
 from ropsim.model import Cell, Rates, Station, in_base, still_frames
 from ropsim.motion import JointTrajectory, LineTrajectory
 from ropsim.spatial import Array, Pose, frozen, record
@@ -43,9 +43,9 @@ class MotionChain:
     rates: Rates
     work: WorkFrames = field(default_factory=WorkFrames)
 
-    def tool_pose(self, move: MoveInstruction) -> Pose:
-        """Return X_MT of the tool of a move; of the mechanical interface itself where the tool is unknown."""
-        X_MT = self.work.tool_pose(move.modal, move.origin.span)
+    def tool_pose(self, modal: ModalState) -> Pose:
+        """Return X_MT of the tool in force; of the mechanical interface itself where the tool is unknown."""
+        X_MT = self.work.tool_pose(modal, None)
         return X_MT if isinstance(X_MT, Pose) else Pose()
 
 

@@ -151,6 +151,30 @@ that is named, or give the drive a larger `max_effort`.
 """,
 )
 
+DRIVE_EXCEEDED = define(
+    "S744",
+    "drive-limit-exceeded",
+    Severity.WARNING,
+    "a quantity of a drive was beyond its limit",
+    """
+A quantity of a drive that is held to a limit, such as the stroke of a valve, was beyond it. The message names
+the quantity, the limit stands in the model of the drive. Lower the speed or acceleration on the line that is
+named, or the payload.
+""",
+)
+
+DRIVE_SATURATED = define(
+    "S745",
+    "drive-saturated",
+    Severity.WARNING,
+    "a quantity of a drive stayed at its limit",
+    """
+A quantity of a drive, which the message names, was at its limit for more than a twentieth of a second in all.
+While that lasts the arm may not follow its reference. Lower the speed or acceleration on the line that is
+named, or the payload.
+""",
+)
+
 VOLTAGE_SATURATED = define(
     "S734",
     "voltage-saturated",

@@ -16,7 +16,6 @@ from ropsim.simulation.channels import (
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import RunView
-from ropsim.spatial import Pose
 
 
 def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
@@ -49,7 +48,7 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
     robot = at.station.robot
     log = {name: values[np.newaxis] for name, values in at.plant.at(tick).items()}
     log["q_error"] = log["q_ref"] - log["q"]
-    X_MT = tool_pose(at, tick).matrix()
+    X_MT = at.tool_frames.at(tick).matrix()
     name = at.station.name
     return {
         **joint_channels(name, robot, log),
@@ -62,13 +61,3 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
 def _held(station: str, name: str, track: Track, tick: float) -> Channel:
     """Return the channel of a piecewise constant quantity with its value at a tick only."""
     return track_channel(station, name, Track([0], [track.value(tick)]), 0, 1)
-
-
-def tool_pose(at: StationRun, tick: float) -> Pose:
-    """Return X_MT of the latest move that has begun by a tick; before the first one that of the tool."""
-    for move in reversed(at.moves[-2:]):
-        if move.start <= tick:
-            return move.X_MT
-    if at.moves:
-        return at.moves[-1].X_MT
-    return at.tool.X_MT if at.tool else Pose()

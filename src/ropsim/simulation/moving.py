@@ -32,9 +32,8 @@ def move(run: CellRun, at: StationRun, instruction: MoveInstruction) -> Iterator
     at.q_command = planned.q_end
     yield from _settle(run, at, instruction)
     settle = (at.tick - end) / at.hz
-    at.moves.append(
-        MoveSpan(instruction, since, end, at.tick, q_start, planned.q_end, at.chain.tool_pose(instruction))
-    )
+    X_MT = at.chain.tool_pose(instruction.modal)
+    at.moves.append(MoveSpan(instruction, since, end, at.tick, q_start, planned.q_end, X_MT))
     at.track("move", -1)
     done = MoveEvent(
         *at.when(since),
@@ -67,7 +66,8 @@ def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
     error = abs(at.plant.q - at.q_command)
     joint = int((error / controller.in_position).argmax())
     model = at.station.robot.axis_joints[joint]
-    scale, unit = (180.0 / math.pi, "°") if model.measure is JointType.REVOLUTE else (1e3, " mm")
+    turns = model.measure is JointType.REVOLUTE
+    scale, unit, sort = (180.0 / math.pi, "°", "rad") if turns else (1e3, " mm", "m")
     kind = FAR_FROM_TARGET if error[joint] > FAR * controller.in_position[joint] else NOT_IN_POSITION
     return kind.at(
         move.origin.span,
@@ -76,5 +76,9 @@ def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
         f"in position means {controller.in_position[joint] * scale:.4g}{unit}",
         label=f"pass {move.origin.visit}",
         hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
-        data={"pass": move.origin.visit, "joint": joint + 1, "error_rad": float(error[joint])},
+        data={
+            "pass": move.origin.visit,
+            "joint": joint + 1,
+            f"error_{sort}": float(error[joint]),
+        },
     )

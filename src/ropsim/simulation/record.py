@@ -40,7 +40,7 @@ from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.verdicts import verdicts
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array
 from ropsim.version import __version__
 
 
@@ -91,8 +91,8 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
             for name, values in log.items()
         }
     log["q_error"] = log["q_ref"] - log["q"]
-    robot, tool_poses = at.station.robot, _tool_poses(at, ticks)
-    attained, command = (forward_batch(robot, log[name]) @ tool_poses for name in ("q", "q_ref"))
+    robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
+    attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
     error = path_errors(at.moves, robot, ticks, attained[:, :3, 3])
     name, last = at.station.name, at.tick
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
@@ -174,21 +174,6 @@ def distance_from_segment(points: Array, a: Array, b: Array) -> Array:
     along = b - a
     share = np.clip((points - a) @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
     return np.asarray(np.linalg.norm(points - a - share[:, None] * along, axis=1))
-
-
-def _tool_poses(at: StationRun, ticks: Array) -> Array:
-    """Return X_MT at each recorded tick, shape (k, 4, 4): that of the latest move, before it of the first."""
-    if not at.moves:
-        tool = at.station.tools.get(at.station.default_tool)
-        return np.broadcast_to((tool.X_MT if tool else Pose()).matrix(), (len(ticks), 4, 4))
-    poses: list[Pose] = []
-    for move in at.moves:
-        if move.X_MT not in poses:
-            poses.append(move.X_MT)
-    which = np.array([poses.index(move.X_MT) for move in at.moves])
-    index = np.searchsorted(np.array([move.start for move in at.moves]), ticks, side="left") - 1
-    matrices: Array = np.stack([pose.matrix() for pose in poses])
-    return np.asarray(matrices[which[np.maximum(index, 0)]])
 
 
 def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array) -> list[Event]:

@@ -22,8 +22,9 @@ from ropsim.simulation.servo.checks import check_option, check_time
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.tool_frames import ToolFrames
 from ropsim.simulation.track import tick_at
-from ropsim.spatial import frozen
+from ropsim.spatial import Pose, frozen
 
 
 def start_run(cell: Cell, options: RunOptions) -> CellRun:
@@ -101,6 +102,7 @@ def _station_run(
         plant=_plant(cell, station, load, options, sensors),
         q_command=frozen(station.q_start),
         tool=mounted,
+        tool_frames=ToolFrames.beginning_with(mounted.X_MT if mounted else Pose()),
         payload=load,
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,

@@ -12,6 +12,7 @@ from ropsim.simulation.devices.course import Course
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.polling import Polled
+from ropsim.simulation.tool_frames import ToolFrames
 from ropsim.simulation.track import Track
 from ropsim.spatial import Array, Pose
 
@@ -29,6 +30,7 @@ class StationRun:
         plant: joint controller, drives and arm, advanced by references.
         q_command: command coordinates reached so far, shape (n,).
         tool: tool in force.
+        tool_frames: X_MT that were in force, also of tools that only the program knows.
         payload: tool and grasped part as one body; one object as long as it does not change.
         last_tick: control tick at which standing still ends at the latest.
         cell_ticks: ticks of the cell's clock in one control tick.
@@ -49,6 +51,7 @@ class StationRun:
     plant: Plant
     q_command: Array
     tool: Tool | None
+    tool_frames: ToolFrames
     payload: Payload
     last_tick: int
     cell_ticks: int

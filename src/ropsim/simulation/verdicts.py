@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from ropsim.model import SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     COMMAND_SATURATED,
     CURRENT_EXCEEDED,
+    DRIVE_EXCEEDED,
+    DRIVE_SATURATED,
     EFFORT_EXCEEDED,
     FOLLOWING_ERROR,
     LIMIT_OVERRUN,
@@ -27,30 +30,28 @@ FOLLOWING = 0.1
 #: Overrun of a joint limit that is a finding [rad | m]: well above rounding, below any end stop's play.
 OVERRUN = 1e-4
 
-_SHOWN = {
-    "speed": {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC: (1e3, "mm/s")},
-    "overrun": {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")},
-    "following error": {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")},
-    "torque": {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")},
-    "current": dict.fromkeys(JointType, (1.0, "A")),
-    "time at full voltage": dict.fromkeys(JointType, (1.0, "s")),
-    "time at full command": dict.fromkeys(JointType, (1.0, "s")),
-}
+_Shown: TypeAlias = Mapping[JointType, tuple[float, str]]
+_SPEED: _Shown = {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC: (1e3, "mm/s")}
+_WAY: _Shown = {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")}
+_EFFORT: _Shown = {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")}
+_TIME: _Shown = dict.fromkeys(JointType, (1.0, "s"))
 
 _DRIVE_LIMITS = {
-    ("current", LimitSort.PEAK): (CURRENT_EXCEEDED, "current"),
-    ("voltage", LimitSort.LASTING): (VOLTAGE_SATURATED, "time at full voltage"),
-    ("command", LimitSort.LASTING): (COMMAND_SATURATED, "time at full command"),
+    ("current", LimitSort.PEAK): CURRENT_EXCEEDED,
+    ("voltage", LimitSort.LASTING): VOLTAGE_SATURATED,
+    ("command", LimitSort.LASTING): COMMAND_SATURATED,
 }
-"""How the limits of drives are told."""
+"""How the limits of drives are told that have a page of their own."""
+_ANY = {LimitSort.PEAK: DRIVE_EXCEEDED, LimitSort.LASTING: DRIVE_SATURATED}
 
 
 @dataclass(frozen=True, slots=True)
 class _Check:
-    """One kind of limit; `values` (k, n) and `limits` (n,) in SI units."""
+    """One kind of limit; `values` (k, n) and `limits` (n,) in SI units, `shown` as factor and unit."""
 
     kind: Kind
     quantity: str
+    shown: _Shown
     values: Array
     limits: Array
 
@@ -81,13 +82,25 @@ def _checks(robot: RobotModel, time: Array, channels: Mapping[str, Channel]) -> 
     q = channels["q"].values
     beyond = np.maximum(np.maximum(q - robot.upper_limits, robot.lower_limits - q), 0.0)
     checks = [
-        _Check(SPEED_EXCEEDED, "speed", channels["qd"].values, robot.max_speeds * (1 + SPEED_OVERSHOOT)),
-        _Check(LIMIT_OVERRUN, "overrun", beyond, np.full(robot.n, OVERRUN)),
-        _Check(FOLLOWING_ERROR, "following error", channels["q_error"].values, np.full(robot.n, FOLLOWING)),
+        _Check(
+            SPEED_EXCEEDED,
+            "speed",
+            _SPEED,
+            channels["qd"].values,
+            robot.max_speeds * (1 + SPEED_OVERSHOOT),
+        ),
+        _Check(LIMIT_OVERRUN, "overrun", _WAY, beyond, np.full(robot.n, OVERRUN)),
+        _Check(
+            FOLLOWING_ERROR,
+            "following error",
+            _WAY,
+            channels["q_error"].values,
+            np.full(robot.n, FOLLOWING),
+        ),
     ]
     if "tau" not in channels:
         return checks
-    checks.append(_Check(EFFORT_EXCEEDED, "torque", channels["tau"].values, robot.max_efforts))
+    checks.append(_Check(EFFORT_EXCEEDED, "torque", _EFFORT, channels["tau"].values, robot.max_efforts))
     return [*checks, *(_drive_check(robot, limit, time, channels) for limit in _drive_limits(robot))]
 
 
@@ -102,7 +115,9 @@ def _drive_limits(robot: RobotModel) -> dict[Limit, list[int]]:
 
 def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping[str, Channel]) -> _Check:
     """Return the check of a limit of drives; joints whose drives do not have it get no value and no limit."""
-    kind, quantity = _DRIVE_LIMITS[limit.column, limit.sort]
+    kind = _DRIVE_LIMITS.get((limit.column, limit.sort), _ANY[limit.sort])
+    quantity = limit.column
+    shown: _Shown = dict.fromkeys(JointType, (1.0, channels[limit.column].unit))
     axes = _drive_limits(robot)[limit]
     values, limits = np.zeros((len(time), robot.n)), np.full(robot.n, np.inf)
     bounds = np.array([getattr(robot.drives[k].amplifier, limit.number) for k in axes])
@@ -113,14 +128,15 @@ def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping
         period = float(time[1] - time[0]) if len(time) > 1 else 0.0
         full = np.abs(recorded) >= bounds * (1 - 1e-9)
         # the time at the limit so far, kept only where it grows: its maximum is at the last such row
+        quantity, shown = f"time at full {limit.column}", _TIME
         values[:, axes], limits[axes] = np.where(full, np.cumsum(full, axis=0) * period, 0.0), SATURATION_TIME
-    return _Check(kind, quantity, values, limits)
+    return _Check(kind, quantity, shown, values, limits)
 
 
 def _finding(
     robot: RobotModel, check: _Check, joint: int, value: float, time: float, line: int, source: str
 ) -> Diagnostic:
-    scale, unit = _SHOWN[check.quantity][robot.axis_joints[joint].measure]
+    scale, unit = check.shown[robot.axis_joints[joint].measure]
     limit = float(check.limits[joint])
     return check.kind.at(
         Span.whole_line(source, line) if line else None,

@@ -75,6 +75,7 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
     span = step.origin.span
     at.track("line", span.line if span else 0)
     run.take(at, _tool_in_force(at.station, step.modal), run.parts)
+    at.tool_frames.set(at.tick, at.chain.tool_pose(step.modal))
     match step:
         case MoveInstruction():
             yield from move(run, at, step)

@@ -144,11 +144,11 @@ def test_the_default_tool_of_the_cell_holds_where_the_program_names_none() -> No
     chain = chain_of(with_station(CELL, default_tool="gripper"))
     move = planned(ptp(interface_pose(START) @ CELL.first.tools["gripper"].X_MT), START, chain)
     assert np.abs(move.q_end - START).max() < ANGLE
-    assert chain.tool_pose(move.move) == CELL.first.tools["gripper"].X_MT
+    assert chain.tool_pose(move.move.modal) == CELL.first.tools["gripper"].X_MT
 
 
 def test_without_any_tool_the_mechanical_interface_is_the_tool() -> None:
-    assert CHAIN.tool_pose(ptp(None)) == Pose()
+    assert CHAIN.tool_pose(ptp(None).modal) == Pose()
 
 
 def test_a_target_without_coordinates_is_the_home_position() -> None:

@@ -91,6 +91,17 @@ def test_each_tool_brings_its_own_tip_to_the_place(cell: Cell) -> None:
         np.testing.assert_allclose((flange @ tool.X_MT).position, [0.45, -0.15, 0.3], atol=NEAR)
 
 
+def test_the_pose_is_that_of_the_tool_in_force_from_its_change_on(cell: Cell) -> None:
+    """Also where no move follows: the arm stands, the recorded tip is another one."""
+    recording = ran(cell, "wait 1 s", "set tool cup", "wait 1 s", "set tool jaws", "mov (450, -150, 300)")
+    flange = forward(cell.first.robot, at(recording, "q_ref", 0.0))
+    for time, tool in ((0.5, JAWS), (1.5, CUP), (2.0, CUP)):
+        tip = (flange @ tool.X_MT).position
+        np.testing.assert_allclose(at(recording, "command_position", time), tip, atol=NEAR)
+    after = recording.rows("command_position")[np.searchsorted(recording.time, 2.0, side="right")]
+    assert np.linalg.norm(after - (flange @ CUP.X_MT).position) > 0.01
+
+
 def test_the_path_error_is_that_of_the_tip_of_the_tool_in_force(cell: Cell) -> None:
     recording = ran(cell, "set tool cup", "mov (450, -150, 300)", "lin (450, 50, 300)")
     error = recording.channels["path_error"].values

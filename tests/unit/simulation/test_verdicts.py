@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from ropsim import robots
+from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.flow import Channel
-from ropsim.model import Cell, ideal_drive
+from ropsim.model import Cell, VoltageAmplifier, ideal_drive
 from ropsim.simulation.verdicts import verdicts
 from support.cells import one_station, with_station
 
@@ -48,6 +49,25 @@ def test_a_peak_beyond_a_limit_is_found_with_joint_and_line(
     assert found.span is not None
     assert found.span.line == row
     assert f"joint `{joint + 1}`" in found.message
+
+
+def test_a_limit_of_a_drive_without_a_page_of_its_own_is_told_by_its_quantity(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A block of a drive may bring any quantity and limit: here one by another name."""
+    chain = chain_of(ROBOT.drives[0])
+    limits = (Limit("spool", LimitSort.PEAK, "max_current"), Limit("spool", LimitSort.LASTING, "max_current"))
+    other = replace(chain, amplifier=replace(chain.amplifier, limits=limits))
+    monkeypatch.setattr("ropsim.simulation.verdicts.chain_of", lambda _: other)
+    channels = {**quiet(), "spool": Channel(np.zeros((100, 6)), "mm")}
+    amplifier = ROBOT.drives[2].amplifier
+    assert isinstance(amplifier, VoltageAmplifier)
+    most = amplifier.max_current
+    channels["spool"].values[20:50, 2] = 1.5 * most
+    found = verdicts(CELL.first.robot, TIME, channels, "a.task")
+    assert [one.code for one in found] == ["S744", "S745"]
+    assert f"spool of joint `3` reached {1.5 * most:.4g} mm, the limit is {most:.4g} mm" in found[0].message
+    assert "time at full spool of joint `3` reached 0.12 s" in found[1].message
 
 
 def test_a_servo_may_overshoot_the_speed_limit_by_two_per_cent() -> None:
