@@ -9,7 +9,7 @@ import numpy as np
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.flow import Channel
-from ropsim.model import SPEED_OVERSHOOT, JointType, RobotModel
+from ropsim.model import OVERRUN, SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     COMMAND_SATURATED,
     CURRENT_EXCEEDED,
@@ -27,8 +27,6 @@ from ropsim.spatial import Array
 SATURATION_TIME = 0.05
 #: Following error at which a real controller would long have stopped [rad | m].
 FOLLOWING = 0.1
-#: Overrun of a joint limit that is a finding [rad | m]: well above rounding, below any end stop's play.
-OVERRUN = 1e-4
 
 _Shown: TypeAlias = Mapping[JointType, tuple[float, str]]
 _SPEED: _Shown = {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC: (1e3, "mm/s")}

@@ -7,8 +7,8 @@ from enum import Enum
 
 import numpy as np
 
-from ropsim.flow import AxisFacts, Recording
-from ropsim.model import SPEED_OVERSHOOT
+from ropsim.flow import AxisFacts, AxisType, Recording
+from ropsim.model import OVERRUN, SPEED_OVERSHOOT
 from ropsim.spatial import Array
 from ropsim.views.channels import Peak, StationView, rms, station_views
 
@@ -30,7 +30,8 @@ class LimitApproach:
 
     Attributes:
         side: `lower` or `upper`.
-        margin: distance left to the limit [rad | m]; negative beyond it, NaN without samples.
+        margin: distance left to the limit [rad | m]; negative beyond it, 0 where a servo overran it by no more
+            than `OVERRUN`, NaN without samples.
         coordinate: attained coordinate at that moment [rad | m].
         time: when [s].
         line: active source line, 0 for none.
@@ -92,6 +93,11 @@ class JointSummary:
         return _closeness(self.speed_share, 1.0 + SPEED_OVERSHOOT)
 
     @property
+    def share_of_range_left(self) -> float:
+        """Return the least margin as a share of the range; 0 for a range without end."""
+        return self.nearest.margin / (self.facts.upper - self.facts.lower)
+
+    @property
     def nearest(self) -> LimitApproach:
         """Return the closer of the two approaches."""
         lower, upper = self.nearest_lower, self.nearest_upper
@@ -111,9 +117,17 @@ def closest_to_speed_limit(joints: Iterable[JointSummary]) -> JointSummary | Non
 
 
 def closest_to_position_limit(joints: Iterable[JointSummary]) -> JointSummary | None:
-    """Return the joint with the least margin to an end of its range, None where no margin is known."""
+    """Return the joint with the least margin to an end of its range, None where no margin is known.
+
+    Radians are compared with radians and metres with metres; between the two the share of the range decides.
+    """
     known = [joint for joint in joints if math.isfinite(joint.nearest.margin)]
-    return min(known, key=lambda joint: joint.nearest.margin, default=None)
+    least: dict[AxisType, JointSummary] = {}
+    for joint in known:
+        other = least.get(joint.facts.type)
+        if other is None or joint.nearest.margin < other.nearest.margin:
+            least[joint.facts.type] = joint
+    return min(least.values(), key=lambda joint: joint.share_of_range_left, default=None)
 
 
 def share(value: float, limit: float) -> float:
@@ -155,9 +169,10 @@ def _approach(station: StationView, side: str, margins: Array, coordinates: Arra
     if not np.any(np.isfinite(margins)):
         return LimitApproach(side)
     index = int(np.nanargmin(margins))
+    margin = float(margins[index])
     return LimitApproach(
         side,
-        float(margins[index]),
+        0.0 if -OVERRUN <= margin < 0.0 else margin,
         float(coordinates[index]),
         float(station.time[index]),
         station.line(index),

@@ -16,6 +16,7 @@ from ropsim.flow import (
     WaitEvent,
 )
 from ropsim.views import summarize
+from ropsim.views.joint_summary import closest_to_position_limit
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 ROUNDING = 1e-12
@@ -220,3 +221,25 @@ def test_a_device_has_its_way_and_its_ends() -> None:
     assert (belt.name, belt.type, belt.lowest) == ("infeed", AxisType.PRISMATIC, 0.0)
     assert belt.highest == pytest.approx(0.5, abs=ROUNDING)
     assert belt.travel == pytest.approx(0.5, abs=ROUNDING)
+
+
+def test_a_joint_that_stands_at_its_limit_is_not_beyond_it() -> None:
+    lower, upper = station().axes[0].lower, station().axes[0].upper
+    (joint,) = summarize(ramp([lower - 5e-5, upper + 5e-5])).joints
+    assert (joint.nearest_lower.margin, joint.nearest_upper.margin) == (0.0, 0.0)
+    (joint,) = summarize(ramp([0.0, upper + 2e-4])).joints
+    assert joint.nearest_upper.margin == pytest.approx(-2e-4, abs=ROUNDING)
+
+
+def test_metres_are_not_compared_with_radians() -> None:
+    """0.05 rad of 0.5 left is the smaller number, 0.1 m of 2 m the smaller share."""
+    turning, sliding = station().axes[0], station().axes[1]
+    axes = (
+        replace(turning, lower=-0.25, upper=0.25),
+        replace(sliding, type=AxisType.PRISMATIC, lower=-1.0, upper=1.0),
+    )
+    time, q = np.arange(2) / 10.0, np.array([[0.0, 0.0], [0.2, 0.9]])
+    run = Recording(time, {"q": Channel(q, "")}, (), (), 0.1, facts(stations=(station(axes=axes),)))
+    closest = closest_to_position_limit(summarize(run).joints)
+    assert closest is not None
+    assert closest.facts.type is AxisType.PRISMATIC
