@@ -67,6 +67,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     units = _units(root.table("units"))
     tools = read_tools(root.named("tools"), units)
     stations = read_stations(root, tools, units)
+    _note_names_of_axes(root, stations)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
     devices = _read_devices(root, signals, stations, units)
@@ -111,6 +112,14 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)
     return cell
+
+
+def _note_names_of_axes(root: TomlTable, stations: Mapping[str, Station | None]) -> None:
+    """Note stations whose name is the word for an external axis of another one."""
+    for name in stations.keys() & axes_of(stations).keys():
+        message = f"`{name}` is the name of an external axis of this cell"
+        span = root.table("stations").key_span(name)
+        root.findings.add(kinds.DUPLICATE_CELL_NAME, span, message, "give the station another name")
 
 
 def _read_devices(

@@ -15,6 +15,7 @@ from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
 
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
+_SHOWN = 8  # objects of a ring in one message
 
 
 def read_objects(
@@ -63,28 +64,44 @@ def _without_rings(
 ) -> tuple[FixedObject, ...]:
     """Return the objects, those that hang on themselves in the end noted and put into the world."""
     parents = {thing.name: thing.parent for thing in objects}
+    ringed = _ringed(parents)
     kept = []
     for thing, table in zip(objects, tables, strict=True):
-        ring = _ring(parents, thing.name)
-        if ring:
-            way = " on ".join(f"`{cut(name)}`" for name in (*ring, ring[0]))
+        if thing.name in ringed:
             hint = "let one of them hang on nothing, or on another object"
             table.findings.add(
                 kinds.OBJECTS_IN_A_RING,
                 table.value_span("parent"),
-                f"objects hang on each other in a ring: {way}",
+                f"objects hang on each other in a ring: {_around(parents, thing.name)}",
                 hint,
             )
-        kept.append(replace(thing, parent="") if ring else thing)
+        kept.append(replace(thing, parent="") if thing.name in ringed else thing)
     return tuple(kept)
 
 
-def _ring(parents: Mapping[str, str], name: str) -> tuple[str, ...]:
-    """Return the objects from `name` on that hang on each other in a ring, empty where it is in none."""
-    way = [name]
-    while (above := parents.get(way[-1], "")) and above not in way:
-        way.append(above)
-    return tuple(way) if above and above == name else ()
+def _ringed(parents: Mapping[str, str]) -> set[str]:
+    """Return the objects that hang on themselves in the end; each one is passed once."""
+    found: set[str] = set()
+    passed: set[str] = set()
+    for start in parents:
+        way: list[str] = []
+        name = start
+        while name and name in parents and name not in passed:
+            passed.add(name)
+            way.append(name)
+            name = parents[name]
+        if name and name in way:
+            found.update(way[way.index(name) :])
+    return found
+
+
+def _around(parents: Mapping[str, str], start: str) -> str:
+    """Return the way around a ring from one of its objects on; the middle of a long one is left out."""
+    names = [start]
+    while (name := parents[names[-1]]) != start and len(names) < _SHOWN:
+        names.append(name)
+    shown = [f"`{cut(one)}`" for one in names]
+    return " on ".join([*shown, *(["…"] if name != start else []), shown[0]])
 
 
 def _block(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]:

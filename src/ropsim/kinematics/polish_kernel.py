@@ -91,7 +91,7 @@ def _descend(
         if error <= GOAL or stalls > STALLS:
             break
         _jacobian(chain, spread, frames, room, lanes)
-        helped = False
+        helped, tried = False, error
         for _ in range(12):
             longest = _step(room, mu * error)
             scale = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0

@@ -119,9 +119,8 @@ class Device:
         """Return the names of the inputs that it sets."""
         match self.drive:
             case BeltDrive(barrier=barrier):
-                told: tuple[str, ...] = (barrier.signal,) if barrier else ()
+                return (barrier.signal,) if barrier and barrier.signal else ()
             case SwitchDrive(is_off=off, is_on=on):
-                told = (off, on)
+                return tuple(name for name in (off, on) if name)
             case IndexDrive(in_place=in_place):
-                told = (in_place,)
-        return tuple(name for name in told if name)
+                return (in_place,) if in_place else ()

@@ -30,8 +30,8 @@ class LimitApproach:
 
     Attributes:
         side: `lower` or `upper`.
-        margin: distance left to the limit [rad | m]; negative beyond it, 0 where a servo overran it by no more
-            than `OVERRUN`, NaN without samples.
+        margin: distance left to the limit [rad | m]; negative beyond it, 0 where a servo overran it by up to
+            `OVERRUN`, NaN without samples.
         coordinate: attained coordinate at that moment [rad | m].
         time: when [s].
         line: active source line, 0 for none.

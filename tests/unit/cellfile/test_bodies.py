@@ -73,3 +73,19 @@ def test_a_part_cannot_have_the_name_of_an_object() -> None:
     assert found.span is not None
     assert found.span.line == 11
     assert read(thing("link7") + PART.format("tray"))[1] == ()
+
+
+def test_a_long_ring_is_told_in_short_and_a_long_chain_is_none() -> None:
+    def thing(k: int, parent: str) -> str:
+        return f'[[objects]]\nname = "o{k}"\nposition = [0, 0, 1]\nsize = [1, 1, 1]\n{parent}\n'
+
+    chain = "".join(thing(k, f'parent = "o{k - 1}"' if k else "") for k in range(2000))
+    cell, findings = read(chain)
+    assert cell is not None
+    assert findings == ()
+    ring = "".join(thing(k, f'parent = "o{(k - 1) % 40}"') for k in range(40))
+    _, findings = read(ring)
+    assert [found.code for found in findings] == ["X818"] * 40
+    assert findings[3].message.endswith(
+        "`o3` on `o2` on `o1` on `o0` on `o39` on `o38` on `o37` on `o36` on … on `o3`"
+    )

@@ -76,3 +76,17 @@ def test_each_mistake_gets_one_finding(text: str, code: str, line: int, words: s
     (found,) = findings
     assert (found.code, found.span and found.span.line) == (code, line)
     assert words in f"{found.message} {found.hint}"
+
+
+def test_a_station_cannot_have_the_name_of_an_external_axis() -> None:
+    """`parent = "positioner"` would mean two bodies."""
+    slide = (
+        "[stations.positioner]\nbase = { position = [3000, 0, 0] }\n[stations.positioner.mechanism]\n"
+        'kind = "slide"\nlow = 0\nhigh = 300\nmass = 5\nspeed = 100\nacceleration = 100\nsize = [50, 50, 5]\n'
+    )
+    cell, (found,) = read(slide)
+    assert cell is None
+    assert (found.code, found.message) == (
+        "X810",
+        "`positioner` is the name of an external axis of this cell",
+    )

@@ -136,6 +136,7 @@ def test_locations_of_the_cell_bring_their_values_into_any_work_frame() -> None:
         ("mov infeed external 800", "L101", "expected `(`, found `800`"),
         ("mov infeed external ()", "L101", "expected a value"),
         ("mov infeed external", "L101", "expected `(`, found the end of the line"),
+        ("mov infeed rel ((0, 0, 16; rz 0) external (1, 2))", "T301", "the step of `rel` has no values"),
         ("frame f = (1, 2, 3) external (800, 90)", "T301", "a frame has no values of external axes"),
         ("tool t = stock", "T301", "a tool has no values of external axes"),
     ],

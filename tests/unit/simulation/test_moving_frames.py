@@ -305,3 +305,11 @@ def test_a_parameter_of_the_work_frame_is_seen_in_the_frame_in_force() -> None:
     way = X_WK.rotation() @ np.array([0.01, 0.02, 0.03])
     reached = tool_pose_at_the_end(ran(text))
     np.testing.assert_allclose(reached.position, place.position + way, rtol=0.0, atol=REACHED)
+
+
+def test_rel_takes_the_numbers_of_a_location_and_not_its_frame() -> None:
+    """What stands still does not begin to turn because a step is written down in a frame that does."""
+    still, turned = (
+        tool_pose_at_the_end(ran(TURNED.format(turn) + "mov infeed rel corner\n")) for turn in (0.0, 40.0)
+    )
+    np.testing.assert_allclose(turned.matrix(), still.matrix(), rtol=0.0, atol=REACHED)

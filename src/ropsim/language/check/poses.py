@@ -61,7 +61,7 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
         back = fold.vector(fold.real(0.0), fold.real(0.0), fold.unary("neg", distance, ValueType.REAL))
         return Value(fold.compose(base, fold.make_pose(back, components.UPRIGHT)), POSE, X_KF=value.X_KF)
     if node.op == "rel":
-        return Value(fold.compose(base, transform(body, node.right)), POSE, X_KF=value.X_KF)
+        return Value(fold.compose(base, _step(body, node.right)), POSE, X_KF=value.X_KF)
     way = shift(body, node.right, "the shift of `offset`")
     if value.X_KF is None and body.world.environment.moving:
         # given in the frame in force, or in one that moves: which of both is known when the program runs
@@ -73,6 +73,19 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     rotation = fold.pose((0.0, 0.0, 0.0, *X_KF[3:]))
     turned = components.position_of(fold.compose(rotation, fold.make_pose(way, components.UPRIGHT)))
     return Value(fold.compose(fold.make_pose(turned, components.UPRIGHT), base), POSE, X_KF=value.X_KF)
+
+
+def _step(body: Body, node: nodes.Node) -> Expression:
+    """Return the pose on the right of `rel`: numbers alone, in whatever frame they were given.
+
+    Raises:
+        RejectedError: it is no pose, or is written with values of external axes.
+    """
+    if isinstance(node, nodes.External):
+        hint = "write `external (…)` behind the whole: `A rel (…) external (…)`"
+        body.fail(kinds.WRONG_TYPE, node, "the step of `rel` has no values of external axes", hint)
+    step = transform(body, node)
+    return fold.in_frame(step, "") if body.world.environment.moving else step
 
 
 def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:

@@ -78,11 +78,14 @@ def _bounds(solid: Solid, meshes: Mapping[Mesh, MeshSource]) -> tuple[Array, Arr
     match solid:
         case Box(size):
             half = np.array(size) / 2.0
+            return -half, half
         case Cylinder(radius, length):
             widest = max(radius, solid.top_radius)
             half = np.array([widest, widest, length / 2.0])
+            return -half, half
         case Sphere(radius):
             half = np.full(3, radius)
+            return -half, half
         case Revolve(profile):
             widest, heights = max(r for r, _ in profile), [z for _, z in profile]
             return np.array([-widest, -widest, min(heights)]), np.array([widest, widest, max(heights)])
@@ -95,4 +98,3 @@ def _bounds(solid: Solid, meshes: Mapping[Mesh, MeshSource]) -> tuple[Array, Arr
         case Mesh():
             source = meshes.get(solid, NOT_READ)
             return np.array(source.low), np.array(source.high)
-    return -half, half

@@ -1,0 +1,95 @@
+"""Invariants of ARCHITECTURE.md that can be read off the source: units, the base frame, files."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import ropsim
+
+SOURCE = Path(ropsim.__file__).parent
+EDGES = {"cellfile", "cli", "language", "lsp", "robots", "studio", "views"}
+"""Where people write and read degrees and millimetres; `robots` has published figures."""
+HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles", "meshes"}
+"""Packages that read and write files of users."""
+OWN_FILES = {"core/files.py", "codegen/compiled.py", "codegen/machine_code.py"}
+"""The door to the disk; the version of the compiler; machine code that is kept."""
+OUTPUT = {"print", "open", "input"}
+
+
+def trees() -> dict[str, ast.Module]:
+    """Return the syntax tree of every module by its path."""
+    return {
+        path.relative_to(SOURCE).as_posix(): ast.parse(path.read_text("utf-8"))
+        for path in SOURCE.rglob("*.py")
+    }
+
+
+def converts(tree: ast.Module) -> bool:
+    """Return whether a module turns radians to degrees, metres to millimetres, or back."""
+    return any(
+        (isinstance(node, ast.Attribute) and node.attr in {"degrees", "radians", "deg2rad", "rad2deg"})
+        or (
+            isinstance(node, ast.Constant)
+            and ((isinstance(node.value, float) and node.value in {180.0, 1000.0}) or node.value == 180)
+        )
+        for node in ast.walk(tree)
+    )
+
+
+def words_findings(tree: ast.Module) -> bool:
+    """Return whether a module makes findings, or speaks of coordinates in them."""
+    modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    names = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    return any("diagnostics" in module or module == "ropsim.motion" for module in modules) or names >= {
+        "coordinate",
+        "rate",
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [("import math\nx = math.degrees(1.0)", True), ("y = x * 1e3", True), ("hz = 1000", False)],
+)
+def test_a_change_of_units_is_seen(text: str, found: bool) -> None:
+    assert converts(ast.parse(text)) is found
+
+
+def test_units_change_at_the_edges_and_in_the_words_of_findings_only() -> None:
+    inside = {
+        path for path, tree in trees().items() if converts(tree) and path.partition("/")[0] not in EDGES
+    }
+    inside.discard("meshes/reading.py")  # files of meshes do not say their unit
+    assert {
+        path for path in inside if not words_findings(ast.parse((SOURCE / path).read_text("utf-8")))
+    } == set()
+
+
+def test_the_base_frame_begins_in_two_places_and_is_shown_in_one() -> None:
+    callers = {
+        path
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "in_base"
+    }
+    assert callers == {"workbench/environment.py", "controller/chain.py", "lsp/names.py"}
+
+
+def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:
+    calls = {
+        (path, node.func.id)
+        for path, tree in trees().items()
+        if path.partition("/")[0] not in HIGH and path not in OWN_FILES
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in OUTPUT
+    }
+    paths = {
+        path
+        for path, tree in trees().items()
+        if path.partition("/")[0] not in HIGH and path not in OWN_FILES
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in {"read_bytes", "write_bytes", "write_text", "mkdir", "unlink"}
+    }
+    assert (calls, paths) == (set(), set())
