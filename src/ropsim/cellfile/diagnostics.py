@@ -317,6 +317,25 @@ Nothing is said in a cell without fixed objects, devices and positioners, or wit
 """,
 )
 
+NOBODY_TO_SERVE = define(
+    "X827",
+    "nobody-to-serve",
+    Severity.ERROR,
+    "every program of the cell serves, and none is served",
+    """
+A station with `serves = true` works for the programs of the other stations, and its own is over when these
+have ended. So at least one station must run a program of its own account, whose end is the end of the run.
+
+```toml
+[stations.arm]
+robot = "puma560"              # its program says when the work is done
+
+[stations.gate]
+serves = true                  # opens and closes as long as that of `arm` runs
+```
+""",
+)
+
 UNFIT_FRAME = define(
     "X826",
     "unfit-frame",

@@ -32,7 +32,21 @@ def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> d
             hint = "give the station another name, or describe all of them under `[stations]`"
             root.findings.add(kinds.DUPLICATE_CELL_NAME, table.findings.places.key(table.path), message, hint)
         stations[name] = _long(name, table, tools, units)
+    _check_serving(tables, stations)
     return stations
+
+
+def _check_serving(tables: Mapping[str, TomlTable], stations: Mapping[str, Station | None]) -> None:
+    """Note where all programs of a cell serve: there is none that they could serve."""
+    working = any(one is None or (one.program and not one.serves) for one in stations.values())
+    serving = [name for name, one in stations.items() if one is not None and one.serves]
+    if working or not serving:
+        return
+    names = ", ".join(f"`{name}`" for name in serving)
+    message = f"{names} would serve other stations, but no other one of this cell has a program"
+    hint = "take `serves` away from the station whose program says when the work is done"
+    table = tables[serving[0]]
+    table.findings.add(kinds.NOBODY_TO_SERVE, table.key_span("serves"), message, hint)
 
 
 def _short(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> Station | None:
@@ -50,7 +64,7 @@ def _long(name: str, table: TomlTable, tools: Mapping[str, Tool], units: Units) 
     X_WB = read_base(table, units)
     tool = table.reference("tool", tools, "tool")
     own = _tools(table, tool, tools)
-    program = table.text("program", name)
+    program, serves = table.text("program", name), table.flag("serves", default=False)
     settings = table.table("controller")
     if "mechanism" in table:
         section = _one_axis(table, settings, X_WB, units)
@@ -58,7 +72,7 @@ def _long(name: str, table: TomlTable, tools: Mapping[str, Tool], units: Units) 
         section = read_robot(table, "robot", settings, X_WB, units)
     if section is None:
         return None
-    return Station(name, section.model, section.controller, X_WB, own, tool, section.start, program)
+    return Station(name, section.model, section.controller, X_WB, own, tool, section.start, program, serves)
 
 
 def _one_axis(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -> RobotSection | None:

@@ -25,6 +25,7 @@ class Station:
         default_tool: tool at program start, empty for none.
         start: joint coordinates at time 0 [rad | m], shape (n,); empty for the rest position.
         program: name of the program that it runs where the user names none.
+        serves: whether its program works for those of other stations, and is over when they are.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Station:
     default_tool: str = ""
     start: Array = field(default_factory=lambda: frozen([]))
     program: str = "main"
+    serves: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", frozen(self.start))

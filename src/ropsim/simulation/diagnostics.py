@@ -63,6 +63,10 @@ RUN_TOO_LONG = define(
     """
 A run is stopped after an hour of simulated time; the recording holds what happened until then. Cell programs
 that run for ever, such as `while true`, are simulated pass by pass: give the loop a count.
+
+The program of a station that has `serves = true` in the cell file may run for ever: it ends where it waits
+for a signal when the programs of the others have ended. One that never looks at a signal
+is stopped here, too.
 """,
 )
 
@@ -250,6 +254,10 @@ when the other one has answered.
 
 A program that goes round in a loop and does nothing but look at signals and stand, such as a wait for two
 signals at once, waits too. One that counts its passes or looks at the time does not.
+
+A station that opens a gate or feeds a machine for others does so in a loop, and waits when they are done.
+Write `serves = true` in its table `[stations.NAME]`: its program then ends with theirs, and waits in vain
+only together with them.
 
 An input that nobody changes needs `changes` in the cell file, recorded inputs, or a key in a live run,
 which goes on waiting. A wait with a `timeout` is never in vain.

@@ -9,6 +9,7 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER
 from ropsim.simulation.diagnostics import WAITS_IN_VAIN
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.serving import is_needed
 from ropsim.simulation.station_run import StationRun
 
 
@@ -18,14 +19,14 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
     That is so when none of the waits has a timeout, no channel has its value, no script of the cell changes
     one of them later, no device has anything left to do, and nobody may press keys. A program that does
     nothing but look at channels in a loop, and has found the same twice, waits too. What a sensor interface
-    of a user's own delivers cannot be foreseen.
+    of a user's own delivers cannot be foreseen. A serving program that is not needed any more ends by itself.
 
     Args:
         run: the cell, between two steps of its stations.
         options: of the run.
     """
     stations = [run.stations[name] for name in run.at_work]
-    if not all(_waits(at) for at in stations):
+    if not all(_waits(at) and is_needed(run, at) for at in stations):
         return False
     if options.sensors is not None or run.watch.may_press:
         return False
@@ -35,10 +36,10 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
 
 
 def end_waits(run: CellRun, programs: Mapping[str, Program]) -> None:
-    """End the programs at work where they wait, each with a finding (S742)."""
-    for name in run.at_work:
-        at = run.stations[name]
-        run.findings.append(_finding(run, at, programs))
+    """End the programs at work where they wait, each with a finding (S742) but for those that serve."""
+    waiting = [run.stations[name] for name in run.at_work]
+    run.findings += [_finding(run, at, programs) for at in waiting if not at.station.serves]
+    for at in waiting:
         at.in_vain = True
 
 

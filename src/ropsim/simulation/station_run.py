@@ -43,6 +43,7 @@ class StationRun:
         awaits: what it stands for, where it waits for a channel.
         polled: what it looks at again and again, where it does nothing else.
         in_vain: whether that will never come; the program is over then.
+        dismissed: whether it has served those of other stations, which have ended; the program is over then.
         cut_short: whether standing still was ended by `last_tick`; the program is over then.
     """
 
@@ -64,6 +65,7 @@ class StationRun:
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
     in_vain: bool = False
+    dismissed: bool = False
     cut_short: bool = False
 
     @property

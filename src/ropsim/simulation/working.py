@@ -30,6 +30,7 @@ from ropsim.simulation.gripping import grip
 from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.serving import Serving, is_needed
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
@@ -54,15 +55,19 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         options.sensors or run.sensors, lambda: at.time, lambda: run.watch.reading(run), options.longest_wait
     )
     machine = Machine(program, world)
+    serving = Serving()
     step = last = machine.advance()
-    while not isinstance(step, Finished) and not at.is_over and not at.in_vain:
+    while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
+        if not is_needed(run, at) and serving.comes_round(machine, step):
+            at.dismissed = True
+            break
         at.polled = world.polling.look(machine, step)
         with _blamed(step):
             yield from _carry_out(run, at, step, world)
             yield
             last, step = step, machine.advance()
-    if at.in_vain:
-        return  # who ended the wait has told why
+    if at.in_vain or at.dismissed:
+        return  # who ended the wait has told why; those that it served have ended
     if run.stopped:
         run.findings.append(_stopped(last))
     elif at.cut_short or not isinstance(step, Finished):
@@ -98,7 +103,7 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
                 yield from at.stand(at.station.controller.rates.interpolation_ticks)
             if isinstance(step, AwaitInstruction):
                 at.awaits = step
-                yield from _await(at, step, world)
+                yield from _await(run, at, step, world)
                 at.awaits = None
                 found = (*at.when(since), step.origin)
                 came = AwaitEvent(*found, channel=step.channel, value=step.value, came=world.came)
@@ -106,13 +111,14 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
     at.waiting = isinstance(step, SyncInstruction)
 
 
-def _await(at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
+def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:
     """Stand until a channel has a value, or its timeout is over; tell the program which it was."""
     start, period = at.time, at.station.controller.rates.interpolation_period
     limit = world.longest_wait if step.timeout is None else step.timeout
     world.came = True
     while world.read(step.channel) != step.value:
-        if at.time - start >= limit:
+        at.dismissed = not is_needed(run, at)
+        if at.dismissed or at.time - start >= limit:
             world.came = False
             return
         until = min(at.time + period, start + limit)

@@ -88,7 +88,18 @@ def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
             if found.code == "X802":
                 asked.update(re.findall(r"`(\w+)`", found.hint))
     assert {"carriage_mass", "inertia", "tools", "program", "run", "stop", "at", "is_on", "step"} <= asked
-    assert {"kp", "speed_override", "gripper", "down", "changes", "size", "shapes", "grid", "arc"} <= asked
+    assert {
+        "kp",
+        "serves",
+        "speed_override",
+        "gripper",
+        "down",
+        "changes",
+        "size",
+        "shapes",
+        "grid",
+        "arc",
+    } <= asked
     assert [key for key in sorted(asked) if f"`{key}`" not in MANUAL] == []
 
 

@@ -25,6 +25,25 @@ def right(text: str) -> Cell:
     return cell
 
 
+GATE = HEAD.replace("shuttle", "gate") + SLIDE.replace("shuttle", "gate")
+
+
+def test_a_station_may_serve_the_others() -> None:
+    text = HEAD + SLIDE + GATE.replace("[stations.gate.", "serves = true\n[stations.gate.")
+    assert {name: one.serves for name, one in right(text).stations.items()} == {
+        "shuttle": False,
+        "gate": True,
+    }
+
+
+@pytest.mark.parametrize("other", ["", HEAD.replace('"shuttle"', '""') + SLIDE])
+def test_stations_that_serve_need_one_that_works(other: str) -> None:
+    text = GATE.replace("[stations.gate.", "serves = true\n[stations.gate.") + other
+    _, (found,) = read(text)
+    assert (found.code, found.span and found.span.line) == ("X827", 3)
+    assert "`gate` would serve" in found.message
+
+
 def test_a_cell_may_have_no_arm_at_all() -> None:
     station = right(HEAD + SLIDE).first
     assert (station.name, station.program, station.robot.title) == ("shuttle", "shuttle", "Slide")
