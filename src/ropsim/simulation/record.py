@@ -37,6 +37,7 @@ from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import MoveSpan
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
+from ropsim.simulation.shared_programs import told_at
 from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.verdicts import verdicts
@@ -59,8 +60,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         mine = [event for event in run.events if event.station == name]
         events += _with_errors(mine, at, rows, own["path_error"].values)
         events += at.activations.events(name, at.hz)
-        judged += verdicts(at.station.robot, time, own, source)
-        judged += settling_findings(mine, run.time, source)
+        judged += told_at(name, programs, verdicts(at.station.robot, time, own, source))
+        judged += told_at(name, programs, settling_findings(mine, run.time, source))
     for at in run.stations.values():
         for body, course in at.fingers.items():
             channels[channel_name("q", body)] = finger_channel(at.station.name, course.rows(time))

@@ -12,10 +12,12 @@ from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
+from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.endless_waits import are_endless, end_waits
 from ropsim.simulation.handing import look_for_pulls
 from ropsim.simulation.record import recording_of
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.shared_programs import told_at
 from ropsim.simulation.start import start_run
 from ropsim.simulation.working import work
 
@@ -49,12 +51,20 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         look_for_pulls(state, least, programs)
         for at in state.stations.values():
             at.forget(least)
-        try:
-            next(state.at_work[name])
+        _work_on(state, name, programs)
+        if name in state.at_work:
             state.watch.advanced(state)
-        except StopIteration:
-            del state.at_work[name]
     state.come_together()
     look_for_pulls(state, state.tick, programs)
     state.watch.ended(state)
     return recording_of(state, programs, options)
+
+
+def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None:
+    """Let a station go on until time passes for it or its program ends."""
+    known = len(state.findings)
+    try:
+        next(state.at_work[name])
+    except StopIteration:
+        del state.at_work[name]
+    state.findings[known:] = told_at(name, programs, state.findings[known:])

@@ -7,6 +7,8 @@ from ropsim.core import Diagnostic, Severity
 
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
+STATION = "station"
+"""Key of the station in the data of a finding: a program may run at several."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,15 +29,16 @@ class FindingGroup:
 def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
     """Return groups of equal code and place, in the order of their first member.
 
-    Findings of a run (those with a loop `pass` in their data) are one group when code, span and joint
-    agree, whatever figures their messages quote; all others only when the message agrees as well, so
+    Findings of a run (those with a loop `pass` in their data) are one group when code, span, station and
+    joint agree, whatever figures their messages quote; all others only when the message agrees as well, so
     two different mistakes on one word stay two.
     """
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
     for finding in findings:
         repeats = finding.span is not None and PASS in finding.data
         sameness = finding.data.get("joint") if repeats else finding.message
-        key = (finding.code, finding.severity, finding.span, repr(sameness))
+        where = (finding.span, finding.data.get(STATION))
+        key = (finding.code, finding.severity, *where, repr(sameness))
         groups.setdefault(key, []).append(finding)
     return tuple(FindingGroup(group[0], len(group), _passes(group)) for group in groups.values())
 

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from ropsim.simulation import Fidelity, RunOptions
+from ropsim.views import group_findings
 from ropsim.workbench import Project, open_project
 from support.editors import Editor, uri_of
 
@@ -55,6 +57,44 @@ def test_what_all_of_them_lack_names_no_station(project: Project) -> None:
         (3, "pne", ()),
         (4, "pen", ("at station `right` only",)),
     ]
+
+
+def test_what_is_found_when_it_runs_names_each_station(project: Project) -> None:
+    """Nothing is there to be gripped; passes of a loop at one station are still one finding."""
+    cell = project.folder / "cell.toml"
+    cell.write_text(CELL.replace("[tools.jaws]\n", "[tools.jaws]\ngripper = {}\n"))
+    place = project.folder / "programs" / "both.task"
+    place.write_text("program both\nunits mm, deg, s\nrepeat 2\nclose\nopen\nendr\n")
+    recording = open_project(project.folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    groups = group_findings(one for one in recording.findings if one.code == "S721")
+    assert [(one.count, one.passes, one.first.notes) for one in groups] == [
+        (2, (1, 2), ("at station `left`",)),
+        (2, (1, 2), ("at station `right`",)),
+    ]
+    assert [one.first.data["station"] for one in groups] == ["left", "right"]
+
+
+def test_two_that_wait_in_vain_are_two_findings(project: Project) -> None:
+    cell = project.folder / "cell.toml"
+    cell.write_text(CELL + "[signals.go]\noutput = 1\n")
+    place = project.folder / "programs" / "both.task"
+    place.write_text("program both\nunits mm, deg, s\nwait until go\n")
+    recording = open_project(project.folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    groups = group_findings(recording.findings)
+    assert [(one.first.code, one.count, one.first.message[:8]) for one in groups] == [
+        ("S742", 1, "`left` w"),
+        ("S742", 1, "`right` "),
+    ]
+
+
+def test_what_is_found_at_a_station_with_a_program_of_its_own_needs_no_name(project: Project) -> None:
+    cell = project.folder / "cell.toml"
+    own = CELL.replace('program = "both"\ntools = ["jaws"]', 'program = ""\ntools = ["jaws"]')
+    cell.write_text(own.replace("[tools.jaws]\n", "[tools.jaws]\ngripper = {}\n"))
+    place = project.folder / "programs" / "both.task"
+    place.write_text("program both\nunits mm, deg, s\nclose\n")
+    recording = open_project(project.folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    assert [(one.code, one.notes) for one in recording.findings if one.code == "S721"] == [("S721", ())]
 
 
 def test_an_editor_is_told_the_same(project: Project) -> None:
