@@ -233,6 +233,9 @@ sink. The message says where it is and how much is missing.
 
 Often a grip that took nothing (S721) or a skipped move comes before; mend that first. Else compare the place
 in the program with the destination, which is that of the grasp point: the centre of the top of the part.
+
+A run that was ended by hand, by its longest time, or because programs wait in vain (S742) says nothing of
+destinations.
 """,
 )
 
@@ -245,7 +248,7 @@ WAITS_IN_VAIN = define(
 Every program that still ran waited for a signal, no device was moving or had anything left to do, and no
 change of an input that somebody waits for lay ahead. Nothing could happen any more, so the run was ended
 there. Each program that waits has a finding at its line; it says who sets the signal, and where that
-program stands.
+program stands, or what keeps a device from setting it.
 
 Two programs that wait for each other are the usual case: the left one sets `offered` after `wait until
 ready`, the right one sets `ready` after `wait until offered`. Let one of them speak first. Where a program

@@ -5,11 +5,13 @@ from collections.abc import Mapping
 from ropsim.core import Diagnostic
 from ropsim.flow import Origin
 from ropsim.icr import Program
+from ropsim.model import ROBOT
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER
 from ropsim.simulation.diagnostics import WAITS_IN_VAIN
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.serving import is_needed
+from ropsim.simulation.setters import device_note, program_setters
 from ropsim.simulation.station_run import StationRun
 
 
@@ -70,25 +72,13 @@ def _reads(at: StationRun) -> Mapping[str, bool | float]:
 
 def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> Diagnostic:
     name, origin = at.station.name, _origin(at)
-    notes: list[str] = []
-    hints: list[str] = []
-    for channel in _channels(at):
-        devices = [one for one, device in run.devices.items() if channel in device.device.tells]
-        setters = (
-            [] if _is_input(run, channel) else [one for one in programs if _sets(programs[one], channel)]
-        )
-        notes += [f"`{channel}` is set by the device `{one}`, which stands" for one in devices]
-        for one in setters:
-            whose = "this program" if one == name else f"the program of `{one}`"
-            notes.append(f"`{channel}` is set by {whose}, which {_state(run, one)}")
-        if not devices and not setters:
-            notes.append(_nobody(run, channel))
-        hints.append(_hint(run, channel, devices, setters))
+    told = [note for channel in _channels(at) for note in _notes(run, at, channel, programs)]
     return WAITS_IN_VAIN.at(
         origin.span,
-        f"`{name}` waits for {_wanted(at)} for ever, from t = {at.time:.2f} s on: {'; '.join(notes)}",
+        f"`{name}` waits for {_wanted(at)} for ever, from t = {at.time:.2f} s on: "
+        f"{'; '.join(note for note, _ in told)}",
         label=f"pass {origin.visit}",
-        hint=hints[0],
+        hint=told[0][1],
         data={
             "station": name,
             "channel": ", ".join(_channels(at)),
@@ -96,6 +86,72 @@ def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> D
             "pass": origin.visit,
         },
     )
+
+
+def _notes(
+    run: CellRun, at: StationRun, channel: str, programs: Mapping[str, Program]
+) -> list[tuple[str, str]]:
+    """Return why a channel does not come, each reason with a hint."""
+    name, level = at.station.name, _level(at, channel)
+    word = "on" if level else "off"
+    devices = [one for one in run.devices.values() if channel in one.device.tells]
+    found = [device_note(run, one, channel, level, at.time) for one in devices]
+    if devices:
+        return found
+    if _is_input(run, channel):
+        hint = f"give `{channel}` `changes` in the cell file, or press its key in a live run"
+        return [(f"`{channel}` is an input, and no change of it lies ahead", hint)]
+    setters = _setting(at, channel, programs)
+    hint = _hint(run, at, channel, programs)
+    for one in setters:
+        whose = "this program" if one == name else f"the program of `{one}`"
+        found.append((f"`{channel}` is set by {whose}, which {_state(run, one)}", hint))
+    if setters:
+        return found
+    if program_setters(programs, channel, not level):
+        return [
+            (f"no program ever sets `{channel}` {word}", f"let the program of another station set it {word}")
+        ]
+    hint = f"set `{channel}` in the program of another station, or wait for an input"
+    return [(f"`{channel}` is an output that no program sets", hint)]
+
+
+def _level(at: StationRun, channel: str) -> bool:
+    """Return to what a channel would have to come for the program to go on."""
+    return bool(at.awaits.value) if at.awaits else not _reads(at)[channel]
+
+
+def _hint(run: CellRun, at: StationRun, channel: str, programs: Mapping[str, Program]) -> str:
+    name, setters = at.station.name, _setting(at, channel, programs)
+    others = [one for one in setters if one != name]
+    if not others:
+        return f"set `{channel}` in the program of another station: this one does nothing while it waits"
+    waiting = [one for one in others if one in run.at_work]
+    if not waiting:
+        again = f"let the program of `{others[0]}` set `{channel}` as often as this one waits for it"
+        if name == ROBOT:
+            return again
+        return f"{again}; if this one serves the others, write `serves = true` in `[stations.{name}]`"
+    if name in _behind(run, waiting, programs):
+        return "let one program speak before it waits for the other, or give the wait a timeout"
+    return f"look at what the program of `{waiting[0]}` waits for"
+
+
+def _behind(run: CellRun, names: list[str], programs: Mapping[str, Program]) -> set[str]:
+    """Return the stations at work for which some wait, and for which these wait, and so on."""
+    found: set[str] = set()
+    ahead = list(names)
+    while ahead:
+        at = run.stations[ahead.pop()]
+        setters = (one for channel in _channels(at) for one in _setting(at, channel, programs))
+        fresh = [one for one in setters if one in run.at_work and one not in found]
+        found.update(fresh)
+        ahead += fresh
+    return found
+
+
+def _setting(at: StationRun, channel: str, programs: Mapping[str, Program]) -> list[str]:
+    return program_setters(programs, channel, _level(at, channel))
 
 
 def _origin(at: StationRun) -> Origin:
@@ -109,27 +165,6 @@ def _state(run: CellRun, name: str) -> str:
     at = run.stations[name]
     span = _origin(at).span
     return f"waits for {_wanted(at)}{f' on line {span.line}' if span else ''}"
-
-
-def _nobody(run: CellRun, channel: str) -> str:
-    if _is_input(run, channel):
-        return f"`{channel}` is an input, and no change of it lies ahead"
-    return f"`{channel}` is an output that no program sets"
-
-
-def _hint(run: CellRun, channel: str, devices: list[str], setters: list[str]) -> str:
-    if devices:
-        return f"look at what `{devices[0]}` follows and at what lies on it"
-    if setters:
-        return "let one program speak before it waits for the other, or give the wait a timeout"
-    if _is_input(run, channel):
-        return f"give `{channel}` `changes` in the cell file, or press its key in a live run"
-    return f"set `{channel}` in the program of another station, or wait for an input"
-
-
-def _sets(program: Program, channel: str) -> bool:
-    steps = (step for procedure in program.procedures for step in procedure.code)
-    return any(step.mnemonic == "OUT" and step.operands[0] == channel for step in steps)
 
 
 def _is_input(run: CellRun, channel: str) -> bool:

@@ -135,7 +135,7 @@ def _station_facts(run: CellRun, name: str, program: Program | None, options: Ru
 
 def _arrivals(run: CellRun) -> Arrivals:
     """Return what became of the parts with a destination; a run that did not come to its end says nothing."""
-    if any(at.cut_short for at in run.stations.values()):
+    if any(at.cut_short or at.in_vain for at in run.stations.values()):
         return Arrivals(0, ())
     return arrivals(run.parts, run.scenery.parts, run.scenery.tools, run.moment(run.tick))
 

@@ -8,7 +8,7 @@ import pytest
 import ropsim
 from ropsim.flow import Destinations, Recording
 from ropsim.kinematics import NO_BLOCKS
-from ropsim.model import Cell, Destination, Gripper, Part, Sink, Tool
+from ropsim.model import Cell, Destination, Gripper, Part, Signal, Sink, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.arrivals import arrivals
@@ -118,6 +118,13 @@ def test_without_destinations_nothing_is_said() -> None:
     recording = ran("wait 1 s", cell=with_goal(None))
     assert recording.facts.destinations == Destinations(0, 0)
     assert "at its destination" not in report(recording)
+
+
+def test_a_run_that_waits_in_vain_says_nothing() -> None:
+    never = replace(CELL, signals={"never": Signal("never", is_input=True)})
+    recording = ran("wait until never", cell=never)
+    assert [one.code for one in recording.findings] == ["S742"]
+    assert recording.facts.destinations == Destinations(0, 0)
 
 
 def test_a_run_that_was_cut_short_says_nothing() -> None:

@@ -10,12 +10,13 @@ from ropsim import icr, robots
 from ropsim.controller import Sample
 from ropsim.core import Diagnostic
 from ropsim.flow import AwaitEvent, Event, Recording, WaitEvent
-from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station
+from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station, SwitchDrive
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 
 ARM = robots.load("puma560")
+BELT_AT = Pose(np.array([-1.0, 2.0, 0.38]))
 AWAY = Pose(np.array([5.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0]))
 SWITCHES = {name: Signal(name, is_input=False) for name in ("a", "b", "c")}
 TOUR = ("mov joints(20, 60, -150, 0, -60, 0)", "mov joints(-20, 60, -150, 0, -60, 0)")
@@ -113,14 +114,91 @@ def test_a_wait_for_what_nobody_sets_says_so(signal: str, note: str) -> None:
     assert recording.duration < 0.01
 
 
-def test_a_wait_for_a_device_that_stands_names_it() -> None:
-    drive = BeltDrive(0.25, 1.0, "", 3.0, Barrier(1.0, "there"))
-    belt = Device("belt", robots.conveyor(3.0, 0.2, 0.1), drive, AWAY)
-    recording = ran(
-        cell("left", inputs=(Signal("there", is_input=True),), devices=(belt,)), left=("wait until there",)
+BELT = "`there` is set by the device `belt` when a part comes to its barrier"
+THERE = Signal("there", is_input=True)
+
+
+def on_a_belt(run: str, box_at: float | None, *lines: str) -> Diagnostic:
+    """Return what is found where a program waits beside a belt with a barrier at 2 m."""
+    belt = Device(
+        "belt", robots.conveyor(3.0, 0.2, 0.1), BeltDrive(0.5, 1.0, run, 3.0, Barrier(2.0, "there")), BELT_AT
     )
-    (found,) = recording.findings
-    assert (found.code, why(found)) == ("S742", ("`there` is set by the device `belt`, which stands",))
+    where = BELT_AT.position + np.array([box_at or 0.0, 0.0, 0.04])
+    parts = (Part("box", np.array([0.1, 0.06, 0.04]), 0.5, Pose(where)),) if box_at is not None else ()
+    made = replace(cell("left", inputs=(THERE,), devices=(belt,)), parts=parts)
+    (found,) = ran(made, left=lines).findings
+    assert found.code == "S742"
+    return found
+
+
+def test_a_wait_for_a_belt_says_what_would_set_the_signal_and_what_lies_on_it() -> None:
+    empty = on_a_belt("", None, "wait until there")
+    assert why(empty) == (f"{BELT}, and nothing lies on it",)
+    assert empty.hint == "let a program or a supply put a part onto `belt`"
+    stands = on_a_belt("c", 0.5, "wait until there")
+    assert why(stands) == (f"{BELT}, but it stands, as `c` is off (`box` lies on it)",)
+    assert stands.hint == "let `c` come on"
+    passed = on_a_belt("", 0.5, "wait until there", "wait until not there")
+    assert why(passed) == ("`there` stays on as long as a part is in the barrier of the device `belt`",)
+    assert passed.hint == "let a gripper take the part off `belt`"
+
+
+def test_a_wait_for_a_door_or_a_table_says_what_it_follows() -> None:
+    door = Device("door", robots.slide(()), SwitchDrive("c", 0.0, 0.5, 1.0, 2.0, is_on="there"), AWAY)
+    (found,) = ran(cell("left", inputs=(THERE,), devices=(door,)), left=("wait until there",)).findings
+    assert why(found) == ("`there` is set by the device `door`, which stands, as `c` is off",)
+    assert found.hint == "let `c` come on, which `door` follows"
+    table = Device("table", robots.rotary(()), IndexDrive("c", 1.0, 1.0, 2.0, "there"), AWAY)
+    (found,) = ran(cell("left", inputs=(THERE,), devices=(table,)), left=("wait until not there",)).findings
+    assert why(found) == ("`there` is set by the device `table`, which stands until `c` comes on",)
+
+
+def test_a_signal_that_is_only_ever_set_off_is_told() -> None:
+    (found,) = ran(cell("left", "right"), left=("wait until a",), right=("set a off",)).findings
+    assert why(found) == ("no program ever sets `a` on",)
+    assert found.hint == "let the program of another station set it on"
+
+
+def test_who_sets_the_signal_to_the_other_level_is_not_named() -> None:
+    left, _ = ran(
+        cell("left", "right", "third"),
+        left=("wait until a",),
+        right=("wait until b", "set a on"),
+        third=("set a off",),
+    ).findings
+    assert why(left) == ("`a` is set by the program of `right`, which waits for `b` to come on on line 3",)
+
+
+def test_a_level_that_is_worked_out_as_the_program_runs_may_be_either() -> None:
+    (found,) = ran(cell("left", "right"), left=("wait until a",), right=("set a = b or c",)).findings
+    assert why(found) == ("`a` is set by the program of `right`, which has ended",)
+
+
+def test_to_speak_first_is_the_advice_where_two_wait_for_each_other_only() -> None:
+    first = "let one program speak before it waits for the other, or give the wait a timeout"
+    both = ran(cell("left", "right"), left=("wait until a", "set b on"), right=("wait until b", "set a on"))
+    assert [one.hint for one in both.findings] == [first, first]
+    ring = ran(
+        cell("left", "right", "third"),
+        left=("wait until a", "set b on"),
+        right=("wait until b", "set c on"),
+        third=("wait until c", "set a on"),
+    )
+    assert [one.hint for one in ring.findings] == [first] * 3
+    chain = ran(cell("left", "right"), left=("wait until a",), right=("wait until b", "set a on"))
+    assert chain.findings[0].hint == "look at what the program of `right` waits for"
+    alone = ran(cell("left"), left=("wait until a", "set a on"))
+    assert alone.findings[0].hint.startswith("set `a` in the program of another station")
+
+
+def test_whoever_waits_for_one_that_has_ended_may_serve_it() -> None:
+    (found,) = ran(
+        cell("left", "right"), left=("wait until not a", "wait until a"), right=("set a on", "set a off")
+    ).findings
+    assert found.hint == (
+        "let the program of `right` set `a` as often as this one waits for it; "
+        "if this one serves the others, write `serves = true` in `[stations.left]`"
+    )
 
 
 def _that_came(recording: Recording) -> list[Event]:
