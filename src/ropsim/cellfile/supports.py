@@ -8,7 +8,7 @@ from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.cellfile.tomltext.words import cut
 from ropsim.kinematics import Standing, standings_at_start
-from ropsim.model import Cell, SupportLimits
+from ropsim.model import Cell, SupportLimits, lying_words, spoken_body
 
 _WIDEST = 1.0  # [m]
 
@@ -36,25 +36,26 @@ def note_standings(cell: Cell, groups: Iterable[PartGroup]) -> None:
         deep = [
             (name, one) for name, one in there if one.depth > cell.supports.depth and one.inside not in things
         ]
-        _note_inside(group.table, deep, cell.supports)
+        _note_inside(group.table, deep, cell)
 
 
 def _note_in_the_air(table: TomlTable, names: Sequence[str], limits: SupportLimits) -> None:
     if names:
         message = f"part {_several(names)} lies in the air at the start"
         hint = (
-            f"up to {limits.gap * 1e3:g} mm above an object, a part or the floor it lies on it: "
-            "mend its position, or describe what carries it under `[[objects]]`"
+            f"{lying_words(limits)}: mend its position, which is the centre of its top face, "
+            "or describe what carries it under `[[objects]]`"
         )
         table.findings.add(kinds.PART_IN_THE_AIR, table.value_span("position"), message, hint)
 
 
-def _note_inside(table: TomlTable, there: Sequence[tuple[str, Standing]], limits: SupportLimits) -> None:
+def _note_inside(table: TomlTable, there: Sequence[tuple[str, Standing]], cell: Cell) -> None:
     if there:
-        deepest = there[0][1]
+        deepest, allowed = there[0][1], cell.supports.depth
+        where = spoken_body(cell, deepest.inside)
         message = (
-            f"part {_several([name for name, _ in there])} is in `{cut(deepest.inside)}` at the start: "
-            f"it would be free {deepest.depth * 1e3:.1f} mm higher, allowed are {limits.depth * 1e3:g} mm"
+            f"part {_several([name for name, _ in there])} is in {where} at the start: "
+            f"it would be free {deepest.depth * 1e3:.1f} mm higher, allowed are {allowed * 1e3:g} mm"
         )
         hint = "its position is the centre of its top face; the depth allowed is `depth` in `[supports]`"
         table.findings.add(kinds.PART_INSIDE, table.value_span("position"), message, hint)

@@ -116,6 +116,8 @@ from ropsim.model.placements import pose_matrices as pose_matrices
 from ropsim.model.robot import RobotModel as RobotModel
 from ropsim.model.rod import rod as rod
 from ropsim.model.signal import Signal as Signal
+from ropsim.model.spoken_bodies import lying_words as lying_words
+from ropsim.model.spoken_bodies import spoken_body as spoken_body
 from ropsim.model.station import Station as Station
 from ropsim.model.surroundings import FixedObject as FixedObject
 from ropsim.model.surroundings import Sink as Sink

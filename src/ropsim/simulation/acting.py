@@ -10,8 +10,9 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
 from ropsim.simulation.diagnostics import RUN_OFF
 from ropsim.simulation.feeding import along, feed, room_at
-from ropsim.simulation.placements import Placements
+from ropsim.simulation.placements import Exit, Placements
 from ropsim.simulation.track import tick_at
+from ropsim.spatial import Pose
 
 
 def act(run: CellRun, device: DeviceRun) -> None:
@@ -47,14 +48,22 @@ def _carried(name: str, run: CellRun) -> Carried:
 def _lose(run: CellRun, device: DeviceRun, names: tuple[str, ...], tick: int) -> None:
     """Let parts leave the cell at the end of a belt; that is as it should be where there is a sink."""
     moment = run.moment(tick)
-    gone = {one: moment.pose(run.parts.seats[one]) for name in names for one in run.parts.family(name)}
+    gone: dict[str, Exit] = {}
     for name in names:
-        position = gone[name].position
-        if not any(
-            np.linalg.norm(position - np.array(sink.position)) <= sink.radius for sink in run.cell.sinks
-        ):
+        sink = _sink(run, moment.pose(run.parts.seats[name]))
+        if not sink:
             run.findings.append(_run_off(name, device.device.name, tick / run.hz))
+        for one in run.parts.family(name):
+            gone[one] = Exit(moment.pose(run.parts.seats[one]), sink, device.device.name)
     run.place(run.parts.without(gone), tick)
+
+
+def _sink(run: CellRun, X_WO: Pose) -> str:
+    """Return the name of the sink that takes a part at a pose, empty for none."""
+    for sink in run.cell.sinks:
+        if np.linalg.norm(X_WO.position - np.array(sink.position)) <= sink.radius:
+            return sink.name
+    return ""
 
 
 def _run_off(part: str, device: str, time: float) -> Diagnostic:

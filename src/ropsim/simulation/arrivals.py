@@ -10,7 +10,7 @@ from ropsim.core import Diagnostic
 from ropsim.model import Destination, Part
 from ropsim.simulation.diagnostics import NOT_AT_DESTINATION
 from ropsim.simulation.moment import Moment
-from ropsim.simulation.placements import Placements
+from ropsim.simulation.placements import Exit, Placements
 from ropsim.spatial import Pose
 
 
@@ -49,7 +49,7 @@ def _finding(
     """Return what keeps a part from being at its destination, None where it is there."""
     seat = state.seats.get(name)
     if seat is None:
-        where = "has left the cell by a sink" if name in state.left else "still waits in its supply"
+        where = _departure(state.left[name]) if name in state.left else "still waits in its supply"
         return _told(name, f"part `{name}` {where}, it was to be at {_place(destination.X_WO)}", {})
     pose, is_held = moment.pose(seat), seat.rides in tools
     distance = float(np.linalg.norm(pose.position - destination.X_WO.position))
@@ -69,6 +69,13 @@ def _finding(
         f"part `{name}`{held} is at {_place(pose)}, its destination is {_place(destination.X_WO)}: {why}"
     )
     return _told(name, message, data)
+
+
+def _departure(gone: Exit) -> str:
+    """Return how a part has left the cell, as a part of a sentence."""
+    if gone.sink:
+        return f"has left the cell by the sink `{gone.sink}`"
+    return f"has run off the end of the belt `{gone.device}`"
 
 
 def _told(name: str, message: str, data: dict[str, object]) -> Diagnostic:

@@ -228,8 +228,8 @@ NOT_AT_DESTINATION = define(
     "a part is not where it was to be when the run ended",
     """
 The cell file gives the part a `destination`. When the program had come to its end, the part was farther from
-there than `tolerance`, turned by more than `turn`, still in the gripper, still in its supply, or gone by a
-sink. The message says where it is and how much is missing.
+there than `tolerance`, turned by more than `turn`, still in the gripper, still in its supply, gone by a
+sink, or run off the end of a conveyor (S741). The message says where it is and how much is missing.
 
 Often a grip that took nothing (S721) or a skipped move comes before; mend that first. Else compare the place
 in the program with the destination, which is that of the grasp point: the centre of the top of the part.

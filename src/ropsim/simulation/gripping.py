@@ -83,9 +83,10 @@ def _put_down(run: CellRun, at: StationRun, part: str, instruction: GripInstruct
     left = release(run.parts, run.cell, at.hands, moment)
     if part not in left.seats:
         return left
-    limits = run.cell.supports
-    left, found = stood(left, (part,), run.scenery, limits, moment)
-    run.findings += release_findings(left, part, found[part], run.scenery, limits, moment, instruction.origin)
+    left, found = stood(left, (part,), run.scenery, run.cell.supports, moment)
+    run.findings += release_findings(
+        left, part, found[part], run.scenery, run.cell, moment, instruction.origin
+    )
     return left
 
 

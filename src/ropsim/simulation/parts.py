@@ -8,7 +8,7 @@ import numpy as np
 
 from ropsim.model import WORLD, Cell, Part, Payload, Tool, box, combine
 from ropsim.simulation.moment import Moment
-from ropsim.simulation.placements import Placements, Seat
+from ropsim.simulation.placements import Exit, Placements, Seat
 from ropsim.spatial import Pose
 
 
@@ -64,7 +64,7 @@ def release(state: Placements, cell: Cell, hands: Collection[str], moment: Momen
     poses = {one: moment.pose(state.seats[one]) for one in state.carried(hands)}
     for sink in cell.sinks:
         if float(np.linalg.norm(poses[name].position - np.array(sink.position))) <= sink.radius:
-            return state.without(poses)
+            return state.without({one: Exit(pose, sink.name) for one, pose in poses.items()})
     left = {one: replace(state.seats[one], rides=WORLD, pose=pose) for one, pose in poses.items()}
     left[name] = replace(left[name], parent=WORLD)
     return state.with_seats(left)

@@ -29,18 +29,33 @@ class Seat:
 
 
 @dataclass(frozen=True, slots=True)
+class Exit:
+    """How a part has left the cell.
+
+    Attributes:
+        pose: X_WO at which it left.
+        sink: name of the sink that took it; empty for none.
+        device: name of the conveyor off whose end it ran; empty where a gripper brought it.
+    """
+
+    pose: Pose
+    sink: str = ""
+    device: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Placements:
     """Where every part is.
 
     Attributes:
         seats: of each part that is there, by name.
         queued: names of parts still waiting in their supply.
-        left: pose X_WO at which each part has left the cell, by name, in order.
+        left: how each part has left the cell, by name, in order.
     """
 
     seats: Mapping[str, Seat] = field(default_factory=lambda: MappingProxyType({}))
     queued: frozenset[str] = frozenset()
-    left: Mapping[str, Pose] = field(default_factory=lambda: MappingProxyType({}))
+    left: Mapping[str, Exit] = field(default_factory=lambda: MappingProxyType({}))
 
     def held(self, hands: Collection[str]) -> str:
         """Return the name of the part that one of some tools holds, empty for none."""
@@ -70,8 +85,8 @@ class Placements:
         """Return these placements with other seats for some parts."""
         return replace(self, seats=MappingProxyType({**self.seats, **seats}))
 
-    def without(self, gone: Mapping[str, Pose]) -> "Placements":
-        """Return these placements after some parts have left the cell at their poses X_WO."""
+    def without(self, gone: Mapping[str, Exit]) -> "Placements":
+        """Return these placements after some parts have left the cell."""
         seats = {name: seat for name, seat in self.seats.items() if name not in gone}
         return replace(self, seats=MappingProxyType(seats), left=MappingProxyType({**self.left, **gone}))
 
@@ -102,9 +117,9 @@ def changes(
         after: where they are.
         objects: on what each object hangs.
     """
-    for name, X_WO in after.left.items():
+    for name, gone in after.left.items():
         if name not in before.left:
-            yield Placement(time, name, WORLD, X_WO, visible=False)
+            yield Placement(time, name, WORLD, gone.pose, visible=False)
     for name, seat in after.seats.items():
         known = before.seats.get(name)
         if known is None or known.parent != seat.parent:

@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.flow import Origin
 from ropsim.kinematics import Blocks, Standing, height_above, part_blocks, stacked, standings
-from ropsim.model import WORLD, SupportLimits
+from ropsim.model import WORLD, Cell, SupportLimits, lying_words, spoken_body
 from ropsim.simulation.diagnostics import RELEASED_IN_THE_AIR, RELEASED_INSIDE
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Placements
@@ -70,7 +70,7 @@ def release_findings(
     name: str,
     standing: Standing,
     scenery: Scenery,
-    limits: SupportLimits,
+    cell: Cell,
     moment: Moment,
     origin: Origin,
 ) -> list[Diagnostic]:
@@ -81,27 +81,27 @@ def release_findings(
         name: of the part.
         standing: how it stands.
         scenery: what stands still.
-        limits: what counts as standing on something, and as being in it.
+        cell: of the run; its limits say what counts as standing on something, and as being in it.
         moment: where everything is now.
         origin: of the instruction.
     """
     if not scenery.ground.known:
         return []
-    found = []
+    found, limits = [], cell.supports
     data: dict[str, object] = {"pass": origin.visit, "part": name}
     label = f"pass {origin.visit}"
     if standing.on is None:
         poses = moment.poses(state)
         block = part_blocks([(scenery.parts[name], poses[name])])
         height, below = height_above(block, 0, _others(state, poses, [name], scenery, moment))
-        what = f"`{below}`" if below else "the floor"
-        where = f"{abs(height) * 1e3:.1f} mm {'above' if height >= 0.0 else 'below'} {what}"
+        side, down = ("above", "lower") if height >= 0.0 else ("below", "on something")
+        where = f"{abs(height) * 1e3:.1f} mm {side} {spoken_body(cell, below)}"
         found.append(
             RELEASED_IN_THE_AIR.at(
                 origin.span,
-                f"part `{name}` is released {where}, up to {limits.gap * 1e3:g} mm it lies on it",
+                f"part `{name}` is released {where}; {lying_words(limits)}",
                 label=label,
-                hint="set it down lower, or put what carries it into the cell file",
+                hint=f"set it down {down}, or put what carries it into the cell file",
                 data={**data, "below": below, "height_m": height},
             )
         )
@@ -109,7 +109,7 @@ def release_findings(
         found.append(
             RELEASED_INSIDE.at(
                 origin.span,
-                f"part `{name}` is released in `{standing.inside}`: it would be free "
+                f"part `{name}` is released in {spoken_body(cell, standing.inside)}: it would be free "
                 f"{standing.depth * 1e3:.1f} mm higher, allowed are {limits.depth * 1e3:g} mm",
                 label=label,
                 hint="set it down higher or elsewhere; the depth allowed is `depth` in `[supports]`",

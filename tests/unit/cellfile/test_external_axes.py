@@ -251,3 +251,8 @@ def test_parts_on_external_axes_are_looked_at_when_the_file_is_read(
     assert cell is not None
     assert [one.code for one in findings] == codes
     assert all(one.span is not None and one.span.line >= 8 for one in findings)
+
+
+def test_a_part_in_the_plate_of_a_positioner_is_told_with_the_word_of_the_cell_file() -> None:
+    (found,) = read(TABLE + PART + "position = [200, 1500, 600]\n")[1]
+    assert found.message.startswith("part `box` is in the positioner at the start: it would be free 40.0 mm")

@@ -32,6 +32,7 @@ def test_a_part_in_the_air_is_a_warning_at_its_position() -> None:
     assert cell is not None
     assert (found.code, found.is_error) == ("X819", False)
     assert found.message == "part `box` lies in the air at the start"
+    assert found.hint.startswith("a part counts as lying on what is at most 5 mm below it: ")
     assert found.span is not None
     assert found.span.line == 11
 

@@ -102,7 +102,7 @@ def test_a_part_that_nobody_has_moved_and_one_that_is_gone_are_found() -> None:
     assert "200.0 mm away" in found.message
     gone = ran(*CARRY, cell=replace(CELL, sinks=(Sink("bin", (0.5, -0.1, 0.3), 0.05),)))
     assert [one.message for one in gone.findings] == [
-        "part `a` has left the cell by a sink, it was to be at (500.0, -100.0, 300.0) mm"
+        "part `a` has left the cell by the sink `bin`, it was to be at (500.0, -100.0, 300.0) mm"
     ]
 
 

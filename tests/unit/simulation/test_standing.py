@@ -7,9 +7,22 @@ import numpy as np
 import pytest
 
 import ropsim
+from ropsim import robots
 from ropsim.core import Diagnostic
 from ropsim.flow import Placement, Recording
-from ropsim.model import Box, Cell, FixedObject, Gripper, Mesh, Part, Shape, SupportLimits, Tool
+from ropsim.model import (
+    BeltDrive,
+    Box,
+    Cell,
+    Device,
+    FixedObject,
+    Gripper,
+    Mesh,
+    Part,
+    Shape,
+    SupportLimits,
+    Tool,
+)
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
@@ -82,7 +95,9 @@ def test_a_part_that_is_released_in_the_air_is_found_with_its_height() -> None:
     recording = put_at(0.042)
     (found,) = recording.findings
     assert (found.code, found.is_error) == ("S736", False)
-    assert "part `a` is released 42.0 mm above `right`" in found.message
+    assert found.message == (
+        "part `a` is released 42.0 mm above `right`; a part counts as lying on what is at most 5 mm below it"
+    )
     assert found.span is not None
     assert found.span.line == 9
     assert found.data["pass"] == 1
@@ -93,6 +108,26 @@ def test_above_the_floor_the_height_is_that_above_the_floor() -> None:
     recording = ran(*FETCH, "mov (500, 0, 300)", "open")
     (found,) = recording.findings
     assert "260.0 mm above the floor" in found.message
+
+
+def test_above_a_belt_the_conveyor_is_named() -> None:
+    device = Device(
+        "feeder",
+        robots.conveyor(1.0, 0.2, 0.1),
+        BeltDrive(0.1, 1.0, "", 1.0),
+        Pose(np.array([0.2, 0.0, 0.25])),
+    )
+    recording = ran(*FETCH, "mov (500, 0, 320)", "open", cell=replace(CELL, devices={"feeder": device}))
+    (found,) = recording.findings
+    assert "is released 30.0 mm above the belt `feeder`; " in found.message
+
+
+def test_below_everything_nobody_is_told_to_go_lower() -> None:
+    raised = replace(CELL, objects=CELL.objects[:1])
+    recording = ran(*FETCH, "mov (500, -110, -30)", "open", cell=raised)
+    (found,) = [one for one in recording.findings if one.code == "S736"]
+    assert "70.0 mm below the floor; " in found.message
+    assert found.hint == "set it down on something, or put what carries it into the cell file"
 
 
 @pytest.mark.parametrize(("height", "expected"), [(-0.0015, []), (-0.004, ["S737"])])

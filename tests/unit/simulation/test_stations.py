@@ -15,6 +15,7 @@ from ropsim.model import (
     BeltDrive,
     Cell,
     Cylinder,
+    Destination,
     Device,
     Gripper,
     IndexDrive,
@@ -243,6 +244,14 @@ def test_a_part_at_the_end_of_a_belt_leaves_the_cell_and_is_found() -> None:
     assert recording.facts.parts_left == ("box",)
     # 0.5 m from rest: v²/2a + the rest at full speed
     assert found.data["time_s"] == pytest.approx(0.25 + (0.5 - 0.03125) / 0.25, abs=1.1e-3)
+
+
+def test_a_part_with_a_destination_that_ran_off_is_told_to_have_done_so() -> None:
+    wanted = Destination(Pose(np.array([0.5, 0.0, 0.42])), 0.005, None)
+    box = Part("box", np.array([0.1, 0.06, 0.04]), 0.5, Pose(np.array([1.5, 0.0, 0.42])), destination=wanted)
+    recording = ran(cell(station("left"), parts=(box,), devices={"belt": belt()}), left=("wait 4 s",))
+    (missing,) = [one for one in recording.findings if one.code == "S738"]
+    assert missing.message.startswith("part `box` has run off the end of the belt `belt`, it was to be at ")
 
 
 def test_a_program_waits_for_a_door_and_a_table_turns_what_lies_on_it() -> None:
