@@ -80,7 +80,8 @@ WRONG_VALUE_COUNT = define(
     "a list of the cell file is too short or too long",
     """
 Positions have three numbers (x, y, z), `rpy` has three angles, a quaternion four numbers (w, x, y, z), an
-inertia six (ixx, iyy, izz, ixy, ixz, iyz). Lists per joint have as many numbers as the robot has joints.
+inertia six (ixx, iyy, izz, ixy, ixz, iyz). Lists per joint have as many numbers as the
+arm has joints, then one for each external axis.
 """,
 )
 

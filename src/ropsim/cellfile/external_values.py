@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.quantity import Quantity, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.model import ExternalValues, Joint, JointType, Station
+from ropsim.model import ExternalValues, Joint, JointType, Station, external_words
 
 _ROUNDING = 1e-9  # [rad | m], a value written with decimals may touch a limit
 
@@ -36,13 +36,21 @@ def read_external_values(
 
 def _values(table: TomlTable, stations: list[Station], units: Units) -> ExternalValues | None:
     """Return the values of one location for the stations whose axes may be meant."""
-    having = [station for station in stations if station.robot.external]
+    having = [station for station in stations if station.robot.has_arm and station.robot.external]
+    if "station" in table and not stations[0].robot.has_arm:
+        message = f"`{table.name_of('external')}` is given for `{stations[0].name}`, which has no arm"
+        hint = "only an arm goes to locations: name its station, or leave `external` and `station` out"
+        table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
+        return None
     if not having:
         who = f"station `{stations[0].name}` has no" if "station" in table else "no robot of this cell has"
         message = f"`{table.name_of('external')}` is given, but {who} external axes"
         hint = "a robot gets them by `track` and `positioner`; without them leave `external` out"
         table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
         return None
+    given = table.values["external"]
+    fitting = [one for one in having if isinstance(given, list) and len(one.robot.external) == len(given)]
+    having = fitting if len(fitting) == 1 else having
     axes = [_axes(station) for station in having]
     if len({tuple(joint.measure for joint in each) for each in axes}) > 1:
         names = " and ".join(f"`{station.name}`" for station in having)
@@ -50,9 +58,11 @@ def _values(table: TomlTable, stations: list[Station], units: Units) -> External
         hint = f'name the one: `station = "{having[0].name}"`'
         table.findings.add(kinds.MISSING_CELL_KEY, table.key_span("external"), message, hint)
         return None
-    given = table.values["external"]
-    if not isinstance(given, list) or len(given) != len(axes[0]):
-        table.numbers("external", len(axes[0]), units.position, ())  # says what is wrong
+    if not isinstance(given, list):
+        table.wrong_type(("external",), given, "a list of numbers")
+        return None
+    if len(given) != len(axes[0]):
+        table.wrong_count(("external",), given, f"{len(axes[0])}: {external_words(having[0].robot)}")
         return None
     quantities = [_quantity(each, units) for each in zip(*axes, strict=True)]
     values = tuple(

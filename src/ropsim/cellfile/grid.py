@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.poses import ORIGIN
 from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.tomltext.checks import TomlTable
@@ -33,6 +32,5 @@ def _items(table: TomlTable, key: str) -> list[object]:
         return []
     if len(value) == 2 or key not in table:
         return value
-    message = f"`{table.name_of(key)}` has {len(value)} items, needed are 2"
-    table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span(key), message)
+    table.wrong_count((key,), value, "2")
     return []

@@ -18,6 +18,7 @@ from ropsim.model import (
     PathDefaults,
     Rates,
     RobotModel,
+    axes_words,
     coupled_limits,
     gain_names,
 )
@@ -138,7 +139,7 @@ def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
 
 
 def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
-    start = _per_joint(table, "start", _coordinates(model, units), model.home)
+    start = _per_joint(table, "start", _coordinates(model, units), model.home, model)
     for k, joint in enumerate(model.axis_joints):
         if joint.lower - _ROUNDING <= start[k] <= joint.upper + _ROUNDING:
             continue
@@ -174,14 +175,16 @@ def _controller(
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
     gains = {
-        name: _per_joint(table, name, [_SHARES.get(name, _GAIN)] * model.n, getattr(controller.gains, name))
+        name: _per_joint(
+            table, name, [_SHARES.get(name, _GAIN)] * model.n, getattr(controller.gains, name), model
+        )
         for name in names
     }
     return replace(
         controller,
         gains=type(controller.gains)(**gains),
         path=_path(table, controller.path, units),
-        in_position=_per_joint(table, "in_position", windows, controller.in_position),
+        in_position=_per_joint(table, "in_position", windows, controller.in_position, model),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
         origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )
@@ -212,13 +215,18 @@ def _coordinates(model: RobotModel, units: Units) -> list[Quantity]:
     ]
 
 
-def _per_joint(table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array) -> Array:
+def _per_joint(
+    table: TomlTable, key: str, quantities: Sequence[Quantity], default: Array, model: RobotModel
+) -> Array:
     """Return one number per joint [SI], shape (n,)."""
     if key not in table:
         return default
     value = table.values[key]
-    if not isinstance(value, list) or len(value) != len(quantities):
-        table.numbers(key, len(quantities), NUMBER, tuple(default.tolist()))  # says what is wrong
+    if not isinstance(value, list):
+        table.wrong_type((key,), value, "a list of numbers")
+        return default
+    if len(value) != len(quantities):
+        table.wrong_count((key,), value, axes_words(model))
         return default
     pairs = zip(value, quantities, default.tolist(), strict=True)
     return frozen(

@@ -9,7 +9,7 @@ from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, figures, passes
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, external_words
 from ropsim.motion import (
     BAD_MOTION_VALUE,
     JOINT_OUT_OF_RANGE,
@@ -55,17 +55,23 @@ def check_joints(
     """
     span, origin = move.origin.span, move.origin
     if len(q) != robot.n:
-        external = [robot.axis_joints[k].name for k in robot.external]
-        behind = f", then {', '.join(external)}" if external else ""
+        behind = f", then {external_words(robot)}" if robot.external and robot.has_arm else ""
         found = WRONG_NUMBER_OF_JOINTS.at(
             span,
-            f"target has {len(q)} joint coordinates, `{robot.name}` has {robot.n} joints",
+            f"target has {len(q)} joint coordinates, {_axes_of(robot)}",
             label=passes(origin),
             hint=f"give {robot.n} values, from the base to the tip{behind}",
             data={"found": len(q), "allowed": robot.n},
         )
         return (found,)
     return limit_findings(move, q, robot, limits, range(len(limits.joints)))
+
+
+def _axes_of(robot: RobotModel) -> str:
+    """Return how many axes the arm has, and how many there are beside it."""
+    beside = len(robot.external) if robot.has_arm else 0
+    own = f"`{robot.name}` has {robot.n - beside} {'joint' if robot.n - beside == 1 else 'joints'}"
+    return own + (f" and {beside} external {'axis' if beside == 1 else 'axes'}" if beside else "")
 
 
 def limit_findings(

@@ -5,6 +5,8 @@ from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
+from ropsim.model.axes_words import axes_words as axes_words
+from ropsim.model.axes_words import external_words as external_words
 from ropsim.model.base_frame import in_base as in_base
 from ropsim.model.bearers import bearers as bearers
 from ropsim.model.bearers import carriages as carriages

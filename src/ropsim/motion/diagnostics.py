@@ -86,7 +86,7 @@ WRONG_NUMBER_OF_JOINTS = define(
     "M508",
     "wrong-number-of-joints",
     Severity.ERROR,
-    "a target in joint coordinates has another number of values than the arm has joints",
+    "a target in joint coordinates has another number of values than the arm and its external axes have",
     """
 Joint coordinates are given for all joints of the arm, from the base to the tip, then for its external axes.
 

@@ -150,7 +150,11 @@ def test_gravity_of_a_tilted_track_is_felt_by_all_of_it() -> None:
         ("track = { length = 1000, carriage_mass = 0 }\n", "X806", "allowed is 1 to 10000 kg"),
         ("positioner = { radius = 300 }\n", "X803", "`robot.positioner` needs `base`"),
         ("positioner = { radius = -1, base = {} }\n", "X806", "allowed is 10 to 50000 mm"),
-        (TRACK + "start = [0, 75, -180, 0, -75, 0]\n", "X805", "6 items, needed are 7"),
+        (
+            TRACK + "start = [0, 75, -180, 0, -75, 0]\n",
+            "X805",
+            "6 items, needed are 7: 6 of the arm, then E1 (track)",
+        ),
     ],
 )
 def test_each_mistake_gets_one_finding(text: str, code: str, words: str) -> None:

@@ -13,6 +13,10 @@ TRACK = "track = { length = 3000 }\n"
 TABLE = "positioner = { radius = 400, height = 600, base = { position = [0, 2000, 0] } }\n"
 ROBOT = '[robot]\nmodel = "puma560"\n'
 PLACE = "[locations.stock]\nposition = [800, 700, 910]\n"
+GATE = (
+    '[stations.gate]\nmechanism = { kind = "slide", low = 0, high = 600, size = [200, 200, 20], mass = 20, '
+    "speed = 600, acceleration = 1500 }\n"
+)
 BESIDE = "base = { position = [0, 5000, 0] }\n"
 
 
@@ -84,9 +88,21 @@ def test_one_station_of_several_is_named() -> None:
 
 
 @pytest.mark.parametrize(
+    "other",
+    [
+        station("right", BESIDE + TRACK + TABLE),
+        GATE,
+    ],
+)
+def test_stations_that_cannot_use_the_values_are_not_meant(other: str) -> None:
+    cell = cell_of(f"{station('left', TRACK)}{other}{PLACE}external = [800]\n")
+    assert seen(cell, "left") == (0.8,)
+
+
+@pytest.mark.parametrize(
     ("value", "code", "words"),
     [
-        ("[800]", "X805", "`locations.stock.external` has 1 items, needed are 2"),
+        ("[800]", "X805", "`locations.stock.external` has 1 item, needed are 2: E1 (track), E2 (positioner)"),
         ("[800, 90, 1]", "X805", "has 3 items, needed are 2"),
         ("[]", "X805", "has 0 items, needed are 2"),
         ("800", "X804", "needed is a list of numbers"),
@@ -129,6 +145,11 @@ def test_values_for_all_stations_are_within_the_limits_of_each() -> None:
             f'{ROBOT}{TRACK}{PLACE}external = [800]\nstation = "lift"\n',
             "X809",
             "station `lift` is not defined",
+        ),
+        (
+            f'{station("left", TRACK)}{GATE}{PLACE}external = [800]\nstation = "gate"\n',
+            "X805",
+            "is given for `gate`, which has no arm",
         ),
         (f'{ROBOT}{TRACK}{PLACE}station = "robot"\n', "X802", "`locations.stock.station` has no meaning"),
     ],

@@ -104,8 +104,10 @@ def test_coordinates_that_lack_the_external_axes_are_told() -> None:
     assert code.icr is not None
     result = run(cell(), {"robot": code.icr}, RunOptions(fidelity=Fidelity.KINEMATIC))
     assert [found.code for found in result.findings] == ["M508"]
-    assert "`puma560` has 8 joints" in result.findings[0].message
-    assert result.findings[0].hint == "give 8 values, from the base to the tip, then E1, E2"
+    assert "`puma560` has 6 joints and 2 external axes" in result.findings[0].message
+    assert (
+        result.findings[0].hint == "give 8 values, from the base to the tip, then E1 (track), E2 (positioner)"
+    )
 
 
 def ran(*lines: str) -> Recording:

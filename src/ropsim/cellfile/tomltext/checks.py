@@ -126,11 +126,17 @@ class TomlTable:
             self.wrong_type(steps, value, "a list of numbers")
             return default
         if count is not None and len(value) != count:
-            message = f"{self._name(steps)} has {len(value)} items, needed are {count}"
-            self.findings.add(kinds.WRONG_VALUE_COUNT, self.value_span(*steps), message)
+            self.wrong_count(steps, value, f"{count}")
             return default
         padded = (*default, *([0.0] * len(value)))
         return tuple(self.number_at((*steps, k), item, quantity, padded[k]) for k, item in enumerate(value))
+
+    def wrong_count(self, steps: tuple[str | int, ...], value: Sequence[object], needed: str) -> None:
+        """Note that the list `value` at `steps` is too short or too long; needed is "2", or "2: x, y"."""
+        items = "1 item" if len(value) == 1 else f"{len(value)} items"
+        verb = "is" if needed.partition(":")[0] == "1" else "are"
+        message = f"{self._name(steps)} has {items}, needed {verb} {needed}"
+        self.findings.add(kinds.WRONG_VALUE_COUNT, self.value_span(*steps), message)
 
     def integer(self, key: str, low: int, high: int, default: int) -> int:
         """Return a whole number from `low` to `high`."""
