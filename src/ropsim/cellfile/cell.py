@@ -108,6 +108,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         signals=signals,
         classic=classic,
         external=external,
+        tools=tuple(tools),
     )
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)

@@ -7,6 +7,7 @@ from ropsim.cellfile.mounts import Mount
 from ropsim.cellfile.poses import read_pose
 from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import Frame
 
 
@@ -49,5 +50,14 @@ def _parent(table: TomlTable, axes: Mapping[str, Mount], others: Collection[str]
         known = ", ".join(f"`{one}`" for one in sorted(axes)) or "none in this cell"
         hint = f"it can lie on external axes: {known}; without `parent` it stands in the world"
         table.findings.add(kinds.UNFIT_FRAME, table.value_span("parent"), message, hint)
+        return ""
+    if isinstance(name, str) and name and not axes:
+        table.text("parent", "")
+        message = f"parent `{cut(name)}` is not defined in this cell: no robot of it has external axes"
+        hint = (
+            "a task frame lies on an external axis: give the station a `positioner` or a `track`; "
+            "without `parent` the frame stands in the world"
+        )
+        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span("parent"), message, hint)
         return ""
     return table.reference("parent", axes, "parent")

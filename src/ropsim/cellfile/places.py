@@ -3,6 +3,7 @@
 from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.core import SourceText, Span
+from ropsim.model import ROBOT
 
 _TABLES = ("locations", "frames", "tools", "signals", "stations", "devices")
 
@@ -17,10 +18,13 @@ def place_in_cell_file(text: SourceText, name: str) -> Span | None:
 
 
 def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
-    """Return where a valid cell file says what a station of `[stations]` runs; None without a text."""
+    """Return where a valid cell file says what a station runs, or else describes it; None without a text."""
     if text is None:
         return None
     places = positions(text)
+    if station == ROBOT and (ROBOT,) in places.keys:
+        said = ("cell", "program")
+        return places.value(said) if said in places.keys else places.key((ROBOT,))
     path = ("stations", station)
     return places.value((*path, "program")) if (*path, "program") in places.keys else places.key(path)
 

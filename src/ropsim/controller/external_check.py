@@ -75,7 +75,7 @@ def _moved_on_line(move: MoveInstruction, q_start: Array, robot: RobotModel) -> 
                     f"the line would have to take external axis `{joint.name}` from "
                     f"{coordinate(joint, here)} to {coordinate(joint, value)}",
                     label=passes(move.origin),
-                    hint="lines keep external axes where they are: bring them there by PTP before",
+                    hint="lines keep external axes where they are: bring them there with `mov` before",
                     data={**_places(joint, value, here), "pass": move.origin.visit},
                 )
             )

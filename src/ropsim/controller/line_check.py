@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.controller.branch_following import Follow
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wording import coordinate, figures, passes, rate, shortfall_words
+from ropsim.controller.wording import coordinate, external_notes, figures, passes, rate, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, IkStatus, inverse, jacobian, singular_distances
@@ -77,7 +77,10 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
             f"the line leaves {left} at {share:.0%} of the way, "
             f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
             label=label,
-            notes=(shortfall_words(shortfall),) if shortfall else (),
+            notes=(
+                *((shortfall_words(shortfall),) if shortfall else ()),
+                *external_notes(robot, line.q_start),
+            ),
             hint="shift the line, or use PTP where the path does not matter",
             data=data,
         )

@@ -162,7 +162,7 @@ class StandardPathPlanner:
         """
         found = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_near))
         if found.shortfall:
-            return Refusal((out_of_reach(move, X_BM, found.shortfall),))
+            return Refusal((out_of_reach(move, X_BM, found.shortfall, self.robot, q_near),))
         return nearest_turns(found.branches, q_near, self._range)
 
     def _joint_limits(self, modal: ModalState) -> JointMotionLimits:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wording import coordinate, figures, passes, shortfall_words
+from ropsim.controller.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import (
@@ -37,13 +37,17 @@ def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
     return (finding,)
 
 
-def out_of_reach(move: MoveInstruction, X_BM: Pose, shortfall: Shortfall) -> Diagnostic:
+def out_of_reach(
+    move: MoveInstruction, X_BM: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
+) -> Diagnostic:
     """Return M501 or M530 for a command pose X_BM of the mechanical interface that no posture reaches.
 
     Args:
         move: the instruction.
         X_BM: the pose.
         shortfall: what is missing.
+        robot: the arm with its external axes.
+        q: joint coordinates with the external axes where they stand [rad | m], shape (n,).
     """
     x, y, z = (1e3 * X_BM.position).tolist()
     place = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
@@ -60,7 +64,7 @@ def out_of_reach(move: MoveInstruction, X_BM: Pose, shortfall: Shortfall) -> Dia
         move.origin.span,
         f"{what}: {why or place}",
         label=passes(move.origin),
-        notes=(place,) if why else (),
+        notes=(*((place,) if why else ()), *external_notes(robot, q)),
         hint="give the pose the orientation that the arm has there, or use joint coordinates"
         if beside
         else "move the target or its frame, and look at the units of its coordinates",

@@ -4,7 +4,8 @@ import math
 
 from ropsim.flow import Origin
 from ropsim.kinematics import Reach, Shortfall
-from ropsim.model import Joint, JointType
+from ropsim.model import Joint, JointType, RobotModel
+from ropsim.spatial import Array
 
 
 def coordinate(joint: Joint, value: float) -> str:
@@ -24,6 +25,26 @@ def rate(joint: Joint, value: float, per: str) -> str:
 def passes(origin: Origin) -> str:
     """Return in which loop pass an instruction was executed; empty for the first."""
     return f"reached in pass {origin.visit}" if origin.visit > 1 else ""
+
+
+def external_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
+    """Return a note on where the external axes of an arm stand, nothing where it has none.
+
+    Args:
+        robot: the arm with its external axes.
+        q: joint coordinates [rad | m], shape (n,).
+    """
+    if not robot.external or not robot.has_arm:
+        return ()
+    axes = [(robot.axis_joints[k], float(q[k])) for k in robot.external]
+    return (f"external axes stand at {', '.join(f'{one.name} = {_plain(one, at)}' for one, at in axes)}",)
+
+
+def _plain(joint: Joint, value: float) -> str:
+    """Return a joint coordinate [rad | m] with as many digits as it needs."""
+    if joint.measure is JointType.REVOLUTE:
+        return f"{math.degrees(value):.6g}°"
+    return f"{value * 1e3:.6g} mm"
 
 
 def figures(joint: Joint, value: float, limit: float, per: str = "") -> dict[str, object]:

@@ -35,6 +35,7 @@ class Environment:
         default_tool: tool in force at the start, empty for none.
         locations: poses in the base frame, or in the frame that `located` names, with values of external axes
             behind them where they have some.
+        others_tools: names of the tools of the cell that the station has not.
         located: names of the frames that move in which locations are given, by the name of the location.
         signals: channels by name.
         tasks: library tasks by name.
@@ -59,6 +60,7 @@ class Environment:
     external: tuple[str, ...] = ()
     moving: frozenset[str] = frozenset()
     located: Mapping[str, str] = field(default_factory=dict)
+    others_tools: frozenset[str] = frozenset()
 
 
 NO_SIGNATURES = Environment()

@@ -46,6 +46,7 @@ class Cell:
         signals: by name.
         classic: settings for classic files.
         external: where external axes stand at a location, by its name, for those that say so.
+        tools: names of all tools, also of those that no station has.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Cell:
     signals: Mapping[str, Signal] = field(default_factory=dict)
     classic: ClassicSettings = field(default_factory=ClassicSettings)
     external: Mapping[str, ExternalValues] = field(default_factory=dict)
+    tools: tuple[str, ...] = ()
 
     @property
     def first(self) -> Station:

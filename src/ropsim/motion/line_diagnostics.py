@@ -42,7 +42,7 @@ EXTERNAL_ON_LINE = define(
 On a line the arm alone moves; a track or a positioner stays where it is. The location of the line says that
 an external axis stands elsewhere there. The message names the axis, where it is and where it should be.
 
-**How to mend it.** Bring the external axes there by PTP first, for instance to a place above the location:
+**How to mend it.** Bring the external axes there with `mov` first, such as to a place above the location:
 
 ```
 mov stock above 80 mm external (800)

@@ -122,25 +122,29 @@ class Project:
         for diagnostic in self.diagnostics:
             if diagnostic.is_error:
                 raise ProjectError(diagnostic)
-        if (
-            given is None
-            and wanted == DEFAULT_PROGRAM
-            and wanted not in self.sources
-            and len(self.sources) == 1
-        ):
-            wanted = next(iter(self.sources))
+        if given is None:
+            wanted = self._instead_of(wanted)
         text = self.sources.get(wanted)
         if text is None:
             raise ProjectError(self._missing(wanted, station if given is None else None))
         return compile_program(text, self.cell, station)
 
+    def _instead_of(self, wanted: str) -> str:
+        """Return the program that runs: the only one of the project where `main` is wanted and not there."""
+        only = len(self.sources) == 1 and wanted == DEFAULT_PROGRAM and wanted not in self.sources
+        return next(iter(self.sources)) if only else wanted
+
     def _unwritten(self) -> tuple[Diagnostic, ...]:
-        """Return a finding for each station of `[stations]` that runs a program without a text."""
+        """Return a finding for each station that runs a program without a text.
+
+        The only robot of a cell may have none: it may be checked before its program is written.
+        """
         stations = self.cell.stations.values() if self.cell else ()
         return tuple(
             self._missing(station.program, station)
             for station in stations
-            if station.name != ROBOT and station.program and station.program not in self.sources
+            if station.program and self._instead_of(station.program) not in self.sources
+            if station.name != ROBOT or len(stations) > 1
         )
 
     def _missing(self, wanted: str, station: Station | None) -> Diagnostic:
@@ -150,10 +154,13 @@ class Project:
             f"the project has no program `{wanted}`, it has {known}",
             did_you_mean(wanted, self.sources),
         )
-        if station is None or station.name == ROBOT:
+        if station is None:
             return NO_PROGRAM.at(None, message, hint=hint)
         span = program_in_cell_file(self.cell_text, station.name)
-        hint = hint or f'write `programs/{wanted}.task`, or `program = ""` for a station that stands still'
+        other = '`program = ""` for a station that stands still'
+        if station.name == ROBOT:
+            other = "name another one by `program` in `[cell]`"
+        hint = hint or f"write `programs/{wanted}.task`, or {other}"
         return NO_PROGRAM.at(span, f"station `{station.name}` runs `{wanted}`: {message}", hint=hint)
 
     def simulate(

@@ -90,3 +90,10 @@ def test_a_station_cannot_have_the_name_of_an_external_axis() -> None:
         "X810",
         "`positioner` is the name of an external axis of this cell",
     )
+
+
+def test_without_external_axes_a_frame_is_told_what_the_station_needs() -> None:
+    text = '[robot]\nmodel = "puma560"\n' + FRAME
+    _, (found,) = read_cell(SourceText("cell.toml", text), "folder")
+    assert (found.code, found.span and found.span.line) == ("X809", 5)
+    assert "give the station a `positioner` or a `track`" in found.hint

@@ -102,7 +102,9 @@ def test_a_positioner_turns_to_its_value_and_not_by_the_shorter_way() -> None:
 def test_a_place_out_of_reach_from_here_is_reached_from_where_the_track_ends() -> None:
     start, goal = ends(TRACK, 5)
     start[6], goal[6] = -1.9, 1.9
-    assert [one.code for one in told(TRACK, replace(to(TRACK, goal), external=()), start)] == ["M501"]
+    (found,) = told(TRACK, replace(to(TRACK, goal), external=()), start)
+    assert found.code == "M501"
+    assert found.notes[-1] == "external axes stand at E1 = -1900 mm"
     assert planned(to(TRACK, goal), start, CHAINS[TRACK.n]).q_end[6] == 1.9
 
 

@@ -1,8 +1,10 @@
 """One finding per wrong line; all other lines still compile."""
 
+from dataclasses import replace
+
 import pytest
 
-from support.tasks import codes, compiled, only
+from support.tasks import CELL, codes, compiled, only
 
 PROGRAM = """program p
 units mm, deg, s
@@ -111,3 +113,11 @@ def test_every_kind_has_an_explanation() -> None:
     kinds = [k for k in catalogue().values() if k.code[0] in "LNT"]
     assert len(kinds) >= 38
     assert all(len(k.explanation) > 80 for k in kinds)
+
+
+def test_a_tool_of_the_cell_that_the_station_does_not_have_is_told_as_such() -> None:
+    other = replace(CELL, others_tools=frozenset({"cup"}))
+    (found,) = compiled(PROGRAM.replace("  close", "  close cup"), other).diagnostics
+    assert found.code == "N204"
+    assert found.message == "the station does not have the tool `cup` of this cell"
+    assert found.hint == 'give it to the station in the cell file: `tools = ["jaws", "cup"]`'

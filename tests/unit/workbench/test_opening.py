@@ -55,7 +55,13 @@ def test_a_task_goes_before_code_that_was_compiled_from_it(project: Path) -> Non
 def test_a_program_that_the_cell_file_names_and_that_is_missing_is_told(project: Path) -> None:
     cell = project / "cell.toml"
     cell.write_text(cell.read_text().replace("[cell]\n", '[cell]\nprogram = "mian"\n'))
-    assert code_of(project) == "X844"
+    with pytest.raises(ProjectError) as caught:
+        open_project(project).program()
+    found = caught.value.diagnostic
+    assert found.code == "X844"
+    assert found.span is not None
+    assert cell.read_text().splitlines()[found.span.line - 1] == 'program = "mian"'
+    assert found.message.startswith("station `robot` runs `mian`: the project has no program `mian`")
     assert open_project(project / "programs" / "main.task").program().source.name.endswith("main.task")
 
 
@@ -105,6 +111,19 @@ def test_a_station_whose_program_has_no_text_is_told_at_its_place(project: Path)
     with pytest.raises(ProjectError) as caught:
         opened.programs()
     assert caught.value.diagnostic == left
+
+
+def test_a_robot_beside_stations_is_told_at_its_section_what_it_lacks(project: Path) -> None:
+    (project / "cell.toml").write_text(
+        '[robot]\nmodel = "puma560"\n\n[stations.right]\nrobot = "scara"\nprogram = "two"\n', "utf-8"
+    )
+    (project / "programs" / "main.task").unlink()
+    for name in ("one", "two"):
+        (project / "programs" / f"{name}.task").write_text(f"program {name}\nmov home\n", "utf-8")
+    (found,) = open_project(project).compile().diagnostics
+    assert (found.code, found.span.line if found.span else 0) == ("X844", 1)
+    assert found.message.startswith("station `robot` runs `main`: ")
+    assert "`program` in `[cell]`" in found.hint
 
 
 def test_a_station_without_a_program_stands_still(project: Path) -> None:

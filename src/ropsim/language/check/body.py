@@ -141,8 +141,22 @@ class Body:
             RejectedError: there is no such tool.
         """
         if name.text not in self.world.tools:
+            self._refuse_tool_of_others(name)
             self.unknown(kinds.UNKNOWN_TOOL, name, "tool", self.world.tools)
         return name.text
+
+    def _refuse_tool_of_others(self, name: Name) -> None:
+        """Report a tool that the cell has and the station of this program has not.
+
+        Raises:
+            RejectedError: it is such a tool.
+        """
+        environment = self.world.environment
+        if name.text in environment.others_tools:
+            own = ", ".join(f'"{one}"' for one in (*environment.tools, name.text))
+            message = f"the station does not have the tool `{name.text}` of this cell"
+            hint = f"give it to the station in the cell file: `tools = [{own}]`"
+            self.fail(kinds.UNKNOWN_TOOL, name, message, hint)
 
     def unknown(self, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> NoReturn:
         """Report that there is no `what` of this name, with the nearest one that exists.

@@ -48,7 +48,8 @@ UNKNOWN_TOOL = define(
     Severity.ERROR,
     "a tool that is not defined",
     """
-After `tool`, `open` and `close` stands the name of a tool of the cell file or of a `tool` declaration.
+After `tool`, `open` and `close` stands the name of a tool of the cell file or of a `tool` declaration. A
+station of `[stations]` has the tools of its key `tools`, or else the one it begins with.
 Without a name, `open` and `close` work the tool in force.
 """,
 )
