@@ -107,6 +107,12 @@ def _axis_drive(
     speed = table.number("speed", rate(1, _FASTEST[type_]), 1.0)
     acceleration = table.number("acceleration", rate(2, _HARDEST[type_]), 1.0)
     if "step" in table:
+        if "on" in table:
+            message = f"`{table.name_of('on')}` and `step` both say where the device goes"
+            hint = "either `on` (and `off`) for two positions, or `step` for equal steps"
+            table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("on"), message, hint)
+            table.number("on", way, 0.0)
+            table.number("off", way, 0.0)
         step = _away_from_zero(table, "step", way)
         return IndexDrive(signal, step, speed, acceleration, _input(table, "in_place", signals))
     table.require("on")

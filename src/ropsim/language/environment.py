@@ -36,6 +36,7 @@ class Environment:
         locations: poses in the base frame, or in the frame that `located` names, with values of external axes
             behind them where they have some.
         others_tools: names of the tools of the cell that the station has not.
+        told: names of the devices by those of the inputs that they set.
         located: names of the frames that move in which locations are given, by the name of the location.
         signals: channels by name.
         tasks: library tasks by name.
@@ -61,6 +62,7 @@ class Environment:
     moving: frozenset[str] = frozenset()
     located: Mapping[str, str] = field(default_factory=dict)
     others_tools: frozenset[str] = frozenset()
+    told: Mapping[str, str] = field(default_factory=dict)
 
 
 NO_SIGNATURES = Environment()

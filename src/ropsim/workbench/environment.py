@@ -45,6 +45,7 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
         moving=frozenset(name for name, frame in cell.frames.items() if frame.parent != WORLD),
         located=cell.located,
+        told={name: device.name for device in cell.devices.values() for name in device.tells},
         others_tools=frozenset(cell.tools) - set(at.tools),
     )
 

@@ -85,7 +85,7 @@ CASES = [
         "X821", "'there'", "`belt` follows `belt`", id="follows itself",
     ),
     pytest.param(DOOR, "X803", "[devices.door]", "needs `on`", id="no position"),
-    pytest.param(DOOR + "on = 1\nstep = 3\n", "X802", "on", "no meaning", id="on and step"),
+    pytest.param(DOOR + "on = 1\nstep = 3\n", "X812", "on", "`step` both say", id="on and step"),
     pytest.param(DOOR + "step = 0\n", "X806", "0", "never move", id="no step"),
     pytest.param(DOOR.replace('"go"', '""') + "on = 1\n", "X803", '""', "never move", id="empty signal"),
     pytest.param(

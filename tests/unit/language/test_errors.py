@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from ropsim.program import SignalUse, ValueType
 from support.tasks import CELL, codes, compiled, only
 
 PROGRAM = """program p
@@ -121,3 +122,36 @@ def test_a_tool_of_the_cell_that_the_station_does_not_have_is_told_as_such() -> 
     assert found.code == "N204"
     assert found.message == "the station does not have the tool `cup` of this cell"
     assert found.hint == 'give it to the station in the cell file: `tools = ["jaws", "cup"]`'
+
+
+SWITCHES = replace(
+    CELL,
+    signals={**CELL.signals, "ready": SignalUse("ready", is_input=False, type=ValueType.BOOL)},
+    told={"part_ok": "belt"},
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "hint"),
+    [
+        ("mov infeed speed 150 mm", "T302", "its unit is of another sort: write one of those in parentheses"),
+        ("wait placed", "N202", "signals are read by name: write `wait until placed`"),
+        ("wait ready", "T301", "signals are read by name: write `wait until ready`"),
+        ("wait until ready on", "L101", "inputs are read by name: write `wait until NAME`"),
+        ("wait until ready off", "L101", "inputs are read by name: write `wait until not NAME`"),
+        ("wait until reddy", "N202", "did you mean `ready`?"),
+        ("wait until foo", "N202", "declare it in the cell file: `[signals.foo]`"),
+        ("set foo on", "N205", "declare it in the cell file: `[signals.foo]`; there are `ready`"),
+        ("set part_ok on", "N207", "the device `belt` sets it"),
+    ],
+)
+def test_signals_and_units_that_are_wrong_get_the_way_to_write_them(line: str, code: str, hint: str) -> None:
+    (found,) = compiled(f"program p\nunits mm, deg, s\n{line}\n", SWITCHES).diagnostics
+    assert (found.code, found.hint) == (code, hint)
+
+
+def test_a_coordinate_for_a_station_without_an_arm_is_to_be_in_joints() -> None:
+    slide = replace(CELL, axes=("length",), external=("length",))
+    (found,) = compiled("program p\nunits mm, deg, s\nmov 900\n", slide).diagnostics
+    assert found.code == "T301"
+    assert "`mov joints(900)`" in found.hint

@@ -1,12 +1,16 @@
 """Statements that act: motions, grippers, outputs, waits, messages."""
 
+from collections.abc import Iterable
+
+from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction, MotionKind
 from ropsim.language.check import convert, fold, settings, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import BOOL, JOINTS, NUMBER, POSE, STR, TIME, Type, article, known
+from ropsim.language.check.types import BOOL, JOINTS, NUMBER, POSE, STR, TIME, AnyType, Type, article, known
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.nodes import Name, Node
 from ropsim.program import (
     Block,
     Grip,
@@ -27,11 +31,59 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     word = "lin" if node.is_linear else "mov"
     value = values.check(body, node.target)
     kind = known(value.type)
+    _refuse_coordinate(body, node, kind)
     wanted = JOINTS if kind == JOINTS and not node.is_linear else POSE
     target = convert.to(body, value, wanted, node.target, f"the target of `{word}`")
     chosen = settings.gather(body, node.modifiers)
     settings.check_effect(body, node, chosen)
     return (Move(MotionKind.LIN if node.is_linear else MotionKind.PTP, target, chosen, body.statement_span),)
+
+
+def _refuse_coordinate(body: Body, node: syntax.Motion, kind: AnyType) -> None:
+    """Report a plain coordinate as target at a station that has no arm.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    axes, external = body.world.environment.axes, body.world.environment.external
+    armless = bool(axes) and len(external) == len(axes)
+    if armless and isinstance(kind, Type) and kind.value in {ValueType.INT, ValueType.REAL}:
+        body.fail(
+            kinds.WRONG_TYPE,
+            node.target,
+            f"the target of a station without an arm must be joint coordinates, found {article(kind)}",
+            "write `mov joints(…)` with the coordinate of its axis: `mov joints(900)`",
+        )
+
+
+def _refuse_signal(body: Body, node: Node) -> None:
+    """Report the name of a signal, or of nothing, where a time is to be waited for.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    if not isinstance(node, Name) or body.is_tolerant:
+        return
+    symbol, hint = body.find(node.text), f"signals are read by name: write `wait until {node.text}`"
+    if isinstance(symbol, SignalUse):
+        message = f"the time of `wait` must be a time, found the signal `{node.text}`"
+        body.fail(kinds.WRONG_TYPE, node, message, hint)
+    if symbol is None and not did_you_mean(node.text, values.visible(body)):
+        body.fail(name_kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
+
+
+def _refuse_undeclared(body: Body, kind: Kind, name: Name, what: str, candidates: Iterable[str]) -> None:
+    """Report a signal that nobody has declared and that is near to no known name.
+
+    Raises:
+        RejectedError: it is near to none.
+    """
+    if not did_you_mean(name.text, candidates):
+        listed = ", ".join(f"`{one}`" for one in sorted(candidates)[:8]) if what == "output" else ""
+        hint = f"declare it in the cell file: `[signals.{name.text}]`" + (
+            f"; there are {listed}" if listed else ""
+        )
+        body.fail(kind, name, f"there is no {what} `{name.text}`", hint)
 
 
 def gripper(body: Body, node: syntax.Gripper) -> Block:
@@ -48,13 +100,15 @@ def set_signal(body: Body, node: syntax.SetSignal) -> Block:
         if symbol is not None:
             hint = "to assign a variable leave out `set`"
             body.fail(name_kinds.UNKNOWN_SIGNAL, node.name, f"`{node.name.text}` is no output", hint)
+        _refuse_undeclared(body, name_kinds.UNKNOWN_SIGNAL, node.name, "output", outputs)
         body.unknown(name_kinds.UNKNOWN_SIGNAL, node.name, "output", outputs)
     if symbol.is_input:
+        teller = body.world.environment.told.get(symbol.name, "")
         body.fail(
             name_kinds.NOT_ASSIGNABLE,
             node.name,
             f"`{node.name.text}` is an input",
-            "inputs are set by the cell",
+            f"the device `{teller}` sets it" if teller else "inputs are set by the cell",
         )
     body.world.used_signals[symbol.name] = symbol
     wanted = BOOL if symbol.type is ValueType.BOOL else NUMBER
@@ -73,6 +127,7 @@ def set_mode(body: Body, node: syntax.SetMode) -> Block:
 
 def wait(body: Body, node: syntax.WaitTime) -> Block:
     """Return a wait for a time."""
+    _refuse_signal(body, node.duration)
     duration = values.expect(body, node.duration, TIME, "the time of `wait`")
     number = fold.number_of(duration)
     if number is not None and number < 0.0:
@@ -84,6 +139,8 @@ def wait(body: Body, node: syntax.WaitTime) -> Block:
 
 def wait_until(body: Body, node: syntax.WaitCondition, otherwise: Block) -> Block:
     """Return a wait for a condition."""
+    if isinstance(node.condition, Name) and body.find(node.condition.text) is None and not body.is_tolerant:
+        _refuse_undeclared(body, name_kinds.UNKNOWN_NAME, node.condition, "signal", values.visible(body))
     condition = values.expect(body, node.condition, BOOL, "the condition of `wait until`")
     timeout = None
     if node.timeout is not None:

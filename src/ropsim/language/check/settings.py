@@ -90,7 +90,10 @@ def _dimension(body: Body, setting: Setting, value: Value) -> units.Dimension:
         return _BARE[setting.word]
     if kind.value is not _REAL or (setting.word, kind.dimension) not in _FIELDS:
         message = f"`{setting.word}` needs {_ALLOWED[setting.word]}, found {article(kind)}"
-        body.fail(kinds.WRONG_DIMENSION, setting.value, message, "write a unit behind the number")
+        hint = "write a unit behind the number"
+        if kind.dimension != units.NUMBER:
+            hint = "its unit is of another sort: write one of those in parentheses"
+        body.fail(kinds.WRONG_DIMENSION, setting.value, message, hint)
     return kind.dimension
 
 

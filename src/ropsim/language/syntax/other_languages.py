@@ -36,3 +36,8 @@ HINTS: Mapping[str, str] = {
 
 WAIT_FOR = _WAIT_UNTIL
 """What to write for `WAIT FOR`."""
+WAIT_LEVEL: Mapping[str, str] = {
+    "on": _WAIT_UNTIL,
+    "off": "inputs are read by name: write `wait until not NAME`",
+}
+"""What to write for a level behind the name of a signal."""

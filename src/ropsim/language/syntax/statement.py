@@ -9,7 +9,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Node
-from ropsim.language.syntax.other_languages import WAIT_FOR
+from ropsim.language.syntax.other_languages import WAIT_FOR, WAIT_LEVEL
 from ropsim.language.syntax.statements import (
     Assign,
     Broken,
@@ -86,6 +86,8 @@ def wait(cursor: Cursor, head: Token) -> Statement:
     if not cursor.accept("until"):
         return WaitTime(total(cursor), head.start, cursor.end)
     condition = expression(cursor)
+    if cursor.token.word in {"on", "off"}:
+        cursor.fail("the end of the line or `timeout`", WAIT_LEVEL[cursor.token.word])
     timeout: Node | None = None
     otherwise = None
     if cursor.accept("timeout"):
