@@ -110,7 +110,8 @@ class Recording:
     def to_pandas(self) -> "pd.DataFrame":
         """Return all channels at the recorded rows as one table indexed by time [s].
 
-        Columns are `q[0]`, `tau[2]` and so on.
+        Columns are `q[1]`, `tau[E1]`, `left/attained_position[x]` and so on: the channel, and in brackets
+        which of its columns; of a channel of one column the bare name.
 
         Raises:
             ImportError: pandas is not installed.

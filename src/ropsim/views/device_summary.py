@@ -45,7 +45,12 @@ def summarize_devices(recording: Recording) -> tuple[DeviceSummary, ...]:
 
 
 def device_text(device: DeviceSummary) -> str:
-    """Return what a device did, such as `infeed went 850.0 mm, between 0.0 and 850.0 mm`."""
+    """Return what a device did, such as `door went 1700.0 mm, between 0.0 and 850.0 mm`.
+
+    Of one that only went on from 0, as belts do, the way says all.
+    """
     scale = coordinate_scale(device.type)
+    if device.lowest == 0.0 and math.isclose(device.travel, device.highest, rel_tol=1e-9):
+        return f"{clean(device.name)} went {with_unit(device.travel, scale, 1)}"
     way, low = with_unit(device.travel, scale, 1), fixed(device.lowest, scale, 1)
     return f"{clean(device.name)} went {way}, between {low} and {with_unit(device.highest, scale, 1)}"

@@ -28,11 +28,12 @@ def event_text(event: Event) -> str:
             wanted = channel if value else f"not {channel}"
             return f"wait until {wanted}" + ("" if came else ", in vain")
         case OutputEvent(channel=channel, value=value):
-            return f"{channel} = {value}"
+            level = ("off", "on")[value] if isinstance(value, bool) else value
+            return f"{channel} = {level}"
         case MessageEvent(text=text) | TaskEvent(name=text):
             return text
         case GripEvent(part=part):
-            return f"close on {part or 'nothing'}"
+            return f"grip {part}" if part else "close on nothing"
         case ReleaseEvent(part=part):
             return f"release {part}" if part else "open"
         case InputEvent(signal=signal, value=value):

@@ -88,6 +88,8 @@ def _cell_lines(summary: Summary) -> list[str]:
 def _title(summary: Summary, style: Style) -> list[str]:
     what = clean(summary.title)
     robot = f" on {clean(summary.robot)}" if summary.robot else ""
+    if len(summary.facts.stations) > 1:
+        what, robot = clean(summary.facts.project or "run"), f": {_stations(summary)}"
     state = verdict(summary)
     return [
         paint(fit(what + robot, COLUMNS), Tone.STRONG, style),
@@ -95,6 +97,12 @@ def _title(summary: Summary, style: Style) -> list[str]:
         *(paint(line, _VERDICT_TONES[state.kind], style) for line in textwrap.wrap(state.text, COLUMNS)),
         *_unchecked(summary.unchecked.text),
     ]
+
+
+def _stations(summary: Summary) -> str:
+    """Return which station has which robot."""
+    stations = ((one.name, one.title or one.robot) for one in summary.facts.stations)
+    return ", ".join(clean(f"{name} on {robot}" if robot else name) for name, robot in stations)
 
 
 def _unchecked(text: str) -> list[str]:
