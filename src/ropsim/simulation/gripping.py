@@ -92,14 +92,17 @@ def _put_down(run: CellRun, at: StationRun, part: str, instruction: GripInstruct
 
 def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:
     named = grip.tool or grip.modal.tool
+    hint = "give the tool a `gripper` in cell.toml, or name another tool"
     if tool is not None:
         found = f"tool `{tool.name}` has no gripper"
     else:
         found = f"tool `{named}` is none of the cell's tools" if named else "no tool is in force"
+        if not named:
+            hint = "choose a tool with a gripper: `set tool NAME`, or `tool` of the station in cell.toml"
     return TOOL_CANNOT_GRASP.at(
         grip.origin.span,
         f"`{grip.action.value}` needs a gripper, but {found}",
-        hint="give the tool a `gripper` in cell.toml, or name another tool",
+        hint=hint,
         data={"pass": grip.origin.visit},
     )
 

@@ -104,6 +104,13 @@ def test_a_part_that_is_released_in_the_air_is_found_with_its_height() -> None:
     assert last(recording, "a").parent == ""
 
 
+def test_where_no_tool_is_in_force_one_is_to_be_chosen() -> None:
+    recording = ran("close", cell=with_station(CELL, default_tool=""))
+    (found,) = recording.findings
+    assert (found.code, "no tool is in force" in found.message) == ("S722", True)
+    assert found.hint.startswith("choose a tool with a gripper: `set tool NAME`")
+
+
 def test_above_the_floor_the_height_is_that_above_the_floor() -> None:
     recording = ran(*FETCH, "mov (500, 0, 300)", "open")
     (found,) = recording.findings
