@@ -1,11 +1,14 @@
 """Stations of one axis in the cell file: the key `mechanism` in place of `robot`."""
 
+import numpy as np
 import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
-from ropsim.model import Cell
+from ropsim.kinematics import body_poses
+from ropsim.model import Cell, body_tree
 
+ROUNDING = 1e-12  # [m | -], of some products of poses
 HEAD = '[stations.shuttle]\nprogram = "shuttle"\n'
 SLIDE = (
     "[stations.shuttle.mechanism]\n"
@@ -99,3 +102,14 @@ def test_each_mistake_is_told_at_its_place(text: str, code: str, line: int, word
     told = [(one.code, one.span and one.span.line, f"{one.message} {one.hint}") for one in findings]
     assert any(one[:2] == (code, line) and words in one[2] for one in told), told
     assert len(told) <= 2
+
+
+@pytest.mark.parametrize("s", [0.0, 0.25])
+def test_objects_on_a_slide_are_given_in_its_base_frame_at_coordinate_0(s: float) -> None:
+    """The axis of its joint points along x of the base frame, which points along y of the world here."""
+    thing = '[[objects]]\nname = "tray"\nparent = "shuttle"\nposition = [10, 20, 30]\nsize = [100, 100, 30]\n'
+    base = "base = { position = [300, 0, 500], rpy = [0, 0, 90] }\n"
+    cell = right(HEAD + base + SLIDE + thing)
+    pose = body_poses(body_tree(cell), {"shuttle": np.array([[s]])}, ["tray"])["tray"][0]
+    expected = np.array([[0, -1, 0, 0.28], [1, 0, 0, 0.01 + s], [0, 0, 1, 0.53], [0, 0, 0, 1]])
+    np.testing.assert_allclose(pose, expected, rtol=0.0, atol=ROUNDING)

@@ -164,3 +164,26 @@ def test_a_line_keeps_external_axes_and_says_so_where_they_would_have_to_move() 
     assert f"from {start[6] * 1e3:.1f} mm to {start[6] * 1e3 + 300.0:.1f} mm" in found.message
     same = replace(away, external=tuple((start[6:] + 1e-10).tolist()))
     assert np.abs(planned(same, start, CHAINS[BOTH.n]).q_end[6:] - start[6:]).max() < EXACT
+
+
+@pytest.mark.parametrize(("apart", "refused"), [(1e-6, True), (-1e-6, True), (1e-10, False)])
+def test_a_line_takes_no_external_axis_along_however_little(apart: float, refused: bool) -> None:
+    """A micrometre is a way; what is within the rounding of a computed value is none."""
+    start, _ = ends(TRACK, 4)
+    move = replace(lin(target_at(TRACK, start), MODAL), external=(float(start[6]) + apart,))
+    result = plan_move(CHAINS[TRACK.n], move, start)
+    codes = [one.code for one in result.diagnostics] if isinstance(result, Refusal) else []
+    assert codes == (["M521"] if refused else [])
+
+
+@pytest.mark.parametrize("turns", [-1.0, 1.0])
+def test_the_arm_stays_in_the_turn_in_which_it_starts(turns: float) -> None:
+    """Joint 6 stands where one turn less or more is within its limits too, and nearer to home."""
+    start, goal = ends(BOTH, 3)
+    start[5] = turns * np.radians(220.0)
+    goal[:6] = start[:6]
+    limits = BOTH.lower_limits[5], BOTH.upper_limits[5]
+    assert limits[0] < start[5] - turns * 2.0 * np.pi < limits[1]
+    assert abs(start[5] - BOTH.home[5]) > np.pi
+    move = planned(to(BOTH, goal), start, CHAINS[BOTH.n])
+    np.testing.assert_allclose(move.q_end, goal, rtol=0, atol=1e-7)

@@ -7,8 +7,9 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
+from ropsim.controller import standard_chain
 from ropsim.core import SourceText
-from ropsim.flow import MessageEvent, MoveInstruction, Recording
+from ropsim.flow import MessageEvent, ModalState, MoveInstruction, Recording
 from ropsim.kinematics import body_poses, forward, frame_poses
 from ropsim.model import Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions, run
@@ -313,3 +314,26 @@ def test_rel_takes_the_numbers_of_a_location_and_not_its_frame() -> None:
         tool_pose_at_the_end(ran(TURNED.format(turn) + "mov infeed rel corner\n")) for turn in (0.0, 40.0)
     )
     np.testing.assert_allclose(turned.matrix(), still.matrix(), rtol=0.0, atol=REACHED)
+
+
+@pytest.mark.parametrize("turn", [0.0, 40.0])
+def test_the_frame_begins_where_its_axis_starts(turn: float) -> None:
+    """For who looks at the cell and, seen from the base, for the compiler."""
+    text = CELL[: CELL.index("[[parts]]")]
+    cell = cell_of(text.replace("[tools.jaws]", f"start = [0, 75, -180, 0, -75, 0, {turn}]\n[tools.jaws]"))
+    expected = in_fixture(0.0, 0.0, 0.0, np.radians(turn), (1.0, 0.0, 0.0, 0.0))
+    np.testing.assert_allclose(
+        frame_poses(cell)["fixture"].matrix(), expected.matrix(), rtol=0.0, atol=REACHED
+    )
+    nominal = Pose.from_tuple(environment_of(cell).frames["fixture"])
+    np.testing.assert_allclose(
+        (cell.first.X_WB @ nominal).matrix(), expected.matrix(), rtol=0.0, atol=REACHED
+    )
+
+
+def test_a_frame_that_moves_is_known_though_the_program_gives_no_pose_of_it() -> None:
+    work = standard_chain(cell_of(), cell_of().first).work
+    assert work.frame_findings(ModalState(frame="fixture"), None) == ()
+    (found,) = work.frame_findings(ModalState(frame="fixtur"), None)
+    assert (found.code, found.hint) == ("M512", "did you mean `fixture`?")
+    assert "the frames of the cell are `fixture`, `pallet`" in found.message

@@ -5,8 +5,10 @@ import pytest
 
 from ropsim.codegen import Engine
 from ropsim.dynamics import compiled
+from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import OptionError, Servo
+from ropsim.simulation.servo.tick_recorder import TickRecorder
 from support.dc_drives import dc_motor
 from support.servo_cases import GOAL, START, puma, quintic, standing
 
@@ -89,3 +91,22 @@ def test_the_log_grows_and_keeps_what_it_holds(servo: Servo) -> None:
     servo.run(state, standing(GOAL, 6000), NOTHING, recorder)
     assert recorder.rows == 6101
     np.testing.assert_array_equal(recorder.channels()["q"][:101], early)
+
+
+def test_the_past_of_an_arm_beside_others_has_each_state_at_its_tick(servo: Servo) -> None:
+    """However coarse the recording is; the reference is followed in two pieces."""
+    whole = quintic(START, GOAL, 30)
+    states = [servo.initial_state(START)]
+    alone = servo.recorder(states[0])
+    for k in range(30):
+        step = JointReference(*(rows[k : k + 1] for rows in (whole.q, whole.qd, whole.qdd)))
+        states.append(servo.run(states[-1], step, NOTHING, alone))
+    beside = TickRecorder(servo.robot, states[0], 7)
+    state = states[0]
+    for piece in (slice(0, 13), slice(13, 30)):
+        part = JointReference(whole.q[piece], whole.qd[piece], whole.qdd[piece])
+        state = servo.run(state, part, NOTHING, beside)
+        beside.take()
+    for tick, known in enumerate(states):
+        np.testing.assert_array_equal(beside.q_at(tick), known.q)
+    assert (states[13].q != states[14].q).all()
