@@ -163,3 +163,13 @@ def test_values_that_belong_to_nobody_are_told(text: str, code: str, words: str)
 def test_a_station_that_cannot_be_read_is_told_alone() -> None:
     code, _, _ = one(f'[robot]\nmodel = "pumma"\n{PLACE}external = [800]\n')
     assert code == "X860"
+
+
+@pytest.mark.parametrize(("value", "codes"), [(6.2831853072, []), (-6.2831853072, []), (6.2832, ["X806"])])
+def test_a_limit_may_be_written_with_the_decimals_that_one_has(value: float, codes: list[str]) -> None:
+    """A turntable turns once to each side: 2π, which is 6.2831853072 rounded up to ten decimals."""
+    table = "positioner = { radius = 0.4, height = 0.6, base = { position = [0, 2, 0] } }\n"
+    units = '[units]\nlength = "m"\nangle = "rad"\n'
+    place = "[locations.stock]\nposition = [1, 1, 1]\n"
+    _, findings = read(f"{ROBOT}{table}{units}{place}external = [{value}]\n")
+    assert [found.code for found in findings] == codes

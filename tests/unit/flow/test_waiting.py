@@ -50,3 +50,10 @@ def test_a_condition_that_is_looked_at_again_and_again_is_one_wait() -> None:
 
 def test_a_run_of_no_length_has_no_share() -> None:
     assert waiting_of([await_(0.0, 0.0)], 0.0).share == 0.0
+
+
+@pytest.mark.parametrize("gap", [0.004, 0.25, 0.75])
+def test_a_wait_on_the_same_line_after_something_else_is_one_of_its_own(gap: float) -> None:
+    waits: list[Event] = [looked(1.0, 5, 1), looked(1.25 + gap, 5, 2)]
+    found = waiting_of(waits, 10.0)
+    assert (found.total, found.longest, found.time) == (0.5, 0.25, 1.0)

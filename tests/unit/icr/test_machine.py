@@ -423,3 +423,22 @@ def test_a_shown_pose_tells_its_external_values() -> None:
     (message, _) = flow(f"{TARGET} EXT 0.5 -1.0/FMT/MSG/HALT")
     assert isinstance(message, MessageInstruction)
     assert message.text == "(0.1, 0.2, 0.3, 0, 0, 0) external (0.5, -1)"
+
+
+def test_a_place_keeps_the_frame_that_it_stands_in_and_a_change_on_the_left_wins() -> None:
+    plain, changed = TARGET, "PUSH POSE 0.0 0.0 0.1 1.0 0.0 0.0 0.0"
+    for left, right, frame in [
+        (f"{plain}/INFRAME f", changed, "f"),
+        (changed, f"{plain}/INFRAME f", "f"),
+        (f"{plain}/INFRAME f", f"{changed}/INFRAME g", "f"),
+        (f"{plain}/INFRAME g", f"{changed}/INFRAME f", "g"),
+    ]:
+        (move,) = moves(f"{left}/{right}/COMPOSE/MOVE.PTP/HALT")
+        assert move.modal.frame == frame
+
+
+@pytest.mark.parametrize("mnemonic", ["DIST", "ANGLE"])
+def test_poses_in_different_frames_are_not_compared(mnemonic: str) -> None:
+    other = "PUSH POSE 0.1 0.2 0.8 0.0 1.0 0.0 0.0"
+    for one, two, code in [("f", "f", ""), ("f", "g", "I465"), ("f", "-", "I465"), ("-", "g", "I465")]:
+        assert trap(f"{TARGET}/INFRAME {one}/{other}/INFRAME {two}/{mnemonic}/POP/HALT") == code

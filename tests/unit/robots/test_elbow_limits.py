@@ -19,7 +19,8 @@ from ropsim.kinematics import (
     inverse,
     limit_violations,
 )
-from ropsim.model import audit, coordinates, coupled_limits, on_track
+from ropsim.kinematics.result import NO_AXIS
+from ropsim.model import RobotModel, audit, coordinates, coupled_limits, on_track
 from ropsim.spatial import Array, Pose
 from ropsim.studio.desk.jog.stops import within_limits
 from ropsim.studio.desk.jog.words import limit_words
@@ -164,3 +165,75 @@ def test_a_home_with_a_folded_elbow_is_told() -> None:
     (found,) = (one for one in audit(replace(ROBOT, home=FOLDED)) if one.is_error)
     assert found.code == "X857"
     assert "`elbow`" in found.message
+
+
+def with_limits(**limits: tuple[float, float]) -> RobotModel:
+    """Return the palletizer with other limits of some joints [deg]."""
+    joints = tuple(
+        replace(one, lower=math.radians(limits[one.name][0]), upper=math.radians(limits[one.name][1]))
+        if one.name in limits
+        else one
+        for one in ROBOT.joints
+    )
+    return replace(ROBOT, joints=joints)
+
+
+def test_what_is_beyond_is_told_to_the_billionth_and_rounding_is_not() -> None:
+    limits = coupled_limits(ROBOT)
+    for beyond, expected in ((1e-5, 1e-5), (1e-8, 1e-8), (1e-10, 0.0), (-1e-5, 0.0)):
+        low = np.array([0.0, 1.5, 1.5 + LOWER - beyond, 0.0])
+        high = np.array([0.0, 1.5, 1.5 + UPPER + beyond, 0.0])
+        for q in (low, high):
+            assert limits.excess(q) == pytest.approx([expected], rel=1e-6, abs=1e-15)
+
+
+@pytest.mark.parametrize("elbow", [(-155.0, math.inf), (-math.inf, -25.0)])
+def test_one_limit_that_the_axes_do_not_keep_is_enough(elbow: tuple[float, float]) -> None:
+    robot = with_limits(elbow=elbow, rod=(-math.inf, math.inf))
+    assert [joint.name for joint in coupled_limits(robot).joints] == ["elbow"]
+
+
+@pytest.mark.parametrize(
+    ("elbow", "names"),
+    [((-226.0, -14.0), []), ((-224.0, -14.0), ["elbow"]), ((-226.0, -16.0), ["elbow"])],
+)
+def test_the_axes_keep_limits_that_their_own_limits_never_lead_to(
+    elbow: tuple[float, float], names: list[str]
+) -> None:
+    """The elbow is at axis 3 (-80° to 25°) less axis 2 (40° to 145°): between -225° and -15°."""
+    assert np.degrees(ROBOT.lower_limits[1:3]).tolist() == pytest.approx([40.0, -80.0])
+    assert np.degrees(ROBOT.upper_limits[1:3]).tolist() == pytest.approx([145.0, 25.0])
+    robot = with_limits(elbow=elbow, rod=(-math.inf, math.inf))
+    assert [joint.name for joint in coupled_limits(robot).joints] == names
+
+
+@pytest.mark.parametrize("q", [WORKING, FOLDED, OUT])
+@pytest.mark.parametrize("axis", [1, 2])
+def test_whole_turns_of_the_axes_do_not_take_the_elbow_along(q: Array, axis: int) -> None:
+    turned = q.copy()
+    turned[axis] += 2.0 * math.pi
+    known, found = limit_violations(ROBOT, q), limit_violations(ROBOT, turned)
+    assert [one.name for one in found] == [one.name for one in known]
+    assert [one.value for one in found] == pytest.approx([one.value for one in known])
+
+
+def test_on_a_track_the_elbow_is_still_no_axis() -> None:
+    """The axes beside it are counted in the station, where the elbow has no place."""
+    whole = on_track(ROBOT, robots.linear_track(2.0))
+    assert whole.n == ROBOT.n + 1
+    q = np.append(arm(0.0, 150.0, -40.0, 0.0), 0.3)  # axis 2 beyond its 145°, the elbow at -190°
+    assert whole.external == (4,)
+    found = inverse(whole, forward(whole, q), IkOptions(near=q))
+    assert found.status is IkStatus.OUT_OF_LIMITS
+    assert {one.name: one.joint for one in found.violations} == {
+        "elbow": NO_AXIS,
+        whole.axis_joints[1].name: 1,
+    }
+
+
+def test_an_axis_at_its_limit_leaves_the_way_to_the_others() -> None:
+    """The elbow stops at -60°: axis 2 can give no more than its 50°, axis 3 goes the rest of the way."""
+    robot = with_limits(elbow=(-155.0, -60.0), **{ROBOT.axis_joints[1].name: (40.0, 50.0)})
+    np.testing.assert_allclose(
+        within_limits(robot, arm(0.0, 48.0, 25.0, 0.0)), arm(0.0, 50.0, -10.0, 0.0), rtol=0.0, atol=ROUNDING
+    )

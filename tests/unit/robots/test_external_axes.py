@@ -6,7 +6,7 @@ import pytest
 from ropsim import robots
 from ropsim.dynamics import gravity, inverse_dynamics, mass_matrices
 from ropsim.kinematics import body_poses, frames_batch
-from ropsim.model import Body, BodyKind, BodyTree, Mechanism, Mover, audit
+from ropsim.model import Body, BodyKind, BodyTree, IdealMotor, Mechanism, Mover, audit
 from ropsim.spatial import Array, Pose
 
 TRACK = robots.linear_track(4.0, carriage_mass=300.0)
@@ -99,3 +99,23 @@ def test_a_mechanism_moves_bodies_of_a_cell_as_a_robot_does() -> None:
     poses = body_poses(tree, {"table": [[0.0], [np.pi / 2.0]]}, ["box"])["box"]
     np.testing.assert_allclose(poses[0, :3, 3], [2.5, 0.0, 0.7], rtol=0, atol=ROUNDING)
     np.testing.assert_allclose(poses[1, :3, 3], [2.0, 0.5, 0.7], rtol=0, atol=ROUNDING)
+
+
+def test_the_drive_of_a_single_axis_has_the_rotor_and_the_friction_that_are_estimated() -> None:
+    """Seen at the axis, the inertia of the rotor is three tenths of the load.
+
+    Dry friction is 2 % of its weight on a slide and 5 % of what accelerates it on a turntable; at full speed
+    there is as much viscous friction.
+    """
+    data = robots.AxisData(-0.5, 0.5, 0.8, 2.0, 15.0)
+    for robot, dry in (
+        (robots.driven_slide((), data), 0.02 * 15.0 * 9.81),
+        (robots.driven_rotary((), data), 0.05 * 15.0 * 2.0),
+    ):
+        (drive,) = robot.drives
+        assert isinstance(drive.motor, IdealMotor)
+        ratio = drive.transmission.ratio
+        assert drive.motor.rotor_inertia * ratio**2 == pytest.approx(0.3 * 15.0)
+        assert drive.friction.coulomb_positive * ratio == pytest.approx(dry)
+        assert drive.friction.coulomb_negative * ratio == pytest.approx(-dry)
+        assert drive.friction.viscous * ratio**2 * 0.8 == pytest.approx(dry)
