@@ -9,11 +9,13 @@ import ropsim
 from ropsim import robots
 from ropsim.flow import GripEvent, Placement, Recording
 from ropsim.model import (
+    WORLD,
     Barrier,
     BeltDrive,
     Box,
     Cell,
     Device,
+    FixedObject,
     Gripper,
     IndexDrive,
     Part,
@@ -49,11 +51,18 @@ def boxes(
     return tuple(Part(f"box_{k + 1}", size, 0.5, pose, "box", k) for k in range(count))
 
 
-def ran(parts: tuple[Part, ...], device: Device, *lines: str, sinks: tuple[Sink, ...] = ()) -> Recording:
+def ran(
+    parts: tuple[Part, ...],
+    device: Device,
+    *lines: str,
+    sinks: tuple[Sink, ...] = (),
+    objects: tuple[FixedObject, ...] = (),
+) -> Recording:
     station = Station("arm", ARM, robots.default_controller(ARM), Pose(), {"jaws": JAWS}, "jaws", program="p")
     signals = {name: Signal(name, is_input=False) for name in ("go", "turn")}
     signals |= {name: Signal(name, is_input=True) for name in ("there", "in_place")}
-    where = {"pick": Pose(np.array([0.5, 0.0, 0.42]), DOWN)}
+    places = {"pick": [0.5, 0.0, 0.42], "stock": [0.6, 0.0, 0.42]}
+    where = {name: Pose(np.array(place), DOWN) for name, place in places.items()}
     cell = Cell(
         "c",
         {"arm": station},
@@ -62,6 +71,7 @@ def ran(parts: tuple[Part, ...], device: Device, *lines: str, sinks: tuple[Sink,
         signals=signals,
         locations=where,
         sinks=sinks,
+        objects=objects,
     )
     text = "\n".join(["program p", "units mm, deg, s", *lines, ""])
     code = ropsim.language.compile(text, environment_of(cell, station), "p").icr
@@ -173,3 +183,66 @@ def test_a_table_that_turns_its_part_away_is_given_the_next_one_when_it_stands()
     table = Device("table", robots.rotary(plate), drive, Pose(np.array([-1.2, 0.0, 0.38])))
     recording = ran(boxes(2), table, "wait 1 s", "set turn on", "wait 3 s")
     assert came(recording)["box_2"] == pytest.approx(1.0 + np.pi / 2 + 0.25, abs=2e-3)
+
+
+def table_slide(way: float, speed: float = 0.5) -> Device:
+    """Return a long plate that a signal takes `way` along x [m], under the place of the boxes."""
+    plate = (Shape(Box((2.4, 0.4, 0.02)), Pose(np.array([0.0, 0.0, -0.01]))),)
+    drive = SwitchDrive("turn", 0.0, way, speed, 2.0, "", "in_place")
+    return Device("slide", robots.slide(plate), drive, Pose(np.array([-0.9, 0.0, 0.38])))
+
+
+PUSHED = ("set turn on", "wait until in_place", "wait 0.2 s")
+
+
+@pytest.mark.parametrize(("way", "names"), [(0.095, 1), (0.0999, 1), (0.1, 2), (0.105, 2)])
+def test_boxes_may_touch_and_no_more(way: float, names: int) -> None:
+    """The box is 100 mm long; the plate stands when the place is looked at."""
+    assert len(came(ran(boxes(2), table_slide(way), *PUSHED))) == names
+
+
+@pytest.mark.parametrize(
+    ("turn", "size", "other_turn", "gap"),
+    [
+        (0.0, (0.4, 0.02, 0.1), -45.0, (0.05 + 0.03) / np.sqrt(2.0) + 0.01),
+        (45.0, (0.06, 0.06, 0.1), 0.0, 0.05 + 0.03 * np.sqrt(2.0)),
+    ],
+    ids=["by a face of the neighbour", "by a face of its own"],
+)
+@pytest.mark.parametrize(("apart", "names"), [(0.01, 2), (-0.01, 1)])
+def test_a_face_of_either_part_is_enough_to_keep_them_apart(
+    turn: float, size: tuple[float, ...], other_turn: float, gap: float, apart: float, names: int
+) -> None:
+    """A pillar in the diagonal of the place; along the axes of the other part they overlap."""
+
+    def about_z(degrees: float) -> tuple[float, ...]:
+        half = np.radians(degrees) / 2.0
+        return (float(np.cos(half)), 0.0, 0.0, float(np.sin(half)))
+
+    aside = (gap + apart) / np.sqrt(2.0)
+    pose = Pose(np.array([-0.9 + aside, aside, 0.45]), np.array(about_z(other_turn)))
+    neighbour = Part("neighbour", np.array(size), 0.1, pose)
+    recording = ran((*boxes(2, quaternion=about_z(turn)), neighbour), table_slide(0.5), *PUSHED)
+    assert [one.parent for one in recording.placements if one.body == "neighbour"] == [WORLD]
+    assert len(came(recording)) == names
+
+
+def test_while_a_table_turns_it_is_given_nothing_whatever_else_happens() -> None:
+    """The device looks at its signal in the middle of its way; the place is free by then."""
+    plate = (Shape(Disc(0.5, 0.02), Pose(np.array([0.0, 0.0, -0.01]))),)
+    drive = IndexDrive("turn", np.pi / 2, 1.0, 4.0, "in_place")
+    table = Device("table", robots.rotary(plate), drive, Pose(np.array([-1.2, 0.0, 0.38])))
+    recording = ran(boxes(2), table, "wait 1 s", "set turn on", "wait 1.2 s", "set turn off", "wait 3 s")
+    assert came(recording)["box_2"] == pytest.approx(1.0 + np.pi / 2 + 0.25, abs=2e-3)
+
+
+def test_a_part_that_stands_where_it_came_keeps_the_next_one_waiting_also_elsewhere() -> None:
+    """The second box would come at another place of the stand, which is free."""
+    first, second = boxes(2, x=0.6)
+    second = replace(second, X_WO=Pose(np.array([0.6, 0.3, 0.42])))
+    stand = FixedObject("stand", Pose(np.array([0.6, 0.15, 0.37])), (Shape(Box((0.3, 0.6, 0.02))),))
+    recording = ran((first, second), table_slide(0.3), *PUSHED, objects=(stand,))
+    assert recording.channels["slide/q"].values[-1] == pytest.approx(0.3)
+    assert list(came(recording)) == ["box_1"]
+    lines = ("mov stock above 100 mm", "lin stock", "close", *PUSHED)
+    assert list(came(ran((first, second), table_slide(0.3), *lines, objects=(stand,)))) == ["box_1", "box_2"]

@@ -8,8 +8,14 @@ import pytest
 import ropsim
 from ropsim import robots
 from ropsim.flow import Recording, ReleaseEvent
-from ropsim.model import Cell, Gripper, Part, Signal, Station, Tool
+from ropsim.model import Cell, Device, Gripper, IndexDrive, Part, Signal, Station, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.clasp import Clasp
+from ropsim.simulation.devices.course import Course, Piece
+from ropsim.simulation.handing import LOOKS, look_for_pulls, take_over
+from ropsim.simulation.placements import Seat
+from ropsim.simulation.start import start_run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 
@@ -20,16 +26,28 @@ DOWN = np.array([0.0, 1.0, 0.0, 0.0])
 TURNED = Pose(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0]))
 POST = Part("post", np.array([0.04, 0.04, 0.12]), 0.4, Pose(np.array([0.5, 0.0, 0.5])))
 PLACES = {"post": Pose(np.array([0.5, 0.0, 0.5]), DOWN), "high": Pose(np.array([0.5, 0.0, 0.6]), DOWN)}
+LEFT = "left/tool:jaws"
+EXACT = 1e-9  # [s], rounding of times
 LIFT = ("mov post", "close", "lin high", "set up on")
 TAKE = ("wait until up", "mov high", "close", "set mine on")
 
 
-def ran(left: tuple[str, ...], right: tuple[str, ...], options: RunOptions | None = None) -> Recording:
+def cell_of(parts: tuple[Part, ...]) -> Cell:
     controller = robots.default_controller(ARM)
     left_arm = Station("left", ARM, controller, Pose(), {"jaws": JAWS}, "jaws", program="left")
     right_arm = replace(left_arm, name="right", X_WB=TURNED, program="right")
     signals = {name: Signal(name, is_input=False) for name in ("up", "mine", "free")}
-    made = Cell("c", {"left": left_arm, "right": right_arm}, parts=(POST,), signals=signals, locations=PLACES)
+    arms = {"left": left_arm, "right": right_arm}
+    return Cell("c", arms, parts=parts, signals=signals, locations=PLACES)
+
+
+def ran(
+    left: tuple[str, ...],
+    right: tuple[str, ...],
+    options: RunOptions | None = None,
+    parts: tuple[Part, ...] = (POST,),
+) -> Recording:
+    made = cell_of(parts)
     codes = {}
     for name, lines in (("left", left), ("right", right)):
         text = "\n".join([f"program {name}", "units mm, deg, s", *lines, ""])
@@ -116,3 +134,53 @@ def test_with_drives_arms_that_hold_still_do_not_pull() -> None:
         RunOptions(),
     )
     assert pulls(recording) == []
+
+
+def test_what_lies_on_a_part_is_given_back_with_it() -> None:
+    cap = Part("cap", np.array([0.03, 0.03, 0.03]), 0.1, Pose(np.array([0.5, 0.0, 0.53])))
+    recording = ran(
+        (*LIFT, "wait until free", "lin high above 40 mm", "wait 1 s"),
+        (*TAKE, "wait 0.5 s", "open", "set free on", "wait 2 s"),
+        parts=(POST, cap),
+    )
+    assert recording.findings == ()
+    loads = {name: recording.channels[f"{name}/payload"].values for name in ("left", "right")}
+    assert loads["right"].tolist() == pytest.approx([1.0, 1.5, 1.0])
+    assert loads["left"].tolist() == pytest.approx([1.0, 1.5, 1.0, 1.5])
+
+
+def begun() -> CellRun:
+    """Return the start of a run in which the left gripper holds the post, beside a turntable."""
+    table = Device("table", robots.rotary(()), IndexDrive("up", 1.0, 1.0, 1.0), Pose())
+    made = replace(cell_of((POST,)), devices={"table": table})
+    begun = start_run(made, RunOptions(Fidelity.KINEMATIC))
+    begun.parts = begun.parts.with_seats({"post": Seat(LEFT, LEFT, Pose())})
+    return begun
+
+
+def test_only_another_gripper_takes_a_part_over() -> None:
+    """A gripper that closes once more on what it holds has nobody to wait for."""
+    run_ = begun()
+    take_over(run_, run_.stations["left"], JAWS, run_.parts)
+    assert run_.clasps == {}
+    taken = run_.parts.with_seats({"post": Seat("right/tool:jaws", "right/tool:jaws", Pose())})
+    take_over(run_, run_.stations["right"], JAWS, taken)
+    assert [(hand, one.part, one.at.station.name) for hand, one in run_.clasps.items()] == [
+        (LEFT, "post", "left")
+    ]
+
+
+def test_a_device_pulls_too() -> None:
+    """The table turns about the origin at 1 rad/s, with the post on it where the gripper is closed on it."""
+    run_ = begun()
+    left = run_.stations["left"]
+    tcp = (left.carriers(0)[LEFT] @ JAWS.X_MT).position
+    run_.parts = run_.parts.with_seats({"post": Seat("table/link1", "table/link1", Pose(tcp))})
+    run_.clasps[LEFT] = Clasp(left, JAWS, "post", np.zeros(3), 0)
+    run_.devices["table"].course = Course([Piece(0.0, 0.0, 1.0, 0.0)])
+    look_for_pulls(run_, 1000, {})
+    (found,) = run_.findings
+    assert found.code == "S743"
+    radius = float(np.hypot(tcp[0], tcp[1]))
+    passes = 2.0 * np.arcsin(CAPTURE / radius / 2.0)  # [s], the chord is the way of the post
+    assert passes <= float(str(found.data["time_s"])) < passes + 1.0 / LOOKS + EXACT

@@ -9,14 +9,18 @@ import pytest
 import ropsim
 from ropsim import icr
 from ropsim.controller import LawInput, LawTraits
-from ropsim.flow import GripEvent, Recording, ReleaseEvent
-from ropsim.model import Cell
+from ropsim.flow import GripEvent, JointReference, Recording, ReleaseEvent
+from ropsim.kinematics import forward
+from ropsim.model import Cell, Rates
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.past import Past
+from ropsim.simulation.start import start_run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
 
 TWO_ARMS = Path(__file__).parents[3] / "examples" / "two_arms"
+KINEMATIC = RunOptions(Fidelity.KINEMATIC)
+ROUNDING = 1e-12  # [m | -], of some products of poses
 RATES = (1, 10, 100, 1000)  # [Hz]
 
 
@@ -112,3 +116,21 @@ def test_the_past_keeps_what_may_still_be_asked_for_and_no_more() -> None:
         past.forget(10 * k - 15)
         assert past.at(max(10 * k - 15, 0)).item() == max(10 * k - 15, 0)
         assert len(past._blocks) <= 4
+
+
+def test_what_carries_parts_is_where_it_was_at_every_tick_that_has_passed() -> None:
+    """An arm whose move has been computed to its end is asked by others that have not come so far."""
+    cell, _ = runnable()
+    slower = replace(cell.stations["left"].controller, rates=Rates(500))
+    left = replace(cell.stations["left"], controller=slower)
+    at = start_run(replace(cell, stations={**cell.stations, "left": left}), KINEMATIC).stations["left"]
+    assert (at.cell_ticks, len(at.hands)) == (2, 1)
+    way = np.linspace(0.01, 0.4, 40)[:, None] * np.ones(left.robot.n)
+    known = np.vstack([left.q_start, left.q_start + way])
+    at.follow(JointReference(known[1:], np.zeros_like(way), np.zeros_like(way)))
+    assert at.due == 80
+    for due in range(81):
+        q = (known[due // 2] + known[(due + 1) // 2]) / 2.0
+        (X_WM,) = at.carriers(due).values()
+        expected = (left.X_WB @ forward(left.robot, q)).matrix()
+        np.testing.assert_allclose(X_WM.matrix(), expected, rtol=0.0, atol=ROUNDING)
