@@ -28,6 +28,13 @@ def _sums(rows: Array, part: float, out: Array) -> None:
 compiled_sums = kernel(SIGNATURE)(_sums)
 
 
+def _weighed(first: float, count: int, second: float, out: Array, place: int, third: float) -> None:
+    out[place] = first + 10.0 * second + 100.0 * third + 1000.0 * count
+
+
+compiled_weighed = kernel("void(f8, i8, f8, f8[::1], i8, f8)")(_weighed)
+
+
 def _hide_numba(monkeypatch: pytest.MonkeyPatch) -> None:
     def find_nothing(_name: str) -> None:
         return None
@@ -41,6 +48,12 @@ def test_a_kernel_computes_what_the_function_says() -> None:
     compiled_sums(rows, 0.7, out)
     _sums(rows, 0.7, plain)
     np.testing.assert_array_equal(out, plain)
+
+
+def test_numbers_of_one_kind_keep_their_order_among_others() -> None:
+    out = np.zeros(3)
+    compiled_weighed(1.0, 4, 2.0, out, 2, 3.0)
+    assert out.tolist() == [0.0, 0.0, 4321.0]
 
 
 @pytest.mark.parametrize(
