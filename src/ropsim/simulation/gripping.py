@@ -23,6 +23,7 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
     if tool is None or tool.gripper is None:
         run.findings.append(_cannot_grasp(instruction, tool))
         return
+    hand = tool_body(tool.name, at.station.name)
     _move_fingers(run, at, tool, instruction.action)
     if instruction.action is GripAction.OPEN:
         let_go(run, at, tool)
@@ -31,13 +32,13 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
         taken = _picked_up(run, at, tool)
         take_over(run, at, tool, taken)
         run.take(at, at.tool, taken)
-        part = run.parts.held(at.hands)
+        part = run.parts.held({hand})
         if not part:
             run.findings.append(_nothing_grasped(instruction, tool))
         event: type[GripEvent | ReleaseEvent] = GripEvent
     else:
-        part = run.parts.held(at.hands)
-        run.take(at, at.tool, _put_down(run, at, part, instruction))
+        part = run.parts.held({hand})
+        run.take(at, at.tool, _put_down(run, at, hand, instruction))
         event = ReleaseEvent
     at.track("gripper", 1.0 if instruction.action is GripAction.CLOSE else 0.0)
     run.note(at, since, event(*at.when(since), instruction.origin, part=part))
@@ -64,23 +65,24 @@ def _move_fingers(run: CellRun, at: StationRun, tool: Tool, action: GripAction) 
 
 def _picked_up(run: CellRun, at: StationRun, tool: Tool) -> Placements:
     """Return the placements after the fingers have closed; what a supply brings lies on what is there."""
-    if run.parts.held(at.hands):
+    hand = tool_body(tool.name, at.station.name)
+    if run.parts.held({hand}):
         return run.parts
     moment = run.moment(at.due)
-    taken = close_on(run.parts, run.cell, tool, tool_body(tool.name, at.station.name), moment)
+    taken = close_on(run.parts, run.cell, tool, hand, moment)
     come = tuple(name for name in taken.seats if name not in run.parts.seats)
     return stood(taken, come, run.scenery, run.cell.supports, moment)[0] if come else taken
 
 
-def _put_down(run: CellRun, at: StationRun, part: str, instruction: GripInstruction) -> Placements:
-    """Return the placements after the part in the gripper is left, and note where that was wrong.
+def _put_down(run: CellRun, at: StationRun, hand: str, instruction: GripInstruction) -> Placements:
+    """Return the placements after the part in a gripper is left, and note where that was wrong.
 
     A part on which another gripper is still closed hangs on that one again.
     """
-    moment = run.moment(at.due)
+    moment, part = run.moment(at.due), run.parts.held({hand})
     if held := kept(run, part, moment):
         return held
-    left = release(run.parts, run.cell, at.hands, moment)
+    left = release(run.parts, run.cell, {hand}, moment)
     if part not in left.seats:
         return left
     left, found = stood(left, (part,), run.scenery, run.cell.supports, moment)

@@ -35,7 +35,7 @@ def take_over(run: CellRun, at: StationRun, tool: Tool, taken: Placements) -> No
         taken: where the parts are from now on.
     """
     let_go(run, at, tool)
-    name = taken.held(at.hands)
+    name = taken.held({tool_body(tool.name, at.station.name)})
     before = run.parts.seats.get(name)
     if before is None or before.parent in at.hands:
         return

@@ -55,7 +55,7 @@ def release(state: Placements, cell: Cell, hands: Collection[str], moment: Momen
     Args:
         state: before.
         cell: the cell.
-        hands: names of the bodies of the tools of the station.
+        hands: names of the bodies of the tools whose fingers they are.
         moment: where everything is now.
     """
     name = state.held(hands)

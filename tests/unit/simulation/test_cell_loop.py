@@ -132,6 +132,20 @@ def test_a_gripper_that_is_named_grips_though_another_tool_is_in_force(cell: Cel
     assert [event.part for event in named.events_of(ReleaseEvent)] == ["box"]
 
 
+def test_each_gripper_of_a_flange_holds_a_part_of_its_own(cell: Cell) -> None:
+    """A double gripper: the empty one opens without letting go of what the other one holds."""
+    (box,) = cell.parts
+    other = Part("lid", box.size, 0.3, Pose(np.array([0.45, 0.0, 0.1])))
+    two = replace(cell, parts=(box, other))
+    take = ("mov (450, -150, 100)", "close", "mov (450, -150, 300)", "open cup", "set tool cup")
+    recording = ran(
+        two, *take, "mov (450, 0, 100)", "close cup", "mov (450, 0, 300)", "open jaws", "wait 1 s"
+    )
+    assert [event.part for event in recording.events_of(GripEvent)] == ["box", "lid"]
+    assert [event.part for event in recording.events_of(ReleaseEvent)] == ["", "box"]
+    assert float(recording.rows("payload")[-1]) == pytest.approx(CUP.mass + other.mass)
+
+
 @pytest.mark.parametrize("line", ["close", "open", "close probe"])
 def test_a_tool_without_a_gripper_grips_nothing_and_takes_no_time(cell: Cell, line: str) -> None:
     recording = ran(cell, "set tool probe", "mov (450, -150, 100)", line)
