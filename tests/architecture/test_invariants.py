@@ -41,10 +41,8 @@ def words_findings(tree: ast.Module) -> bool:
     """Return whether a module makes findings, or speaks of coordinates in them."""
     modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     names = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
-    return any("diagnostics" in module or module == "ropsim.motion" for module in modules) or names >= {
-        "coordinate",
-        "rate",
-    }
+    makes = any("diagnostics" in module or module == "ropsim.motion" for module in modules)
+    return makes or names >= {"coordinate", "rate"} or any(name.endswith("_words") for name in names)
 
 
 @pytest.mark.parametrize(
