@@ -1,6 +1,7 @@
 """The studio of a cell whose axes carry things: a part on a positioner, a shuttle with its own program."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -91,6 +92,11 @@ def page(studio: StudioPage) -> StudioPage:
     return studio
 
 
+def has_moved(page: StudioPage, name: str, start: list[float]) -> bool:
+    """Return whether a part is shown elsewhere than at the start."""
+    return way(start, page.poses()[name]) > MOVED
+
+
 def way(one: list[float], other: list[float]) -> float:
     """Return how far two shown poses are from each other [m]."""
     return float(np.linalg.norm(np.subtract(one[:3], other[:3])))
@@ -138,6 +144,6 @@ def test_in_a_live_run_parts_ride_too(page: StudioPage) -> None:
     page.page.wait_for_function("() => __ropsim.state().live === 'running' && __ropsim.state().frames > 0")
     start = page.poses()
     for name in ("goods", "box"):
-        page.until(lambda name=name: way(start[name], page.poses()[name]) > MOVED)  # type: ignore[misc]  # bound here
+        page.until(partial(has_moved, page, name, start[name]))
     page.page.evaluate("() => __ropsim.command('live.stop')")
     page.rerun(shown)

@@ -1,7 +1,7 @@
 """The cell file `cell.toml`: text in, work cell and findings out (manual: docs/reference/cell-file.md)."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.destinations import Surroundings
@@ -67,15 +67,15 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     units = _units(root.table("units"))
     tools = read_tools(root.named("tools"), units)
     stations = read_stations(root, tools, units)
-    _note_names_of_axes(root, stations)
+    axes = axes_of(stations)
+    _note_names_of_axes(root, stations, axes)
     sinks = read_sinks(root.tables("sinks"), units)
     signals = read_signals(root.named("signals"))
-    devices = _read_devices(root, signals, stations, units)
+    devices = _read_devices(root, signals, stations, axes, units)
     mounts = mounts_of(stations, devices)
     taken = _bodies(stations, devices, mounts)
     objects = read_objects(root.tables("objects"), taken, mounts, units)
     taken |= {thing.name: "an object of this cell has it" for thing in objects}
-    axes = axes_of(stations)
     others = {*mounts, *(thing.name for thing in objects)} - set(axes)
     frames = read_frames(root.named("frames"), axes, others, units)
     places_of = root.named("locations")
@@ -115,19 +115,24 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     return cell
 
 
-def _note_names_of_axes(root: TomlTable, stations: Mapping[str, Station | None]) -> None:
+def _note_names_of_axes(
+    root: TomlTable, stations: Mapping[str, Station | None], axes: Mapping[str, Mount]
+) -> None:
     """Note stations whose name is the word for an external axis of another one."""
-    for name in stations.keys() & axes_of(stations).keys():
+    for name in stations.keys() & axes.keys():
         message = f"`{name}` is the name of an external axis of this cell"
         span = root.table("stations").key_span(name)
         root.findings.add(kinds.DUPLICATE_CELL_NAME, span, message, "give the station another name")
 
 
 def _read_devices(
-    root: TomlTable, signals: Mapping[str, Signal], stations: Mapping[str, Station | None], units: Units
+    root: TomlTable,
+    signals: Mapping[str, Signal],
+    stations: Collection[str],
+    axes: Collection[str],
+    units: Units,
 ) -> dict[str, Device]:
     tables = root.named("devices")
-    axes = axes_of(stations)
     for name in tables:
         if name in stations or name in axes:
             whose = "a station" if name in stations else "an external axis"

@@ -29,8 +29,6 @@ _UNKNOWN = SwitchDrive("", 0.0, 0.1, 1.0, 1.0)
 """Stands in while the kind of a device is being reported."""
 
 _SMALL = 0.05  # [m], stands in while a wrong size is being reported
-_FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
-_HARDEST = {JointType.PRISMATIC: 1e3, JointType.REVOLUTE: 1e4}
 
 
 def read_devices(
@@ -67,8 +65,8 @@ def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> 
     length = table.number("length", units.extent, _SMALL)
     width = table.number("width", units.extent, _SMALL)
     height = table.number("height", units.extent, 0.1)
-    speed = table.number("speed", units.path(1, _FASTEST[JointType.PRISMATIC]), 0.1)
-    acceleration = table.number("acceleration", units.path(2, _HARDEST[JointType.PRISMATIC]), 1.0)
+    speed = table.number("speed", units.rate(JointType.PRISMATIC, 1), 0.1)
+    acceleration = table.number("acceleration", units.rate(JointType.PRISMATIC, 2), 1.0)
     run = _followed(table, "run", signals)
     barrier = _barrier(table.table("stop"), length, signals, units) if "stop" in table else None
     colour = read_look(table, Look()).colour
@@ -99,13 +97,12 @@ def _axis_drive(
     table.require("signal", "speed", "acceleration")
     turns = type_ is JointType.REVOLUTE
     way = units.turn if turns else units.position
-    rate = units.orientation if turns else units.path
     signal = _followed(table, "signal", signals)
     if table.values.get("signal") == "":
         message = f"`{table.name_of('signal')}` is empty, the device would never move"
         table.findings.add(kinds.MISSING_CELL_KEY, table.value_span("signal"), message, "name a signal")
-    speed = table.number("speed", rate(1, _FASTEST[type_]), 1.0)
-    acceleration = table.number("acceleration", rate(2, _HARDEST[type_]), 1.0)
+    speed = table.number("speed", units.rate(type_, 1), 1.0)
+    acceleration = table.number("acceleration", units.rate(type_, 2), 1.0)
     if "step" in table:
         if "on" in table:
             message = f"`{table.name_of('on')}` and `step` both say where the device goes"

@@ -6,7 +6,7 @@ from ropsim import robots
 from ropsim.cellfile.poses import read_base, read_pose
 from ropsim.cellfile.quantity import MASS, MOMENT, Units
 from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.model import JointType, Mechanism, RobotModel, beside, on_track
+from ropsim.model import Mechanism, RobotModel, beside, on_track
 from ropsim.spatial import Pose, record
 
 _LONGEST = 50.0  # [m]
@@ -14,8 +14,6 @@ _LEAST = 0.01  # [m] of travel, of a radius
 _LOWEST = 0.5  # [m], of a gantry
 _LIGHTEST = 1.0  # [kg]
 _LEAST_INERTIA = 0.1  # [kg·m²]
-_FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
-_HARDEST = {JointType.PRISMATIC: 1e3, JointType.REVOLUTE: 1e4}
 _RISE = 10.0  # [1/s], greatest jerk over greatest acceleration, as in the library
 
 
@@ -100,12 +98,11 @@ def _gantry(table: TomlTable, units: Units) -> Mechanism:
 def _limited(mechanism: Mechanism, table: TomlTable, units: Units) -> Mechanism:
     """Return a mechanism with the speed and acceleration that the file gives for all its axes."""
     axes = mechanism.axis_joints
-    rate = units.path if axes[0].type is JointType.PRISMATIC else units.orientation
     if "speed" in table:
-        speed = table.number("speed", rate(1, _FASTEST[axes[0].type]), axes[0].max_speed)
+        speed = table.number("speed", units.rate(axes[0].type, 1), axes[0].max_speed)
         axes = tuple(replace(joint, max_speed=speed) for joint in axes)
     if "acceleration" in table:
-        most = table.number("acceleration", rate(2, _HARDEST[axes[0].type]), axes[0].max_acceleration)
+        most = table.number("acceleration", units.rate(axes[0].type, 2), axes[0].max_acceleration)
         axes = tuple(replace(joint, max_acceleration=most, max_jerk=_RISE * most) for joint in axes)
     limited = dict(zip(mechanism.axes, axes, strict=True))
     joints = tuple(limited.get(number, joint) for number, joint in enumerate(mechanism.joints))

@@ -11,9 +11,6 @@ from ropsim.model import JointType, RobotModel
 KINDS = ("slide", "turntable")
 _LIGHTEST = 0.1  # [kg]
 _LEAST_INERTIA = 1e-3  # [kg·m²]
-_SLOWEST = 1e-3  # [rad/s | m/s], and of the acceleration per second
-_FASTEST = {JointType.PRISMATIC: 20.0, JointType.REVOLUTE: 100.0}
-_HARDEST = {JointType.PRISMATIC: 1e3, JointType.REVOLUTE: 1e4}
 
 
 def read_mechanism(table: TomlTable, units: Units) -> RobotModel | None:
@@ -30,10 +27,10 @@ def read_mechanism(table: TomlTable, units: Units) -> RobotModel | None:
     type_ = JointType.PRISMATIC if slides else JointType.REVOLUTE
     load = "mass" if slides else "inertia"
     table.require("low", "high", "speed", "acceleration", load)
-    way, rate = (units.position, units.path) if slides else (units.turn, units.orientation)
+    way = units.position if slides else units.turn
     low, high = table.number("low", way, 0.0), table.number("high", way, 1.0)
-    speed = table.number("speed", rate(1, _FASTEST[type_]), 1.0)
-    acceleration = table.number("acceleration", rate(2, _HARDEST[type_]), 1.0)
+    speed = table.number("speed", units.rate(type_, 1), 1.0)
+    acceleration = table.number("acceleration", units.rate(type_, 2), 1.0)
     quantity = MASS.within(_LIGHTEST, MASS.high) if slides else MOMENT.within(_LEAST_INERTIA, MOMENT.high)
     axis = robots.AxisData(low, high, speed, acceleration, table.number(load, quantity, 1.0))
     shapes = read_body_shapes(table, units)

@@ -3,8 +3,12 @@
 import math
 from dataclasses import dataclass, replace
 
+from ropsim.model import JointType
+
 _METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
 _RADIANS = {"deg": math.pi / 180.0, "rad": 1.0}
+
+_MOST = {JointType.PRISMATIC: (20.0, 1e3), JointType.REVOLUTE: (100.0, 1e4)}  # [m/s, m/s² | rad/s, rad/s²]
 
 _TWO_TURNS = 4.0 * math.pi + 1e-9  # 720° must pass in spite of rounding
 
@@ -71,6 +75,11 @@ class Units:
     def extent(self) -> Quantity:
         """Return an edge, radius or distance: 1 µm to 100 m."""
         return Quantity(self.length, metres(self.length), 1e-6, 100.0)
+
+    def rate(self, type_: JointType, order: int) -> Quantity:
+        """Return the speed (order 1) or acceleration (order 2) of one axis, up to what none exceeds."""
+        most = _MOST[type_][order - 1]
+        return (self.path if type_ is JointType.PRISMATIC else self.orientation)(order, most)
 
     @property
     def turn(self) -> Quantity:

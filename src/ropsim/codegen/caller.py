@@ -65,9 +65,10 @@ def calling(entry: Callable[..., int], takes: tuple[int, ...], laid: Laid = NOTH
         "StoppedError": StoppedError,
     }
     exec(_code(takes), scope)  # our own source
-    call: Any = scope["call"]
-    call.bound = partial(_bound, entry, takes, laid)
-    return call  # type: ignore[no-any-return]
+    made = scope["call"]
+    made.bound = partial(_bound, entry, takes, laid)
+    call: Compiled = made
+    return call
 
 
 def bound(function: Compiled, *arguments: object) -> Compiled:

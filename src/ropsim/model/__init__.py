@@ -85,6 +85,7 @@ from ropsim.model.geometry import Shape as Shape
 from ropsim.model.geometry import Solid as Solid
 from ropsim.model.geometry import Sphere as Sphere
 from ropsim.model.held_arm import HeldArm as HeldArm
+from ropsim.model.held_arm import carrying_links as carrying_links
 from ropsim.model.held_arm import external_links as external_links
 from ropsim.model.held_arm import held_arm as held_arm
 from ropsim.model.joint import BASE_LINK as BASE_LINK

@@ -1,7 +1,6 @@
 """In which order the axes of a robot are counted, in words."""
 
-from ropsim.model.held_arm import held_arm
-from ropsim.model.joint import BASE_LINK
+from ropsim.model.held_arm import carrying_links
 from ropsim.model.robot import RobotModel
 
 
@@ -24,11 +23,7 @@ def external_words(robot: RobotModel) -> str:
     Raises:
         MechanismError: a coupling of the robot mixes external axes with those of its arm.
     """
-    link, carrying = held_arm(robot).carrier, set()
-    while link != BASE_LINK:
-        carrying.add(link)
-        link = robot.joints[link].parent
-    named = []
+    carrying, named = carrying_links(robot), []
     for k in robot.external:
         word = "track" if robot.axes[k] in carrying else "positioner"
         named.append(f"{robot.axis_joints[k].name} ({word})")

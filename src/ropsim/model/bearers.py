@@ -2,8 +2,7 @@
 
 from ropsim.model.body import Body, BodyKind
 from ropsim.model.body_tree import BodyTree
-from ropsim.model.held_arm import external_links, held_arm
-from ropsim.model.joint import BASE_LINK
+from ropsim.model.held_arm import carrying_links, external_links
 from ropsim.model.robot import RobotModel
 
 
@@ -40,8 +39,4 @@ def _carries_an_arm(tree: BodyTree, body: Body) -> bool:
         return False
     if not robot.external or not robot.has_arm:
         return False
-    link, way = held_arm(robot).carrier, set()
-    while link != BASE_LINK:
-        way.add(link)
-        link = robot.joints[link].parent
-    return body.mover is not None and body.mover.joint in way
+    return body.mover is not None and body.mover.joint in carrying_links(robot)

@@ -82,6 +82,19 @@ def held_arm(robot: RobotModel) -> HeldArm:
 
 
 @lru_cache(maxsize=64)
+def carrying_links(robot: RobotModel) -> frozenset[int]:
+    """Return the numbers of the links that carry the arm of a robot: its carrier and all below.
+
+    Raises:
+        MechanismError: a coupling mixes external axes with those of the arm.
+    """
+    link, found = held_arm(robot).carrier, set()
+    while link != BASE_LINK:
+        found.add(link)
+        link = robot.joints[link].parent
+    return frozenset(found)
+
+
 def external_links(robot: RobotModel) -> tuple[int, ...]:
     """Return the numbers of the links that external axes alone move, and of those that are fixed to them.
 

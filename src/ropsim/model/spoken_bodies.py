@@ -5,7 +5,7 @@ from ropsim.model.body_tree import BodyTree
 from ropsim.model.cell import Cell
 from ropsim.model.cell_bodies import body_tree
 from ropsim.model.device import BeltDrive
-from ropsim.model.held_arm import held_arm
+from ropsim.model.held_arm import carrying_links
 from ropsim.model.robot import RobotModel
 from ropsim.model.surroundings import SupportLimits
 
@@ -33,7 +33,7 @@ def _spoken_axis(tree: BodyTree, owner: str, joint: int, cell: Cell) -> str:
     robot = tree.mechanisms[owner]
     if not isinstance(robot, RobotModel) or not robot.has_arm:
         return f"`{owner}`"
-    key = "track" if joint == held_arm(robot).carrier else "positioner"
+    key = "track" if joint in carrying_links(robot) else "positioner"
     return f"the {key}" + (f" of `{owner}`" if len(cell.stations) > 1 else "")
 
 

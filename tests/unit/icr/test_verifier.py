@@ -247,5 +247,6 @@ def test_a_pose_carries_one_to_twelve_external_values(count: int) -> None:
 
 def test_frames_carry_no_external_values() -> None:
     program = assemble(VALID)
+    # what no type allows, and a record made in Python may hold all the same
     longer = replace(program.frames[0], pose=(*program.frames[0].pose, 0.5))  # type: ignore[arg-type]
     assert [one.code for one in verify(replace(program, frames=(longer,)))] == ["I414"]
