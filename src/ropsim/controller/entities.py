@@ -9,9 +9,10 @@ servo slice: see `ropsim.controller.law`.
 from dataclasses import dataclass
 from typing import Protocol
 
+from ropsim.controller.planned_path import PlannedPath
 from ropsim.core import Diagnostic
-from ropsim.flow import JointReference, JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.motion import JointTrajectory, LineTrajectory
+from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.motion import JointPath, ToolPath
 from ropsim.spatial import Array
 
 
@@ -23,10 +24,10 @@ class Refusal:
 
 
 class PathPlanner(Protocol):
-    """Turns a move instruction into a trajectory from the command position reached so far."""
+    """Turns a move instruction into a path from the command position reached so far."""
 
-    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
-        """Return the trajectory.
+    def plan(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:
+        """Return the path of a move, of the joints or of the tool.
 
         Args:
             move: the instruction with its modal state.
@@ -36,12 +37,15 @@ class PathPlanner(Protocol):
 
 
 class Interpolator(Protocol):
-    """Samples a trajectory at the interpolation tick."""
+    """Samples a path of the tool, so densely that the joints are smooth between two samples."""
 
-    def sample(
-        self, trajectory: JointTrajectory | LineTrajectory, period: float
-    ) -> JointSamples | PoseSetpoints:
-        """Return setpoints every `period` seconds; the last one is the end of the trajectory."""
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+        """Return the poses at equally spaced places, from the start of the path to its end.
+
+        Args:
+            path: of the tool.
+            density: 1 at first, then 2, 4, …, where the samples before were too far apart.
+        """
         ...
 
 
@@ -56,10 +60,10 @@ class InverseTransform(Protocol):
 
 
 class JointInterpolator(Protocol):
-    """Refines joint samples to the control tick."""
+    """Makes a smooth path of the joints from samples."""
 
-    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
-        """Return references for every control tick; the first is one control period after `q_start`."""
+    def refine(self, samples: JointSamples) -> JointPath:
+        """Return a path of the samples' length that goes through them, with continuous derivatives."""
         ...
 
 

@@ -1,5 +1,6 @@
 """Entities of a user that fail: told as a refusal of the move, at its line."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 from traceback import extract_tb
@@ -9,7 +10,8 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.core import Diagnostic, Severity, define
-from ropsim.flow import JointReference, MoveInstruction
+from ropsim.flow import JointSamples, MoveInstruction
+from ropsim.motion import JointPath, JointPoints
 from ropsim.spatial import Array
 
 ENTITY_FAILS = define(
@@ -28,6 +30,10 @@ has to return.
 )
 
 T = TypeVar("T")
+_LOOKS = 9
+"""Places at which a path is looked at before it is used."""
+_JUMP = 1e-6
+"""Largest distance of the start of a path from where the arm is [rad | m]."""
 _HINT = "docs/how-to/own-planner.md says what each entity is given and has to return"
 
 
@@ -56,24 +62,52 @@ def guarded(
         return _refused(entity, f"raised {type(error).__name__}: {error}{place}", move)
 
 
-def unusable(
-    entity: object, reference: JointReference, q_start: Array, move: MoveInstruction
+def unusable_samples(
+    entity: object, samples: JointSamples, q_start: Array, move: MoveInstruction
 ) -> Refusal | None:
-    """Return why what came out of the chain cannot be followed, None where it can.
+    """Return why joint samples cannot be followed, None where they can.
 
     Args:
-        entity: the last one of the chain.
-        reference: what it returned.
+        entity: who returned them.
+        samples: what it returned.
         q_start: where the arm stands, shape (n,).
         move: what it is for.
     """
-    shape = (reference.ticks, len(q_start))
-    for name in ("q", "qd", "qdd"):
-        array = getattr(reference, name)
+    q, n = np.asarray(samples.q), len(q_start)
+    if q.ndim != 2 or q.shape[1] != n or len(q) < 2:
+        return _refused(entity, f"returned `q` of shape {q.shape} instead of (2 or more, {n})", move)
+    if not np.isfinite(q).all():
+        return _refused(entity, "returned `q` with numbers that are not finite", move)
+    return None
+
+
+def unusable_path(
+    entity: object, path: JointPath, q_start: Array, move: MoveInstruction
+) -> Refusal | None:
+    """Return why a path of the joints cannot be followed, None where it can.
+
+    Args:
+        entity: who returned it.
+        path: what it returned.
+        q_start: where the arm stands, shape (n,).
+        move: what it is for.
+    """
+    length = float(path.length)
+    if not (math.isfinite(length) and length > 0.0):
+        return _refused(entity, f"returned a path of length {length:g}, allowed are numbers above 0", move)
+    points = guarded(entity, lambda: path.joints(np.linspace(0.0, length, _LOOKS)), (JointPoints,), move)
+    if isinstance(points, Refusal):
+        return points
+    shape = (_LOOKS, len(q_start))
+    for name in ("q", "d1", "d2"):
+        array = getattr(points, name)
         if array.shape != shape:
             return _refused(entity, f"returned `{name}` of shape {array.shape} instead of {shape}", move)
         if not np.isfinite(array).all():
             return _refused(entity, f"returned `{name}` with numbers that are not finite", move)
+    jump = float(np.abs(points.q[0] - q_start).max())
+    if jump > _JUMP:
+        return _refused(entity, f"returned a path that begins {jump:.3g} rad | m from where the arm is", move)
     return None
 
 

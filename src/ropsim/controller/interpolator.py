@@ -1,35 +1,37 @@
-"""The interpolator: samples a trajectory at the interpolation tick."""
+"""The interpolator: samples a path of the tool."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.flow import JointSamples, PoseSetpoints
-from ropsim.motion import JointTrajectory, LineTrajectory, whole_periods
+from ropsim.flow import PoseSetpoints
+from ropsim.motion import ToolPath
+
+FEWEST = 16
+"""Steps of the shortest path."""
 
 
 @dataclass(frozen=True, slots=True)
 class StandardInterpolator:
-    """Samples joint and line trajectories at equal periods, from one period after the start to the end."""
+    """Samples a path at equally spaced places, not further apart than a way and a turn of the tool.
 
-    def sample(
-        self, trajectory: JointTrajectory | LineTrajectory, period: float
-    ) -> JointSamples | PoseSetpoints:
-        """Return the setpoints of a trajectory.
+    Attributes:
+        way: longest way of the TCP between two samples [m].
+        turn: largest turn of the tool between two samples [rad].
+    """
 
-        A trajectory that does not last a whole number of periods is stretched to the next one, so that its
-        end falls on a tick.
+    way: float = 0.01
+    turn: float = math.radians(2.0)
+
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+        """Return the poses of the tool, from the start of the path to its end.
 
         Args:
-            trajectory: in joint space or on a line.
-            period: interpolation period [s].
-
-        Returns:
-            joint samples or pose setpoints; none for a trajectory of duration 0; the last row is the end.
+            path: of the tool.
+            density: how many times more samples than at first.
         """
-        count = whole_periods(trajectory.duration, period)
-        step = trajectory.duration / count if count else period
-        times = np.arange(1.0, count + 1.0) * step
-        if isinstance(trajectory, LineTrajectory):
-            return PoseSetpoints(period, trajectory.matrices(times))
-        return JointSamples(period, trajectory.joints(times))
+        ends = path.tool(np.linspace(0.0, path.length, 5)).d1  # (5, 6)
+        way, turn = (float(np.linalg.norm(part, axis=1).max()) * path.length for part in (ends[:, :3], ends[:, 3:]))
+        steps = density * max(FEWEST, math.ceil(way / self.way), math.ceil(turn / self.turn))
+        return PoseSetpoints(path.length, path.tool(np.linspace(0.0, path.length, steps + 1)).matrices)

@@ -7,26 +7,21 @@ import numpy as np
 
 from ropsim.controller.branch_following import BranchFollower
 from ropsim.controller.entities import Refusal
-from ropsim.controller.line_check import (
-    Line,
-    acceleration_findings,
-    end_findings,
-    limit_refusals,
-    lost,
-    speed_refusals,
-)
+from ropsim.controller.line_check import Line, end_findings, limit_refusals, lost
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.kinematics import Method, forward_batch, inverse_batch, solver_of
+from ropsim.kinematics import Method, inverse_batch, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, record
+
+_CLOSE = 0.1  # [rad | m]; steps up to this between two samples are of one branch beyond doubt
 
 
 @record
 class StandardInverseTransform:
-    """Solves all setpoints of a line at once and follows the branch of the start.
+    """Solves all setpoints of a path at once and follows the branch of the start.
 
     Attributes:
         robot: the arm.
@@ -50,34 +45,28 @@ class StandardInverseTransform:
         """Return joint samples that continue `q_start` without a jump, or say where it is impossible.
 
         Args:
-            setpoints: X_BT at the interpolation ticks, k rows.
+            setpoints: X_BT along the path, k rows.
             q_start: joint coordinates at the start [rad | m], shape (n,).
             move: the instruction; names the tool, and its source line stands in the refusals.
 
         Returns:
-            the samples, with M510 and M514 as findings, or a refusal: M501 where the line leaves the reach,
-            M503 at a joint limit, M504 above a speed limit, M505 at a jump, M506 without a tool, M530 where
-            an arm with few joints cannot take a pose of the line.
+            the samples, with M514 as a finding, or a refusal: M501 where the path leaves the reach, M503 at
+            a joint limit, M505 at a jump, M506 without a tool, M530 where an arm with few joints cannot take
+            a pose of the path.
         """
         X_MT = self._work.tool_pose(move.modal, move.origin.span)
         if isinstance(X_MT, Diagnostic):
             return Refusal((X_MT,))
-        if len(setpoints.matrices) == 0:
-            return JointSamples(setpoints.period, np.empty((0, self.robot.n)))
         matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
-        swift = self.robot.max_speeds * setpoints.period
-        follower = BranchFollower(self.robot, self._range.revolute, swift)
+        follower = BranchFollower(self.robot, self._range.revolute, np.full(self.robot.n, _CLOSE))
         if solver_of(self.robot).method is Method.NUMERIC:
             found = follower.follow_numerically(matrices, q_start)
         else:
             found = follower.follow(matrices, inverse_batch(self.robot, matrices, q_start), q_start)
-        p_start = (forward_batch(self.robot, q_start[None])[0] @ X_MT.matrix())[:3, 3]
-        line = Line(move, setpoints, p_start, q_start)
+        line = Line(move, setpoints, q_start)
         refusals = limit_refusals(line, found.q, self._range)
         if not refusals and not found.complete:
             refusals = (lost(line, found, self.robot, matrices),)
-        refusals = refusals or speed_refusals(line, found.q, self.robot)
         if refusals:
             return Refusal(refusals)
-        findings = (*acceleration_findings(line, found.q, self.robot), *end_findings(line, found.q[-1]))
-        return JointSamples(setpoints.period, found.q, findings)
+        return JointSamples(setpoints.length, found.q, end_findings(line, found.q[-1]))

@@ -1,28 +1,23 @@
-"""Checks of the joint samples along a line: limits, speeds, accelerations, and what stops the joints."""
-
-import math
+"""Checks of the joint samples along a path of the tool: limits, and what stops the joints."""
 
 import numpy as np
 
 from ropsim.controller.branch_following import Follow
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wording import coordinate, external_notes, figures, passes, rate, shortfall_words
+from ropsim.controller.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, IkStatus, inverse, jacobian, singular_distances
 from ropsim.model import RobotModel
 from ropsim.motion import (
-    ACCELERATION_LIMIT,
     JOINT_LIMIT_ON_LINE,
     JUMP_ON_LINE,
     OTHER_JOINTS_AT_LINE_END,
     OUT_OF_REACH,
     OUT_OF_TASK_SPACE,
-    SPEED_LIMIT_ON_LINE,
 )
 from ropsim.spatial import Array, Pose, record
 
-_RATE_SLACK = 1e-6  # relative; differences over a period carry the rounding of inverse kinematics
 _NEAR_SINGULAR = 0.08  # smallest singular value of the Jacobian [m | -] below which the note names it
 _SAME_JOINTS = 1e-6  # [rad | m]
 
@@ -33,23 +28,17 @@ class Line:
 
     Attributes:
         move: its instruction.
-        setpoints: X_BT at the interpolation ticks.
-        p_start: TCP at the start in the base frame [m], shape (3,).
+        setpoints: X_BT along the path.
         q_start: joint coordinates at the start [rad | m], shape (n,).
     """
 
     move: MoveInstruction
     setpoints: PoseSetpoints
-    p_start: Array
     q_start: Array
 
     def share(self, row: int) -> float:
-        """Return which share of the way lies behind setpoint `row`; of the time where the TCP stands."""
-        way = self.setpoints.matrices[:, :3, 3] - self.p_start
-        length = float(np.linalg.norm(way[-1]))
-        if length < _SAME_JOINTS:
-            return (row + 1) / len(way)
-        return float(np.linalg.norm(way[row])) / length
+        """Return which share of the way lies behind setpoint `row`."""
+        return min(row / (len(self.setpoints.matrices) - 1), 1.0)
 
 
 def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagnostic:
@@ -88,7 +77,7 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
         span,
         f"the joints would have to jump at {share:.0%} of the way",
         label=label,
-        notes=_singularity_notes(robot, q),
+        notes=singularity_notes(robot, q),
         hint="turn the tool a little, shift the line, or use PTP for this part of the way",
         data=data,
     )
@@ -122,58 +111,6 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
     return (finding,)
 
 
-def speed_refusals(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M504 for the joint that exceeds its speed limit most, or nothing."""
-    speeds = np.abs(np.diff(q, axis=0, prepend=line.q_start[None])) / line.setpoints.period
-    limits = robot.max_speeds
-    row, index = _worst(speeds / limits)
-    factor = float(speeds[row, index] / limits[index])
-    if factor <= 1.0 + _RATE_SLACK:
-        return ()
-    joint, speed = robot.axis_joints[index], float(speeds[row, index])
-    share = line.share(row)
-    finding = SPEED_LIMIT_ON_LINE.at(
-        line.move.origin.span,
-        f"joint `{joint.name}` would need {rate(joint, speed, '/s')} at {share:.0%} of the way, "
-        f"the limit is {rate(joint, joint.max_speed, '/s')}",
-        label=passes(line.move.origin),
-        notes=_singularity_notes(robot, q[row]),
-        hint=f"lower the path speed to {math.floor(100.0 / factor)} % of what it is, or use PTP"
-        if factor < 100.0
-        else "keep away from the singularity, or use PTP",
-        data={
-            **figures(joint, speed, joint.max_speed, "_per_s"),
-            "share": share,
-            "pass": line.move.origin.visit,
-        },
-    )
-    return (finding,)
-
-
-def acceleration_findings(line: Line, q: Array, robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M510 for the joint that exceeds its acceleration limit most, or nothing."""
-    at_rest = np.concatenate((line.q_start[None], line.q_start[None], q, q[-1:]))
-    accelerations = np.abs(np.diff(at_rest, 2, axis=0)) / line.setpoints.period**2
-    row, index = _worst(accelerations / robot.max_accelerations)
-    joint, value = robot.axis_joints[index], float(accelerations[row, index])
-    if value <= joint.max_acceleration * (1.0 + _RATE_SLACK):
-        return ()
-    share = line.share(min(row, len(q) - 1))
-    finding = ACCELERATION_LIMIT.at(
-        line.move.origin.span,
-        f"joint `{joint.name}` needs {rate(joint, value, '/s²')} at {share:.0%} of the way, "
-        f"the limit is {rate(joint, joint.max_acceleration, '/s²')}",
-        label=passes(line.move.origin),
-        hint="lower the path acceleration or the path speed of this move",
-        data={
-            **figures(joint, value, joint.max_acceleration, "_per_s2"),
-            "share": share,
-            "pass": line.move.origin.visit,
-        },
-    )
-    return (finding,)
-
-
 def end_findings(line: Line, q_end: Array) -> tuple[Diagnostic, ...]:
     """Return M514 where a line to joint coordinates ends in others; only at its first visit."""
     target = line.move.target
@@ -189,12 +126,7 @@ def end_findings(line: Line, q_end: Array) -> tuple[Diagnostic, ...]:
     return (finding,)
 
 
-def _worst(ratios: Array) -> tuple[int, int]:
-    row, index = divmod(int(np.argmax(ratios)), ratios.shape[1])
-    return row, index
-
-
-def _singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
+def singularity_notes(robot: RobotModel, q: Array) -> tuple[str, ...]:
     """Return in words which singularity of an arm with spherical wrist is near, if one is.
 
     The direction in joint space that moves the tool least tells: without the first three joints it is the

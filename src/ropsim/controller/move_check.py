@@ -5,23 +5,38 @@ from collections.abc import Container, Iterator
 
 import numpy as np
 
+from ropsim.controller.kinds import TOOL_PATHS
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, figures, passes
 from ropsim.core import Diagnostic
-from ropsim.flow import ModalState, MoveInstruction
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.model import RobotModel, external_words
 from ropsim.motion import (
     BAD_MOTION_VALUE,
     JOINT_OUT_OF_RANGE,
-    MOVE_TOO_LONG,
     WRONG_NUMBER_OF_JOINTS,
-    ZONE_NOT_SIMULATED,
+    MOVE_TOO_LONG,
+    UNKNOWN_PATH,
 )
 from ropsim.spatial import Array, Pose
 
 MAX_DURATION = 600.0  # [s] of one move; beyond it a mistaken unit is certain enough
 _MAX_COORDINATE = 1e3  # [m]
 _MAX_RATE = 1e6  # any speed, acceleration or jerk, in SI units
+
+
+def check_kind(move: MoveInstruction) -> tuple[Diagnostic, ...]:
+    """Return M561 where the kind of path of a move is not known."""
+    if move.kind == MotionKind.PTP or move.kind in TOOL_PATHS:
+        return ()
+    known = ", ".join((MotionKind.PTP.value, *sorted(TOOL_PATHS)))
+    found = UNKNOWN_PATH.at(
+        move.origin.span,
+        f"a move is of kind `{move.kind}`, this controller makes {known}",
+        label=passes(move.origin),
+        hint="use one of the kinds that it makes",
+    )
+    return (found,)
 
 
 def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
@@ -117,19 +132,6 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
         label=passes(move.origin),
         hint="raise the speed, or cut the way into several moves",
         data={"duration_s": duration, "limit_s": MAX_DURATION},
-    )
-    return (finding,)
-
-
-def zone_findings(move: MoveInstruction) -> tuple[Diagnostic, ...]:
-    """Return M507 where the move has a zone; only at its first visit, so that a line is told once."""
-    if move.modal.zone <= 0.0 or move.origin.visit > 1:
-        return ()
-    finding = ZONE_NOT_SIMULATED.at(
-        move.origin.span,
-        f"zone of {move.modal.zone * 1e3:g} mm is not simulated, the arm stops at the target",
-        hint="the path is exact, the cycle time is longer than on the robot",
-        data={"zone_m": move.modal.zone},
     )
     return (finding,)
 

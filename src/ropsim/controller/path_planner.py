@@ -1,4 +1,4 @@
-"""The path planner: turns a move instruction into a trajectory, or says why there is none."""
+"""The path planner: turns a move instruction into a path, or says why there is none."""
 
 from collections.abc import Mapping
 from dataclasses import field, replace
@@ -7,38 +7,31 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.external_check import check_external, with_external
-from ropsim.controller.move_check import check_duration, check_joints, check_values, zone_findings
+from ropsim.controller.kinds import TOOL_PATHS, PathRequest
+from ropsim.controller.move_check import check_joints, check_kind, check_values
 from ropsim.controller.moving_frames import MovingFrame
+from ropsim.controller.planned_path import MoveLimits, PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
-from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
 from ropsim.model import ControllerModel, RobotModel, Tool
-from ropsim.motion import (
-    JointMotionLimits,
-    JointTrajectory,
-    LineLimits,
-    LineTrajectory,
-    OrientationMode,
-    joint_trajectory,
-    line_trajectory,
-    whole_periods,
-)
+from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, LineLimits, OrientationMode
 from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
 class StandardPathPlanner:
-    """Plans synchronous PTP moves and straight LIN moves; durations are whole interpolation periods.
+    """Plans PTP moves as lines in joint space, all others by the table of tool paths.
 
     A PTP move to a pose takes external axes to the values that it is given, and leaves them where they are
-    without; a line always leaves them. The arm is solved with its base where they end.
+    without; a path of the tool always leaves them. The arm is solved with its base where they end.
 
-    Every move is validated, its target brought into the base frame, then planned; what cannot be planned is
-    refused with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP
-    acceleration share scales acceleration and jerk limits.
+    Every move is validated and its target brought into the base frame; what cannot be planned is refused
+    with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
+    share scales acceleration and jerk limits.
 
     Attributes:
         robot: the arm.
@@ -74,8 +67,8 @@ class StandardPathPlanner:
         work = WorkFrames(self.tools, self.frames, self.default_tool, self.moving, self.others)
         object.__setattr__(self, "_work", work)
 
-    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
-        """Return the trajectory of a move that starts at rest at `q_start`, or why there is none.
+    def plan(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:
+        """Return the path of a move from `q_start`, or why there is none.
 
         Args:
             move: the instruction with its modal state.
@@ -83,7 +76,7 @@ class StandardPathPlanner:
         """
         span = move.origin.span
         X_MT = self._work.tool_pose(move.modal, span)
-        problems = check_values(move)
+        problems = (*check_kind(move), *check_values(move))
         if isinstance(X_MT, Diagnostic):
             problems = (*problems, X_MT)
         problems = (*problems, *no_arm(move, self.robot))
@@ -91,48 +84,41 @@ class StandardPathPlanner:
             problems = (*problems, *self._work.out_of_hand(move.modal, span))
         if problems or isinstance(X_MT, Diagnostic):
             return Refusal(problems)
-        findings = zone_findings(move)
+        findings = numeric_hint(move, self.robot)
         if isinstance(move.target, Pose) and move.origin.visit == 1:
-            findings += self._work.frame_findings(move.modal, span)
-        findings += numeric_hint(move, self.robot)
-        plan = self._plan_ptp if move.kind is MotionKind.PTP else self._plan_line
-        trajectory: JointTrajectory | LineTrajectory | Refusal = plan(move, q_start, X_MT)
-        if isinstance(trajectory, Refusal):
-            return trajectory
-        too_long = check_duration(move, trajectory.duration)
-        if too_long:
-            return Refusal(too_long)
-        period = self.controller.rates.interpolation_period
-        whole = trajectory.stretched(whole_periods(trajectory.duration, period) * period)
-        return replace(whole, findings=findings + whole.findings)
+            findings = self._work.frame_findings(move.modal, span) + findings
+        limits = MoveLimits(self._joint_limits(move.modal), self._line_limits(move.modal))
+        planned = self._plan_tool if move.kind in TOOL_PATHS else self._plan_ptp
+        return planned(move, q_start, PlannedPath(None, limits, X_MT, findings))
 
-    def _plan_ptp(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> JointTrajectory | Refusal:
-        limits = self._joint_limits(move.modal)
+    def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else joint_trajectory(q_start, goal, limits)
+            return goal if isinstance(goal, Refusal) else _with_line(so_far, q_start, goal)
         wrong = check_external(move, q_start, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
         there = with_external(move, q_start, self.robot)
-        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ X_MT.inverse()
+        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ so_far.X_MT.inverse()
         branches = self._branches(move, X_BM, there)
         if isinstance(branches, Refusal):
             return branches
-        choice = choose(self.robot, branches, q_start, self._range, limits)
+        choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, branches, self._range),))
-        trajectory = joint_trajectory(q_start, choice.q, limits)
-        if choice.keeps_posture:
-            return trajectory
-        return replace(trajectory, findings=posture_change(move, self.robot, q_start, choice.q))
+        if not choice.keeps_posture:
+            changed = posture_change(move, self.robot, q_start, choice.q)
+            so_far = replace(so_far, findings=so_far.findings + changed)
+        return _with_line(so_far, q_start, choice.q)
 
-    def _plan_line(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> LineTrajectory | Refusal:
+    def _plan_tool(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
+        X_MT = so_far.X_MT
+        X_BK = self._work.frame_pose(move.modal, q_start)
         if isinstance(move.target, Pose):
             wrong = check_external(move, q_start, self.robot, self._range)
             if wrong:
                 return Refusal(wrong)
-            X_BT = self._work.frame_pose(move.modal, q_start) @ move.target
+            X_BT = X_BK @ move.target
             branches = self._branches(move, X_BT @ X_MT.inverse(), q_start)
             if isinstance(branches, Refusal):
                 return branches
@@ -143,8 +129,10 @@ class StandardPathPlanner:
             if isinstance(goal, Refusal):
                 return goal
             X_BT = self._tool_pose_at(goal, X_MT)
-        X_start = self._tool_pose_at(q_start, X_MT)
-        return line_trajectory(X_start, X_BT, self._line_limits(move.modal), self.orientation)
+        via = tuple(X_BK @ X_KT for X_KT in move.via)
+        request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.orientation)
+        path = TOOL_PATHS[move.kind](request)
+        return Refusal(path) if isinstance(path, tuple) else replace(so_far, path=path)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
         return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT
@@ -186,3 +174,10 @@ class StandardPathPlanner:
             else modal.orientation_acceleration,
             path.orientation_jerk,
         )
+
+
+def _with_line(so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
+    """Return the plan of a PTP move; without a path where no joint has a way to go."""
+    if float(np.abs(q_end - q_start).max()) <= ZERO_LENGTH:
+        return so_far
+    return replace(so_far, path=JointLine(q_start, q_end))

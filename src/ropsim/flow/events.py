@@ -54,22 +54,24 @@ class MoveEvent(Event):
     """A move was carried out; it lasts until the arm is in position.
 
     Attributes:
-        motion: PTP or LIN.
+        motion: kind of path, such as PTP or LIN.
         ordinal: of the move in its station, from 0, as in the channel `move`.
         travel: time to the end of the reference [s].
         settle: time after that until the arm was in position [s].
         zone: distance from the target at which the program lets the next move begin [m].
+        flown: distance from the target at which the path went on to the next move [m]; 0 where it stopped.
         path_error_max: largest distance of the TCP from the commanded line [m]; None where the move has none.
     """
 
     kind: ClassVar[str] = "move"
 
     _: KW_ONLY
-    motion: MotionKind
+    motion: str
     ordinal: int
     travel: float = 0.0
     settle: float = 0.0
     zone: float = 0.0
+    flown: float = 0.0
     path_error_max: float | None = None
 
 
@@ -80,7 +82,7 @@ class SkipEvent(Event):
     kind: ClassVar[str] = "skip"
 
     _: KW_ONLY
-    motion: MotionKind
+    motion: str
 
 
 @dataclass(frozen=True, slots=True)

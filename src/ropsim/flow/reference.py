@@ -1,4 +1,4 @@
-"""Setpoints: poses at the interpolation tick and joint references at the control tick."""
+"""Setpoints: poses and joint coordinates along a path, and joint references at the control tick."""
 
 from ropsim.core import Diagnostic
 from ropsim.spatial import Array, record
@@ -6,28 +6,28 @@ from ropsim.spatial import Array, record
 
 @record
 class PoseSetpoints:
-    """Command poses of the tool in the base frame at equally spaced times.
+    """Command poses of the tool in the base frame at equally spaced places of a path.
 
     Attributes:
-        period: time between two rows [s].
-        matrices: X_BT, shape (k, 4, 4); row 0 is one period after the start of the move.
+        length: of the path, in its own unit [m | rad].
+        matrices: X_BT, shape (k, 4, 4); row 0 is the start of the path, the last row its end.
     """
 
-    period: float
+    length: float
     matrices: Array
 
 
 @record
 class JointSamples:
-    """Joint coordinates at the interpolation tick.
+    """Joint coordinates at equally spaced places of a path.
 
     Attributes:
-        period: time between two rows [s].
-        q: [rad | m], shape (k, n); row 0 is one period after the start of the move.
+        length: of the path, in its own unit [m | rad].
+        q: [rad | m], shape (k, n); row 0 is the start of the path, the last row its end.
         findings: what the inverse transform has to say about them.
     """
 
-    period: float
+    length: float
     q: Array
     findings: tuple[Diagnostic, ...] = ()
 
@@ -50,3 +50,7 @@ class JointReference:
     def ticks(self) -> int:
         """Return the number of control ticks."""
         return int(self.q.shape[0])
+
+    def part(self, first: int, last: int) -> "JointReference":
+        """Return the rows from `first` up to, without, `last`."""
+        return JointReference(self.q[first:last], self.qd[first:last], self.qdd[first:last])

@@ -136,6 +136,7 @@ class ControllerModel:
         in_position: a fine stop is over when every joint is this near its target [rad | m], shape (n,).
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
+        look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
         origins: where the gains come from.
     """
 
@@ -146,6 +147,7 @@ class ControllerModel:
     in_position: Array
     settle_timeout: float = 1.0
     speed_override: float = 1.0
+    look_ahead: int = 10
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

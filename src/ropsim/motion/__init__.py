@@ -13,16 +13,13 @@ from ropsim.motion.diagnostics import UNKNOWN_TOOL as UNKNOWN_TOOL
 from ropsim.motion.diagnostics import WRONG_NUMBER_OF_EXTERNAL as WRONG_NUMBER_OF_EXTERNAL
 from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_JOINTS
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
-from ropsim.motion.diagnostics import ZONE_NOT_SIMULATED as ZONE_NOT_SIMULATED
 from ropsim.motion.line import LineLimits as LineLimits
 from ropsim.motion.line import LineTrajectory as LineTrajectory
 from ropsim.motion.line import line_trajectory as line_trajectory
-from ropsim.motion.line_diagnostics import ACCELERATION_LIMIT as ACCELERATION_LIMIT
 from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
-from ropsim.motion.line_diagnostics import SPEED_LIMIT_ON_LINE as SPEED_LIMIT_ON_LINE
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
 from ropsim.motion.profile import ProfileLimits as ProfileLimits
@@ -39,3 +36,8 @@ from ropsim.motion.ptp import joint_trajectory as joint_trajectory
 from ropsim.motion.turn import OrientationMode as OrientationMode
 from ropsim.motion.turn import Turn as Turn
 from ropsim.motion.turn import plan_turn as plan_turn
+from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS
+from ropsim.motion.zone_diagnostics import SLOWED as SLOWED
+from ropsim.motion.zone_diagnostics import UNKNOWN_PATH as UNKNOWN_PATH
+from ropsim.motion.zone_diagnostics import ZONE_CLIPPED as ZONE_CLIPPED
+from ropsim.motion.zone_diagnostics import ZONE_STOPS as ZONE_STOPS

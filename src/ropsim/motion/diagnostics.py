@@ -70,17 +70,6 @@ gives a pose. Without the pose of the tool at the mechanical interface nobody kn
 """,
 )
 
-ZONE_NOT_SIMULATED = define(
-    "M507",
-    "zone-not-simulated",
-    Severity.HINT,
-    "the move has a zone; the simulation stops at the target instead",
-    """
-A zone lets the next move begin before the target is reached, so that the path is rounded. Rounding is not
-part of this simulation yet: the arm stops at each target (a fine stop). The path is the exact one, the
-cycle time is longer than on the robot.
-""",
-)
 
 WRONG_NUMBER_OF_JOINTS = define(
     "M508",

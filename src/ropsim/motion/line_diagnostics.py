@@ -18,20 +18,6 @@ coordinates before it), make the line shorter, or use PTP where the path does no
 """,
 )
 
-SPEED_LIMIT_ON_LINE = define(
-    "M504",
-    "speed-limit-on-line",
-    Severity.ERROR,
-    "a LIN move needs a joint speed above the limit",
-    """
-To keep the TCP on the line at the commanded speed a joint would have to turn faster than it can. Near a
-singularity even a slow line needs a fast joint: the message gives the joint, the speed, the limit and the
-place.
-
-**How to mend it.** Lower the path speed by the factor that the hint gives, keep away from the singularity
-that the note names, or use PTP.
-""",
-)
 
 EXTERNAL_ON_LINE = define(
     "M521",
@@ -69,18 +55,6 @@ The line runs through a singularity of the arm, where the joints cannot follow t
 """,
 )
 
-ACCELERATION_LIMIT = define(
-    "M510",
-    "acceleration-limit",
-    Severity.WARNING,
-    "a LIN move needs a joint acceleration above the limit",
-    """
-The line can be followed in position and speed, but a joint must accelerate more than its limit allows. The
-move is made; the drive will show a larger following error, and a real controller may stop.
-
-**How to mend it.** Lower the path acceleration or the path speed of this move.
-""",
-)
 
 OTHER_JOINTS_AT_LINE_END = define(
     "M514",

@@ -1,5 +1,7 @@
 """The running state of a cell: everything that changes while its stations work, against one clock."""
 
+import math
+from bisect import bisect_left, bisect_right
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -19,6 +21,10 @@ from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import NobodyWatches, Watch
 from ropsim.spatial import Pose
+
+
+_LONGEST_SLICE = 100_000
+"""Control ticks that a station moves on at a time where nobody looks."""
 
 
 @dataclass(slots=True)
@@ -41,6 +47,7 @@ class CellRun:
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stopped: whether the run was ended by who watches.
+        overrides: changes of the speed override in order of time: tick of the cell's clock, value from 0 to 1.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and those that are still to come.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
@@ -61,6 +68,7 @@ class CellRun:
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stopped: bool = False
+    overrides: list[tuple[int, float]] = field(default_factory=list)
     inputs: list[InputChange] = field(default_factory=list)
     supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
     clasps: dict[str, Clasp] = field(default_factory=dict)
@@ -153,11 +161,29 @@ class CellRun:
         for station in self.stations.values():
             station.rest(-((station.due - end) // station.cell_ticks))
 
+    def override(self, tick: int) -> float:
+        """Return the speed override in force at a tick of the cell's clock, from 0 (hold) to 1."""
+        number = bisect_right(self.overrides, (tick, math.inf))
+        return self.overrides[number - 1][1] if number else 1.0
+
+    def slice(self, at: StationRun) -> int:
+        """Return for how many control ticks a station may move on before somebody looks or intervenes."""
+        number = bisect_right(self.overrides, (at.due, math.inf))
+        longest = at.station.controller.rates.interpolation_ticks if self.watch.may_press else _LONGEST_SLICE
+        if number == len(self.overrides):
+            return longest
+        return min(longest, max(1, -((at.due - self.overrides[number][0]) // at.cell_ticks)))
+
+    def set_override(self, tick: int, value: float) -> None:
+        """Let the speed override have a value from a tick of the cell's clock on; later changes are dropped."""
+        del self.overrides[bisect_left(self.overrides, (tick, -math.inf)) :]
+        self.overrides.append((tick, value))
+        self.tracks.setdefault("override", Track([0], [1.0])).set(tick, value)
+
     def stop(self) -> None:
-        """End the run at the present tick."""
+        """End the run: arms that stand stay where they are, those that move are braked on their paths."""
         for station in self.stations.values():
             station.last_tick = min(station.last_tick, station.tick)
-            station.cut_short = True
         self.stopped = True
 
     def note(self, at: StationRun, since: int, event: Event) -> None:

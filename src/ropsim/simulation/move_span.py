@@ -1,7 +1,8 @@
-"""A move of a run as it was carried out."""
+"""Moves of a run, and the paths that they took, as they were carried out."""
 
 from ropsim.flow import MoveInstruction
-from ropsim.spatial import Array, Pose, record
+from ropsim.motion import ToolPath
+from ropsim.spatial import record
 
 
 @record
@@ -13,15 +14,24 @@ class MoveSpan:
         start: tick at which it began.
         end: tick at which the reference reached its end.
         settled: tick at which the arm was in position.
-        q_start: command coordinates at its start, shape (n,).
-        q_end: command coordinates at its end, shape (n,).
-        X_MT: tool frame in force.
     """
 
     move: MoveInstruction
     start: int
     end: int
     settled: int
-    q_start: Array
-    q_end: Array
-    X_MT: Pose
+
+
+@record
+class PathSpan:
+    """A part of a path of the tool as it was followed.
+
+    Attributes:
+        path: in the base frame.
+        start: tick at which it began.
+        end: tick at which it ended; at a fine stop the arm was in position then.
+    """
+
+    path: ToolPath
+    start: int
+    end: int

@@ -1,51 +1,98 @@
-"""Moves of a run: plan, follow, settle."""
+"""Moves of a run: plan a stretch, follow it, settle at its end."""
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
-from ropsim.controller import Refusal, plan_move
+from ropsim.controller import MotionPlan, MotionState, plan, stopped_by
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveEvent, MoveInstruction, SkipEvent
+from ropsim.flow import MessageEvent, MessageInstruction, MoveEvent, MoveInstruction, SkipEvent
 from ropsim.model import JointType
+from ropsim.motion import ToolPath
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import FAR_FROM_TARGET, NOT_IN_POSITION
-from ropsim.simulation.move_span import MoveSpan
+from ropsim.simulation.following import Follower
+from ropsim.simulation.in_force import put_in_force
+from ropsim.simulation.move_span import MoveSpan, PathSpan
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.stretch import Stretch, why_it_ends
 
 FAR = 50.0
 """Share of `in_position` from which on an arm that does not settle has lost its target."""
 
 
-def move(run: CellRun, at: StationRun, instruction: MoveInstruction) -> Iterator[None]:
-    """Plan a move and follow it until the arm is in position; what cannot be planned is skipped."""
-    planned = plan_move(at.chain, instruction, at.q_command)
-    since = at.tick
-    if isinstance(planned, Refusal):
-        run.findings.extend(planned.diagnostics)
-        run.note(at, since, SkipEvent(*at.when(since), instruction.origin, motion=instruction.kind))
-        return
+def move(run: CellRun, at: StationRun, stretch: Stretch) -> Iterator[None]:
+    """Plan the moves of a stretch and follow them; those that cannot be planned are skipped.
+
+    What lies behind a skipped move is planned anew from where the arm stands.
+    """
+    done, moves = 0, stretch.moves
+    run.findings += stopped_by(moves[-1], why_it_ends(stretch))
+    while done < len(moves) and not at.is_over:
+        planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command))
+        if planned is not None:
+            messages = {number - done: text for number, text in stretch.messages}
+            yield from _follow(run, at, planned, messages)
+            done += len(planned.moves)
+        if refusal is not None:
+            _skip(run, at, moves[done], refusal.diagnostics)
+            done += 1
+
+
+def _skip(run: CellRun, at: StationRun, move: MoveInstruction, why: tuple[Diagnostic, ...]) -> None:
+    put_in_force(run, at, move)
+    run.findings.extend(why)
+    run.note(at, at.tick, SkipEvent(*at.when(at.tick), move.origin, motion=move.kind))
+
+
+def _follow(
+    run: CellRun, at: StationRun, planned: MotionPlan, messages: dict[int, MessageInstruction]
+) -> Iterator[None]:
+    """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
-    ordinal = len(at.moves)
-    at.track("move", ordinal)
-    at.follow(planned.reference)
-    end, q_start = at.tick, at.q_command
-    at.q_command = planned.q_end
-    yield from _settle(run, at, instruction)
-    settle = (at.tick - end) / at.hz
-    X_MT = at.chain.tool_pose(instruction.modal)
-    at.moves.append(MoveSpan(instruction, since, end, at.tick, q_start, planned.q_end, X_MT))
-    at.track("move", -1)
-    done = MoveEvent(
-        *at.when(since),
-        instruction.origin,
-        motion=instruction.kind,
-        ordinal=ordinal,
-        travel=float(planned.duration),
-        settle=settle,
-        zone=float(instruction.modal.zone),
-    )
-    run.note(at, since, done)
-    run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
+    follower = Follower(run, at, planned)
+    pieces = iter(planned.pieces)
+    piece = next(pieces, None)
+    piece_start = at.tick
+    for number, one in enumerate(planned.moves):
+        if number in messages:
+            text = messages[number]
+            run.note(at, at.tick, MessageEvent(*at.when(at.tick), text.origin, text=text.text))
+        put_in_force(run, at, one.move)
+        since, ordinal = at.tick, len(at.moves)
+        at.track("move", ordinal)
+        while piece is not None and piece.last <= one.last:
+            yield from follower.until(piece.last)
+            _enter_path(at, piece.path, piece_start)
+            piece, piece_start = next(pieces, None), at.tick
+        yield from follower.until(one.last)
+        end = at.tick
+        if number == len(planned.moves) - 1 and not at.cut_short:
+            yield from _settle(run, at, one.move)
+            if at.paths and at.paths[-1].end == end:
+                at.paths[-1] = replace(at.paths[-1], end=at.tick)
+        at.moves.append(MoveSpan(one.move, since, end, at.tick))
+        at.track("move", -1)
+        done = MoveEvent(
+            *at.when(since),
+            one.move.origin,
+            motion=one.move.kind,
+            ordinal=ordinal,
+            travel=(end - since) / at.hz,
+            settle=(at.tick - end) / at.hz,
+            zone=float(one.move.modal.zone),
+            flown=one.zone,
+        )
+        run.note(at, since, done)
+        run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
+        if at.cut_short:
+            return
+
+
+def _enter_path(at: StationRun, path: ToolPath | None, start: int) -> None:
+    """Note that a part of a path has been followed since a tick."""
+    if path is not None:
+        at.paths.append(PathSpan(path, start, at.tick))
 
 
 def _settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Iterator[None]:

@@ -22,7 +22,6 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.model import RobotModel
 from ropsim.simulation.arrivals import Arrivals, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
@@ -34,7 +33,7 @@ from ropsim.simulation.channels import (
     track_channel,
 )
 from ropsim.simulation.inputs import input_events
-from ropsim.simulation.move_span import MoveSpan
+from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.shared_programs import told_at
@@ -94,7 +93,7 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     log["q_error"] = log["q_ref"] - log["q"]
     robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
     attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
-    error = path_errors(at.moves, robot, ticks, attained[:, :3, 3])
+    error = path_errors(at.paths, ticks, attained[:, :3, 3])
     name, last = at.station.name, at.tick
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
@@ -146,12 +145,11 @@ def inputs_taken(run: CellRun) -> list[InputChange]:
     return sorted(InputChange(float(one.time), one.signal, float(one.value)) for one in taken)
 
 
-def path_errors(moves: list[MoveSpan], robot: RobotModel, ticks: Array, attained: Array) -> Array:
-    """Return the distance of the attained TCP from the line of each LIN move, NaN elsewhere.
+def path_errors(paths: list[PathSpan], ticks: Array, attained: Array) -> Array:
+    """Return the distance of the attained TCP from the path of the tool, NaN where there is none.
 
     Args:
-        moves: as carried out.
-        robot: the arm.
+        paths: as followed, in order of time.
         ticks: recorded ticks, shape (k,).
         attained: attained TCP positions in the base frame [m], shape (k, 3).
 
@@ -159,33 +157,24 @@ def path_errors(moves: list[MoveSpan], robot: RobotModel, ticks: Array, attained
         Distances [m], shape (k,), in the sense of path accuracy AT_p of ISO 9283 for one cycle.
     """
     errors = np.full(len(ticks), np.nan)
-    lines = [move for move in moves if move.move.kind is MotionKind.LIN and move.end > move.start]
-    if not lines:
-        return errors
-    ends = forward_batch(robot, np.array([q for move in lines for q in (move.q_start, move.q_end)]))
-    for k, move in enumerate(lines):
-        first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
-        a, b = ((ends[2 * k + side] @ move.X_MT.matrix())[:3, 3] for side in (0, 1))
-        errors[first:last] = distance_from_segment(attained[first:last], a, b)
+    for span in paths:
+        first, last = np.searchsorted(ticks, [span.start, span.end], side="right")
+        if last > first:
+            errors[first:last] = span.path.distance(attained[first:last])
     return errors
 
 
-def distance_from_segment(points: Array, a: Array, b: Array) -> Array:
-    """Return the distances of `points` (k, 3) from the segment from `a` to `b`, shape (k,)."""
-    along = b - a
-    share = np.clip((points - a) @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
-    return np.asarray(np.linalg.norm(points - a - share[:, None] * along, axis=1))
-
-
 def _with_errors(events: list[Event], at: StationRun, rows: Array, errors: Array) -> list[Event]:
-    """Return the events; LIN moves get the largest path error on their way."""
+    """Return the events; moves with a path of the tool get the largest path error on their way."""
     ticks = rows / at.cell_ticks
 
     def with_error(event: Event) -> Event:
-        if not isinstance(event, MoveEvent) or event.motion is not MotionKind.LIN:
+        if not isinstance(event, MoveEvent) or event.motion == MotionKind.PTP:
             return event
         move = at.moves[event.ordinal]
         first, last = np.searchsorted(ticks, [move.start, move.settled], side="right")
-        return replace(event, path_error_max=float(np.max(errors[first:last], initial=0.0)))
+        known = errors[first:last]
+        known = known[~np.isnan(known)]
+        return replace(event, path_error_max=float(np.max(known, initial=0.0)))
 
     return [with_error(event) for event in events]

@@ -9,7 +9,7 @@ from ropsim.kinematics import forward, frames_batch
 from ropsim.model import Payload, Station, Tool, external_links, link_name, tool_body
 from ropsim.simulation.activation import Activations
 from ropsim.simulation.devices.course import Course
-from ropsim.simulation.move_span import MoveSpan
+from ropsim.simulation.move_span import MoveSpan, PathSpan
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.polling import Polled
 from ropsim.simulation.tool_frames import ToolFrames
@@ -36,6 +36,7 @@ class StationRun:
         cell_ticks: ticks of the cell's clock in one control tick.
         tick: control ticks done.
         moves: moves done.
+        paths: of the tool, as far as they have been followed.
         tracks: piecewise constant channels by name, over control ticks.
         activations: times of the tasks.
         fingers: courses of the fingers of its tools, by the name of the body of the tool.
@@ -58,6 +59,7 @@ class StationRun:
     cell_ticks: int
     tick: int = 0
     moves: list[MoveSpan] = field(default_factory=list)
+    paths: list[PathSpan] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     activations: Activations = field(default_factory=Activations)
     fingers: dict[str, Course] = field(default_factory=dict)
@@ -122,10 +124,11 @@ class StationRun:
         self.plant.forget(due // self.cell_ticks)
 
     def follow(self, reference: JointReference) -> None:
-        """Let the arm follow a reference to its end."""
+        """Let the arm follow a reference to its end, which is its command position then."""
         if reference.ticks:
             self.plant.follow(reference, self.payload)
             self.tick += reference.ticks
+            self.q_command = reference.q[-1]
 
     def stand(self, ticks: int) -> Iterator[None]:
         """Hold the command position for a number of control ticks, at the longest until `last_tick`.

@@ -13,7 +13,6 @@ from ropsim.flow import (
     Instruction,
     MessageEvent,
     MessageInstruction,
-    ModalState,
     MoveInstruction,
     Origin,
     OutputEvent,
@@ -23,16 +22,17 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished, Machine, Program
-from ropsim.model import Station, Tool
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
 from ropsim.simulation.gripping import grip
+from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.serving import Serving, is_needed
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.stretch import gather
 from ropsim.simulation.world import SimulatedWorld
 
 
@@ -62,10 +62,11 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             at.dismissed = True
             break
         at.polled = world.polling.look(machine, step)
+        stretch = gather(step, machine.advance) if isinstance(step, MoveInstruction) else None
         with _blamed(step):
-            yield from _carry_out(run, at, step, world)
+            yield from move(run, at, stretch) if stretch else _carry_out(run, at, step, world)
             yield
-            last, step = step, machine.advance()
+            last, step = step, stretch.next if stretch else machine.advance()
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
     if run.stopped:
@@ -77,13 +78,8 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
 
 
 def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld) -> Iterator[None]:
-    span = step.origin.span
-    at.track("line", span.line if span else 0)
-    run.take(at, _tool_in_force(at.station, step.modal), run.parts)
-    at.tool_frames.set(at.tick, at.chain.tool_pose(step.modal))
+    put_in_force(run, at, step)
     match step:
-        case MoveInstruction():
-            yield from move(run, at, step)
         case GripInstruction():
             yield from grip(run, at, step)
         case WaitInstruction():
@@ -126,11 +122,6 @@ def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: Simulate
         if at.cut_short or at.in_vain:
             world.came = False
             return
-
-
-def _tool_in_force(station: Station, modal: ModalState) -> Tool | None:
-    """Return the tool of the cell that is in force; None for the bare interface or a tool of the program."""
-    return station.tools.get(modal.tool or (station.default_tool if modal.X_MT is None else ""))
 
 
 @contextmanager

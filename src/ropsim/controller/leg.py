@@ -1,0 +1,126 @@
+"""A leg: one move with its path in joint space."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropsim.controller.entities import Refusal
+from ropsim.controller.entity_faults import guarded, unusable_path, unusable_samples
+from ropsim.controller.planned_path import PlannedPath
+from ropsim.core import Diagnostic
+from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.motion import JUMP_ON_LINE, JointPath, ToolPath
+from ropsim.spatial import Array, frozen, record
+
+if TYPE_CHECKING:
+    from ropsim.controller.chain import MotionChain
+
+MOST_DENSITY = 64
+"""How many times more samples than at first are tried where a path runs near a singularity."""
+
+_SMOOTH = 5e-8
+"""Difference of the paths through all samples and through every second one [rad | m]; halving the distance of
+the samples divides it by 64, so the path through all of them is true to about 1e-9."""
+
+
+@record
+class Leg:
+    """A move that can be made.
+
+    Attributes:
+        move: the instruction.
+        planned: path, limits, tool.
+        joints: the path of the joints over the length of the path; None where the move has no length.
+        q_end: command joint coordinates at its end [rad | m], shape (n,).
+        findings: what planner and inverse transform have to say.
+    """
+
+    move: MoveInstruction
+    planned: PlannedPath
+    joints: JointPath | None
+    q_end: Array
+    findings: tuple[Diagnostic, ...]
+
+    @property
+    def tool(self) -> ToolPath | None:
+        """Return the path of the tool, None for a path in joint space."""
+        return self.planned.path if isinstance(self.planned.path, ToolPath) else None
+
+
+def leg_of(chain: "MotionChain", move: MoveInstruction, q_start: Array) -> Leg | Refusal:
+    """Return the leg of a move that begins at `q_start`, or why it cannot be made.
+
+    Args:
+        chain: the entities.
+        move: the instruction with its modal state.
+        q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
+    """
+    planner = chain.planner
+    planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
+    if isinstance(planned, Refusal):
+        return planned
+    path = planned.path
+    if path is None:
+        return Leg(move, planned, None, q_start, planned.findings)
+    if isinstance(path, ToolPath):
+        traced = trace(chain, path, q_start, move)
+        if isinstance(traced, Refusal):
+            return traced
+        joints, found = traced
+    else:
+        joints, found = path, ()
+    wrong = unusable_path(planner, joints, q_start, move)
+    if wrong:
+        return wrong
+    q_end = frozen(joints.joints(np.array([joints.length])).q[0])
+    return Leg(move, planned, joints, q_end, planned.findings + found)
+
+
+def trace(
+    chain: "MotionChain", path: ToolPath, q_start: Array, move: MoveInstruction
+) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
+    """Return the path of the joints that leads the tool along a path, and what is found on it.
+
+    Where the joints turn too fast from sample to sample, near a singularity, samples are taken more densely;
+    what even then jumps is refused.
+
+    Args:
+        chain: the entities.
+        path: of the tool in the base frame.
+        q_start: joint coordinates at its start [rad | m], shape (n,).
+        move: the instruction.
+    """
+    density = 1
+    while True:
+        samples = _samples(chain, path, q_start, move, density)
+        if isinstance(samples, Refusal):
+            if density == MOST_DENSITY or samples.diagnostics[0].kind is not JUMP_ON_LINE:
+                return samples
+        else:
+            entity = chain.joint_interpolator
+            joints = guarded(entity, lambda: entity.refine(samples), (object,), move)  # noqa: B023 - called at once
+            if isinstance(joints, Refusal) or density == MOST_DENSITY or _is_smooth(chain, samples):
+                return joints if isinstance(joints, Refusal) else (joints, samples.findings)
+        density *= 2
+
+
+def _samples(
+    chain: "MotionChain", path: ToolPath, q_start: Array, move: MoveInstruction, density: int
+) -> JointSamples | Refusal:
+    interpolator, inverse = chain.interpolator, chain.inverse
+    setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
+    if isinstance(setpoints, Refusal):
+        return setpoints
+    samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
+    if isinstance(samples, Refusal):
+        return samples
+    return unusable_samples(inverse, samples, q_start, move) or samples
+
+
+def _is_smooth(chain: "MotionChain", samples: JointSamples) -> bool:
+    rows = len(samples.q)
+    if rows < 5 or rows % 2 == 0:
+        return False
+    coarse = chain.joint_interpolator.refine(JointSamples(samples.length, samples.q[::2]))
+    between = np.arange(1, rows - 1, 2) * (samples.length / (rows - 1))
+    return float(np.abs(coarse.joints(between).q - samples.q[1:-1:2]).max()) <= _SMOOTH

@@ -1,0 +1,35 @@
+"""What the path planner makes of a move: a path and the bounds that hold on it."""
+
+from ropsim.core import Diagnostic
+from ropsim.motion import JointMotionLimits, JointPath, LineLimits, ToolPath
+from ropsim.spatial import Pose, record
+
+
+@record
+class MoveLimits:
+    """What a move must respect, with the shares and the override in force.
+
+    Attributes:
+        joints: of every joint, on paths in joint space.
+        tool: of the tool, on paths of the tool.
+    """
+
+    joints: JointMotionLimits
+    tool: LineLimits
+
+
+@record
+class PlannedPath:
+    """The path of a move.
+
+    Attributes:
+        path: of the joints, or of the tool in the base frame; None where the move has no length.
+        limits: bounds of its speed, acceleration and jerk.
+        X_MT: the tool that is meant.
+        findings: what the planner has to say about it.
+    """
+
+    path: JointPath | ToolPath | None
+    limits: MoveLimits
+    X_MT: Pose
+    findings: tuple[Diagnostic, ...] = ()

@@ -1,0 +1,135 @@
+"""Planning a stretch: moves become paths, paths a course with rounded corners, the course a motion in time."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropsim.controller.corners import Rounding, Stop, rounding
+from ropsim.controller.course import Course, course_of
+from ropsim.controller.entities import Refusal
+from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.move_check import check_duration
+from ropsim.controller.motion_plan import MotionPlan, MotionState, PlannedMove, PlannedPiece
+from ropsim.controller.zone_findings import clipped, stopped
+from ropsim.core import Diagnostic
+from ropsim.flow import JointReference, MoveInstruction
+from ropsim.motion import plan_time_law
+from ropsim.spatial import Array, record
+
+if TYPE_CHECKING:
+    from ropsim.controller.chain import MotionChain
+
+_WHOLE_SLACK = 1e-9
+"""Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+
+
+def plan(
+    chain: "MotionChain", stretch: Sequence[MoveInstruction], state: MotionState
+) -> tuple[MotionPlan | None, Refusal | None]:
+    """Return the motion through the moves of a stretch.
+
+    All moves but the last have a zone. A move that cannot be made ends the plan: the arm stops at the
+    target of the one before it.
+
+    Args:
+        chain: the entities.
+        stretch: moves in order.
+        state: at rest.
+
+    Returns:
+        The plan of the moves up to the first one that cannot be made, None where that is the first; and why
+        it cannot be made, None where all can.
+    """
+    legs: list[Leg] = []
+    q, refusal = state.q, None
+    for move in stretch:
+        leg = leg_of(chain, move, q)
+        if isinstance(leg, Refusal):
+            refusal = leg
+            break
+        legs.append(leg)
+        q = leg.q_end
+    while legs:
+        planned = _planned(chain, legs, state)
+        if isinstance(planned, MotionPlan):
+            return planned, refusal
+        legs, refusal = legs[: planned.leg], planned.refusal
+    return None, refusal
+
+
+@record
+class _Hurdle:
+    """A move that cannot be made though its path is known.
+
+    Attributes:
+        leg: its number.
+        refusal: why.
+    """
+
+    leg: int
+    refusal: Refusal
+
+
+def _planned(chain: "MotionChain", legs: list[Leg], state: MotionState) -> MotionPlan | _Hurdle:
+    findings = [finding for leg in legs for finding in leg.findings]
+    corners = _corners(chain, legs, findings)
+    course = course_of(legs, corners)
+    period = chain.controller.rates.control_period
+    if not course.pieces:
+        nothing = JointReference(*(np.empty((0, len(state.q))) for _ in range(3)))
+        return MotionPlan(
+            tuple(_move(leg, 0, 0.0) for leg in legs), (), state.q, nothing, period, tuple(findings)
+        )
+    law = plan_time_law(course.stages(chain.controller.look_ahead))
+    ends = course.ends_of_moves(law)
+    for number, duration in enumerate(np.diff(ends, prepend=0.0).tolist()):
+        if too_long := check_duration(legs[number].move, duration):
+            return _Hurdle(number, Refusal(too_long))
+    motion = course.motion(law)
+    ticks = max(1, _whole(law.duration, period))
+    points = motion.at(np.arange(1.0, ticks + 1.0) * period)
+    reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
+    marks = [0, *(min(_whole(time, period), ticks) for time in law.ends.tolist())]
+    pieces = tuple(
+        PlannedPiece(piece.tool, piece.X_MT, first, last)
+        for piece, first, last in zip(course.pieces, marks[:-1], marks[1:], strict=True)
+    )
+    lasts = [min(_whole(time, period), ticks) for time in ends]
+    zones = [one.zone if one else 0.0 for one in corners] + [0.0]
+    moves = tuple(_move(leg, last, zone) for leg, last, zone in zip(legs, lasts, zones, strict=True))
+    return MotionPlan(moves, pieces, state.q, reference, period, tuple(findings))
+
+
+def _whole(time: float, period: float) -> int:
+    """Return how many control ticks cover a time [s]."""
+    return math.ceil(time / period - _WHOLE_SLACK)
+
+
+def _corners(
+    chain: "MotionChain", legs: list[Leg], findings: list[Diagnostic]
+) -> list[Rounding | None]:
+    """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
+    corners: list[Rounding | None] = []
+    for before, behind in zip(legs[:-1], legs[1:], strict=True):
+        found: Rounding | Stop = Stop.NO_WAY
+        if before.joints is not None and behind.joints is not None:
+            found = rounding(chain, before, behind, before.move.modal.zone)
+        if isinstance(found, Stop):
+            findings += stopped(before.move, found)
+            corners.append(None)
+        else:
+            findings += clipped(before.move, found.zone)
+            corners.append(found)
+    return corners
+
+
+def _move(leg: Leg, last: int, zone: float) -> PlannedMove:
+    return PlannedMove(leg.move, leg.planned.X_MT, leg.q_end, last, zone)
+
+
+def _at_rest_at_end(q: Array, qd: Array, qdd: Array, q_end: Array) -> JointReference:
+    """Return the reference; its last row is the end of the motion, without the rounding of sums."""
+    q[-1], qd[-1], qdd[-1] = q_end, 0.0, 0.0
+    return JointReference(q, qd, qdd)

@@ -1,0 +1,84 @@
+"""Bounds of speed, acceleration and jerk along a piece of a stretch."""
+
+import numpy as np
+
+from ropsim.motion import JointMotionLimits, JointPath, LineLimits, Stage, ToolPath
+from ropsim.spatial import Array
+
+_PLACES = np.linspace(0.0, 1.0, 33)
+_TINY = 1e-300
+
+_BENT, _ALONG = 0.7, 0.3
+"""Shares of a joint's acceleration for the bend of its path and for changes of speed along it."""
+_TOOL_BENT, _TOOL_ALONG = 0.8, 0.6
+"""The same for the tool, where both are at right angles: 0.8² + 0.6² = 1."""
+_JERK_BENT, _JERK_MIXED, _JERK_ALONG = 0.5, 0.25, 0.25
+"""Shares of a jerk for the bend, for changes of speed in the bend, and for changes of acceleration."""
+
+
+def joint_stage(path: JointPath, limits: JointMotionLimits) -> Stage:
+    """Return the bounds of a path in joint space; for a straight one they are exact.
+
+    Args:
+        path: of the joints.
+        limits: of every joint.
+    """
+    points = path.joints(_PLACES * path.length)
+    d1, d2 = np.abs(points.d1).max(axis=0), np.abs(points.d2).max(axis=0)
+    speed = _least(limits.speed, d1)
+    if not d2.any():
+        return Stage(path.length, speed, _least(limits.acceleration, d1), _least(limits.jerk, d1))
+    d3 = np.abs(np.diff(points.d2, axis=0)).max(axis=0) / (path.length / (len(_PLACES) - 1))
+    return _bent(path.length, speed, (d1, d2, d3), limits.acceleration, limits.jerk, (_BENT, _ALONG))
+
+
+def tool_stage(path: ToolPath, limits: LineLimits) -> Stage:
+    """Return the bounds of a path of the tool.
+
+    Args:
+        path: of the tool.
+        limits: of the TCP and of the orientation.
+    """
+    points = path.tool(_PLACES * path.length)
+    d1, d2 = _sizes(points.d1), _sizes(points.d2)
+    speeds = np.array([limits.speed, limits.orientation_speed])
+    accelerations = np.array([limits.acceleration, limits.orientation_acceleration])
+    jerks = np.array([limits.jerk, limits.orientation_jerk])
+    speed = _least(speeds, d1)
+    if float((d2 * path.length).max()) <= 1e-9 * float(d1.max()):
+        return Stage(path.length, speed, _least(accelerations, d1), _least(jerks, d1))
+    d3 = _sizes(np.diff(points.d2, axis=0)) / (path.length / (len(_PLACES) - 1))
+    return _bent(path.length, speed, (d1, d2, d3), accelerations, jerks, (_TOOL_BENT, _TOOL_ALONG))
+
+
+def _bent(
+    length: float,
+    speed: float,
+    derivatives: tuple[Array, Array, Array],
+    accelerations: Array,
+    jerks: Array,
+    shares: tuple[float, float],
+) -> Stage:
+    """Return bounds that hold together on a bent path.
+
+    With d1, d2, d3 the largest derivatives of the path by its length s: acceleration d2·v² + d1·a, jerk
+    d3·v³ + 3·d2·v·a + d1·j.
+    """
+    d1, d2, d3 = derivatives
+    bent, along = shares
+    v = min(
+        speed,
+        _least(bent * accelerations, d2) ** 0.5,
+        _least(_JERK_BENT * jerks, d3) ** (1.0 / 3.0),
+    )
+    a = min(_least(along * accelerations, d1), _least(_JERK_MIXED * jerks, 3.0 * d2 * v))
+    return Stage(length, v, a, _least(_JERK_ALONG * jerks, d1))
+
+
+def _least(limits: Array, sizes: Array) -> float:
+    return float((limits / np.maximum(sizes, _TINY)).min())
+
+
+def _sizes(rows: Array) -> Array:
+    """Return the largest sizes of the parts of position and of orientation of rows (k, 6), shape (2,)."""
+    return np.array([np.linalg.norm(part, axis=1).max() for part in (rows[:, :3], rows[:, 3:])])

@@ -1,0 +1,55 @@
+"""What is said about the zones of a stretch."""
+
+from ropsim.controller.corners import Stop
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction
+from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
+
+_SAME = 1e-6
+"""Share by which the zone that is flown may be smaller than the commanded one without a word."""
+
+
+def clipped(move: MoveInstruction, zone: float) -> tuple[Diagnostic, ...]:
+    """Return M562 where less than the commanded zone is flown; only at its first visit.
+
+    Args:
+        move: that commands the zone.
+        zone: that is flown [m].
+    """
+    wanted = move.modal.zone
+    if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
+        return ()
+    finding = ZONE_CLIPPED.at(
+        move.origin.span,
+        f"the zone of {wanted * 1e3:g} mm is flown as {zone * 1e3:.3g} mm, half of the shorter way beside it",
+        hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
+        data={"zone_m": wanted, "flown_m": zone},
+    )
+    return (finding,)
+
+
+def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
+    """Return M560 for a corner at which the arm stops though a zone is in force; only at its first visit."""
+    return _stops(move, why.value, "shift the point, or give the move `fine`")
+
+
+def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
+    """Return M560 for the last move of a stretch where its zone becomes a stop; only at its first visit.
+
+    Args:
+        move: the last one before the arm has to stand.
+        what: the reason, such as `the gripper closes next`.
+    """
+    return _stops(move, what, "give the move `fine`, or do that elsewhere")
+
+
+def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]:
+    if move.origin.visit > 1 or move.modal.zone <= 0.0:
+        return ()
+    finding = ZONE_STOPS.at(
+        move.origin.span,
+        f"the arm stops here, its zone of {move.modal.zone * 1e3:g} mm is not flown: {why}",
+        hint=hint,
+        data={"zone_m": move.modal.zone},
+    )
+    return (finding,)

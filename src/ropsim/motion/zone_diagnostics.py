@@ -1,0 +1,75 @@
+"""Findings about zones, and about what the limits of the joints make of a motion."""
+
+from ropsim.core import Severity, define
+
+ZONE_STOPS = define(
+    "M560",
+    "zone-not-flown",
+    Severity.HINT,
+    "a zone is in force, but the arm stops at the point",
+    """
+A zone lets the arm leave its path near a point and go on to the next one without a stop. It needs a next move
+that is known in time. The arm stops all the same where the program ends or has to wait for the arm: before a
+gripper, an output, an input that is read, a wait; where the path turns back on itself; where there is no way
+to the next point; and where the controller may not look far enough ahead. The message says which of these it
+is.
+
+**How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
+(`at 5 mm before end do set valve on`), read the input earlier, or shift the point.
+""",
+)
+
+ZONE_CLIPPED = define(
+    "M562",
+    "zone-clipped",
+    Severity.HINT,
+    "the zone is larger than half of a way beside it, less of it is flown",
+    """
+Zones may not overlap: each takes at most half of the move before and half of the move behind its point. The
+message gives the zone that is flown.
+
+**How to mend it.** Give the zone that is flown, or put the points further apart.
+""",
+)
+
+UNKNOWN_PATH = define(
+    "M561",
+    "unknown-path",
+    Severity.ERROR,
+    "the controller does not make paths of this kind",
+    """
+An instruction asks for a kind of path that the path planner of this station does not know. The move is
+skipped.
+
+**How to mend it.** Use one of the kinds that the message names.
+""",
+)
+
+SLOWED = define(
+    "M563",
+    "slowed-by-joint",
+    Severity.HINT,
+    "on a part of the path the tool is slower than commanded, because a joint cannot do more",
+    """
+The commanded speed, acceleration or a corner asks a joint for more speed, acceleration, jerk or torque than
+it has. The controller slows down there, on the path: the message gives the place, the joint, and which share
+of the commanded speed is left. Cycle times are those of the slowed motion.
+
+**How to mend it.** Where the time matters, change the posture or the place of the path, or give the joint less
+to do: a lower path speed over the whole move is often as fast, because it need not slow down.
+""",
+)
+
+BEYOND_LIMITS = define(
+    "M564",
+    "beyond-limits",
+    Severity.ERROR,
+    "the motion asks more of a joint than it can do at any speed",
+    """
+However slowly the arm moves, the joint would exceed its limit at this place, such as a torque limit that is
+too low to carry arm and part there. The move is skipped.
+
+**How to mend it.** Bring the part nearer to the axis of the joint, take a lighter one, or look at the limits
+in the model.
+""",
+)

@@ -1,0 +1,118 @@
+"""Following a plan in slices: the motion clock walks through it, the plant follows."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance
+from ropsim.flow import JointReference
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.station_run import StationRun
+from ropsim.spatial import Array
+
+
+@dataclass(frozen=True, slots=True)
+class PlanRows:
+    """The reference rows of a plan with that of its start before them."""
+
+    plan: MotionPlan
+
+    @property
+    def count(self) -> int:
+        """Return the number of rows."""
+        return self.plan.ticks + 1
+
+    def rows(self, first: int, last: int) -> JointReference:
+        """Return the rows from number `first` up to, without it, number `last`."""
+        reference = self.plan.reference
+        if first > 0:
+            return reference.part(first - 1, last - 1)
+        zeros = np.zeros((1, len(self.plan.q_start)))
+        start = (self.plan.q_start[None], zeros, zeros)
+        rest = reference.part(0, last - 1)
+        return JointReference(
+            *(np.concatenate(pair) for pair in zip(start, (rest.q, rest.qd, rest.qdd), strict=True))
+        )
+
+
+@dataclass(slots=True)
+class Follower:
+    """Follows one plan.
+
+    Attributes:
+        run: the cell.
+        at: the station.
+        plan: its motion.
+        clock: where it is.
+        limits: how quickly the override may act.
+    """
+
+    run: CellRun
+    at: StationRun
+    plan: MotionPlan
+    clock: ClockState = field(default_factory=ClockState)
+    limits: ClockLimits = field(init=False)
+
+    def __post_init__(self) -> None:
+        robot = self.at.station.robot
+        self.limits = clock_limits(robot.max_speeds, robot.max_accelerations, robot.max_jerks)
+        self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
+
+    @property
+    def is_held(self) -> bool:
+        """Return whether the motion stands by the override."""
+        return self.clock.rate == 0.0 and self.clock.change == 0.0
+
+    def until(self, place: int) -> Iterator[None]:
+        """Follow the plan to a control tick of motion time; yields after each slice.
+
+        Ends early where the run has been stopped, once the arm stands.
+        """
+        while self.clock.place < place:
+            if self.run.stopped and self.is_held:
+                self.at.cut_short = True
+                return
+            self._slice(place)
+            yield
+
+    def _slice(self, place: int) -> None:
+        run, at = self.run, self.at
+        override = 0.0 if run.stopped else run.override(at.due)
+        longest = run.slice(at)
+        period = self.plan.period
+        rows = PlanRows(self.plan)
+        if override == 1.0 and self.clock == ClockState(self.clock.place) and self.clock.place.is_integer():
+            ticks = min(place - int(self.clock.place), longest)
+            self.clock, reference = advance(self.clock, rows, ticks, override, self.limits, period)
+            at.follow(reference)
+            return
+        walked: list[JointReference] = []
+        for _ in range(min(longest, at.station.controller.rates.interpolation_ticks)):
+            self.clock, row = advance(self.clock, rows, 1, override, self.limits, period)
+            walked.append(row)
+            if self.clock.place >= place:
+                break
+        at.follow(
+            JointReference(
+                np.concatenate([row.q for row in walked]),
+                np.concatenate([row.qd for row in walked]),
+                np.concatenate([row.qdd for row in walked]),
+            )
+        )
+
+
+def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:
+    """Return how quickly the rate of the motion clock may change.
+
+    A joint at full speed is braked with its full acceleration, built up with its full jerk; the slowest joint
+    decides.
+
+    Args:
+        speeds: of the joints [rad/s | m/s], shape (n,).
+        accelerations: [rad/s² | m/s²], shape (n,).
+        jerks: [rad/s³ | m/s³], shape (n,).
+    """
+    return ClockLimits(
+        float((accelerations / speeds).min()), float((jerks / speeds).min()), accelerations
+    )

@@ -1,0 +1,19 @@
+"""What an instruction lets be in force: its source line and its tool."""
+
+from ropsim.flow import Instruction, ModalState
+from ropsim.model import Station, Tool
+from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.station_run import StationRun
+
+
+def put_in_force(run: CellRun, at: StationRun, step: Instruction) -> None:
+    """Let line and tool of an instruction be those of a station from now on."""
+    span = step.origin.span
+    at.track("line", span.line if span else 0)
+    run.take(at, _tool_in_force(at.station, step.modal), run.parts)
+    at.tool_frames.set(at.tick, at.chain.tool_pose(step.modal))
+
+
+def _tool_in_force(station: Station, modal: ModalState) -> Tool | None:
+    """Return the tool of the cell that is in force; None for the bare interface or a tool of the program."""
+    return station.tools.get(modal.tool or (station.default_tool if modal.X_MT is None else ""))

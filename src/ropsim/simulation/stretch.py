@@ -1,0 +1,73 @@
+"""Stretches of a program: moves that are known together before the first of them begins."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ropsim.flow import (
+    AwaitInstruction,
+    GripAction,
+    GripInstruction,
+    Instruction,
+    MessageInstruction,
+    MoveInstruction,
+    OutputInstruction,
+    WaitInstruction,
+)
+from ropsim.icr import Finished
+
+Step = Instruction | Finished
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """Moves of which all but the last have a zone, and what the program says on its way.
+
+    Attributes:
+        moves: one or more, in order.
+        messages: texts for the operator, each with the number of the move that begins when it is shown.
+        next: what the program does then.
+    """
+
+    moves: tuple[MoveInstruction, ...]
+    messages: tuple[tuple[int, MessageInstruction], ...]
+    next: Step
+
+
+def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
+    """Return the stretch that begins with a move; the interpreter runs ahead to its end.
+
+    A stretch ends with a move without a zone, and before anything that needs the arm to stand: an output, a
+    gripper, a wait, an input that is read, the end of the program.
+
+    Args:
+        first: the move.
+        advance: returns the next step of the program.
+    """
+    moves = [first]
+    messages: list[tuple[int, MessageInstruction]] = []
+    while True:
+        step = advance()
+        if isinstance(step, MessageInstruction) and moves[-1].modal.zone > 0.0:
+            messages.append((len(moves), step))
+        elif isinstance(step, MoveInstruction) and moves[-1].modal.zone > 0.0:
+            moves.append(step)
+        else:
+            return Stretch(tuple(moves), tuple(messages), step)
+
+
+def why_it_ends(stretch: Stretch) -> str:
+    """Return why the arm has to stand at the end of a stretch."""
+    match stretch.next:
+        case Finished():
+            return "the program ends"
+        case GripInstruction(action=action):
+            word = "opens" if action is GripAction.OPEN else "closes"
+            return f"the gripper {word} next, when the arm stands"
+        case OutputInstruction(channel=channel):
+            return f"output `{channel}` is set next, when the arm stands"
+        case WaitInstruction():
+            return "the program waits next"
+        case AwaitInstruction(channel=channel):
+            return f"the program waits for `{channel}` next"
+        case _:
+            return "the program looks at signals, the time or the arm next"
