@@ -131,7 +131,7 @@ modal = st.builds(
     zone=st.none() | positive | st.just(Constant(0.0, REAL)),
 )
 plain: st.SearchStrategy[Statement] = st.one_of(
-    st.builds(Move, st.sampled_from(MotionKind), expressions[POSE], modal, spans),
+    st.builds(Move, st.sampled_from((MotionKind.PTP, MotionKind.LIN)), expressions[POSE], modal, spans),
     st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans),
     st.builds(Grip, st.sampled_from(GripAction), st.sampled_from(["", "jaws"]), spans),
     st.builds(Output, st.just("lamp"), expressions[BOOL], spans),

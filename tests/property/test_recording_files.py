@@ -95,7 +95,7 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
     "duration": NUMBERS,
     "station": TEXTS,
     "origin": ORIGINS,
-    "motion": st.sampled_from(MotionKind),
+    "motion": st.sampled_from(MotionKind) | TEXTS,
     "path_error_max": st.none() | NUMBERS,
     "channel": TEXTS,
     "signal": TEXTS,

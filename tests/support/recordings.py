@@ -61,14 +61,14 @@ class _Tape:
 
     def move(self, motion: MotionKind, target: tuple[float, float, float], line: int, visit: int) -> None:
         start, distance = self.now, float(np.linalg.norm(np.subtract(target, self.position)))
-        seconds = distance / (0.12 if motion is MotionKind.LIN else 0.5) + 0.2
+        seconds = distance / (0.12 if motion == MotionKind.LIN else 0.5) + 0.2
         count = round(seconds * self.rate)
         s = np.arange(1, count + 1)[:, None] / count
         blend = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
         self._add(
             np.array(self.position) + blend * np.subtract(target, self.position),
             line,
-            motion is MotionKind.LIN,
+            motion == MotionKind.LIN,
         )
         self.events.append(
             MoveEvent(

@@ -77,14 +77,14 @@ def instruction_text(one: Instruction) -> str:
             x, y, z = (1e3 * float(c) for c in pose.position)
             w, i, j, k = (float(c) for c in pose.orientation)
             yaw, pitch, roll = (57.29577951308232 * angle for angle in quaternion.to_zyx((w, i, j, k)))
-            what = f"{kind.value} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
+            what = f"{kind} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
             what += f"roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
             what += f" in {one.modal.frame}" if one.modal.frame else ""
             what += f" external ({', '.join(f'{e:.6g}' for e in one.external)})" if one.external else ""
         case MoveInstruction(kind=kind, target=None):
-            what = f"{kind.value} home"
+            what = f"{kind} home"
         case MoveInstruction(kind=kind, target=target):
-            what = f"{kind.value} joints {target}"
+            what = f"{kind} joints {target}"
         case GripInstruction():
             what = f"{one.action.value} {one.tool}".rstrip()
         case OutputInstruction():

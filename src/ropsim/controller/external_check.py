@@ -45,7 +45,7 @@ def check_external(
         return ()
     if len(move.external) != len(robot.external):
         return (_wrong_number(move, robot),)
-    if move.kind is MotionKind.LIN:
+    if move.kind == MotionKind.LIN:
         return _moved_on_line(move, q_start, robot)
     there = with_external(move, q_start, robot)
     return limit_findings(move, there, robot, limits, robot.external)

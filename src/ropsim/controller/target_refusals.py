@@ -23,10 +23,10 @@ from ropsim.spatial import Array, Pose
 
 def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return M518 where a pose or a line is asked of a station that has no arm, else nothing."""
-    if robot.has_arm or not (isinstance(move.target, Pose) or move.kind is MotionKind.LIN):
+    if robot.has_arm or not (isinstance(move.target, Pose) or move.kind == MotionKind.LIN):
         return ()
     axes = ", ".join(f"`{joint.name}`" for joint in robot.axis_joints)
-    what = "a straight line" if move.kind is MotionKind.LIN else "a pose"
+    what = "a straight line" if move.kind == MotionKind.LIN else "a pose"
     finding = NO_ARM.at(
         move.origin.span,
         f"{what} needs an arm, this station has the axis {axes} only",
@@ -135,7 +135,7 @@ def posture_change(
 
 def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return M550 for a move that an arm without closed form makes to a pose; at its first visit."""
-    posed = isinstance(move.target, Pose) or move.kind is not MotionKind.PTP
+    posed = isinstance(move.target, Pose) or move.kind != MotionKind.PTP
     if move.origin.visit > 1 or not posed or solver_of(robot).method is Method.CLOSED_FORM:
         return ()
     finding = NO_CLOSED_FORM.at(

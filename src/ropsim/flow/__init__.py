@@ -23,6 +23,8 @@ from ropsim.flow.facts import RunFacts as RunFacts
 from ropsim.flow.facts import StationFacts as StationFacts
 from ropsim.flow.facts import channel_name as channel_name
 from ropsim.flow.facts import prefix_of as prefix_of
+from ropsim.flow.guard import Comparison as Comparison
+from ropsim.flow.guard import Guard as Guard
 from ropsim.flow.inputs import InputChange as InputChange
 from ropsim.flow.instructions import AwaitInstruction as AwaitInstruction
 from ropsim.flow.instructions import GripAction as GripAction
@@ -38,6 +40,7 @@ from ropsim.flow.instructions import WaitInstruction as WaitInstruction
 from ropsim.flow.modal import ModalState as ModalState
 from ropsim.flow.parameter_origin import ParameterOrigin as ParameterOrigin
 from ropsim.flow.placement import Placement as Placement
+from ropsim.flow.posture_request import PostureRequest as PostureRequest
 from ropsim.flow.recording import Recording as Recording
 from ropsim.flow.reference import JointReference as JointReference
 from ropsim.flow.reference import JointSamples as JointSamples
@@ -45,5 +48,7 @@ from ropsim.flow.reference import PoseSetpoints as PoseSetpoints
 from ropsim.flow.settling import SLOW as SLOW
 from ropsim.flow.settling import Settling as Settling
 from ropsim.flow.settling import settling_of as settling_of
+from ropsim.flow.trigger import Side as Side
+from ropsim.flow.trigger import Trigger as Trigger
 from ropsim.flow.waiting import Waiting as Waiting
 from ropsim.flow.waiting import waiting_of as waiting_of

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from ropsim.core import Span
-from ropsim.flow.instructions import MotionKind, Origin
+from ropsim.flow.instructions import Origin
 
 
 @dataclass(frozen=True, slots=True)

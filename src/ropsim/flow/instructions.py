@@ -1,18 +1,26 @@
 """The robot instructions that flow from the interpreter to the simulator, in program order."""
 
 from dataclasses import dataclass, field
-from enum import Enum
+from enum import Enum, StrEnum
 
 from ropsim.core import Span
+from ropsim.flow.guard import Guard
 from ropsim.flow.modal import ModalState
+from ropsim.flow.posture_request import PostureRequest
+from ropsim.flow.trigger import Trigger
 from ropsim.spatial import Pose
 
 
-class MotionKind(Enum):
-    """How the TCP travels: pose to pose (synchronous joints) or on a straight line."""
+class MotionKind(StrEnum):
+    """How the TCP travels, of the kinds that are built in.
+
+    Pose to pose (synchronous joints), on a straight line, on an arc of a circle, on a smooth curve.
+    """
 
     PTP = "PTP"
     LIN = "LIN"
+    CIRC = "CIRC"
+    SPLINE = "SPLINE"
 
 
 class GripAction(Enum):
@@ -44,20 +52,31 @@ class MoveInstruction:
     """Go to a target.
 
     Attributes:
-        kind: PTP or LIN.
+        kind: kind of path, one of `MotionKind` or the name of another one that the controller knows.
         target: pose of the tool in the task frame (X_KT), joint coordinates [rad | m], or None for the
             home position of the arm.
         modal: snapshot of the modal state.
         origin: source line and loop pass.
         external: values of the external axes that a pose is reached with [rad | m], in the order of the axes;
             empty to leave them where they are, as it is for joint coordinates and home.
+        via: poses of the tool that the path leads through (X_KT), in the frame of the target: one of an arc,
+            any number of a curve, none of other kinds.
+        angle: how far an arc goes on its circle [rad], > 0, instead of ending at the target; None ends there.
+        triggers: outputs that are set on the way, in the order of the program.
+        guard: condition that ends the move before its target; None where it has none.
+        posture: in which posture the target is to be reached; None leaves it to the planner.
     """
 
-    kind: MotionKind
+    kind: str
     target: Pose | tuple[float, ...] | None
     modal: ModalState
     origin: Origin = field(default_factory=Origin)
     external: tuple[float, ...] = ()
+    via: tuple[Pose, ...] = ()
+    angle: float | None = None
+    triggers: tuple[Trigger, ...] = ()
+    guard: Guard | None = None
+    posture: PostureRequest | None = None
 
 
 @dataclass(frozen=True, slots=True)

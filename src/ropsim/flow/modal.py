@@ -22,6 +22,8 @@ class ModalState:
         orientation_acceleration: its acceleration [rad/s²]; None = the cell's default.
         path_jerk: jerk on LIN paths [m/s³]; None = the cell's default.
         zone: distance from the target at which the next move may begin [m]; 0 stops there (fine).
+        passes: a target whose zone is 0 is a via point: it is passed by at the distance that the cell has for
+            these.
     """
 
     frame: str = ""
@@ -36,3 +38,4 @@ class ModalState:
     orientation_acceleration: float | None = None
     path_jerk: float | None = None
     zone: float = 0.0
+    passes: bool = False

@@ -3,7 +3,7 @@
 import struct
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
-from enum import Enum
+from enum import Enum, StrEnum
 from hashlib import sha256
 from math import isnan, nan
 from types import MappingProxyType
@@ -42,7 +42,7 @@ def fingerprint(value: object) -> str:
     """Return 64 hexadecimal digits that tell a value from any other one, in every process the same.
 
     It is the SHA-256 of class names, field names and the bits of numbers; `0.0` and `-0.0` are one number,
-    all NaN are one, `1` and `1.0` are two.
+    all NaN are one, `1` and `1.0` are two, and a member of a `StrEnum` is its text, to which it is equal.
 
     Args:
         value: records, dataclasses, enums, arrays, texts, numbers, None, and tuples, lists, sets and mappings
@@ -77,6 +77,9 @@ def _feed(hasher: "_Hash", value: object) -> bool:
         return True
     if isinstance(value, np.ndarray):
         return _feed_array(hasher, value)
+    if isinstance(value, StrEnum):
+        hasher.update(_SCALARS[str](value.value))
+        return True
     if isinstance(value, Enum):
         hasher.update(f"enum {kind.__qualname__} {value.name}\0".encode())
         return True

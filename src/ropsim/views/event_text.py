@@ -19,9 +19,9 @@ def event_text(event: Event) -> str:
     """Return an event as a few words, such as `LIN pass 3`; a message is what the program made it."""
     match event:
         case MoveEvent(motion=motion):
-            return f"{motion.value} pass {event.visit}"
+            return f"{motion} pass {event.visit}"
         case SkipEvent(motion=motion):
-            return f"{motion.value} not possible"
+            return f"{motion} not possible"
         case WaitEvent(pause=pause):
             return f"wait {pause:g} s"
         case AwaitEvent(channel=channel, value=value, came=came):

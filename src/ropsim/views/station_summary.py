@@ -125,7 +125,7 @@ def end_of(events: Iterable[Event]) -> float:
 
 def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
     """Return how many moves of each kind were carried out."""
-    counts = Counter(event.motion.value for event in events if isinstance(event, MoveEvent))
+    counts = Counter(event.motion for event in events if isinstance(event, MoveEvent))
     return dict(sorted(counts.items(), reverse=True))
 
 

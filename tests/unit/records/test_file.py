@@ -257,7 +257,7 @@ CHANNEL = {"unit": "", "columns": [], "description": "", "group": "joints", "sub
         {"events": [{"kind": "jump", "time": 0.0}]},
         {"events": [{"kind": ["move"], "time": 0.0}]},
         {"events": [{"kind": "wait", "time": 0.0}]},
-        {"events": [{"kind": "skip", "time": 0.0, "motion": "CIRC"}]},
+        {"events": [{"kind": "skip", "time": 0.0, "motion": 3}]},
         {"events": [{"kind": "wait", "time": 0.0, "pause": 1, "origin": {"span": {"line": 1}}}]},
         {"channels": {"absent": CHANNEL}},
         {"channels": {"q": CHANNEL | {"columns": ["one"]}}},

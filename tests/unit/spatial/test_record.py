@@ -7,7 +7,7 @@ import pickle
 import subprocess
 import sys
 from dataclasses import FrozenInstanceError, dataclass, fields, is_dataclass, replace
-from enum import Enum
+from enum import Enum, StrEnum
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -28,6 +28,11 @@ NUMBERS = st.floats(width=64)
 class Side(Enum):
     LEFT = 1
     RIGHT = 2
+
+
+class Way(StrEnum):
+    SHORT = "short"
+    LONG = "long"
 
 
 @record
@@ -112,6 +117,11 @@ def test_equal_numbers_have_equal_fingerprints_and_only_these(a: list[float], b:
 )
 def test_values_that_look_alike_have_different_fingerprints(one: object, other: object) -> None:
     assert fingerprint(one) != fingerprint(other)
+
+
+def test_a_member_of_a_text_enum_is_its_text() -> None:
+    assert fingerprint((Way.SHORT, 1)) == fingerprint(("short", 1))
+    assert fingerprint(Way.SHORT) != fingerprint(Way.LONG)
 
 
 def test_the_order_of_sets_and_mappings_does_not_count() -> None:

@@ -49,12 +49,12 @@ def lower_move(scope: Scope, move: st.Move) -> None:
     if not move.settings.is_empty:
         scope.emitter.emit("MODAL.SAVE")
         lower_settings(scope, move.settings)
-    if move.kind is MotionKind.PTP and isinstance(move.target, sir.Home):
+    if move.kind == MotionKind.PTP and isinstance(move.target, sir.Home):
         scope.emitter.emit("HOME")
     elif static_type(scope, move.target) is Type.POSE:
         evaluate(scope, move.target, Type.POSE)
         scope.emitter.emit("MOVE." + move.kind.value)
-    elif move.kind is MotionKind.PTP:
+    elif move.kind == MotionKind.PTP:
         evaluate(scope, move.target, Type.JOINTS)
         scope.emitter.emit("MOVE.PTP.J")
     else:

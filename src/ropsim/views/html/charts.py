@@ -158,7 +158,7 @@ def _straight_moves(station: StationView) -> list[Stretch]:
         (event.time, event.end)
         for event in station.recording.events
         if isinstance(event, MoveEvent)
-        and event.motion is MotionKind.LIN
+        and event.motion == MotionKind.LIN
         and event.station == station.facts.name
     ]
 

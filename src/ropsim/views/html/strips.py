@@ -25,7 +25,7 @@ def schedule(recording: Recording, summary: Summary) -> str:
                 (event.time, event.end)
             )
         elif isinstance(event, MoveEvent):
-            lanes.setdefault((event.station, event.motion.value), []).append((event.time, event.end))
+            lanes.setdefault((event.station, event.motion), []).append((event.time, event.end))
         elif event.kind in _INSTRUCTIONS and event.duration > 0.0:
             doing = (event.station, _INSTRUCTIONS[event.kind])
             lanes.setdefault(doing, []).append((event.time, event.end))

@@ -1,0 +1,29 @@
+"""The condition on a channel that ends a move before its target."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Comparison(Enum):
+    """How the value of a channel is compared with that of a guard."""
+
+    IS = "is"
+    ABOVE = "above"
+    BELOW = "below"
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """A guarded move ends where its condition is true.
+
+    Attributes:
+        channel: what is looked at.
+        comparison: the channel has the value, exceeds it or is less than it.
+        value: truth value of a digital channel, number of an analog one; fixed when the move begins.
+        timeout: the move ends after this time even if its condition has not come true [s]; None for none.
+    """
+
+    channel: str
+    comparison: Comparison
+    value: bool | float
+    timeout: float | None = None

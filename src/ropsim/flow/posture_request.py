@@ -1,0 +1,18 @@
+"""In which posture, and with which turns of its axes, a program wants a target to be reached."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class PostureRequest:
+    """What a target asks of the branch of the inverse kinematics that reaches it.
+
+    Attributes:
+        words: words of a posture in the order in which they were written, such as `("left", "up")`; a part of
+            the posture of which nothing is said is free.
+        turns: for the axes of the arm from the first on, the whole turn k in which the axis is to be:
+            its angle lies in [2πk - π, 2πk + π); axes beyond the last one given are free.
+    """
+
+    words: tuple[str, ...] = ()
+    turns: tuple[int, ...] = ()
