@@ -1,8 +1,6 @@
 """The generic controller: path planner, interpolator, inverse transform, joint interpolation and control."""
 
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
-from ropsim.controller.chain import MotionChain as MotionChain
-from ropsim.controller.chain import PlannedMove as PlannedMove
 from ropsim.controller.chain import plan_move as plan_move
 from ropsim.controller.chain import standard_chain as standard_chain
 from ropsim.controller.entities import Interpolator as Interpolator
@@ -14,7 +12,7 @@ from ropsim.controller.entities import Sample as Sample
 from ropsim.controller.entities import SensorInterface as SensorInterface
 from ropsim.controller.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform as StandardInverseTransform
-from ropsim.controller.joint_interpolator import SplineJointInterpolator as SplineJointInterpolator
+from ropsim.controller.joint_interpolator import StandardJointInterpolator as StandardJointInterpolator
 from ropsim.controller.law import CompiledLaw as CompiledLaw
 from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits
@@ -24,9 +22,20 @@ from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_F
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.laws import law_of as law_of
+from ropsim.controller.motion_clock import ClockLimits as ClockLimits
+from ropsim.controller.motion_clock import ClockState as ClockState
+from ropsim.controller.motion_clock import advance as advance
+from ropsim.controller.motion_chain import MotionChain as MotionChain
+from ropsim.controller.motion_plan import MotionPlan as MotionPlan
+from ropsim.controller.motion_plan import MotionState as MotionState
+from ropsim.controller.motion_plan import PlannedMove as PlannedMove
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
+from ropsim.controller.planned_path import MoveLimits as MoveLimits
+from ropsim.controller.planned_path import PlannedPath as PlannedPath
+from ropsim.controller.planning import plan as plan
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
 from ropsim.controller.sensor_interface import ScriptedSensors as ScriptedSensors
 from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.work_frames import WorkFrames as WorkFrames
+from ropsim.controller.zone_findings import stopped_by as stopped_by

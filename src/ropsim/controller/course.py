@@ -8,7 +8,16 @@ from ropsim.controller.corners import Rounding
 from ropsim.controller.leg import Leg
 from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import JointMotionLimits, JointPath, LineLimits, Stage, TimeLaw, ToolPath, part
+from ropsim.motion import (
+    JointMotionLimits,
+    JointPart,
+    JointPath,
+    LineLimits,
+    Stage,
+    TimeLaw,
+    ToolPart,
+    ToolPath,
+)
 from ropsim.spatial import Pose, record
 
 _NOTHING = 1e-9
@@ -107,8 +116,8 @@ def course_of(legs: Sequence[Leg], corners: Sequence[Rounding | None]) -> Course
 def _straight(number: int, leg: Leg, first: float, last: float, ratio: float) -> Piece:
     assert leg.joints is not None
     whole = first == 0.0 and last == leg.joints.length
-    joints = leg.joints if whole else part(leg.joints, first, last)
-    tool = leg.tool if whole or leg.tool is None else part(leg.tool, first, last)
+    joints = leg.joints if whole else JointPart(leg.joints, first, last)
+    tool = leg.tool if whole or leg.tool is None else ToolPart(leg.tool, first, last)
     limits = leg.planned.limits
     stage = joint_stage(joints, limits.joints) if tool is None else tool_stage(tool, limits.tool)
     return Piece(number, joints, tool, leg.planned.X_MT, _with_ratio(stage, ratio), False)

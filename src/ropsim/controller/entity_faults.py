@@ -81,9 +81,7 @@ def unusable_samples(
     return None
 
 
-def unusable_path(
-    entity: object, path: JointPath, q_start: Array, move: MoveInstruction
-) -> Refusal | None:
+def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
     """Return why a path of the joints cannot be followed, None where it can.
 
     Args:

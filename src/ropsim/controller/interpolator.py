@@ -32,6 +32,8 @@ class StandardInterpolator:
             density: how many times more samples than at first.
         """
         ends = path.tool(np.linspace(0.0, path.length, 5)).d1  # (5, 6)
-        way, turn = (float(np.linalg.norm(part, axis=1).max()) * path.length for part in (ends[:, :3], ends[:, 3:]))
+        way, turn = (
+            float(np.linalg.norm(part, axis=1).max()) * path.length for part in (ends[:, :3], ends[:, 3:])
+        )
         steps = density * max(FEWEST, math.ceil(way / self.way), math.ceil(turn / self.turn))
         return PoseSetpoints(path.length, path.tool(np.linspace(0.0, path.length, steps + 1)).matrices)

@@ -1,19 +1,15 @@
 """A leg: one move with its path in joint space."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded, unusable_path, unusable_samples
+from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JUMP_ON_LINE, JointPath, ToolPath
 from ropsim.spatial import Array, frozen, record
-
-if TYPE_CHECKING:
-    from ropsim.controller.chain import MotionChain
 
 MOST_DENSITY = 64
 """How many times more samples than at first are tried where a path runs near a singularity."""
@@ -44,10 +40,10 @@ class Leg:
     @property
     def tool(self) -> ToolPath | None:
         """Return the path of the tool, None for a path in joint space."""
-        return self.planned.path if isinstance(self.planned.path, ToolPath) else None
+        return self.planned.tool
 
 
-def leg_of(chain: "MotionChain", move: MoveInstruction, q_start: Array) -> Leg | Refusal:
+def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | Refusal:
     """Return the leg of a move that begins at `q_start`, or why it cannot be made.
 
     Args:
@@ -59,16 +55,15 @@ def leg_of(chain: "MotionChain", move: MoveInstruction, q_start: Array) -> Leg |
     planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
     if isinstance(planned, Refusal):
         return planned
-    path = planned.path
-    if path is None:
-        return Leg(move, planned, None, q_start, planned.findings)
-    if isinstance(path, ToolPath):
-        traced = trace(chain, path, q_start, move)
+    joints: JointPath | None = planned.joints
+    found: tuple[Diagnostic, ...] = ()
+    if planned.tool is not None:
+        traced = trace(chain, planned.tool, q_start, move)
         if isinstance(traced, Refusal):
             return traced
         joints, found = traced
-    else:
-        joints, found = path, ()
+    if joints is None:
+        return Leg(move, planned, None, q_start, planned.findings)
     wrong = unusable_path(planner, joints, q_start, move)
     if wrong:
         return wrong
@@ -77,7 +72,7 @@ def leg_of(chain: "MotionChain", move: MoveInstruction, q_start: Array) -> Leg |
 
 
 def trace(
-    chain: "MotionChain", path: ToolPath, q_start: Array, move: MoveInstruction
+    chain: MotionChain, path: ToolPath, q_start: Array, move: MoveInstruction
 ) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
     """Return the path of the joints that leads the tool along a path, and what is found on it.
 
@@ -94,7 +89,7 @@ def trace(
     while True:
         samples = _samples(chain, path, q_start, move, density)
         if isinstance(samples, Refusal):
-            if density == MOST_DENSITY or samples.diagnostics[0].kind is not JUMP_ON_LINE:
+            if density == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
                 return samples
         else:
             entity = chain.joint_interpolator
@@ -105,7 +100,7 @@ def trace(
 
 
 def _samples(
-    chain: "MotionChain", path: ToolPath, q_start: Array, move: MoveInstruction, density: int
+    chain: MotionChain, path: ToolPath, q_start: Array, move: MoveInstruction, density: int
 ) -> JointSamples | Refusal:
     interpolator, inverse = chain.interpolator, chain.inverse
     setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
@@ -117,7 +112,7 @@ def _samples(
     return unusable_samples(inverse, samples, q_start, move) or samples
 
 
-def _is_smooth(chain: "MotionChain", samples: JointSamples) -> bool:
+def _is_smooth(chain: MotionChain, samples: JointSamples) -> bool:
     rows = len(samples.q)
     if rows < 5 or rows % 2 == 0:
         return False

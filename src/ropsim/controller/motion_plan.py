@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from ropsim.controller.leg import Leg
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, MoveInstruction
 from ropsim.motion import ToolPath
@@ -99,4 +98,3 @@ class MotionPlan:
     def q_end(self) -> Array:
         """Return the command joint coordinates at its end [rad | m], shape (n,)."""
         return self.moves[-1].q_end
-

@@ -14,9 +14,9 @@ from ropsim.model import RobotModel, external_words
 from ropsim.motion import (
     BAD_MOTION_VALUE,
     JOINT_OUT_OF_RANGE,
-    WRONG_NUMBER_OF_JOINTS,
     MOVE_TOO_LONG,
     UNKNOWN_PATH,
+    WRONG_NUMBER_OF_JOINTS,
 )
 from ropsim.spatial import Array, Pose
 

@@ -89,7 +89,7 @@ class StandardPathPlanner:
             findings = self._work.frame_findings(move.modal, span) + findings
         limits = MoveLimits(self._joint_limits(move.modal), self._line_limits(move.modal))
         planned = self._plan_tool if move.kind in TOOL_PATHS else self._plan_ptp
-        return planned(move, q_start, PlannedPath(None, limits, X_MT, findings))
+        return planned(move, q_start, PlannedPath(None, None, limits, X_MT, findings))
 
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
@@ -132,7 +132,7 @@ class StandardPathPlanner:
         via = tuple(X_BK @ X_KT for X_KT in move.via)
         request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.orientation)
         path = TOOL_PATHS[move.kind](request)
-        return Refusal(path) if isinstance(path, tuple) else replace(so_far, path=path)
+        return Refusal(path) if isinstance(path, tuple) else replace(so_far, tool=path)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
         return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT
@@ -180,4 +180,4 @@ def _with_line(so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath
     """Return the plan of a PTP move; without a path where no joint has a way to go."""
     if float(np.abs(q_end - q_start).max()) <= ZERO_LENGTH:
         return so_far
-    return replace(so_far, path=JointLine(q_start, q_end))
+    return replace(so_far, joints=JointLine(q_start, q_end))

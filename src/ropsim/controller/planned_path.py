@@ -23,13 +23,15 @@ class PlannedPath:
     """The path of a move.
 
     Attributes:
-        path: of the joints, or of the tool in the base frame; None where the move has no length.
+        joints: the path, where it is one of the joints.
+        tool: the path in the base frame, where it is one of the tool. Where both are None, nothing moves.
         limits: bounds of its speed, acceleration and jerk.
         X_MT: the tool that is meant.
         findings: what the planner has to say about it.
     """
 
-    path: JointPath | ToolPath | None
+    joints: JointPath | None
+    tool: ToolPath | None
     limits: MoveLimits
     X_MT: Pose
     findings: tuple[Diagnostic, ...] = ()

@@ -2,31 +2,28 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ropsim.controller.corners import Rounding, Stop, rounding
-from ropsim.controller.course import Course, course_of
+from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.move_check import check_duration
+from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState, PlannedMove, PlannedPiece
+from ropsim.controller.move_check import check_duration
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, MoveInstruction
 from ropsim.motion import plan_time_law
 from ropsim.spatial import Array, record
 
-if TYPE_CHECKING:
-    from ropsim.controller.chain import MotionChain
-
 _WHOLE_SLACK = 1e-9
 """Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
 
 
 def plan(
-    chain: "MotionChain", stretch: Sequence[MoveInstruction], state: MotionState
+    chain: MotionChain, stretch: Sequence[MoveInstruction], state: MotionState
 ) -> tuple[MotionPlan | None, Refusal | None]:
     """Return the motion through the moves of a stretch.
 
@@ -72,7 +69,7 @@ class _Hurdle:
     refusal: Refusal
 
 
-def _planned(chain: "MotionChain", legs: list[Leg], state: MotionState) -> MotionPlan | _Hurdle:
+def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionPlan | _Hurdle:
     findings = [finding for leg in legs for finding in leg.findings]
     corners = _corners(chain, legs, findings)
     course = course_of(legs, corners)
@@ -107,9 +104,7 @@ def _whole(time: float, period: float) -> int:
     return math.ceil(time / period - _WHOLE_SLACK)
 
 
-def _corners(
-    chain: "MotionChain", legs: list[Leg], findings: list[Diagnostic]
-) -> list[Rounding | None]:
+def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Rounding | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Rounding | None] = []
     for before, behind in zip(legs[:-1], legs[1:], strict=True):

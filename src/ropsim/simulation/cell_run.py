@@ -22,7 +22,6 @@ from ropsim.simulation.track import Track
 from ropsim.simulation.watch import NobodyWatches, Watch
 from ropsim.spatial import Pose
 
-
 _LONGEST_SLICE = 100_000
 """Control ticks that a station moves on at a time where nobody looks."""
 

@@ -113,6 +113,4 @@ def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimi
         accelerations: [rad/s² | m/s²], shape (n,).
         jerks: [rad/s³ | m/s³], shape (n,).
     """
-    return ClockLimits(
-        float((accelerations / speeds).min()), float((jerks / speeds).min()), accelerations
-    )
+    return ClockLimits(float((accelerations / speeds).min()), float((jerks / speeds).min()), accelerations)

@@ -1,0 +1,152 @@
+"""The motion clock: walks through the reference rows of a motion at a rate that anybody may change."""
+
+import math
+from typing import Protocol
+
+import numpy as np
+
+from ropsim.controller.clock_diagnostics import WRONG_CLOCK_REQUEST, ClockError
+from ropsim.controller.motion_clock_kernel import walk
+from ropsim.flow import JointReference
+from ropsim.spatial import Array, record
+
+
+class Rows(Protocol):
+    """The references of a motion at control ticks of motion time, computed when they are asked for."""
+
+    @property
+    def count(self) -> int:
+        """Return the number of rows, at least 1: row 0 is the start, the last one the end, at rest."""
+        ...
+
+    def rows(self, first: int, last: int) -> JointReference:
+        """Return the rows from number `first` up to, without it, number `last`; the same at each call."""
+        ...
+
+
+@record
+class ClockState:
+    """Where a motion is, at one control tick. Undisturbed, the rate is 1 and does not change.
+
+    Attributes:
+        place: motion time in control ticks, 0 to the number of the last row; whole until somebody intervenes.
+        rate: motion time that passes per time, 0..1.
+        change: of the rate [1/s].
+    """
+
+    place: float = 0.0
+    rate: float = 1.0
+    change: float = 0.0
+
+
+@record
+class ClockLimits:
+    """How quickly the rate may follow the override.
+
+    Attributes:
+        change: greatest change of the rate [1/s].
+        jerk: greatest change of that [1/s²].
+        acceleration: greatest joint accelerations [rad/s² | m/s²], shape (n,).
+
+    Raises:
+        ClockError: C610, where one of them is not above 0; change and jerk are finite, too.
+    """
+
+    change: float
+    jerk: float
+    acceleration: Array
+
+    def __post_init__(self) -> None:
+        """Refuse what no clock can keep."""
+        finite = math.isfinite(self.change) and math.isfinite(self.jerk)
+        if not (finite and self.change > 0.0 and self.jerk > 0.0 and bool((self.acceleration > 0.0).all())):
+            found = f"change {self.change:g}, jerk {self.jerk:g}, acceleration {self.acceleration}"
+            raise ClockError(WRONG_CLOCK_REQUEST.at(None, f"limits are {found}, allowed are numbers above 0"))
+
+
+def advance(
+    state: ClockState, rows: Rows, ticks: int, override: float, limits: ClockLimits, period: float
+) -> tuple[ClockState, JointReference]:
+    """Walk on for some control ticks and return the references on the way.
+
+    With motion time φ, rate w = dφ/dt and its change c = dw/dt the references are q(φ), q'·w and
+    q''·w² + q'·c. The rate goes to the override in least time, within change and jerk, and never beyond it.
+    It does so no quicker than lets every joint keep its acceleration limit, where the rows alone keep it:
+    c = 0 is always possible, and a change is made only if full jerk can take it to 0 again in time. Where a
+    joint brakes at its limit, the motion can therefore not be held any sooner than that lasts.
+
+    Undisturbed, with rate and override at 1, the rows themselves are handed out. Once disturbed, the place
+    may lie between two rows, where the polynomial of fifth degree through both holds, and stays so until the
+    end. However ticks are cut into calls, references and states are the same, bit by bit.
+
+    That a motion has a time of its own, which slows down where its limits ask for it, is from Dahl and Nielsen.
+
+    Args:
+        state: where the motion is.
+        rows: its references.
+        ticks: how many to walk on, 1 or more.
+        override: rate that is asked for, 0 (hold) to 1, from now on.
+        limits: of the rate.
+        period: of a control tick [s].
+
+    Returns:
+        the state after these ticks, and a row of reference for each of them, the first one a control period
+        after `state`. The place ends at that of the last row, and the references are at rest there; the rate
+        goes on.
+
+    Raises:
+        ClockError: C610, where the override is not within 0..1 or there are no ticks.
+
+    References:
+        Dahl and Nielsen 1990, Torque-limited path following by on-line trajectory time scaling, IEEE
+        Transactions on Robotics and Automation 6(5).
+    """
+    if not (0.0 <= override <= 1.0 and ticks >= 1):
+        found = f"override is {override:g} for {ticks} ticks, allowed is 0 to 1 for 1 tick or more"
+        raise ClockError(WRONG_CLOCK_REQUEST.at(None, found))
+    whole = int(state.place)
+    if override == 1.0 and state.rate == 1.0 and state.change == 0.0 and whole == state.place:
+        return _undisturbed(whole, rows, ticks)
+    return _walked(state, rows, ticks, override, limits, period)
+
+
+def _undisturbed(place: int, rows: Rows, ticks: int) -> tuple[ClockState, JointReference]:
+    """Return the next rows themselves; behind the last one the motion stands."""
+    end, count = place + ticks, rows.count
+    if end < count:
+        return ClockState(float(end)), rows.rows(place + 1, end + 1)
+    given = rows.rows(place, count)
+    stands = end - count + 1
+    q = np.concatenate((given.q[1:], np.repeat(given.q[-1:], stands, axis=0)))
+    still = np.zeros((stands, q.shape[1]))
+    qd, qdd = (np.concatenate((one[1:], still)) for one in (given.qd, given.qdd))
+    return ClockState(float(count - 1)), JointReference(q, qd, qdd)
+
+
+def _walked(
+    state: ClockState, rows: Rows, ticks: int, override: float, limits: ClockLimits, period: float
+) -> tuple[ClockState, JointReference]:
+    """Return what the compiled loop makes of the rows that it can come to or looks ahead to."""
+    first, step = int(state.place), limits.jerk * period
+    last = min(first + ticks + _lookahead(state, override, limits, step) + 2, rows.count)
+    given = rows.rows(first, last)
+    n = given.q.shape[1]
+    known = np.empty((3, last - first, n))
+    known[0], known[1], known[2] = given.q, given.qd, given.qdd
+    values = np.empty(3 + n)
+    values[0], values[1], values[2], values[3:] = state.place, state.rate, state.change, limits.acceleration
+    out = np.empty((3, ticks, n))
+    walk(known, values, first, rows.count - 1, override, limits.change, step, period, out)
+    place, rate, change = values[:3].tolist()
+    return ClockState(place, rate, change), JointReference(out[0], out[1], out[2])
+
+
+def _lookahead(state: ClockState, override: float, limits: ClockLimits, step: float) -> int:
+    """Return in how many ticks full jerk takes any change to 0 that can come about.
+
+    A change c takes the rate c²/(2·jerk) further until it is 0, and the rate goes no further than 1.
+    """
+    if state.rate == override and state.change == 0.0:
+        return 0
+    greatest = max(min(limits.change, math.sqrt(2.0 * limits.jerk)), abs(state.change))
+    return math.ceil(greatest / step) + 1

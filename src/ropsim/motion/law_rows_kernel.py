@@ -1,0 +1,153 @@
+"""Where a motion of constant jerks is at given times, and when at given places, in loops that numba compiles.
+
+Segments stand in columns: piece, time at the start [s], place, speed, acceleration, jerk, duration [s], place
+at the end; see `TimeLaw`.
+"""
+
+from math import inf, sqrt
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+HALVINGS = 80
+"""More steps than the search for a time needs, were it by halves alone."""
+SIXTH = 1.0 / 6.0
+ROUNDING = 1e-16
+"""Relative; the search for a time ends at a step below this share of it."""
+
+
+@kernel("void(f8[:,::1], f8, f8[::1], f8[:,::1])")
+def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
+    """Write piece, place, speed and acceleration at each time.
+
+    Args:
+        segments: shape (8, m).
+        duration: time at which the last one ends [s].
+        times: [s], best in order; those outside of the motion count as its start or end; shape (k,).
+        out: where the rows go, shape (4, k).
+    """
+    last, row = segments.shape[1] - 1, 0
+    start, until, whole = inf, -inf, 0.0
+    place, v, a, j, limit = 0.0, 0.0, 0.0, 0.0, 0.0
+    for k in range(times.shape[0]):
+        t = max(times[k], 0.0)
+        if t >= duration:
+            out[0, k], out[1, k], out[2, k], out[3, k] = segments[0, last], segments[7, last], 0.0, 0.0
+            continue
+        if not start <= t < until:
+            row = _row_at(segments, t, row)
+            start, until = segments[1, row], _start_of(segments, row + 1)
+            place, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
+            whole, limit = segments[6, row], segments[7, row]
+        u = min(t - start, whole)
+        out[0, k] = segments[0, row]
+        out[1, k] = min(place + u * (v + u * (0.5 * a + u * (j * SIXTH))), limit)
+        out[2, k] = max(v + u * (a + u * (0.5 * j)), 0.0)
+        out[3, k] = a + u * j
+
+
+@kernel("void(f8[:,::1], f8[::1], i8, f8[::1], f8[::1])")
+def times_at(segments: Array, ends: Array, piece: int, places: Array, out: Array) -> None:
+    """Write the time [s] at which the motion is at each place of a piece.
+
+    Args:
+        segments: shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+        piece: index of the piece.
+        places: on it; those outside of it count as its start or end; shape (k,).
+        out: where the times go, shape (k,).
+    """
+    first = _lower(segments, 0, float(piece))
+    beyond = _lower(segments, 0, piece + 1.0)
+    for k in range(places.shape[0]):
+        place = places[k]
+        if place >= segments[7, beyond - 1]:
+            out[k] = ends[piece]
+            continue
+        if place <= 0.0:
+            out[k] = 0.0 if piece == 0 else ends[piece - 1]
+            continue
+        low, high = first, beyond
+        while high - low > 1:
+            middle = (low + high) // 2
+            if segments[2, middle] <= place:
+                low = middle
+            else:
+                high = middle
+        end = min(_start_of(segments, low + 1), ends[piece])
+        out[k] = min(_time_at(segments, low, place, end), end)
+
+
+def _row_at(segments: Array, t: float, row: int) -> int:
+    """Return the last segment that starts no later than t; it is looked for at `row` and the next one first."""
+    m = segments.shape[1]
+    if segments[1, row] <= t:
+        if row + 1 == m or t < segments[1, row + 1]:
+            return row
+        if row + 2 == m or t < segments[1, row + 2]:
+            return row + 1
+        low, high = row + 2, m
+    else:
+        low, high = 0, row
+    while high - low > 1:
+        middle = (low + high) // 2
+        if segments[1, middle] <= t:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _start_of(segments: Array, row: int) -> float:
+    """Return the time at which a segment starts [s], endless behind the last one."""
+    return float(segments[1, row]) if row < segments.shape[1] else inf
+
+
+def _lower(segments: Array, column: int, value: float) -> int:
+    """Return the first segment whose number in a column is not below a value."""
+    low, high = 0, segments.shape[1]
+    while low < high:
+        middle = (low + high) // 2
+        if segments[column, middle] < value:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+def _time_at(segments: Array, row: int, place: float, end: float) -> float:
+    """Return the time [s] of a place in a segment.
+
+    Where the speed falls, time runs back from the end of the segment: the way x(u) = v·u + a·u²/2 + j·u³/6 is
+    then convex too, and Newton's steps fall to the root from an upper bound, the least of the times that the
+    parts of x would take alone.
+    """
+    start, whole = segments[1, row], segments[6, row]
+    v, a, j = segments[3, row], segments[4, row], segments[5, row]
+    final = a + whole * j
+    falls = a + final < 0.0
+    way = place - segments[2, row]
+    if falls:
+        v, a = max(v + whole * (a + 0.5 * whole * j), 0.0), -final
+        way = segments[7, row] - place
+    u = whole
+    if v > 0.0:
+        u = min(u, way / v)
+    if a > 0.0 and j >= 0.0:
+        u = min(u, sqrt(2.0 * way / a))
+    if j > 0.0:
+        u = min(u, (6.0 * way / j) ** (1.0 / 3.0))
+    least, most = 0.0, whole
+    for _ in range(HALVINGS):
+        over = u * (v + u * (0.5 * a + u * j / 6.0)) - way
+        slope = v + u * (a + 0.5 * u * j)
+        if over > 0.0:
+            most = u
+        else:
+            least = u
+        step = over / slope if slope > 0.0 else inf
+        if abs(step) <= ROUNDING * u:
+            break
+        tried = u - step
+        u = tried if least < tried < most else 0.5 * (least + most)
+    return end - u if falls else start + u

@@ -1,0 +1,101 @@
+"""Derivatives by differences: of rows at equidistant places, and of poses whose author gives no more."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from ropsim.motion.paths.path import ToolPoints
+from ropsim.motion.paths.rotation_vector import logarithms
+from ropsim.spatial import Array, frozen
+
+_CENTRAL = 7
+_SIDED = 8  # one row more, for second derivatives of the same order at the ends
+_FINENESS = 256  # steps on the length of a path; rounding and the order of the differences are even there
+
+
+def row_derivatives(rows: Array, step: float) -> tuple[Array, Array]:
+    """Return first and second derivatives of rows at equidistant places.
+
+    Central differences of order 6, one-sided ones of the same order at the three rows of each end; k < 9
+    rows are differentiated as the polynomial through all of them.
+
+    Args:
+        rows: shape (k, n), k >= 2.
+        step: from one place to the next.
+
+    References:
+        Fornberg 1988, Generation of Finite Difference Formulas on Arbitrarily Spaced Grids, Mathematics of
+        Computation 51(184), 699-706.
+    """
+    count = len(rows)
+    scale = np.array([1.0 / step, 1.0 / step**2])[:, None, None]
+    if count <= _SIDED:
+        first, second = scale * (_weights(count) @ rows)
+        return first, second
+    result = np.empty((2, *rows.shape))
+    half = _CENTRAL // 2
+    inner, ends = _weights(_CENTRAL)[:, half], _weights(_SIDED)
+    result[:, :half] = ends[:, :half] @ rows[:_SIDED]
+    result[:, -half:] = ends[:, -half:] @ rows[-_SIDED:]
+    windows = np.lib.stride_tricks.sliding_window_view(rows, _CENTRAL, axis=0)  # (k - 6, n, 7)
+    result[:, half:-half] = np.moveaxis(windows @ inner.T, -1, 0)
+    result *= scale
+    return result[0], result[1]
+
+
+def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:
+    """Return the tool and its derivatives at places of a path that gives poses only.
+
+    Differences of order 6 over 1/256 of the length, one-sided near the ends; nothing outside of the path is
+    asked for. Turns between neighbours are rotation vectors from the pose at s, whose second derivative
+    there is that of the angular velocity.
+
+    Args:
+        matrices_at: poses at places, shape (k,) to (k, 4, 4); six times smooth.
+        s: places, shape (k,), in [0, length].
+        length: of the path.
+    """
+    step = length / _FINENESS
+    half = _CENTRAL // 2
+    centres = np.clip(s, half * step, length - half * step)
+    offsets = (s - centres) / step
+    nodes = centres[:, None] + step * np.arange(-half, half + 1)
+    stencil = matrices_at(np.clip(nodes, 0.0, length).ravel()).reshape(len(s), _CENTRAL, 4, 4)
+    matrices = matrices_at(s)
+    turned = np.swapaxes(matrices[:, None, :3, :3], 2, 3) @ stencil[..., :3, :3]
+    coordinates = np.empty((len(s), _CENTRAL, 6))
+    coordinates[..., :3] = stencil[..., :3, 3] - matrices[:, None, :3, 3]
+    coordinates[..., 3:] = logarithms(turned.reshape(-1, 3, 3)).reshape(len(s), _CENTRAL, 3)
+    weights = np.stack([_weights_at(offsets, _CENTRAL, order) for order in (1, 2)], axis=1)  # (k, 2, 7)
+    rows = weights @ coordinates
+    rows[..., 3:] = rows[..., 3:] @ np.swapaxes(matrices[:, :3, :3], 1, 2)
+    return ToolPoints(matrices, rows[:, 0] / step, rows[:, 1] / step**2)
+
+
+@cache
+def _weights(count: int) -> Array:
+    """Return the weights of first and second derivatives at each of `count` rows, shape (2, count, count)."""
+    return frozen([_weights_at(_places(count), count, order) for order in (1, 2)])
+
+
+def _weights_at(offsets: Array, count: int, order: int) -> Array:
+    """Return what the rows weigh in a derivative at offsets from their middle [steps], shape (k, count)."""
+    exponents = np.arange(order, count)
+    factors = [math.perm(int(exponent), order) for exponent in exponents]
+    return np.asarray((offsets[:, None] ** (exponents - order) * factors) @ _lagrange(count)[order:])
+
+
+@cache
+def _lagrange(count: int) -> Array:
+    """Return the polynomials that are 1 at one row and 0 at the others, powers by rows, (count, count)."""
+    places = _places(count)
+    others = [np.delete(places, row) for row in range(count)]
+    return frozen(
+        np.stack([np.poly(o)[::-1] / np.prod(x - o) for x, o in zip(places, others, strict=True)], axis=1)
+    )
+
+
+def _places(count: int) -> Array:
+    return np.arange(count, dtype=np.float64) - (count - 1) / 2.0

@@ -1,0 +1,85 @@
+"""Nearest: how far points are from a curve, by search over a grid and Newton's method."""
+
+from collections.abc import Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.spatial import Array
+
+IntArray = npt.NDArray[np.int64]
+
+_BLOCK = 64  # grid places that share one ball
+_STEPS = 8  # of Newton's method; it starts within one step of the grid and doubles its digits
+_PAIRS = 2**18  # of points and balls that are compared at a time
+
+
+def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array) -> Array:
+    """Return how far points are from a curve.
+
+    The nearest place of the grid is found exactly: the grid is divided into blocks, a ball around each
+    bounds how near it can be, and blocks are looked into in the order of that bound. From there Newton's
+    method goes to where the offset is normal to the curve, or to an end.
+
+    Args:
+        points: shape (k, 3) [m].
+        curve: positions [m] and their first and second derivatives at parameters, shape (k,) to (k, 3) each.
+        grid: growing parameters, shape (m,), m >= 2; fine enough that the nearest place is a neighbour of the
+            nearest one of the grid.
+
+    Returns:
+        distances [m], shape (k,).
+    """
+    near = _nearest(points, curve(grid)[0])
+    t = grid[near]
+    low, high = grid[np.maximum(near - 1, 0)], grid[np.minimum(near + 1, len(grid) - 1)]
+    best = np.full(len(points), np.inf)
+    for _ in range(_STEPS):
+        p, d1, d2 = curve(t)
+        offset = p - points
+        best = np.minimum(best, _lengths(offset))
+        slope, square = np.sum(offset * d1, axis=1), np.sum(d1 * d1, axis=1)
+        bend = square + np.sum(offset * d2, axis=1)
+        # beyond the centre of a bend the distance has a greatest value there: the square alone leads down
+        t = np.clip(t - slope / np.where(bend > 0.0, bend, square), low, high)
+    return np.asarray(np.minimum(best, _lengths(curve(t)[0] - points)))
+
+
+def _nearest(points: Array, places: Array) -> IntArray:
+    """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,)."""
+    starts = np.arange(0, len(places), _BLOCK)
+    sizes = np.diff(starts, append=len(places))
+    centres = np.add.reduceat(places, starts) / sizes[:, None]
+    radii = np.maximum.reduceat(_lengths(places - np.repeat(centres, sizes, axis=0)), starts)
+    at_once = max(1, _PAIRS // len(starts))
+    nearest = [
+        _nearest_in_blocks(points[k : k + at_once], places, centres, radii)
+        for k in range(0, len(points), at_once)
+    ]
+    return np.concatenate([*nearest, np.empty(0, np.int64)])
+
+
+def _nearest_in_blocks(points: Array, places: Array, centres: Array, radii: Array) -> IntArray:
+    bounds = _lengths(points[:, None] - centres) - radii  # no place of the block is nearer
+    order = np.argsort(bounds, axis=1)
+    found, best = np.zeros(len(points), np.int64), np.full(len(points), np.inf)
+    open_points = np.arange(len(points))
+    for rank in range(len(radii)):
+        block = order[open_points, rank]
+        is_open = bounds[open_points, block] < best[open_points]
+        open_points, block = open_points[is_open], block[is_open]
+        if not len(open_points):
+            break
+        rows = np.minimum(block[:, None] * _BLOCK + np.arange(_BLOCK), len(places) - 1)
+        lengths = _lengths(places[rows] - points[open_points, None])
+        row = np.argmin(lengths, axis=1)[:, None]
+        least = np.take_along_axis(lengths, row, axis=1)[:, 0]
+        is_better = least < best[open_points]
+        better = open_points[is_better]
+        best[better] = least[is_better]
+        found[better] = np.take_along_axis(rows, row, axis=1)[is_better, 0]
+    return found
+
+
+def _lengths(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))

@@ -1,0 +1,83 @@
+"""Zone: where a path leaves the ball around its end, and where it comes out of that around its start."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropsim.spatial import Array, frozen
+
+# shares of the way to search, from the centre of the zone on: finer and finer towards it, 1/32 further out
+_GRID = frozen([0.0, *(2.0 ** np.arange(-30, -5)), *(np.arange(2, 33) / 32.0)])
+_NODES = frozen((1.0 - np.cos(np.pi * np.arange(9) / 8.0)) / 2.0)  # Chebyshev's extrema in [0, 1]
+_TO_POLYNOMIAL = frozen(np.linalg.inv(_NODES[:, None] ** np.arange(9)))
+_STEPS = 60  # enough where every one is a bisection
+
+
+def leave(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
+    """Return the place at which a path enters the zone around its end for the last time.
+
+    Args:
+        positions: of the TCP at places, shape (k,) to (k, 3) [m].
+        length: of the path, in its own unit.
+        zone: distance from the end, straight through space [m].
+        clip: earliest place, in the unit of the path.
+
+    Returns:
+        the place in [clip, length] behind which the path stays within the zone; `clip` where it does so from
+        there on, `length` where there is no zone. On lines exact but for rounding, else to 1e-9 of the zone.
+    """
+    return length - _way_out(lambda way: positions(length - way), zone, length - clip)
+
+
+def enter(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
+    """Return the place at which a path leaves the zone around its start for the first time.
+
+    Args:
+        positions: of the TCP at places, shape (k,) to (k, 3) [m].
+        length: of the path, in its own unit.
+        zone: distance from the start, straight through space [m].
+        clip: last place, in the unit of the path; at most `length`.
+
+    Returns:
+        the place in [0, clip] before which the path stays within the zone; `clip` where it does so up to
+        there, 0 where there is no zone. On lines exact but for rounding, else to 1e-9 of the zone.
+    """
+    return _way_out(positions, zone, min(clip, length))
+
+
+def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> float:
+    """Return the first way at which the distance from the place at way 0 is `zone`, at most `clip`."""
+    if zone <= 0.0 or clip <= 0.0:
+        return 0.0
+    ways = _GRID * clip
+    p = positions(ways)
+    outside = np.sum(np.square(p - p[0]), axis=1) >= zone * zone
+    first = int(np.argmax(outside))
+    if not outside[first]:
+        return clip
+    low, width = float(ways[first - 1]), float(ways[first] - ways[first - 1])
+    # the square of the distance is smooth at the centre, too, and on a line a parabola
+    squares = np.sum(np.square(positions(low + width * _NODES) - p[0]), axis=1) - zone * zone
+    return low + width * _root(_TO_POLYNOMIAL @ squares)
+
+
+def _root(coefficients: Array) -> float:
+    """Return where a polynomial crosses 0 in [0, 1]; it is negative at 0 (its first row is that of x⁰).
+
+    Newton's method, kept between a place below and one above 0.
+    """
+    falling = coefficients[::-1].tolist()
+    low, high, x = 0.0, 1.0, 0.5
+    for _ in range(_STEPS):
+        value, slope = 0.0, 0.0
+        for c in falling:
+            slope = slope * x + value
+            value = value * x + c
+        low, high = (x, high) if value < 0.0 else (low, x)
+        step = value / slope if slope > 0.0 else 1.0
+        if not low <= x - step <= high:
+            step = x - 0.5 * (low + high)
+        if x - step == x:
+            break
+        x -= step
+    return x

@@ -1,0 +1,26 @@
+"""What a motion must respect on one piece of its way."""
+
+from ropsim.spatial import record
+
+
+@record
+class Stage:
+    """Bounds of one piece of a way, in the unit of the piece's own parameter s.
+
+    Attributes:
+        length: of the piece, above 0.
+        speed: bound of ds/dt [1/s], above 0.
+        acceleration: bound of |d²s/dt²| [1/s²], above 0.
+        jerk: bound of |d³s/dt³| [1/s³], above 0.
+        ratio: ds/dt at the start of this piece divided by ds/dt at the end of the piece before, 0 or more, each
+            in its own unit; at 0 the motion stops there.
+        horizon: index of the last piece whose end is known when this piece ends: the motion must then be able
+            to come to rest at the end of that one. -1, or an index beyond the last piece, is the last piece.
+    """
+
+    length: float
+    speed: float
+    acceleration: float
+    jerk: float
+    ratio: float = 1.0
+    horizon: int = -1

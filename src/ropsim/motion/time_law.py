@@ -1,0 +1,164 @@
+"""The time law of a way of several pieces: jerk-limited, at rest at both ends, as fast as the bounds allow."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.motion import law_rows_kernel, time_law_kernel
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.profile import ProfileError
+from ropsim.motion.stage import Stage
+from ropsim.spatial import Array, record
+
+Indices = npt.NDArray[np.int64]
+_SEGMENTS = 7  # of a piece, at most: three up, one steady, three down
+
+
+@record
+class LawRows:
+    """Where a motion is at k times, each of shape (k,).
+
+    Attributes:
+        pieces: index of the piece.
+        places: parameter s of that piece.
+        speeds: ds/dt [1/s].
+        accelerations: d²s/dt² [1/s²].
+    """
+
+    pieces: Indices
+    places: Array
+    speeds: Array
+    accelerations: Array
+
+
+@record
+class TimeLaw:
+    """A motion from rest to rest over p pieces, in m segments of constant jerk.
+
+    At the ends of pieces the acceleration is 0; ds/dt changes there only by the ratio of the pieces' units.
+
+    Attributes:
+        segments: a column for each, in the order of time: index of the piece, time at the start [s], then
+            s, ds/dt [1/s], d²s/dt² [1/s²] there, d³s/dt³ [1/s³] in it, its duration [s] and
+            s at its end, of shape (8, m).
+        ends: times [s] at which the pieces end, shape (p,).
+    """
+
+    segments: Array
+    ends: Array
+
+    def __post_init__(self) -> None:
+        for array in (self.segments, self.ends):
+            array.flags.writeable = False
+
+    @property
+    def duration(self) -> float:
+        """Return the time from start to end [s]."""
+        return float(self.ends[-1])
+
+    @property
+    def pieces(self) -> Indices:
+        """Return the index of the piece of each segment, shape (m,)."""
+        return self.segments[0].astype(np.int64)
+
+    @property
+    def times(self) -> Array:
+        """Return the times at which the segments start [s], shape (m,)."""
+        return self.segments[1]
+
+    @property
+    def places(self) -> Array:
+        """Return s at the start of each segment, shape (m,)."""
+        return self.segments[2]
+
+    @property
+    def speeds(self) -> Array:
+        """Return ds/dt at the start of each segment [1/s], shape (m,)."""
+        return self.segments[3]
+
+    @property
+    def accelerations(self) -> Array:
+        """Return d²s/dt² at the start of each segment [1/s²], shape (m,)."""
+        return self.segments[4]
+
+    @property
+    def jerks(self) -> Array:
+        """Return d³s/dt³ in each segment [1/s³], shape (m,)."""
+        return self.segments[5]
+
+    def at(self, times: npt.ArrayLike) -> LawRows:
+        """Return where the motion is at the times [s], shape (k,); before its start and after its end it rests.
+
+        At the time at which a piece ends, the next one has begun. Start and end are exact.
+        """
+        asked = np.ascontiguousarray(times, dtype=np.float64)
+        out = np.empty((4, len(asked)))
+        law_rows_kernel.rows_at(self.segments, self.duration, asked, out)
+        return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
+
+    def times_of(self, piece: int, places: npt.ArrayLike) -> Array:
+        """Return when the motion is at places of a piece [s].
+
+        Args:
+            piece: index of it.
+            places: values of s, shape (k,); those outside of the piece count as its start or end.
+
+        Returns:
+            the times, shape (k,), in the order of the places.
+
+        Raises:
+            IndexError: there is no such piece.
+        """
+        if not 0 <= piece < len(self.ends):
+            raise IndexError(f"piece {piece} of {len(self.ends)}")
+        asked = np.ascontiguousarray(places, dtype=np.float64)
+        out = np.empty(len(asked))
+        law_rows_kernel.times_at(self.segments, self.ends, piece, asked, out)
+        return out
+
+
+def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
+    """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
+
+    The motion starts and ends at rest, has no acceleration where a piece ends, and keeps the bounds of each
+    piece. A pass from the end and one from the start give the highest speeds at the ends of the pieces; on
+    each piece the speed rises as far as the way allows and falls again. One piece alone has the S-curve of
+    `plan_profile`.
+
+    Args:
+        stages: bounds of the pieces, in their order.
+
+    Raises:
+        ProfileError: M540, where there are no pieces, a length or bound is not a finite number above 0, a
+            ratio is below 0 or not finite, or a horizon lies before its piece.
+
+    References:
+        Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
+        Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
+    """
+    if not stages:
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
+    bounds = np.array(
+        [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages],
+        dtype=np.float64,
+    )
+    p = len(bounds)
+    rows, ends, told = np.empty((8, _SEGMENTS * p)), np.empty(p), np.empty(2)
+    time_law_kernel.plan_segments(bounds, np.empty((2, p + 1)), rows, ends, told)
+    count, wrong = told.tolist()
+    if count < 0.0:
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), stages[int(wrong)])))
+    return TimeLaw(rows[:, : int(count)].copy(), ends)
+
+
+def _wrong_words(piece: int, stage: Stage) -> str:
+    """Return what is wrong with the bounds of a piece."""
+    found = (
+        f"length {stage.length:g}, speed {stage.speed:g}, acceleration {stage.acceleration:g}, "
+        f"jerk {stage.jerk:g}, ratio {stage.ratio:g}, horizon {stage.horizon}"
+    )
+    return (
+        f"piece {piece} has {found}; allowed are numbers above 0, a ratio of 0 or more, and a horizon that is "
+        "-1 or not before the piece"
+    )
