@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller import MotionChain, PlannedMove, Refusal, plan_move
+from ropsim.controller import MotionChain, MotionPlan, Refusal, plan_move
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
@@ -44,10 +44,10 @@ def lin(target: Target, modal: ModalState = FINE, visit: int = PASS) -> MoveInst
     return MoveInstruction(MotionKind.LIN, target, modal, Origin(LINE, visit))
 
 
-def planned(move: MoveInstruction, q_start: Array = START, chain: MotionChain = CHAIN) -> PlannedMove:
-    """Return the planned move; fail where it is refused."""
+def planned(move: MoveInstruction, q_start: Array = START, chain: MotionChain = CHAIN) -> MotionPlan:
+    """Return the plan of the move; fail where it is refused."""
     result = plan_move(chain, move, q_start)
-    assert isinstance(result, PlannedMove), result
+    assert isinstance(result, MotionPlan), result
     return result
 
 

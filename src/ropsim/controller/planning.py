@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -85,15 +86,16 @@ def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionP
         if too_long := check_duration(legs[number].move, duration):
             return _Hurdle(number, Refusal(too_long))
     motion = course.motion(law)
-    ticks = max(1, _whole(law.duration, period))
+    every = chain.controller.rates.interpolation_ticks
+    ticks = every * -(-_whole(law.duration, period) // every)
     points = motion.at(np.arange(1.0, ticks + 1.0) * period)
     reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
-    marks = [0, *(min(_whole(time, period), ticks) for time in law.ends.tolist())]
+    marks = [0, *(_whole(time, period) for time in law.ends[:-1].tolist()), ticks]
     pieces = tuple(
         PlannedPiece(piece.tool, piece.X_MT, first, last)
-        for piece, first, last in zip(course.pieces, marks[:-1], marks[1:], strict=True)
+        for piece, (first, last) in zip(course.pieces, pairwise(marks), strict=True)
     )
-    lasts = [min(_whole(time, period), ticks) for time in ends]
+    lasts = [*(_whole(time, period) for time in ends[:-1]), ticks]
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     moves = tuple(_move(leg, last, zone) for leg, last, zone in zip(legs, lasts, zones, strict=True))
     return MotionPlan(moves, pieces, state.q, reference, period, tuple(findings))

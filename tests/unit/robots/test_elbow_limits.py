@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.cellfile import read_cell
-from ropsim.controller import PlannedMove, Refusal, plan_move, standard_chain
+from ropsim.controller import MotionPlan, Refusal, plan_move, standard_chain
 from ropsim.core import SourceText
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import (
@@ -55,14 +55,14 @@ def test_values_are_those_of_the_joints_themselves() -> None:
             assert value == pytest.approx(float(Q[ROBOT.joints.index(joint)]))
 
 
-def planned(q_start: Array, kind: MotionKind, target: Pose | tuple[float, ...]) -> PlannedMove | Refusal:
+def planned(q_start: Array, kind: MotionKind, target: Pose | tuple[float, ...]) -> MotionPlan | Refusal:
     controller = robots.default_controller("palletizer")
     cell = one_station("c", ROBOT, controller)
     move = MoveInstruction(kind, target, ModalState())
     return plan_move(standard_chain(cell, cell.first), move, q_start)
 
 
-def refusal(found: PlannedMove | Refusal) -> tuple[str, object, str]:
+def refusal(found: MotionPlan | Refusal) -> tuple[str, object, str]:
     assert isinstance(found, Refusal)
     (finding,) = found.diagnostics
     return finding.code, finding.data["joint"], finding.message
@@ -94,7 +94,7 @@ def test_a_line_that_folds_the_elbow_on_its_way_is_refused_where_it_does() -> No
 
 def test_within_the_limits_moves_are_made() -> None:
     found = planned(WORKING, MotionKind.PTP, tuple(arm(20.0, 80.0, -40.0, 10.0).tolist()))
-    assert isinstance(found, PlannedMove)
+    assert isinstance(found, MotionPlan)
 
 
 @pytest.mark.parametrize("q", [FOLDED, OUT])
