@@ -24,8 +24,9 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
     Args:
         points: shape (k, 3) [m].
         curve: positions [m] and their first and second derivatives at parameters, shape (k,) to (k, 3) each.
-        grid: growing parameters, shape (m,), m >= 2; fine enough that the nearest place is a neighbour of the
-            nearest one of the grid.
+        grid: growing parameters, shape (m,), m >= 2, so fine that the nearest place is a neighbour of the
+            nearest one of the grid: between two of them the curve turns by less than half a right angle. Of
+            places that are as far but for that (points near the centre of an arc) any one may be found.
 
     Returns:
         distances [m], shape (k,).

@@ -1,0 +1,70 @@
+"""Section: what lies between two places of a path, as a path of its own."""
+
+import numpy as np
+
+from ropsim.motion.paths.nearest import distances
+from ropsim.motion.paths.path import JointPath, JointPoints, ToolPath, ToolPoints
+from ropsim.spatial import Array, record
+
+
+@record
+class JointSection:
+    """The places `begin` to `end` of a path of the joints, counted from 0.
+
+    Attributes:
+        path: of the joints.
+        begin: its place at the start of the section.
+        end: its place at the end of the section, beyond `begin`.
+    """
+
+    path: JointPath
+    begin: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """Return the length in the unit of the path."""
+        return self.end - self.begin
+
+    def joints(self, s: Array) -> JointPoints:
+        """Return the joints and their derivatives at places s, shape (k,)."""
+        return self.path.joints(s + self.begin)
+
+
+@record
+class ToolSection:
+    """The places `begin` to `end` of a path of the tool, counted from 0.
+
+    Attributes:
+        path: of the tool.
+        begin: its place at the start of the section.
+        end: its place at the end of the section, beyond `begin`.
+        grid: into how many steps the search for the nearest place divides it; between two steps the way must
+            not turn by more than about a right angle.
+    """
+
+    path: ToolPath
+    begin: float
+    end: float
+    grid: int = 64
+
+    @property
+    def length(self) -> float:
+        """Return the length in the unit of the path."""
+        return self.end - self.begin
+
+    def tool(self, s: Array) -> ToolPoints:
+        """Return the tool and its derivatives at places s, shape (k,)."""
+        return self.path.tool(s + self.begin)
+
+    def positions(self, s: Array) -> Array:
+        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        return self.path.positions(s + self.begin)
+
+    def distance(self, points: Array) -> Array:
+        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        return distances(points, self._curve, np.linspace(self.begin, self.end, self.grid + 1))
+
+    def _curve(self, places: Array) -> tuple[Array, Array, Array]:
+        rows = self.path.tool(places)
+        return rows.matrices[:, :3, 3], rows.d1[:, :3], rows.d2[:, :3]
