@@ -10,12 +10,12 @@ from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
     JointMotionLimits,
-    JointPart,
+    JointSection,
     JointPath,
     LineLimits,
     Stage,
     TimeLaw,
-    ToolPart,
+    ToolSection,
     ToolPath,
 )
 from ropsim.spatial import Pose, record
@@ -116,8 +116,8 @@ def course_of(legs: Sequence[Leg], corners: Sequence[Rounding | None]) -> Course
 def _straight(number: int, leg: Leg, first: float, last: float, ratio: float) -> Piece:
     assert leg.joints is not None
     whole = first == 0.0 and last == leg.joints.length
-    joints = leg.joints if whole else JointPart(leg.joints, first, last)
-    tool = leg.tool if whole or leg.tool is None else ToolPart(leg.tool, first, last)
+    joints = leg.joints if whole else JointSection(leg.joints, first, last)
+    tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits = leg.planned.limits
     stage = joint_stage(joints, limits.joints) if tool is None else tool_stage(tool, limits.tool)
     return Piece(number, joints, tool, leg.planned.X_MT, _with_ratio(stage, ratio), False)

@@ -20,7 +20,6 @@ from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
-from ropsim.motion.line_diagnostics import SPEED_LIMIT_ON_LINE as SPEED_LIMIT_ON_LINE
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
 from ropsim.motion.paths import JointBlend as JointBlend
