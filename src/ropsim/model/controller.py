@@ -133,7 +133,9 @@ class ControllerModel:
         rates: periods.
         gains: gains of the joint controller, those of its law.
         path: defaults on LIN paths.
-        in_position: a fine stop is over when every joint is this near its target [rad | m], shape (n,).
+        in_position: a fine stop is over when every joint is this near its target [rad | m] and not faster than
+            this way in 20 ms, shape (n,).
+        settle_time: for which time both must hold [s].
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
         look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
@@ -146,6 +148,7 @@ class ControllerModel:
     path: PathDefaults
     in_position: Array
     settle_timeout: float = 1.0
+    settle_time: float = 0.004
     speed_override: float = 1.0
     look_ahead: int = 10
     origins: tuple[ParameterOrigin, ...] = ()

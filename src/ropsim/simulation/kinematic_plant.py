@@ -21,6 +21,7 @@ class KinematicPlant:
 
     def __init__(self, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
         self._q = np.array(q)
+        self._qd = np.zeros(len(q))
         self._tick = 0
         self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
         self._past = Past(0, self._q)
@@ -30,6 +31,11 @@ class KinematicPlant:
     def q(self) -> Array:
         """Return the joint coordinates [rad | m], shape (n,)."""
         return self._q
+
+    @property
+    def qd(self) -> Array:
+        """Return the joint speeds [rad/s | m/s], shape (n,)."""
+        return self._qd
 
     @property
     def record_ticks(self) -> int:
@@ -43,7 +49,7 @@ class KinematicPlant:
         kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
         table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
         self._past.enter(self._tick + 1, reference.q)
-        self._q = np.array(reference.q[-1])
+        self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
         self._tick += reference.ticks
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:

@@ -1,24 +1,19 @@
 """Moves of a run: plan a stretch, follow it, settle at its end."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 
 from ropsim.controller import MotionPlan, MotionState, plan, stopped_by
 from ropsim.core import Diagnostic
 from ropsim.flow import MessageEvent, MessageInstruction, MoveEvent, MoveInstruction, SkipEvent
-from ropsim.model import JointType
 from ropsim.motion import ToolPath
 from ropsim.simulation.cell_run import CellRun
-from ropsim.simulation.diagnostics import FAR_FROM_TARGET, NOT_IN_POSITION
 from ropsim.simulation.following import Follower
 from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.move_span import MoveSpan, PathSpan
+from ropsim.simulation.settle import settle
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.stretch import Stretch, why_it_ends
-
-FAR = 50.0
-"""Share of `in_position` from which on an arm that does not settle has lost its target."""
 
 
 def move(run: CellRun, at: StationRun, stretch: Stretch) -> Iterator[None]:
@@ -68,7 +63,7 @@ def _follow(
         yield from follower.until(one.last)
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
-            yield from _settle(run, at, one.move)
+            yield from settle(run, at, one.move)
             if at.paths and at.paths[-1].end == end:
                 at.paths[-1] = replace(at.paths[-1], end=at.tick)
         at.moves.append(MoveSpan(one.move, since, end, at.tick))
@@ -93,39 +88,3 @@ def _enter_path(at: StationRun, path: ToolPath | None, start: int) -> None:
     """Note that a part of a path has been followed since a tick."""
     if path is not None:
         at.paths.append(PathSpan(path, start, at.tick))
-
-
-def _settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Iterator[None]:
-    """Stand until every joint is in position."""
-    controller = at.station.controller
-    start, limit = at.tick, round(controller.settle_timeout * at.hz)
-    while bool((abs(at.plant.q - at.q_command) > controller.in_position).any()):
-        if at.tick - start >= limit:
-            run.findings.append(_not_in_position(at, move))
-            break
-        yield from at.stand(controller.rates.interpolation_ticks)
-        if at.cut_short:
-            break
-
-
-def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
-    controller = at.station.controller
-    error = abs(at.plant.q - at.q_command)
-    joint = int((error / controller.in_position).argmax())
-    model = at.station.robot.axis_joints[joint]
-    turns = model.measure is JointType.REVOLUTE
-    scale, unit, sort = (180.0 / math.pi, "°", "rad") if turns else (1e3, " mm", "m")
-    kind = FAR_FROM_TARGET if error[joint] > FAR * controller.in_position[joint] else NOT_IN_POSITION
-    return kind.at(
-        move.origin.span,
-        f"joint `{model.name}` is {error[joint] * scale:.4g}{unit} from its target "
-        f"after {controller.settle_timeout:g} s, "
-        f"in position means {controller.in_position[joint] * scale:.4g}{unit}",
-        label=f"pass {move.origin.visit}",
-        hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
-        data={
-            "pass": move.origin.visit,
-            "joint": joint + 1,
-            f"error_{sort}": float(error[joint]),
-        },
-    )

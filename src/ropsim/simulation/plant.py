@@ -18,6 +18,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def qd(self) -> Array:
+        """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
+        ...
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         ...

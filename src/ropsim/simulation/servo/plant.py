@@ -48,6 +48,11 @@ class ServoPlant:
         return self._state.q
 
     @property
+    def qd(self) -> Array:
+        """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
+        return self._state.qd
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         return self._recorder.record_ticks
