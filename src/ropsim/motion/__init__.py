@@ -1,4 +1,4 @@
-"""Trajectories: jerk-limited profiles, synchronous pose-to-pose motion, straight lines; their findings."""
+"""Trajectories: jerk-limited profiles and time laws, synchronous pose-to-pose, lines; their findings."""
 
 from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
@@ -54,6 +54,7 @@ from ropsim.motion.ptp import JointTrajectory as JointTrajectory
 from ropsim.motion.ptp import durations as durations
 from ropsim.motion.ptp import joint_trajectory as joint_trajectory
 from ropsim.motion.stage import Stage as Stage
+from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_time_law as plan_time_law
 from ropsim.motion.turn import OrientationMode as OrientationMode

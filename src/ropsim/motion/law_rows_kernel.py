@@ -4,7 +4,7 @@ Segments stand in columns: piece, time at the start [s], place, speed, accelerat
 at the end; see `TimeLaw`.
 """
 
-from math import inf, sqrt
+from math import inf, isnan, sqrt
 
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
@@ -64,6 +64,9 @@ def times_at(segments: Array, ends: Array, piece: int, places: Array, out: Array
         if place >= segments[7, beyond - 1]:
             out[k] = ends[piece]
             continue
+        if isnan(place):
+            out[k] = place
+            continue
         if place <= 0.0:
             out[k] = 0.0 if piece == 0 else ends[piece - 1]
             continue
@@ -79,7 +82,7 @@ def times_at(segments: Array, ends: Array, piece: int, places: Array, out: Array
 
 
 def _row_at(segments: Array, t: float, row: int) -> int:
-    """Return the last segment that starts no later than t; it is looked for at `row` and the next one first."""
+    """Return the last segment that starts no later than t, looked for first at `row` and behind it."""
     m = segments.shape[1]
     if segments[1, row] <= t:
         if row + 1 == m or t < segments[1, row + 1]:
@@ -130,7 +133,7 @@ def _time_at(segments: Array, row: int, place: float, end: float) -> float:
     if falls:
         v, a = max(v + whole * (a + 0.5 * whole * j), 0.0), -final
         way = segments[7, row] - place
-    u = whole
+    u: float = whole
     if v > 0.0:
         u = min(u, way / v)
     if a > 0.0 and j >= 0.0:

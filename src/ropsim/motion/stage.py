@@ -12,8 +12,8 @@ class Stage:
         speed: bound of ds/dt [1/s], above 0.
         acceleration: bound of |d²s/dt²| [1/s²], above 0.
         jerk: bound of |d³s/dt³| [1/s³], above 0.
-        ratio: ds/dt at the start of this piece divided by ds/dt at the end of the piece before, 0 or more, each
-            in its own unit; at 0 the motion stops there.
+        ratio: ds/dt at the start of this piece divided by ds/dt at the end of the piece before, each in its
+            own unit; 0 or more, at 0 the motion stops there.
         horizon: index of the last piece whose end is known when this piece ends: the motion must then be able
             to come to rest at the end of that one. -1, or an index beyond the last piece, is the last piece.
     """

@@ -1,4 +1,4 @@
-"""The time law of a way of several pieces: jerk-limited, at rest at both ends, as fast as the bounds allow."""
+"""The time law of a way of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
 
 from collections.abc import Sequence
 
@@ -9,6 +9,7 @@ from ropsim.motion import law_rows_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.profile import ProfileError
 from ropsim.motion.stage import Stage
+from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
 
 Indices = npt.NDArray[np.int64]
@@ -60,35 +61,35 @@ class TimeLaw:
     @property
     def pieces(self) -> Indices:
         """Return the index of the piece of each segment, shape (m,)."""
-        return self.segments[0].astype(np.int64)
+        return np.asarray(self.segments[0], dtype=np.int64)
 
     @property
     def times(self) -> Array:
         """Return the times at which the segments start [s], shape (m,)."""
-        return self.segments[1]
+        return self.segments[1, :]
 
     @property
     def places(self) -> Array:
         """Return s at the start of each segment, shape (m,)."""
-        return self.segments[2]
+        return self.segments[2, :]
 
     @property
     def speeds(self) -> Array:
         """Return ds/dt at the start of each segment [1/s], shape (m,)."""
-        return self.segments[3]
+        return self.segments[3, :]
 
     @property
     def accelerations(self) -> Array:
         """Return d²s/dt² at the start of each segment [1/s²], shape (m,)."""
-        return self.segments[4]
+        return self.segments[4, :]
 
     @property
     def jerks(self) -> Array:
         """Return d³s/dt³ in each segment [1/s³], shape (m,)."""
-        return self.segments[5]
+        return self.segments[5, :]
 
     def at(self, times: npt.ArrayLike) -> LawRows:
-        """Return where the motion is at the times [s], shape (k,); before its start and after its end it rests.
+        """Return where the motion is at the times [s], shape (k,); outside of the motion it rests.
 
         At the time at which a piece ends, the next one has begun. Start and end are exact.
         """
@@ -130,8 +131,8 @@ def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
         stages: bounds of the pieces, in their order.
 
     Raises:
-        ProfileError: M540, where there are no pieces, a length or bound is not a finite number above 0, a
-            ratio is below 0 or not finite, or a horizon lies before its piece.
+        ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50 (a
+            ratio may be 0), or a horizon lies before its piece.
 
     References:
         Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
@@ -159,6 +160,6 @@ def _wrong_words(piece: int, stage: Stage) -> str:
         f"jerk {stage.jerk:g}, ratio {stage.ratio:g}, horizon {stage.horizon}"
     )
     return (
-        f"piece {piece} has {found}; allowed are numbers above 0, a ratio of 0 or more, and a horizon that is "
-        "-1 or not before the piece"
+        f"piece {piece} has {found}; allowed are numbers from {LEAST:g} to {MOST:g}, for the ratio also 0, "
+        "and a horizon that is -1 or not before the piece"
     )

@@ -11,7 +11,7 @@ Time-Optimal Control of Robotic Manipulators Along Specified Paths, Int. J. Robo
 Bounds of a piece stand in columns: length, speed, acceleration, jerk, ratio, horizon; see `Stage`.
 """
 
-from math import inf, sqrt
+from math import sqrt
 
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
@@ -20,6 +20,8 @@ HALF_BIT = 1.2e-16
 """Relative; taken off, a number becomes the next smaller one."""
 ROUNDING = 1e-15
 """Relative; a way that remains below this share of a piece is none."""
+LEAST, MOST = 1e-50, 1e50
+"""Between them lie the numbers of a piece; what is computed from them is then finite."""
 ROUNDS = 60
 """More steps of Newton's method than any convex function of one variable here needs."""
 
@@ -34,8 +36,8 @@ def plan_segments(bounds: Array, room: Array, rows: Array, ends: Array, told: Ar
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
             [s], place at the end; of shape (8, 7·p).
         ends: where the times [s] go at which the pieces end, shape (p,).
-        told: where the number of segments goes, or where -1 and the index of a piece go whose bounds no motion
-            can have, shape (2,).
+        told: where the number of segments goes, or -1 and the index of a piece whose bounds no motion can
+            have, shape (2,).
     """
     p = bounds.shape[0]
     least, speeds = room[0], room[1]  # at the end of the piece before, in its unit: bound, and what is driven
@@ -68,9 +70,9 @@ def plan_segments(bounds: Array, room: Array, rows: Array, ends: Array, told: Ar
 def _is_wrong(bounds: Array, i: int) -> bool:
     """Return whether a number of a piece is none that a motion can have."""
     for k in range(4):
-        if not 0.0 < bounds[i, k] < inf:
+        if not LEAST <= bounds[i, k] <= MOST:
             return True
-    if not 0.0 <= bounds[i, 4] < inf:
+    if not (bounds[i, 4] == 0.0 or LEAST <= bounds[i, 4] <= MOST):
         return True
     return not (bounds[i, 5] == -1.0 or bounds[i, 5] >= i)
 
@@ -141,9 +143,7 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
 def _cubic_root(p: float, q: float) -> float:
     """Return the real root of w³ + p·w = q for p >= 0, q > 0, by Cardano's formula without cancellation."""
     third, half = p / 3.0, 0.5 * q
-    u = (half + sqrt(half * half + third * third * third)) ** (1.0 / 3.0)
-    if u == 0.0:
-        return 0.0
+    u: float = (half + sqrt(half * half + third * third * third)) ** (1.0 / 3.0)
     v = third / u
     w = q / (u * u + third + v * v)
     return w - (w * (w * w + p) - q) / (3.0 * w * w + p)  # the power above is not exact to the last bit
