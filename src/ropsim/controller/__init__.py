@@ -22,10 +22,10 @@ from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_F
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.laws import law_of as law_of
+from ropsim.controller.motion_chain import MotionChain as MotionChain
 from ropsim.controller.motion_clock import ClockLimits as ClockLimits
 from ropsim.controller.motion_clock import ClockState as ClockState
 from ropsim.controller.motion_clock import advance as advance
-from ropsim.controller.motion_chain import MotionChain as MotionChain
 from ropsim.controller.motion_plan import MotionPlan as MotionPlan
 from ropsim.controller.motion_plan import MotionState as MotionState
 from ropsim.controller.motion_plan import PlannedMove as PlannedMove
@@ -37,5 +37,6 @@ from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
 from ropsim.controller.sensor_interface import ScriptedSensors as ScriptedSensors
 from ropsim.controller.sensor_interface import with_change as with_change
+from ropsim.controller.trigger_ticks import PlannedTrigger as PlannedTrigger
 from ropsim.controller.work_frames import WorkFrames as WorkFrames
 from ropsim.controller.zone_findings import stopped_by as stopped_by

@@ -10,13 +10,13 @@ from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
     JointMotionLimits,
-    JointSection,
     JointPath,
+    JointSection,
     LineLimits,
     Stage,
     TimeLaw,
-    ToolSection,
     ToolPath,
+    ToolSection,
 )
 from ropsim.spatial import Pose, record
 

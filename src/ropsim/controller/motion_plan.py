@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.controller.trigger_ticks import PlannedTrigger
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, MoveInstruction
 from ropsim.motion import ToolPath
@@ -55,6 +56,7 @@ class PlannedMove:
         q_end: command joint coordinates at its target [rad | m], shape (n,).
         last: control tick of the plan at which it ends: the middle of its corner, or the end of the plan.
         zone: distance from its target at which the path goes on to the next move [m]; 0 where it stops.
+        triggers: outputs that are set on its way, in order of time.
     """
 
     move: MoveInstruction
@@ -62,6 +64,7 @@ class PlannedMove:
     q_end: Array
     last: int
     zone: float
+    triggers: tuple[PlannedTrigger, ...] = ()
 
 
 @record

@@ -1,8 +1,6 @@
 """Planning a stretch: moves become paths, paths a course with rounded corners, the course a motion in time."""
 
-import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
@@ -11,16 +9,14 @@ from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.motion_plan import MotionPlan, MotionState, PlannedMove, PlannedPiece
+from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
+from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
-from ropsim.flow import JointReference, MoveInstruction
+from ropsim.flow import MoveInstruction
 from ropsim.motion import plan_time_law
-from ropsim.spatial import Array, record
-
-_WHOLE_SLACK = 1e-9
-"""Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+from ropsim.spatial import record
 
 
 def plan(
@@ -76,34 +72,14 @@ def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionP
     course = course_of(legs, corners)
     period = chain.controller.rates.control_period
     if not course.pieces:
-        nothing = JointReference(*(np.empty((0, len(state.q))) for _ in range(3)))
-        return MotionPlan(
-            tuple(_move(leg, 0, 0.0) for leg in legs), (), state.q, nothing, period, tuple(findings)
-        )
+        return standing(legs, state.q, period, findings)
     law = plan_time_law(course.stages(chain.controller.look_ahead))
     ends = course.ends_of_moves(law)
     for number, duration in enumerate(np.diff(ends, prepend=0.0).tolist()):
         if too_long := check_duration(legs[number].move, duration):
             return _Hurdle(number, Refusal(too_long))
-    motion = course.motion(law)
-    every = chain.controller.rates.interpolation_ticks
-    ticks = every * -(-_whole(law.duration, period) // every)
-    points = motion.at(np.arange(1.0, ticks + 1.0) * period)
-    reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
-    marks = [0, *(_whole(time, period) for time in law.ends[:-1].tolist()), ticks]
-    pieces = tuple(
-        PlannedPiece(piece.tool, piece.X_MT, first, last)
-        for piece, (first, last) in zip(course.pieces, pairwise(marks), strict=True)
-    )
-    lasts = [*(_whole(time, period) for time in ends[:-1]), ticks]
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    moves = tuple(_move(leg, last, zone) for leg, last, zone in zip(legs, lasts, zones, strict=True))
-    return MotionPlan(moves, pieces, state.q, reference, period, tuple(findings))
-
-
-def _whole(time: float, period: float) -> int:
-    """Return how many control ticks cover a time [s]."""
-    return math.ceil(time / period - _WHOLE_SLACK)
+    return in_ticks(chain, legs, zones, course, law, state.q, findings)
 
 
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Rounding | None]:
@@ -120,13 +96,3 @@ def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) ->
             findings += clipped(before.move, found.zone)
             corners.append(found)
     return corners
-
-
-def _move(leg: Leg, last: int, zone: float) -> PlannedMove:
-    return PlannedMove(leg.move, leg.planned.X_MT, leg.q_end, last, zone)
-
-
-def _at_rest_at_end(q: Array, qd: Array, qdd: Array, q_end: Array) -> JointReference:
-    """Return the reference; its last row is the end of the motion, without the rounding of sums."""
-    q[-1], qd[-1], qdd[-1] = q_end, 0.0, 0.0
-    return JointReference(q, qd, qdd)

@@ -73,3 +73,17 @@ too low to carry arm and part there. The move is skipped.
 in the model.
 """,
 )
+
+TRIGGER_OFF_PATH = define(
+    "M565",
+    "trigger-beside-path",
+    Severity.WARNING,
+    "an output is to be set at a place that lies before the start or behind the end of its move",
+    """
+`at … before end do` and `at … after start do` set an output while the arm moves. The way of the move, or its
+time, is shorter than what is given: the output is set at the start or at the end instead. A move with a zone
+begins and ends in the middle of the rounded corner.
+
+**How to mend it.** Give less, or put the output on the move before or behind.
+""",
+)

@@ -1,11 +1,20 @@
 """Moves of a run: plan a stretch, follow it, settle at its end."""
 
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ropsim.controller import MotionPlan, MotionState, plan, stopped_by
+from ropsim.controller import MotionPlan, MotionState, PlannedTrigger, plan, stopped_by
 from ropsim.core import Diagnostic
-from ropsim.flow import MessageEvent, MessageInstruction, MoveEvent, MoveInstruction, SkipEvent
+from ropsim.flow import (
+    MessageEvent,
+    MessageInstruction,
+    MoveEvent,
+    MoveInstruction,
+    Origin,
+    OutputEvent,
+    SkipEvent,
+)
 from ropsim.motion import ToolPath
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.following import Follower
@@ -56,11 +65,12 @@ def _follow(
         put_in_force(run, at, one.move)
         since, ordinal = at.tick, len(at.moves)
         at.track("move", ordinal)
+        triggers = deque(one.triggers)
         while piece is not None and piece.last <= one.last:
-            yield from follower.until(piece.last)
+            yield from _to(run, at, follower, one.move.origin, triggers, piece.last)
             _enter_path(at, piece.path, piece_start)
             piece, piece_start = next(pieces, None), at.tick
-        yield from follower.until(one.last)
+        yield from _to(run, at, follower, one.move.origin, triggers, one.last)
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
             yield from settle(run, at, one.move)
@@ -82,6 +92,26 @@ def _follow(
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
         if at.cut_short:
             return
+
+
+def _to(
+    run: CellRun,
+    at: StationRun,
+    follower: Follower,
+    origin: Origin,
+    triggers: deque[PlannedTrigger],
+    place: int,
+) -> Iterator[None]:
+    """Follow the plan to a control tick of motion time; what is to be set on the way is set."""
+    while triggers and triggers[0].tick <= place:
+        yield from follower.until(triggers[0].tick)
+        if at.cut_short:
+            return
+        one = triggers.popleft().trigger
+        run.set_output(at, one.channel, one.value)
+        done = OutputEvent(*at.when(at.tick), origin, channel=one.channel, value=one.value)
+        run.note(at, at.tick, done)
+    yield from follower.until(place)
 
 
 def _enter_path(at: StationRun, path: ToolPath | None, start: int) -> None:

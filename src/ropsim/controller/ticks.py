@@ -1,0 +1,101 @@
+"""A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from ropsim.controller.course import Course
+from ropsim.controller.leg import Leg
+from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
+from ropsim.controller.trigger_ticks import trigger_ticks
+from ropsim.core import Diagnostic
+from ropsim.flow import JointReference
+from ropsim.motion import TimeLaw
+from ropsim.spatial import Array
+
+_SLACK = 1e-9
+"""Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+
+
+def standing(
+    legs: Sequence[Leg], q_start: Array, period: float, findings: Sequence[Diagnostic]
+) -> MotionPlan:
+    """Return the plan of moves that all end where they begin.
+
+    Args:
+        legs: the moves.
+        q_start: command joint coordinates [rad | m], shape (n,).
+        period: time of a control tick [s].
+        findings: on the moves.
+    """
+    moves = tuple(PlannedMove(leg.move, leg.planned.X_MT, leg.q_end, 0, 0.0) for leg in legs)
+    nothing = JointReference(*(np.empty((0, len(q_start))) for _ in range(3)))
+    return MotionPlan(moves, (), q_start, nothing, period, tuple(findings))
+
+
+def in_ticks(
+    chain: MotionChain,
+    legs: Sequence[Leg],
+    zones: Sequence[float],
+    course: Course,
+    law: TimeLaw,
+    q_start: Array,
+    findings: Sequence[Diagnostic],
+) -> MotionPlan:
+    """Return the plan of a motion; it lasts a whole number of interpolation ticks.
+
+    Args:
+        chain: the entities; gives the rates.
+        legs: the moves.
+        zones: that are flown at their ends [m].
+        course: of the stretch.
+        law: how it is walked.
+        q_start: command joint coordinates at its start [rad | m], shape (n,).
+        findings: on the moves.
+    """
+    rates = chain.controller.rates
+    period, every = rates.control_period, rates.interpolation_ticks
+    ticks = every * -(-_whole(law.duration, period) // every)
+    phi = np.arange(1.0, ticks + 1.0) * period
+    points = course.motion(law).at(phi)
+    reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
+    marks = [0, *_ticks_of(law.ends[:-1], phi, period), ticks]
+    pieces = tuple(
+        PlannedPiece(piece.tool, piece.X_MT, first, last)
+        for piece, (first, last) in zip(course.pieces, pairwise(marks), strict=True)
+    )
+    lasts = [0, *_ticks_of(np.array(course.ends_of_moves(law)[:-1]), phi, period), ticks]
+    q = np.concatenate((q_start[None], reference.q))
+    moves, found = [], list(findings)
+    for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
+        X_MT, move = leg.planned.X_MT, leg.move
+        triggers, told = trigger_ticks(move, chain.robot, X_MT, q[first : last + 1], first, period)
+        moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers))
+        found += told
+    return MotionPlan(tuple(moves), pieces, q_start, reference, period, tuple(found))
+
+
+def _whole(time: float, period: float) -> int:
+    """Return how many control ticks cover a time [s]."""
+    return math.ceil(time / period - _SLACK)
+
+
+def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
+    """Return the first control ticks at which the motion has come to motion times [s], shape (k,).
+
+    Args:
+        times: motion times [s].
+        phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
+        period: time of a control tick [s].
+    """
+    found: list[int] = np.minimum(np.searchsorted(phi, times - _SLACK * period) + 1, len(phi)).tolist()
+    return found
+
+
+def _at_rest_at_end(q: Array, qd: Array, qdd: Array, q_end: Array) -> JointReference:
+    """Return the reference; its last row is the end of the motion, without the rounding of sums."""
+    q[-1], qd[-1], qdd[-1] = q_end, 0.0, 0.0
+    return JointReference(q, qd, qdd)

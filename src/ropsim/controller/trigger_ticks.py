@@ -1,0 +1,73 @@
+"""Where triggers act: at which control ticks of a plan outputs are set on the way of a move."""
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction, Side, Trigger
+from ropsim.kinematics import forward_batch
+from ropsim.model import RobotModel
+from ropsim.motion import TRIGGER_OFF_PATH
+from ropsim.spatial import Array, Pose, record
+
+_SLACK = 1e-9
+"""Rounding of a way that is added up [m], and of a time in ticks."""
+
+
+@record
+class PlannedTrigger:
+    """An output that is set on the way.
+
+    Attributes:
+        trigger: what is set.
+        tick: control tick of the plan at which.
+    """
+
+    trigger: Trigger
+    tick: int
+
+
+def trigger_ticks(
+    move: MoveInstruction, robot: RobotModel, X_MT: Pose, q: Array, first: int, period: float
+) -> tuple[tuple[PlannedTrigger, ...], tuple[Diagnostic, ...]]:
+    """Return when the triggers of a move act, in order of time, and M565 for those that lie beside its way.
+
+    A distance is the way of the TCP as it is flown, round corners too; a move with a corner begins and ends
+    in the middle of it. Outputs are set at the first control tick at which the TCP has come so far.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        X_MT: the tool.
+        q: references at the control ticks of the move, its start first [rad | m], shape (k + 1, n).
+        first: control tick of the plan at which the move starts.
+        period: time of a control tick [s].
+    """
+    if not move.triggers:
+        return (), ()
+    positions = (forward_batch(robot, q) @ X_MT.matrix())[:, :3, 3]
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    behind = np.concatenate(([0.0], np.cumsum(steps)))  # way from the start [m], (k + 1,)
+    planned, findings = [], []
+    for trigger in move.triggers:
+        places, unit, size = (behind, "mm", trigger.distance)
+        if size is None:
+            places, unit, size = np.arange(len(q)) * period, "ms", trigger.time or 0.0
+        whole = float(places[-1])
+        wanted = size if trigger.side is Side.AFTER_START else whole - size
+        if not -_SLACK <= wanted <= whole + _SLACK and move.origin.visit == 1:
+            findings.append(_off_path(move, trigger, size, whole, unit))
+        tick = min(int(np.searchsorted(places, wanted - _SLACK)), len(q) - 1)
+        planned.append(PlannedTrigger(trigger, first + tick))
+    return tuple(sorted(planned, key=lambda one: one.tick)), tuple(findings)
+
+
+def _off_path(move: MoveInstruction, trigger: Trigger, size: float, whole: float, unit: str) -> Diagnostic:
+    end = "start" if trigger.side is Side.BEFORE_END else "end"
+    side = "before the end" if trigger.side is Side.BEFORE_END else "after the start"
+    return TRIGGER_OFF_PATH.at(
+        move.origin.span,
+        f"`{trigger.channel}` is to be set {size * 1e3:g} {unit} {side}, the move is {whole * 1e3:.4g} {unit} "
+        f"long: it is set at its {end}",
+        hint="give less, or put it on the move beside this one",
+        data={"wanted": size, "whole": whole},
+    )
