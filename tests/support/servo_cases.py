@@ -39,6 +39,12 @@ def quintic(start: Array, goal: Array, ticks: int, period: float = 1e-3) -> Join
     )
 
 
+def part(reference: JointReference, first: int, last: int) -> JointReference:
+    """Return the rows of a reference from `first` on, without `last`."""
+    rows = slice(first, last)
+    return JointReference(reference.q[rows], reference.qd[rows], reference.qdd[rows])
+
+
 def standing(q: Array, ticks: int) -> JointReference:
     """Return the reference that stands still."""
     rest = np.zeros((ticks, len(q)))

@@ -31,13 +31,15 @@ class LawTraits:
 class CompiledLaw:
     """A joint controller that is compiled into the servo slice.
 
-    `source` is the `def` statement of `law(par, state, ref, meas, load, aux, out)`, called once per control
-    tick. It may use `math`, loops and the shapes of its arguments, which are float64 arrays:
+    `source` is the `def` statement of `law(par, state, ref, meas, load, aux, out)`, called at every control
+    tick with what holds at that instant. It may use `math`, loops and the shapes of its arguments, which are
+    float64 arrays:
 
     - `par` (p, n): the parameters, one row each;
     - `state` (s, n): what the law remembers; it changes it in place;
-    - `ref` (3, n): reference coordinates, speeds, accelerations;
-    - `meas` (3, n): measured coordinates and speeds, and the torques of the drives at the joints;
+    - `ref` (3, n): reference coordinates, speeds, accelerations at that instant;
+    - `meas` (3, n): coordinates and speeds measured at that instant, and the torques of the drives at the
+      joints;
     - `load` (10,): tool and grasped part in the mechanical interface frame: mass m [kg], m·c [kg·m] (3), and
       inertia about the origin of that frame as xx, yy, zz, xy, xz, yz [kg·m²];
     - `aux` (a,): values of the signals that `traits.aux` names;
@@ -68,10 +70,10 @@ class CompiledLaw:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LawInput:
-    """What a law in Python is given at a control tick.
+    """What a law in Python is given at a control tick: reference, measurement and signals of one instant.
 
     Attributes:
-        time: of the tick [s].
+        time: of that instant [s].
         ref: reference coordinates [rad | m], speeds and accelerations, shape (3, n).
         meas: measured coordinates [rad | m], speeds, and torques of the drives at the joints [N·m | N], shape
             (3, n).

@@ -36,6 +36,8 @@ class JointSamples:
 class JointReference:
     """What the joint controller is given at each control tick.
 
+    Row 0 is for one control period from now; it comes into force when the present control tick is over.
+
     Attributes:
         q: reference coordinates [rad | m], shape (k, n).
         qd: reference speeds [rad/s | m/s], shape (k, n).

@@ -107,6 +107,18 @@ def test_the_two_link_arm_of_the_library_ends_its_moves_at_once() -> None:
     assert np.abs(after.q - end).max() < 0.2e-3
 
 
+def test_an_arm_that_is_its_model_stays_with_its_reference() -> None:
+    """What remains is the output that is held: a few hundredths of the way of a control period."""
+    robot, controller = robots.load("two_link"), robots.default_controller("two_link")
+    servo = Servo.build(robot, controller, None, Engine.PYTHON)
+    reference = quintic(np.array([0.5, 1.0]), np.array([1.3, -0.5]), 900)
+    start = servo.initial_state([0.5, 1.0])
+    recorder = servo.recorder(start)
+    servo.run(start, reference, Payload(), recorder)
+    error = np.abs(recorder.channels()["q_ref"] - recorder.channels()["q"]).max(axis=0)
+    assert (error < 0.05 * np.abs(reference.qd).max(axis=0) * servo.period).all()
+
+
 def test_gains_of_another_law_are_refused() -> None:
     robot, puma = robots.load("two_link"), robots.default_controller("puma560")
     wrong = replace(puma, kind=ControllerKind.COMPUTED_TORQUE)

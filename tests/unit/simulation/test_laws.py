@@ -11,12 +11,11 @@ from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, LawError, LawInput, LawTraits, cascaded_p_pi
 from ropsim.core import Diagnostic
 from ropsim.dynamics import gravity
-from ropsim.flow import JointReference
 from ropsim.model import InputKind, Payload, RobotModel, ideal_drive
 from ropsim.simulation import Servo, ServoState
 from ropsim.spatial import Array
 from support.arms import drive, random_arm
-from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, quintic, standing
+from support.servo_cases import GOAL, START, CascadeInPython, controller, part, puma, quintic, standing
 
 NOTHING = Payload()
 BOX = Payload(2.0, np.array([0.0, 0.01, 0.1]), np.diag([0.01, 0.02, 0.015]))
@@ -107,16 +106,11 @@ def test_a_law_in_python_goes_on_from_any_state() -> None:
     servo = Servo.build(robot, model, CascadeInPython(model, robot))
     reference = quintic(START, GOAL, 60)
     start = servo.initial_state(START)
-    half = servo.run(start, _rows(reference, 0, 30), Payload(), servo.recorder(start))
-    ends = [servo.run(half, _rows(reference, 30, 60), Payload(), servo.recorder(half)) for _ in range(2)]
+    half = servo.run(start, part(reference, 0, 30), Payload(), servo.recorder(start))
+    ends = [servo.run(half, part(reference, 30, 60), Payload(), servo.recorder(half)) for _ in range(2)]
     whole = servo.run(start, reference, Payload(), servo.recorder(start))
     for end in ends:
         np.testing.assert_array_equal(end.values, whole.values)
-
-
-def _rows(reference: JointReference, first: int, last: int) -> JointReference:
-    rows = slice(first, last)
-    return JointReference(reference.q[rows], reference.qd[rows], reference.qdd[rows])
 
 
 # --- delay
@@ -155,7 +149,7 @@ def test_slices_of_any_length_give_a_delayed_law_the_same_bits() -> None:
     state = start
     for first in (0, 2, 9):
         last = {0: 2, 2: 9, 9: 20}[first]
-        state = servo.run(state, _rows(reference, first, last), Payload(), servo.recorder(state))
+        state = servo.run(state, part(reference, first, last), Payload(), servo.recorder(state))
     np.testing.assert_array_equal(state.values, whole.values)
 
 

@@ -14,9 +14,8 @@ from ropsim.spatial import Array
 class Recorder:
     """Collects a row at every control tick that is a multiple of the decimation, the start included.
 
-    A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz, beside
-    what the amplifiers put out until then and the reference for that time. The row of the start holds the
-    start itself as reference.
+    A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz and the
+    reference of the same instant, beside what the amplifiers put out until then.
 
     Args:
         robot: the arm; it must have drives.
@@ -90,7 +89,6 @@ class Recorder:
     def _first(self, robot: RobotModel, start: ServoState) -> Array:
         """Return the row of the start."""
         row = np.empty(self._layout.width)
-        row[self._layout.field("q_ref").place] = start.q
-        row[self._layout.field("qd_ref").place] = start.qd
+        row[self._layout.field("q_ref").place], row[self._layout.field("qd_ref").place] = start.reference[:2]
         observe(robot, start.values[: start.layout.integrated], start.output, row)
         return row

@@ -42,10 +42,11 @@ NO_PAYLOAD = Payload()
 class Servo:
     """An arm under its joint controller; make it with `Servo.build`.
 
-    The law runs once per control tick, its output holds over the tick, and the amplifier clips it. Drives and
-    arm are one system of equations (joint coordinates, speeds, states of the drives) that the classical
-    Runge-Kutta method of fourth order integrates with `plant_steps` equal steps per tick. Nothing is random
-    and sums keep their order: the same calls give the same bits, however a reference is cut into slices.
+    The law runs at the beginning of each control tick, with reference and measurement of that instant; its
+    output holds over the tick, and the amplifier clips it. Drives and arm are one system of equations (joint
+    coordinates, speeds, states of the drives) that the classical Runge-Kutta method of fourth order
+    integrates with `plant_steps` equal steps per tick. Nothing is random and sums keep their order: the same
+    calls give the same bits, however a reference is cut into slices.
 
     Attributes:
         robot: the arm.
@@ -112,7 +113,7 @@ class Servo:
         return 1.0 / self.control_hz
 
     def initial_state(self, q: npt.ArrayLike, payload: Payload = NO_PAYLOAD) -> ServoState:
-        """Return the state at tick 0: at rest, held against gravity by the drives.
+        """Return the state at tick 0: at rest on its reference, held against gravity by the drives.
 
         An integral in the law starts at the output that holds them, so that the arm does not sag when the
         simulation begins.
@@ -133,6 +134,7 @@ class Servo:
         layout = self.layout
         values = np.zeros(layout.size)
         values[layout.q] = start
+        layout.in_force(values)[0] = start
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, drive in enumerate(self.robot.drives):
             held = steady_drive(drive, float(start[k]), 0.0, float(tau[k]))
@@ -167,6 +169,7 @@ class Servo:
         Args:
             state: where to start; it stays as it is.
             reference: one row per control tick; row 0 is where the arm should be one control period from now.
+                Row k comes into force at the end of tick k; the last one is in force in the state returned.
             payload: body at the mechanical interface, constant over the call.
             recorder: gets the rows of these ticks.
             aux: values of the signals that the law reads, shape (ticks, a); None where it reads none.
@@ -222,8 +225,7 @@ class Servo:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n, memory = self.robot.n, self.layout.memory(self.bench.values)
         for k in range(len(signals)):
-            ref = np.stack([array[k] for array in reference])
-            time = (tick + k) * self.period
+            ref, time = self.layout.in_force(self.bench.values).copy(), (tick + k) * self.period
             now = LawInput(time, ref, self._measured(), payload, signals[k].copy())
             try:
                 answer = law.step(now, memory)
@@ -266,8 +268,8 @@ class _Bench:
     @classmethod
     def of(cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates) -> "_Bench":
         values, parameters = np.zeros(layout.size), np.array(law.parameters)
-        state = (values, layout.waiting(values), layout.memory(values))
-        room = (np.zeros((7, layout.n)), np.zeros((5, layout.integrated)))
+        state = (values, layout.in_force(values), layout.waiting(values), layout.memory(values))
+        room = (np.zeros((4, layout.n)), np.zeros((5, layout.integrated)))
         made = bound(kernel, *state, parameters, *room, rates.plant_steps, 1.0 / rates.control_hz)
         return cls(values, parameters, made, {})
 

@@ -9,8 +9,8 @@ from ropsim.simulation.servo.state import StateLayout
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8, f8[::1], f8[::1],"
-    " f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)"
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8, f8[::1],"
+    " f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)"
 )
 
 
@@ -26,9 +26,11 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
 
-    A row of the log is what holds at the end of a tick, beside the reference of that tick and what the
-    amplifiers put out over it. `values` is the state vector, `pending` and `memory` are parts of it by rows;
-    `frame` (7, n) and `stages` (5, m) are room to work in. What is the same in many calls comes first.
+    The law is given what holds at the beginning of a tick: the reference in force and the measurement. At its
+    end the next row of the reference comes into force. A row of the log is what holds then, beside what the
+    amplifiers put out over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
+    it by rows; `frame` (4, n) and `stages` (5, m) are room to work in. What is the same in many calls comes
+    first.
     """
     n = structure.n
     size = StateLayout.of(structure.drives, traits).integrated
@@ -37,11 +39,11 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     return f"""\
 def run_slice(
-    values, pending, memory, par, frame, stages, plant_steps, period, constants, load,
+    values, ref, pending, memory, par, frame, stages, plant_steps, period, constants, load,
     q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row,
 ):
     x, u = values[:{size}], values[{size}:{size + n}]
-    ref, seen, out = frame[:3], frame[3:6], frame[6]
+    seen, out = frame[:3], frame[3]
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h
@@ -49,9 +51,6 @@ def run_slice(
     row = log_row
     for k in range(q_ref.shape[0]):
         for j in range({n}):
-            ref[0, j] = q_ref[k, j]
-            ref[1, j] = qd_ref[k, j]
-            ref[2, j] = qdd_ref[k, j]
             seen[0, j] = x[j]
             seen[1, j] = x[{n} + j]
         efforts(x, u, constants, seen[2])
@@ -70,6 +69,10 @@ def run_slice(
             derivative(y, u, constants, k4)
             for j in range({size}):
                 x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
+        for j in range({n}):
+            ref[0, j] = q_ref[k, j]
+            ref[1, j] = qd_ref[k, j]
+            ref[2, j] = qdd_ref[k, j]
         if (tick + k + 1) % decimation == 0:
             observe(x, u, constants, log[row])
             for j in range({n}):

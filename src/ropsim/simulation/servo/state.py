@@ -48,8 +48,9 @@ def fields(names_of_axes: tuple[tuple[str, ...], ...], first: int) -> tuple[Fiel
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, what the drives remember, what their amplifiers put out, outputs of the law that do not
-    act yet, what the law remembers. The first three are integrated; the others change at control ticks.
+    In order: q, qd, what the drives remember, what their amplifiers put out, the reference in force, outputs
+    of the law that do not act yet, what the law remembers. The first three are integrated; the others change
+    at control ticks.
 
     Attributes:
         n: number of joints.
@@ -77,7 +78,7 @@ class StateLayout:
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return self.integrated + (1 + self.delay + self.law_rows) * self.n
+        return self.integrated + (4 + self.delay + self.law_rows) * self.n
 
     @property
     def q(self) -> slice:
@@ -95,15 +96,25 @@ class StateLayout:
         return slice(self.integrated, self.integrated + self.n)
 
     @property
+    def reference(self) -> slice:
+        """Return the place of the reference in force: coordinates, speeds and accelerations."""
+        first = self.integrated + self.n
+        return slice(first, first + 3 * self.n)
+
+    @property
     def pending(self) -> slice:
         """Return the place of the outputs of the law that do not act yet, by rows."""
-        first = self.integrated + self.n
+        first = self.reference.stop
         return slice(first, first + self.delay * self.n)
 
     @property
     def law(self) -> slice:
         """Return the place of what the law remembers, by rows."""
-        return slice(self.integrated + (1 + self.delay) * self.n, self.size)
+        return slice(self.pending.stop, self.size)
+
+    def in_force(self, values: Array) -> Array:
+        """Return the reference in force, shape (3, n); a view of a state vector."""
+        return values[self.reference].reshape(3, self.n)
 
     def waiting(self, values: Array) -> Array:
         """Return the outputs of the law that do not act yet, shape (delay, n); a view of a state vector."""
@@ -149,6 +160,15 @@ class ServoState:
     def output(self) -> Array:
         """Return what the amplifiers put out over the last tick, in the sense of the motors, shape (n,)."""
         return self.values[self.layout.output]
+
+    @property
+    def reference(self) -> Array:
+        """Return the reference of this tick, shape (3, n).
+
+        Its rows are coordinates [rad | m], speeds and accelerations; the law is given it at the beginning of
+        the next tick, beside what is measured there.
+        """
+        return self.layout.in_force(self.values)
 
     @property
     def law(self) -> Array:

@@ -176,5 +176,6 @@ def test_states_of_the_same_name_stand_together() -> None:
         ("motor_coordinate", (2,), 8),
         ("motor_speed", (2,), 9),
     ]
-    assert (layout.integrated, layout.output, layout.size) == (10, slice(10, 13), 13)
+    assert (layout.integrated, layout.output) == (10, slice(10, 13))
+    assert (layout.reference, layout.size) == (slice(13, 22), 22)
     assert layout.drive(2) == (7, 8, 9)

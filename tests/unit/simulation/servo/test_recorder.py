@@ -5,12 +5,11 @@ import pytest
 
 from ropsim.codegen import Engine
 from ropsim.dynamics import compiled
-from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation import OptionError, Servo
 from ropsim.simulation.servo.tick_recorder import TickRecorder
 from support.dc_drives import dc_motor
-from support.servo_cases import GOAL, START, puma, quintic, standing
+from support.servo_cases import GOAL, START, part, puma, quintic, standing
 
 NOTHING = Payload()
 BALANCE = 0.1
@@ -78,6 +77,18 @@ def test_a_recording_may_begin_between_two_rows(servo: Servo) -> None:
     assert late.ticks.tolist() == [10.0, 15.0]
 
 
+def test_a_recording_that_begins_in_a_motion_begins_with_the_reference_of_that_instant(servo: Servo) -> None:
+    start = servo.initial_state(START)
+    whole = servo.recorder(start)
+    reference = quintic(START, GOAL, 30)
+    state = servo.run(start, part(reference, 0, 13), NOTHING, whole)
+    late = servo.recorder(state)
+    for recorder in (whole, late):
+        servo.run(state, part(reference, 13, 30), NOTHING, recorder)
+    for name, values in whole.channels().items():
+        np.testing.assert_array_equal(late.channels()[name], values[13:])
+
+
 def test_a_decimation_below_one_is_refused(servo: Servo) -> None:
     with pytest.raises(OptionError, match="`decimation` is `0`"):
         servo.recorder(servo.initial_state(START), 0)
@@ -99,13 +110,11 @@ def test_the_past_of_an_arm_beside_others_has_each_state_at_its_tick(servo: Serv
     states = [servo.initial_state(START)]
     alone = servo.recorder(states[0])
     for k in range(30):
-        step = JointReference(*(rows[k : k + 1] for rows in (whole.q, whole.qd, whole.qdd)))
-        states.append(servo.run(states[-1], step, NOTHING, alone))
+        states.append(servo.run(states[-1], part(whole, k, k + 1), NOTHING, alone))
     beside = TickRecorder(servo.robot, states[0], 7)
     state = states[0]
-    for piece in (slice(0, 13), slice(13, 30)):
-        part = JointReference(whole.q[piece], whole.qd[piece], whole.qdd[piece])
-        state = servo.run(state, part, NOTHING, beside)
+    for first, last in ((0, 13), (13, 30)):
+        state = servo.run(state, part(whole, first, last), NOTHING, beside)
         beside.take()
     for tick, known in enumerate(states):
         np.testing.assert_array_equal(beside.q_at(tick), known.q)

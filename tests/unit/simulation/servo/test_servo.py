@@ -30,7 +30,17 @@ from ropsim.spatial import Array
 from support.arms import drive, random_arm
 from support.dc_drives import dc_motor, voltage_amplifier
 from support.gains import cascaded
-from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, quintic, standing, with_rates
+from support.servo_cases import (
+    GOAL,
+    START,
+    CascadeInPython,
+    controller,
+    part,
+    puma,
+    quintic,
+    standing,
+    with_rates,
+)
 
 NOTHING = Payload()
 BOX = Payload(0.5, np.array([0.0, 0.0, 0.1]), np.diag([4e-4, 4e-4, 6e-4]))
@@ -140,9 +150,7 @@ def test_slices_of_any_length_give_the_same_bits(servo: Servo, length: int) -> N
     state = servo.initial_state(START)
     cut_log = servo.recorder(state, 3)
     for begin, end in pairwise([*range(0, TICKS, length), TICKS]):
-        rows = slice(begin, end)
-        part = JointReference(reference.q[rows], reference.qd[rows], reference.qdd[rows])
-        state = servo.run(state, part, NOTHING, cut_log)
+        state = servo.run(state, part(reference, begin, end), NOTHING, cut_log)
     assert state.tick == whole.tick == TICKS
     np.testing.assert_array_equal(state.values, whole.values)
     for name, values in log.channels().items():
@@ -210,7 +218,7 @@ def test_the_amplifier_clips_the_voltage(servo: Servo) -> None:
     voltage = np.abs(recorder.channels()["voltage"])
     limits = [voltage_amplifier(one).max_voltage for one in servo.robot.drives]
     assert (voltage <= limits).all()
-    assert (voltage[1] == limits).all()
+    assert (voltage[2] == limits).all()  # over the first tick the arm still stands on its reference
 
 
 def test_the_integral_stands_still_while_the_output_is_clipped(servo: Servo) -> None:
