@@ -4,10 +4,11 @@ from enum import Enum
 
 import numpy as np
 
+from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, trace
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.kinematics import forward_batch
-from ropsim.motion import JointPath, ToolPath, enter, joint_blend, leave
+from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, joint_blend, leave
 from ropsim.spatial import Array, record
 
 _HALF = 0.5
@@ -70,15 +71,16 @@ def rounding(chain: MotionChain, before: Leg, behind: Leg, zone: float) -> Round
         return Stop.STANDS
     s_leave = leave(ends[0].positions, ends[0].length, flown, halves[0])
     s_enter = enter(ends[1].positions, ends[1].length, flown, halves[1])
-    if False and in_tool and before.tool is not None and behind.tool is not None:
+    if in_tool and before.tool is not None and behind.tool is not None:
         between = corner(before.tool, s_leave, behind.tool, s_enter)
-        if not isinstance(between, Corner):
+        if between is CornerFault.TURNS_BACK:
             return Stop.TURNS_BACK
-        q = before.joints.joints(np.array([s_leave])).q[0]
-        traced = trace(chain, between, q, before.move)
-        if not isinstance(traced, tuple):
-            return Stop.UNREACHABLE
-        return Rounding(flown, s_leave, s_enter, traced[0], between)
+        if not isinstance(between, CornerFault):
+            q = before.joints.joints(np.array([s_leave])).q[0]
+            traced = trace(chain, between, q, before.move)
+            if isinstance(traced, Refusal):
+                return Stop.UNREACHABLE
+            return Rounding(flown, s_leave, s_enter, traced[0], between)
     c_in, c_out = 2.0 * (ends[0].length - s_leave), 2.0 * s_enter
     joints = joint_blend(before.joints, s_leave, c_in, behind.joints, s_enter, c_out)
     return Rounding(flown, s_leave, s_enter, joints, None, 1.0 / c_in, c_out)

@@ -117,5 +117,5 @@ def _is_smooth(chain: MotionChain, samples: JointSamples) -> bool:
     if rows < 5 or rows % 2 == 0:
         return False
     coarse = chain.joint_interpolator.refine(JointSamples(samples.length, samples.q[::2]))
-    between = np.arange(1, rows - 1, 2) * (samples.length / (rows - 1))
+    between: Array = np.arange(1.0, rows - 1.0, 2.0) * (samples.length / (rows - 1))
     return float(np.abs(coarse.joints(between).q - samples.q[1:-1:2]).max()) <= _SMOOTH

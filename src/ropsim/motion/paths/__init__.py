@@ -1,5 +1,8 @@
 """Paths: ways of the tool and of the joints over their own length, their sections, and what joins them."""
 
+from ropsim.motion.paths.corner import CornerFault as CornerFault
+from ropsim.motion.paths.corner import corner as corner
+from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.differences import numeric_points as numeric_points
 from ropsim.motion.paths.joint_blend import JointBlend as JointBlend
 from ropsim.motion.paths.joint_blend import joint_blend as joint_blend
@@ -20,3 +23,6 @@ from ropsim.motion.paths.section import ToolSection as ToolSection
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave
+from ropsim.motion.paths.corner import CornerFault as CornerFault
+from ropsim.motion.paths.corner import corner as corner
+from ropsim.motion.paths.curve import Curve as Curve

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.motion.paths.path import JointPath, JointPoints
-from ropsim.motion.paths.polynomials import powers, quintics
+from ropsim.motion.paths.polynomials import powers, quintics, with_derivatives
 from ropsim.spatial import Array, frozen, record
 
 
@@ -50,7 +50,7 @@ def joint_blend(
         c_out: ds/du of the path after at u = 1, in its unit.
     """
     ends = [*_end(before, s_leave, c_in), *_end(after, s_enter, c_out)]
-    return JointBlend(quintics(np.array(ends)))
+    return JointBlend(with_derivatives(quintics(np.array(ends))))
 
 
 def _end(path: JointPath, place: float, c: float) -> tuple[Array, Array, Array]:

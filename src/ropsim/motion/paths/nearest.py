@@ -10,7 +10,8 @@ from ropsim.spatial import Array
 IntArray = npt.NDArray[np.int64]
 
 _BLOCK = 64  # grid places that share one ball
-_STEPS = 8  # of Newton's method; it starts within one step of the grid and doubles its digits
+_STEPS = 12  # of Newton's method at most; it starts within one step of the grid and doubles its digits
+_CLOSE = 1e-9  # steps of the grid; the distance is flat at the nearest place, so its error is far smaller
 _PAIRS = 2**18  # of points and balls that are compared at a time
 
 
@@ -39,10 +40,12 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
         p, d1, d2 = curve(t)
         offset = p - points
         best = np.minimum(best, _lengths(offset))
-        slope, square = np.sum(offset * d1, axis=1), np.sum(d1 * d1, axis=1)
-        bend = square + np.sum(offset * d2, axis=1)
+        slope, square = np.einsum("ki,ki->k", offset, d1), np.einsum("ki,ki->k", d1, d1)
+        bend = square + np.einsum("ki,ki->k", offset, d2)
         # beyond the centre of a bend the distance has a greatest value there: the square alone leads down
-        t = np.clip(t - slope / np.where(bend > 0.0, bend, square), low, high)
+        before, t = t, np.clip(t - slope / np.where(bend > 0.0, bend, square), low, high)
+        if (np.abs(t - before) <= _CLOSE * (high - low)).all():
+            break
     return np.asarray(np.minimum(best, _lengths(curve(t)[0] - points)))
 
 
@@ -83,4 +86,4 @@ def _nearest_in_blocks(points: Array, places: Array, centres: Array, radii: Arra
 
 
 def _lengths(vectors: Array) -> Array:
-    return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vectors, vectors)))

@@ -24,10 +24,9 @@ def quintics(ends: Array) -> Array:
         ends: value, first and second derivative at t = 0, then at t = 1, shape (..., 6, n).
 
     Returns:
-        coefficients of t⁰ to t⁵, followed by those of the first and of the second derivative, shape
-        (..., 6, 3·n).
+        coefficients of t⁰ to t⁵, shape (..., 6, n).
     """
-    return with_derivatives(_FROM_ENDS @ ends)
+    return np.asarray(_FROM_ENDS @ ends)
 
 
 def with_derivatives(coefficients: Array) -> Array:

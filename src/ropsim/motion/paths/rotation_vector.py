@@ -12,13 +12,13 @@ import numpy as np
 
 from ropsim.spatial import Array, frozen, quaternions_from_matrices
 
-_TERMS = 22  # (2π)²ᵏ / (2k + 1)! is below the last bit from there on
+_TERMS = 18  # (2π)²ᵏ / (2k + 1)! is below the last bits from there on
 
 
 def exponentials(vectors: Array) -> Array:
     """Return the rotations exp(K) = I + c₁·K + c₂·K² of rotation vectors (k, 3) [rad], shape (k, 3, 3)."""
-    coefficients = _coefficients(vectors)
-    return _sums(vectors, coefficients[:, 0], coefficients[:, 1])
+    c, K = _coefficients(vectors), _crosses(vectors)
+    return _sums(K, K @ K, c[0], c[1])
 
 
 def logarithms(rotations: Array) -> Array:
@@ -30,8 +30,8 @@ def logarithms(rotations: Array) -> Array:
     return np.asarray(ratios[:, None] * q[:, 1:])
 
 
-def velocities(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array]:
-    """Return angular velocity ω and its derivative of exp(K) from the derivatives of θ, in the fixed frame.
+def turning(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array, Array]:
+    """Return exp(K), its angular velocity ω and the derivative of that, in the fixed frame.
 
     ω = θ' + c₂·θ×θ' + c₃·θ×(θ×θ'), with c₂ = (1 - cos|θ|) / |θ|² and c₃ = (|θ| - sin|θ|) / |θ|³.
 
@@ -40,80 +40,85 @@ def velocities(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array]:
         d1: θ', shape (k, 3).
         d2: θ'', shape (k, 3).
 
+    Returns:
+        rotations (k, 3, 3), ω (k, 3) and ω' (k, 3).
+
     References:
         Iserles, Munthe-Kaas, Nørsett and Zanna 2000, Lie-group methods, Acta Numerica 9, section 2.6 (the
         series of dexp).
     """
-    c = _coefficients(vectors)
-    c2, c3, c2_x, c3_x = (c[:, k, None] for k in range(1, 5))
-    x_rate = 2.0 * np.sum(vectors * d1, axis=1, keepdims=True)
-    turned = cross(vectors, d1)
-    twice = cross(vectors, turned)
-    speed = d1 + c2 * turned + c3 * twice
-    bent = cross(vectors, d2)
-    change = (
-        d2
-        + c2_x * x_rate * turned
-        + c2 * bent
-        + c3_x * x_rate * twice
-        + c3 * (cross(d1, turned) + cross(vectors, bent))
-    )
-    return speed, change
+    c1, c2, c3, c2_x, c3_x = _coefficients(vectors)
+    K = _crosses(vectors)
+    rows = np.empty((len(vectors), 3, 7))  # θ', θ'', both under K, both under K², and θ'×(θ×θ')
+    rows[:, :, 0], rows[:, :, 1] = d1, d2
+    rows[:, :, 2:4] = K @ rows[:, :, :2]
+    rows[:, :, 4:6] = K @ rows[:, :, 2:4]
+    rows[:, :, 6:] = _crosses(d1) @ rows[:, :, 2:3]
+    x_rate = 2.0 * np.einsum("ki,ki->k", vectors, d1)
+    weights = np.zeros((len(vectors), 7, 2))
+    weights[:, 0, 0] = weights[:, 1, 1] = 1.0
+    weights[:, 2, 0] = weights[:, 3, 1] = c2
+    weights[:, 4, 0] = weights[:, 5, 1] = weights[:, 6, 1] = c3
+    weights[:, 2, 1], weights[:, 4, 1] = c2_x * x_rate, c3_x * x_rate
+    motion = rows @ weights
+    return _sums(K, K @ K, c1, c2), motion[:, :, 0], motion[:, :, 1]
 
 
 def rates(vectors: Array, speed: Array, change: Array) -> tuple[Array, Array]:
-    """Return θ' and θ'' from angular velocity and its derivative: the inverse of `velocities`.
+    """Return θ' and θ'' from angular velocity and its derivative: the inverse of `turning`.
 
     Args:
         vectors: θ [rad], shape (k, 3), of less than a full turn.
         speed: ω in the fixed frame, shape (k, 3).
         change: its derivative, shape (k, 3).
     """
-    c = _coefficients(vectors)
-    left = _sums(vectors, c[:, 1], c[:, 2])
+    c, K = _coefficients(vectors), _crosses(vectors)
+    left = _sums(K, K @ K, c[1], c[2])  # ω = left·θ'
     d1 = np.asarray(np.linalg.solve(left, speed[:, :, None])[:, :, 0], np.float64)
-    _, rest = velocities(vectors, d1, np.zeros(d1.shape))
+    _, _, rest = turning(vectors, d1, np.zeros(d1.shape))
     d2 = np.linalg.solve(left, (change - rest)[:, :, None])[:, :, 0]
     return d1, np.asarray(d2, np.float64)
 
 
-def cross(a: Array, b: Array) -> Array:
-    """Return a × b of rows, shapes (k, 3)."""
-    return a[:, _NEXT] * b[:, _LAST] - a[:, _LAST] * b[:, _NEXT]
+def _crosses(vectors: Array) -> Array:
+    """Return the matrices of the cross products of vectors (k, 3), shape (k, 3, 3)."""
+    return (vectors @ _CROSS).reshape(-1, 3, 3)
 
 
-def _sums(vectors: Array, first: Array, second: Array) -> Array:
-    """Return I + first·K + second·K² for rows of rotation vectors, shape (k, 3, 3)."""
-    # K² = θ·θᵀ - x·I
-    result = second[:, None, None] * vectors[:, :, None] * vectors[:, None, :]
-    bare = 1.0 - second * np.sum(vectors * vectors, axis=1)
-    turned = first[:, None] * vectors
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        result[:, i, i] += bare
-        result[:, k, j] += turned[:, i]
-        result[:, j, k] -= turned[:, i]
-    return np.asarray(result)
+def _sums(K: Array, KK: Array, first: Array, second: Array) -> Array:
+    """Return I + first·K + second·K² for rows of K, shape (k, 3, 3)."""
+    result = first[:, None, None] * K
+    result += second[:, None, None] * KK
+    result += _IDENTITY
+    return result
 
 
 def _coefficients(vectors: Array) -> Array:
-    """Return c₁ = sin|θ| / |θ|, c₂, c₃ and the derivatives of c₂ and c₃ by x, shape (k, 5)."""
-    x = np.sum(vectors * vectors, axis=1)
-    powers = np.empty((len(x), _TERMS))
-    powers[:, 0] = 1.0
-    for k in range(1, _TERMS):
-        np.multiply(powers[:, k - 1], x, out=powers[:, k])
-    return np.asarray(powers @ _series())
+    """Return c₁ = sin|θ| / |θ|, c₂, c₃ and the derivatives of c₂ and c₃ by x, for (k, 3), shape (5, k)."""
+    power = np.einsum("ki,ki->k", vectors, vectors)
+    powers = np.empty((_TERMS, len(power)))
+    powers[0] = 1.0
+    known = 1
+    while known < _TERMS:  # twice as many with every squaring
+        more = min(known, _TERMS - known)
+        np.multiply(powers[:more], power, out=powers[known : known + more])
+        power = power * power
+        known += more
+    return np.asarray(_series() @ powers)
 
 
 @cache
 def _series() -> Array:
-    """Return the coefficients of xᵏ in the five functions, shape (terms, 5)."""
-    signs = [(-1.0) ** k for k in range(_TERMS + 1)]
-    c = np.array([[sign / math.factorial(2 * k + j) for j in (1, 2, 3)] for k, sign in enumerate(signs)])
-    by_x = np.arange(1, _TERMS + 1)[:, None] * c[1:, 1:]
-    return frozen(np.concatenate((c[:-1], by_x), axis=1))
+    """Return the coefficients of xᵏ in the five functions, shape (5, terms)."""
+    c = np.array([[(-1.0) ** k / math.factorial(2 * k + j) for k in range(_TERMS + 1)] for j in (1, 2, 3)])
+    return frozen(np.concatenate((c[:, :-1], c[1:, 1:] * np.arange(1, _TERMS + 1))))
 
 
-_NEXT = [1, 2, 0]
-_LAST = [2, 0, 1]
+_IDENTITY = frozen(np.eye(3))
+_CROSS = frozen(  # rows: which entries of K the three components are
+    [
+        [0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0],
+        [0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    ]
+)

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.paths.differences import row_derivatives
 from ropsim.motion.paths.path import JointPoints
-from ropsim.motion.paths.polynomials import powers, quintics
+from ropsim.motion.paths.polynomials import powers, quintics, with_derivatives
 from ropsim.spatial import Array, frozen, record
 
 
@@ -32,7 +32,7 @@ class Traced:
         q = frozen(self.q)
         step = 1.0  # of a place counted in rows
         rows = np.stack((q, *row_derivatives(q, step)), axis=1)
-        coefficients = quintics(np.concatenate((rows[:-1], rows[1:]), axis=1))
+        coefficients = with_derivatives(quintics(np.concatenate((rows[:-1], rows[1:]), axis=1)))
         coefficients.flags.writeable = False
         object.__setattr__(self, "q", q)
         object.__setattr__(self, "coefficients", coefficients)
