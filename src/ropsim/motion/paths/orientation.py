@@ -7,6 +7,8 @@ import numpy as np
 from ropsim.motion.turn import OrientationMode, Turn, plan_turn
 from ropsim.spatial import Array, Pose, frozen, record
 
+_ROUNDING = 1e-14  # [rad]; a turn between equal orientations is that of the rounding of their product
+
 
 @record
 class TurnPoints:
@@ -64,7 +66,8 @@ class ToolTurn:
 
 def tool_turn(X_start: Pose, X_end: Pose, mode: OrientationMode) -> ToolTurn:
     """Return how the tool turns from one pose to the other in a mode; sources at `plan_turn`."""
-    return ToolTurn(X_start.rotation(), plan_turn(X_start, X_end, mode))
+    turn = plan_turn(X_start, X_end, mode)
+    return ToolTurn(X_start.rotation(), turn if turn.size > _ROUNDING else Turn(turn.axis, 0.0))
 
 
 def _shares(angles: Array) -> Array:
