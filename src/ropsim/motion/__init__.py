@@ -22,6 +22,9 @@ from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
+from ropsim.motion.paths import Arc as Arc
+from ropsim.motion.paths import ArcFault as ArcFault
+from ropsim.motion.paths import ArcOrientation as ArcOrientation
 from ropsim.motion.paths import CornerFault as CornerFault
 from ropsim.motion.paths import Curve as Curve
 from ropsim.motion.paths import JointBlend as JointBlend
@@ -37,6 +40,7 @@ from ropsim.motion.paths import ToolSection as ToolSection
 from ropsim.motion.paths import ToolTurn as ToolTurn
 from ropsim.motion.paths import Traced as Traced
 from ropsim.motion.paths import TurnPoints as TurnPoints
+from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import joint_blend as joint_blend

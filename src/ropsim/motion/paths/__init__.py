@@ -1,5 +1,9 @@
 """Paths: ways of the tool and of the joints over their own length, their sections, and what joins them."""
 
+from ropsim.motion.paths.arc import Arc as Arc
+from ropsim.motion.paths.arc import ArcFault as ArcFault
+from ropsim.motion.paths.arc import ArcOrientation as ArcOrientation
+from ropsim.motion.paths.arc import arc as arc
 from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
