@@ -232,13 +232,15 @@ def _add_piece(
         place = up_way - (peak - gained / 3.0) * ramp
         n = _add(rows, n, i, time + (ramp + steady), place, peak - gained, reached, -jerk, ramp)
         time += up_time
+    turn = up_way
     if rest > ROUNDING * length:
+        turn = length - down_way
         n = _add(rows, n, i, time, up_way, peak, 0.0, 0.0, rest / peak)
         time += rest / peak
     if down > 0.0:
         ramp = min(0.5 * down_time, acceleration / jerk)
         steady, reached, lost = max(down_time - 2.0 * ramp, 0.0), -jerk * ramp, 0.5 * jerk * ramp * ramp
-        n = _add(rows, n, i, time, length - down_way, peak, 0.0, -jerk, ramp)
+        n = _add(rows, n, i, time, turn, peak, 0.0, -jerk, ramp)
         if steady > ROUNDING * down_time:
             place = length - down_way + (peak - lost / 3.0) * ramp
             n = _add(rows, n, i, time + ramp, place, peak - lost, reached, 0.0, steady)

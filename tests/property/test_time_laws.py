@@ -1,0 +1,254 @@
+"""Time laws of random ways: bounds, smoothness, look-ahead, and ruckig as the oracle of time."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import ruckig
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from ropsim.motion import ProfileLimits, Stage, TimeLaw, evaluate, plan_profile, plan_time_law
+from ropsim.spatial import Array
+
+BOUNDS = 1e-12  # relative; what bounds may be exceeded by
+ROUNDING = 1e-9  # relative; polynomials of third degree from rounded times
+SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
+SPARE = 1e-6  # relative; a way longer by so much than needed is one that ruckig takes without stepping back
+
+sizes = st.floats(-2.0, 2.0).map(lambda exponent: float(10.0**exponent))
+wide_sizes = st.floats(-6.0, 6.0).map(lambda exponent: float(10.0**exponent))
+ratios = st.one_of(st.just(1.0), st.just(0.0), sizes)
+stages = st.builds(Stage, sizes, sizes, sizes, sizes, ratios)
+plain_stages = st.builds(Stage, sizes, sizes, sizes, sizes)
+wide_stages = st.builds(Stage, wide_sizes, wide_sizes, wide_sizes, wide_sizes, st.one_of(ratios, wide_sizes))
+ways = st.lists(stages, min_size=1, max_size=10)
+plain_ways = st.lists(plain_stages, min_size=1, max_size=8)
+wide_ways = st.lists(wide_stages, min_size=1, max_size=10)
+
+
+def _way(v0: float, v1: float, acceleration: float, jerk: float) -> float:
+    """Return the least way of a change of speed, written down anew from the law of the S-curve."""
+    change = abs(v1 - v0)
+    ramp = min(np.sqrt(change / jerk), acceleration / jerk)
+    time = ramp + change / (jerk * ramp) if change > 0.0 else 0.0
+    return float((v0 + v1) / 2.0 * time)
+
+
+def _speeds(way: list[Stage], law: TimeLaw) -> tuple[list[float], list[float]]:
+    """Return ds/dt at the starts and at the ends of all pieces [1/s], the ends by the ratios."""
+    first = np.searchsorted(law.pieces, np.arange(len(way)))
+    starts: list[float] = law.speeds[first].tolist()
+    ends = [v / stage.ratio if stage.ratio else 0.0 for v, stage in zip(starts[1:], way[1:], strict=True)]
+    return starts, [*ends, 0.0]
+
+
+def _ruckig_time(v0: float, v1: float, stage: Stage) -> float:
+    """Return the least time of a piece between two speeds [s], infinite where ruckig finds none."""
+    request = ruckig.InputParameter(1)
+    request.current_position, request.target_position = [0.0], [stage.length]
+    request.current_velocity, request.target_velocity = [v0], [v1]
+    request.max_velocity, request.max_acceleration = [stage.speed], [stage.acceleration]
+    request.max_jerk = [stage.jerk]
+    oracle = ruckig.Trajectory(1)
+    try:
+        found = ruckig.Ruckig(1).calculate(request, oracle)
+    except RuntimeError:
+        return float("inf")
+    return float(oracle.duration) if found == ruckig.Result.Working else float("inf")
+
+
+def _inside(law: TimeLaw, each: int) -> Array:
+    """Return times inside of all segments [s], `each` for every one."""
+    shares = (np.arange(each) + 0.5) / each
+    return np.ravel(law.times[:, None] + law.segments[6][:, None] * shares)
+
+
+@settings(max_examples=100, derandomize=True)
+@given(st.one_of(ways, wide_ways))
+def test_bounds_hold_everywhere(way: list[Stage]) -> None:
+    law = plan_time_law(way)
+    inside = np.concatenate([_inside(law, 20), law.times, np.nextafter(law.times, 0.0), law.ends])
+    rows = law.at(inside)
+    numbers = [(one.length, one.speed, one.acceleration, one.jerk) for one in way]
+    length, speed, acceleration, _ = np.array(numbers)[rows.pieces].T
+    assert (rows.places >= 0.0).all()
+    assert (rows.places <= length).all()
+    assert (rows.speeds >= 0.0).all()
+    assert (rows.speeds <= speed * (1.0 + BOUNDS)).all()
+    assert (np.abs(rows.accelerations) <= acceleration * (1.0 + BOUNDS)).all()
+    assert (np.abs(law.jerks) <= np.array(numbers)[law.pieces, 3]).all()
+
+
+@settings(max_examples=100, derandomize=True)
+@given(st.one_of(ways, wide_ways))
+def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[Stage]) -> None:
+    law = plan_time_law(way)
+    _, times, places, speeds, accelerations, jerks, h, ends = law.segments
+    bounds = np.array([(one.length, one.speed, one.acceleration, one.ratio) for one in way])[law.pieces]
+    length, speed, acceleration, ratio = bounds.T
+    reached = places + h * (speeds + h * (accelerations / 2.0 + h * jerks / 6.0))
+    v = speeds + h * (accelerations + h * jerks / 2.0)
+    a = accelerations + h * jerks
+    assert (np.abs(reached - ends) <= ROUNDING * length).all()
+    same = law.pieces[1:] == law.pieces[:-1]
+    assert (places[1:] == np.where(same, ends[:-1], 0.0)).all()
+    assert (ends[:-1][~same] == length[:-1][~same]).all()
+    factor = np.where(same, 1.0, ratio[1:])
+    assert (
+        np.abs(v[:-1] * factor - speeds[1:]) <= ROUNDING * np.maximum(speed[1:], factor * speed[:-1])
+    ).all()
+    assert (np.abs(a[:-1] - accelerations[1:])[same] <= ROUNDING * acceleration[1:][same]).all()
+    assert (np.abs(a[:-1])[~same] <= ROUNDING * acceleration[:-1][~same]).all()
+    assert (accelerations[1:][~same] == 0.0).all()
+    assert speeds[0] == accelerations[0] == places[0] == times[0] == 0.0
+    assert abs(v[-1]) <= ROUNDING * speed[-1]
+    assert abs(a[-1]) <= ROUNDING * acceleration[-1]
+    assert (np.abs(np.append(times[1:], law.duration) - times - h) <= BOUNDS * law.duration).all()
+    last = np.append(~same, True)
+    assert law.ends.tolist() == np.append(times[1:], law.duration)[last].tolist()
+
+
+@settings(max_examples=100, derandomize=True)
+@given(ways)
+def test_the_motion_never_goes_back(way: list[Stage]) -> None:
+    law = plan_time_law(way)
+    rows = law.at(np.linspace(0.0, law.duration, 2001))
+    gone = np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.pieces] + rows.places
+    assert (np.diff(rows.pieces) >= 0).all()
+    assert (np.diff(gone) >= -BOUNDS * gone[-1]).all()
+
+
+@settings(max_examples=100, derandomize=True)
+@given(wide_sizes, wide_sizes, wide_sizes, wide_sizes)
+def test_one_piece_is_the_rest_to_rest_profile(length: float, v: float, a: float, j: float) -> None:
+    profile, law = plan_profile(length, ProfileLimits(v, a, j)), plan_time_law([Stage(length, v, a, j)])
+    assert abs(law.duration - profile.duration) <= BOUNDS * profile.duration
+    t = np.linspace(0.0, profile.duration, 101)
+    assert np.abs(law.at(t).places - evaluate(profile, t)[0]).max() <= BOUNDS * length
+
+
+@settings(max_examples=100, derandomize=True)
+@given(sizes, sizes, sizes, sizes, st.floats(1.0, 3.0), st.floats(-4.0, 2.0))
+def test_a_piece_between_two_speeds_takes_the_time_that_ruckig_finds(
+    v0: float, v1: float, a: float, j: float, faster: float, spare: float
+) -> None:
+    length = (_way(v0, v1, a, j) + max(v0, v1) ** 1.5 / j**0.5 * SPARE) * (1.0 + 10.0**spare)
+    piece = Stage(length, max(v0, v1) * faster, a, j)
+    before = Stage(2.0 * _way(0.0, v0, a, j), v0, a, j)
+    after = Stage(2.0 * _way(0.0, v1, a, j), v1, a, j)
+    law = plan_time_law([before, piece, after])
+    assert _speeds([before, piece, after], law)[0] == [0.0, v0, v1]
+    expected = _ruckig_time(v0, v1, piece)
+    assert abs(law.ends[1] - law.ends[0] - expected) <= SAME_TIME * expected + BOUNDS * law.duration
+
+
+@settings(max_examples=100, derandomize=True)
+@given(plain_ways)
+def test_no_piece_can_be_faster_between_the_speeds_at_its_ends(way: list[Stage]) -> None:
+    law = plan_time_law(way)
+    starts, ends = _speeds(way, law)
+    took = np.diff(law.ends, prepend=0.0)
+    for v0, v1, stage, time in zip(starts, ends, way, took, strict=True):
+        assert time <= _ruckig_time(v0, v1, stage) * (1.0 + SAME_TIME) + BOUNDS * law.duration
+
+
+@settings(max_examples=50, derandomize=True)
+@given(plain_stages, plain_stages)
+def test_no_other_speed_where_two_pieces_meet_is_faster(first: Stage, second: Stage) -> None:
+    law = plan_time_law([first, second])
+    chosen = _speeds([first, second], law)[0][1]
+    for v in [*np.linspace(0.0, min(first.speed, second.speed), 40), 0.99 * chosen, 0.999 * chosen]:
+        other = _ruckig_time(0.0, float(v), first) + _ruckig_time(float(v), 0.0, second)
+        assert law.duration <= other * (1.0 + SAME_TIME)
+
+
+@settings(max_examples=100, derandomize=True)
+@given(plain_ways)
+def test_the_way_back_takes_as_long(way: list[Stage]) -> None:
+    there, back = plan_time_law(way), plan_time_law(way[::-1])
+    assert abs(there.duration - back.duration) <= ROUNDING * there.duration
+
+
+@settings(max_examples=100, derandomize=True)
+@given(plain_ways, st.data())
+def test_units_of_the_pieces_do_not_count(way: list[Stage], data: st.DataObject) -> None:
+    units = [data.draw(sizes) for _ in way]
+    other = [
+        Stage(s.length * u, s.speed * u, s.acceleration * u, s.jerk * u, u / before)
+        for s, u, before in zip(way, units, [1.0, *units], strict=False)
+    ]
+    plain, scaled = plan_time_law(way), plan_time_law(other)
+    assert np.abs(plain.ends - scaled.ends).max() <= ROUNDING * plain.duration
+
+
+@settings(max_examples=100, derandomize=True)
+@given(ways, st.floats(1.0, 2.0), st.floats(1.0, 2.0), st.floats(1.0, 2.0))
+def test_wider_bounds_are_never_slower(way: list[Stage], v: float, a: float, j: float) -> None:
+    wider = [replace(s, speed=s.speed * v, acceleration=s.acceleration * a, jerk=s.jerk * j) for s in way]
+    assert plan_time_law(wider).duration <= plan_time_law(way).duration * (1.0 + ROUNDING)
+
+
+def _can_stop(v: float, way: list[Stage]) -> bool:
+    """Return whether the motion can come to rest over pieces in one unit, found by walking over them."""
+    for one in way:
+        if v > one.speed * (1.0 + ROUNDING):
+            return False
+        if _way(v, 0.0, one.acceleration, one.jerk) <= one.length * (1.0 + ROUNDING):
+            return True
+        low, high = 0.0, v  # the least speed at the end of the piece, where not even rest can be reached
+        for _ in range(200):
+            middle = (low + high) / 2.0
+            if _way(v, middle, one.acceleration, one.jerk) <= one.length * (1.0 + ROUNDING):
+                high = middle
+            else:
+                low = middle
+        v = high
+    return v == 0.0
+
+
+@settings(max_examples=100, derandomize=True)
+@given(st.lists(plain_stages, min_size=2, max_size=8), st.data())
+def test_the_motion_can_stop_on_what_is_known(way: list[Stage], data: st.DataObject) -> None:
+    ahead = [data.draw(st.integers(i, len(way) - 1)) for i in range(len(way))]
+    short = [replace(one, horizon=horizon) for one, horizon in zip(way, ahead, strict=True)]
+    law = plan_time_law(short)
+    starts, _ = _speeds(short, law)
+    for i, v in enumerate(starts[1:]):
+        assert _can_stop(v, way[i + 1 : ahead[i] + 1]) or v == 0.0
+    assert law.duration >= plan_time_law(way).duration * (1.0 - ROUNDING)
+
+
+@settings(max_examples=100, derandomize=True)
+@given(st.lists(plain_stages, min_size=2, max_size=8), st.integers(0, 8))
+def test_more_look_ahead_is_never_slower(way: list[Stage], ahead: int) -> None:
+    less, more = (
+        plan_time_law([replace(one, horizon=i + n) for i, one in enumerate(way)]).duration
+        for n in (ahead, ahead + 1)
+    )
+    assert more <= less * (1.0 + ROUNDING)
+
+
+@settings(max_examples=100, derandomize=True)
+@given(ways, st.lists(st.floats(0.0, 1.0), min_size=1, max_size=20).map(sorted))
+def test_times_of_places_lead_back_to_the_places(way: list[Stage], shares: list[float]) -> None:
+    law = plan_time_law(way)
+    for piece, one in enumerate(way):
+        places = np.array(shares) * one.length
+        times = law.times_of(piece, places)
+        assert all(before <= after for before, after in pairwise(times.tolist()))
+        rows = law.at(times)
+        # Where the motion runs fast, a time that is rounded is a place that is rounded.
+        slack = BOUNDS * one.length + 4.0 * np.spacing(law.duration) * one.speed
+        found = np.where(rows.pieces == piece, rows.places, np.where(rows.pieces > piece, one.length, 0.0))
+        assert (np.abs(found - places) <= slack).all()
+
+
+@settings(max_examples=50, derandomize=True)
+@given(plain_ways)
+def test_a_stop_in_the_middle_costs_time(way: list[Stage]) -> None:
+    assume(len(way) > 1)
+    stopped = [replace(one, ratio=0.0) for one in way]
+    alone = sum(plan_time_law([one]).duration for one in way)
+    assert abs(plan_time_law(stopped).duration - alone) <= ROUNDING * alone
+    assert plan_time_law(way).duration < alone
