@@ -8,11 +8,11 @@ from ropsim.spatial import Array
 _PLACES = np.linspace(0.0, 1.0, 33)
 _TINY = 1e-300
 
-_BENT, _ALONG = 0.85, 0.15
+_BENT, _ALONG = 0.92, 0.08
 """Shares of a joint's acceleration for the bend of its path and for changes of speed along it."""
 _TOOL_BENT, _TOOL_ALONG = 0.9, 0.43
 """The same for the tool, where both are at right angles: 0.9² + 0.43² < 1."""
-_JERK_BENT, _JERK_MIXED, _JERK_ALONG = 0.8, 0.1, 0.1
+_JERK_BENT, _JERK_MIXED, _JERK_ALONG = 0.9, 0.05, 0.05
 """Shares of a jerk for the bend, for changes of speed in the bend, and for changes of acceleration."""
 
 

@@ -55,8 +55,8 @@ The commanded speed, acceleration or a corner asks a joint for more speed, accel
 it has. The controller slows down there, on the path: the message gives the place, the joint, and which share
 of the commanded speed is left. Cycle times are those of the slowed motion.
 
-**How to mend it.** Where the time matters, change the posture or the place of the path, or give the joint less
-to do: a lower path speed over the whole move is often as fast, because it need not slow down.
+**How to mend it.** Where the time matters, change the posture or the place of the path, or give the joint
+less to do: a lower path speed over the whole move is often as fast, because it need not slow down.
 """,
 )
 

@@ -27,6 +27,3 @@ from ropsim.motion.paths.section import ToolSection as ToolSection
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave
-from ropsim.motion.paths.corner import CornerFault as CornerFault
-from ropsim.motion.paths.corner import corner as corner
-from ropsim.motion.paths.curve import Curve as Curve

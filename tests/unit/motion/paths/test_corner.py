@@ -1,6 +1,7 @@
 """Corners: position, tangent, curvature and turning go over; past the corner by a known distance."""
 
 import math
+from importlib import import_module
 from itertools import pairwise
 
 import numpy as np
@@ -11,7 +12,9 @@ from ropsim.motion import CornerFault, Curve, Line, OrientationMode, ToolPath, T
 from ropsim.spatial import Array, Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
+CORNERS = import_module("ropsim.motion.paths.corner")
 ROUNDING = 1e-12
+SWING = CORNERS._swing
 WAY = 1e-12  # [m]; promise of the arc length
 RNG = np.random.default_rng(20)
 FIRST, MEET, LAST = random_pose(RNG), random_pose(RNG), random_pose(RNG)
@@ -69,12 +72,31 @@ def test_the_place_is_the_way(degrees: float, ratio: float) -> None:
 
 
 @pytest.mark.parametrize("degrees", [20.0, 90.0, 150.0])
-def test_a_corner_passes_at_three_sixteenths_of_its_zones(degrees: float) -> None:
-    # p(1/2) = (p₀ + p₁)/2 + 5/32·(p₀' - p₁') of a polynomial of degree five without curvature at its ends
+def test_a_corner_passes_where_its_swing_puts_it(degrees: float) -> None:
+    # p(1/2) = (p₀ + p₁)/2 + 5/32·(p₀' - p₁') of a polynomial of degree five without curvature at its ends,
+    # with derivatives of size k·zone there
     angle, zone = math.radians(degrees), 0.08
     curve = elbow(angle, zone, zone)
     middle = curve.positions(np.array([curve.length / 2.0]))[0]
-    assert np.linalg.norm(middle) == pytest.approx(0.375 * zone * math.sin(angle / 2.0), rel=1e-9)
+    k = 2.1 * math.sqrt(math.cos(angle / 2.0))
+    passed = (1.0 - 0.3125 * k) * zone * math.sin(angle / 2.0)
+    assert np.linalg.norm(middle) == pytest.approx(passed, rel=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [10.0, 60.0, 90.0, 130.0])
+def test_the_swing_takes_the_least_time_under_a_bound_of_the_jerk(degrees: float) -> None:
+    # with constant speed v the jerk is v³·|d³p/ds³|, so the time is proportional to length·max|d³p/ds³|^(1/3)
+    def time(curve: Curve) -> float:
+        s = np.linspace(0.0, curve.length, 801)
+        d3 = np.linalg.norm(np.diff(curve.tool(s).d2[:, :3], axis=0), axis=1) / s[1]
+        return curve.length * float(d3.max()) ** (1.0 / 3.0)
+
+    angle, best = math.radians(degrees), []
+    for factor in (0.85, 0.9, 0.95, 1.05, 1.1, 1.15):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(CORNERS, "_swing", lambda cosine, f=factor: f * SWING(cosine))
+            best.append(time(elbow(angle, 0.1, 0.1)))
+    assert time(elbow(angle, 0.1, 0.1)) < 1.03 * min(best)
 
 
 def test_a_corner_on_a_straight_way_is_that_way() -> None:
