@@ -34,6 +34,7 @@ from ropsim.motion.paths import JointPoints as JointPoints
 from ropsim.motion.paths import JointSection as JointSection
 from ropsim.motion.paths import Line as Line
 from ropsim.motion.paths import Path as Path
+from ropsim.motion.paths import SplineFault as SplineFault
 from ropsim.motion.paths import ToolPath as ToolPath
 from ropsim.motion.paths import ToolPoints as ToolPoints
 from ropsim.motion.paths import ToolSection as ToolSection
@@ -46,6 +47,7 @@ from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import joint_blend as joint_blend
 from ropsim.motion.paths import leave as leave
 from ropsim.motion.paths import numeric_points as numeric_points
+from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError

@@ -24,6 +24,8 @@ from ropsim.motion.paths.path import ToolPath as ToolPath
 from ropsim.motion.paths.path import ToolPoints as ToolPoints
 from ropsim.motion.paths.section import JointSection as JointSection
 from ropsim.motion.paths.section import ToolSection as ToolSection
+from ropsim.motion.paths.spline import SplineFault as SplineFault
+from ropsim.motion.paths.spline import spline as spline
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave

@@ -1,0 +1,130 @@
+"""Spline: a way of the tool through points, smooth in position and orientation up to second derivatives."""
+
+from collections.abc import Sequence
+from enum import Enum
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.motion.paths.arc_length import arc_length
+from ropsim.motion.paths.curve import Curve
+from ropsim.motion.paths.path import STANDS, STILL
+from ropsim.motion.paths.polynomials import quintics, with_derivatives
+from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
+from ropsim.spatial import Array, Pose
+
+_STEPS = 64  # of the arc length between two points
+_SLOWEST = 0.02  # least |p'| of a segment by its chord
+
+
+class SplineFault(Enum):
+    """Why there is no spline through points."""
+
+    NOT_FINITE = "a coordinate is not a finite number"
+    TOO_FEW = "there are fewer than two different points"
+    TURNS_IN_PLACE = "two neighbours are one point with different orientations"
+    TURNS_BACK = "the way turns back on itself at a point"
+
+
+def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
+    """Return the way through poses, or why there is none; neighbours that are equal count as one.
+
+    Positions are the natural cubic spline over the chords between the points. For the orientation the turns
+    from point to point, each a rotation vector in the tool frame, are laid end to end; the natural cubic
+    spline through these sums says with which angular velocity and acceleration the tool passes each point.
+    Between two points the rotation vector from the middle orientation is the polynomial of degree five that
+    has orientation, angular velocity and angular acceleration of both, so the way is twice continuously
+    differentiable in position and orientation, whatever the turns, and so it is over its arc length. It goes
+    through every point; it is the same in every frame, for every tool frame, and backwards.
+
+    Args:
+        poses: of the tool in the reference frame, in order.
+
+    References:
+        Park and Ravani 1997, Smooth invariant interpolation of rotations, ACM Transactions on Graphics 16(3),
+        277-295, for segments in exponential coordinates joined in angular velocity and acceleration; Farin
+        2002, Curves and Surfaces for CAGD, chapters 7 and 9, for quintic Hermite segments and splines over
+        chord lengths.
+    """
+    positions = np.array([pose.position for pose in poses]).reshape(-1, 3)
+    if not np.isfinite(positions).all():
+        return SplineFault.NOT_FINITE
+    rotations = np.array([pose.rotation() for pose in poses]).reshape(-1, 3, 3)
+    kept = _differs_from_the_one_before(positions, rotations)
+    positions, rotations = positions[kept], rotations[kept]
+    if len(positions) < 2:
+        return SplineFault.TOO_FEW
+    steps, halves = np.diff(positions, axis=0), _turns(rotations) / 2.0
+    chords = _norm(steps)
+    if chords.min() <= STANDS:
+        return SplineFault.TURNS_IN_PLACE
+    first, second = _knot_derivatives(chords, np.hstack((steps, 2.0 * halves)))
+    begin = _ends(positions[:-1], -halves, first[:-1], second[:-1], chords)
+    end = _ends(positions[1:], halves, first[1:], second[1:], chords)
+    coefficients = with_derivatives(quintics(np.concatenate((begin, end), axis=1)))
+    way = arc_length(coefficients[..., 6:9], coefficients[..., 12:15], _STEPS, _SLOWEST * chords)
+    if way is None:
+        return SplineFault.TURNS_BACK
+    return Curve(coefficients, rotations[:-1] @ exponentials(halves), way)
+
+
+def _differs_from_the_one_before(positions: Array, rotations: Array) -> npt.NDArray[np.bool_]:
+    """Return which poses are not the one before again, shape (m,)."""
+    differs = np.ones(len(positions), np.bool_)
+    differs[1:] = (_norm(np.diff(positions, axis=0)) > STANDS) | (_norm(_turns(rotations)) > STILL)
+    return differs
+
+
+def _turns(rotations: Array) -> Array:
+    """Return the rotation vectors from each rotation (m, 3, 3) to the next in its frame, (m - 1, 3)."""
+    return logarithms(np.swapaxes(rotations[:-1], 1, 2) @ rotations[1:])
+
+
+def _ends(positions: Array, halves: Array, first: Array, second: Array, chords: Array) -> Array:
+    """Return value, first and second derivative of segments at one end by t in [0, 1], shape (c, 3, 6).
+
+    Args:
+        positions: of the end [m], shape (c, 3).
+        halves: rotation vectors from the middle orientation to the end, shape (c, 3).
+        first: velocities at the end per chord, the angular ones in the tool frame, shape (c, 6).
+        second: accelerations likewise, shape (c, 6).
+        chords: lengths, shape (c,).
+    """
+    by_t, to_middle = chords[:, None], np.swapaxes(exponentials(halves), 1, 2)
+    speed = (first[:, None, 3:] @ to_middle)[:, 0] * by_t
+    change = (second[:, None, 3:] @ to_middle)[:, 0] * by_t * by_t
+    moving = np.stack((positions, first[:, :3] * by_t, second[:, :3] * by_t * by_t), axis=1)
+    return np.concatenate((moving, np.stack((halves, *rates(halves, speed, change)), axis=1)), axis=2)
+
+
+def _knot_derivatives(chords: Array, steps: Array) -> tuple[Array, Array]:
+    """Return first and second derivatives of the natural cubic spline at its knots, each (m, n).
+
+    Its second derivatives solve a tridiagonal system, by elimination without pivoting (the diagonal is twice
+    the sum of its neighbours).
+
+    Args:
+        chords: between the knots, shape (m - 1,).
+        steps: of the values from knot to knot, shape (m - 1, n).
+    """
+    slopes = steps / chords[:, None]
+    h = chords.tolist()
+    second = np.zeros((len(h) + 1, steps.shape[1]))
+    second[1:-1] = 6.0 * np.diff(slopes, axis=0)
+    diagonal = [2.0 * (before + after) for before, after in pairwise(h)]
+    for k in range(1, len(diagonal)):
+        share = h[k] / diagonal[k - 1]
+        diagonal[k] -= share * h[k]
+        second[k + 1] -= share * second[k]
+    for k in range(len(diagonal), 0, -1):
+        second[k] = (second[k] - h[k] * second[k + 1]) / diagonal[k - 1]
+    by_chord = chords[:, None] / 6.0
+    first = np.empty(second.shape)
+    first[:-1] = slopes - by_chord * (2.0 * second[:-1] + second[1:])
+    first[-1] = slopes[-1] + by_chord[-1] * (second[-2] + 2.0 * second[-1])
+    return first, second
+
+
+def _norm(vectors: Array) -> Array:
+    return np.asarray(np.linalg.norm(vectors, axis=1))
