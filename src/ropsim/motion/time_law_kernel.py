@@ -67,6 +67,46 @@ def plan_segments(bounds: Array, room: Array, rows: Array, ends: Array, told: Ar
     told[0], told[1] = n, 0.0
 
 
+@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
+def plan_together(way: Array, limits: Array, shapes: Array, told: Array) -> None:
+    """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
+
+    The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.
+
+    Args:
+        way: of the joints with its sign, shape (n,).
+        limits: speed, acceleration and jerk of the joints, shape (3, n).
+        shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
+            acceleration lasts that follows [s]; of shape (3, n).
+        told: where the time goes [s], or -1 and the index of a joint with a number that no motion can have;
+            shape (2,).
+    """
+    slowest = 0.0
+    for i in range(way.shape[0]):
+        length, speed, acceleration, jerk = abs(way[i]), limits[0, i], limits[1, i], limits[2, i]
+        allowed = LEAST <= speed <= MOST and LEAST <= acceleration <= MOST and LEAST <= jerk <= MOST
+        if not (allowed and length <= MOST):
+            told[0], told[1] = -1.0, i
+            return
+        peak = _rise(0.0, 0.0, length, speed, acceleration, jerk) if length >= LEAST else 0.0
+        if peak > 0.0:
+            rise = _time(peak, acceleration, jerk)
+            shapes[1, i] = min(0.5 * rise, acceleration / jerk)
+            shapes[2, i] = max(rise - 2.0 * shapes[1, i], 0.0)
+            shapes[0, i] = length / peak + rise
+            slowest = max(slowest, shapes[0, i])
+        else:
+            shapes[0, i] = shapes[1, i] = shapes[2, i] = 0.0
+    for i in range(way.shape[0]):
+        if shapes[0, i] > 0.0:
+            factor = slowest / shapes[0, i]
+            shapes[1, i] *= factor
+            shapes[2, i] *= factor
+            rise = 2.0 * shapes[1, i] + shapes[2, i]
+            shapes[0, i] = way[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
+    told[0], told[1] = slowest, 0.0
+
+
 def _is_wrong(bounds: Array, i: int) -> bool:
     """Return whether a number of a piece is none that a motion can have."""
     for k in range(4):

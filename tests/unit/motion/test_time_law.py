@@ -166,6 +166,18 @@ def test_segments_follow_each_other_in_time_and_in_order_of_the_pieces() -> None
     assert np.diff(law.times)[:-1] == pytest.approx(law.segments[6, :-2], rel=ROUNDING, abs=ROUNDING)
 
 
+@pytest.mark.parametrize("jerk", np.linspace(1e-8, 1e-6, 12).tolist())
+def test_a_speed_that_could_rise_by_less_than_its_last_digit_fits_the_way(jerk: float) -> None:
+    # A rise by d from 1000 1/s takes the way 2000·√(d/jerk): over 1, d is about 1e-13, the last digit of 1000
+    long, short = Stage(1e4, 1e3, 1e6, 1e9), Stage(1.0, 2e3, 1.0, jerk)
+    for way in ([long, short, replace(long, speed=2e3)], [replace(long, speed=2e3), short, long]):
+        law = plan_time_law(way)
+        _, _, places, speeds, accelerations, jerks, h, ends = law.segments
+        reached = places + h * (speeds + h * (accelerations / 2.0 + h * jerks / 6.0))
+        assert reached == pytest.approx(ends, rel=ROUNDING)
+        assert law.ends[1] - law.ends[0] == pytest.approx(1e-3, rel=1e-9)
+
+
 def test_times_in_any_order_give_the_rows_of_times_in_order() -> None:
     law = plan_time_law(WAY)
     t = np.linspace(0.0, law.duration, 300)
