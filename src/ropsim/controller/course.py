@@ -34,7 +34,7 @@ class Piece:
         tool: its path of the tool; None where it has none.
         X_MT: the tool.
         stage: bounds along it.
-        is_corner: whether it leads round a corner.
+        corner: that it leads round; None for a part of the path of a move.
     """
 
     leg: int
@@ -42,7 +42,7 @@ class Piece:
     tool: ToolPath | None
     X_MT: Pose
     stage: Stage
-    is_corner: bool
+    corner: Rounding | None = None
 
 
 @record
@@ -62,7 +62,7 @@ class Course:
         return StretchMotion(tuple(piece.joints for piece in self.pieces), law)
 
     def stages(self, look_ahead: int) -> tuple[Stage, ...]:
-        """Return the bounds of all pieces for a controller that knows so many moves beyond the present one."""
+        """Return the bounds of all pieces; so many moves beyond the present one are known."""
         last = [0] * (self.legs + 1)
         for number, piece in enumerate(self.pieces):
             last[piece.leg] = number
@@ -74,10 +74,10 @@ class Course:
         )
 
     def ends_of_moves(self, law: TimeLaw) -> list[float]:
-        """Return the motion times at which the moves end [s]: in the middle of their corners, or at their stop."""
+        """Return the motion times at which moves end [s]: in the middle of corners, or where they stop."""
         ends = [0.0] * self.legs
         for number, piece in enumerate(self.pieces):
-            if piece.is_corner:
+            if piece.corner:
                 ends[piece.leg] = float(law.times_of(number, np.array([piece.joints.length / 2.0]))[0])
             else:
                 ends[piece.leg] = float(law.ends[number])
@@ -120,7 +120,7 @@ def _straight(number: int, leg: Leg, first: float, last: float, ratio: float) ->
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits = leg.planned.limits
     stage = joint_stage(joints, limits.joints) if tool is None else tool_stage(tool, limits.tool)
-    return Piece(number, joints, tool, leg.planned.X_MT, _with_ratio(stage, ratio), False)
+    return Piece(number, joints, tool, leg.planned.X_MT, _with_ratio(stage, ratio))
 
 
 def _corner(number: int, before: Leg, behind: Leg, corner: Rounding, ratio: float) -> Piece:
@@ -129,7 +129,7 @@ def _corner(number: int, before: Leg, behind: Leg, corner: Rounding, ratio: floa
         stage = joint_stage(corner.joints, _both_joints(one.joints, other.joints))
     else:
         stage = tool_stage(corner.tool, _both_tool(one.tool, other.tool))
-    return Piece(number, corner.joints, corner.tool, before.planned.X_MT, _with_ratio(stage, ratio), True)
+    return Piece(number, corner.joints, corner.tool, before.planned.X_MT, _with_ratio(stage, ratio), corner)
 
 
 def _both_joints(one: JointMotionLimits, other: JointMotionLimits) -> JointMotionLimits:

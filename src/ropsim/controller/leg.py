@@ -1,5 +1,7 @@
 """A leg: one move with its path in joint space."""
 
+from functools import partial
+
 import numpy as np
 
 from ropsim.controller.entities import Refusal
@@ -93,7 +95,7 @@ def trace(
                 return samples
         else:
             entity = chain.joint_interpolator
-            joints = guarded(entity, lambda: entity.refine(samples), (object,), move)  # noqa: B023 - called at once
+            joints = guarded(entity, partial(entity.refine, samples), (object,), move)
             if isinstance(joints, Refusal) or density == MOST_DENSITY or _is_smooth(chain, samples):
                 return joints if isinstance(joints, Refusal) else (joints, samples.findings)
         density *= 2

@@ -36,8 +36,8 @@ class PlannedPiece:
     Attributes:
         path: of the tool in the base frame; None for one in joint space.
         X_MT: the tool.
-        first: control tick of the plan at which it begins.
-        last: control tick at which it ends.
+        first: last control tick of the plan before it begins.
+        last: last control tick on it.
     """
 
     path: ToolPath | None

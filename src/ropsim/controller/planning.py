@@ -1,6 +1,7 @@
-"""Planning a stretch: moves become paths, paths a course with rounded corners, the course a motion in time."""
+"""Planning a stretch: moves become paths, paths a course with rounded corners, that a motion in time."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -85,7 +86,7 @@ def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionP
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Rounding | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
     corners: list[Rounding | None] = []
-    for before, behind in zip(legs[:-1], legs[1:], strict=True):
+    for before, behind in pairwise(legs):
         found: Rounding | Stop = Stop.NO_WAY
         if before.joints is not None and behind.joints is not None:
             found = rounding(chain, before, behind, before.move.modal.zone)

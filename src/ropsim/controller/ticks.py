@@ -62,7 +62,8 @@ def in_ticks(
     phi = np.arange(1.0, ticks + 1.0) * period
     points = course.motion(law).at(phi)
     reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
-    marks = [0, *_ticks_of(law.ends[:-1], phi, period), ticks]
+    within: list[int] = np.searchsorted(phi, law.ends[:-1] + _SLACK * period, side="right").tolist()
+    marks = [0, *within, ticks]
     pieces = tuple(
         PlannedPiece(piece.tool, piece.X_MT, first, last)
         for piece, (first, last) in zip(course.pieces, pairwise(marks), strict=True)

@@ -66,8 +66,8 @@ def _off_path(move: MoveInstruction, trigger: Trigger, size: float, whole: float
     side = "before the end" if trigger.side is Side.BEFORE_END else "after the start"
     return TRIGGER_OFF_PATH.at(
         move.origin.span,
-        f"`{trigger.channel}` is to be set {size * 1e3:g} {unit} {side}, the move is {whole * 1e3:.4g} {unit} "
-        f"long: it is set at its {end}",
+        f"`{trigger.channel}` is to be set {size * 1e3:g} {unit} {side}, the move is "
+        f"{whole * 1e3:.4g} {unit} long: it is set at its {end}",
         hint="give less, or put it on the move beside this one",
         data={"wanted": size, "whole": whole},
     )

@@ -1,4 +1,4 @@
-"""Trajectories: jerk-limited profiles and time laws, synchronous pose-to-pose, lines; their findings."""
+"""Paths and time laws: jerk-limited profiles, ways of tool and joints, what limits make of them; findings."""
 
 from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
@@ -19,15 +19,38 @@ from ropsim.motion.line import line_trajectory as line_trajectory
 from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
+from ropsim.motion.line_diagnostics import NO_ARC as NO_ARC
+from ropsim.motion.line_diagnostics import NO_SPLINE as NO_SPLINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
-from ropsim.motion.line_diagnostics import SPEED_LIMIT_ON_LINE as SPEED_LIMIT_ON_LINE
 from ropsim.motion.paths import STANDS as STANDS
 from ropsim.motion.paths import STILL as STILL
+from ropsim.motion.paths import Arc as Arc
+from ropsim.motion.paths import ArcFault as ArcFault
+from ropsim.motion.paths import ArcOrientation as ArcOrientation
+from ropsim.motion.paths import CornerFault as CornerFault
+from ropsim.motion.paths import Curve as Curve
+from ropsim.motion.paths import JointBlend as JointBlend
+from ropsim.motion.paths import JointLine as JointLine
 from ropsim.motion.paths import JointPath as JointPath
 from ropsim.motion.paths import JointPoints as JointPoints
+from ropsim.motion.paths import JointSection as JointSection
+from ropsim.motion.paths import Line as Line
 from ropsim.motion.paths import Path as Path
+from ropsim.motion.paths import SplineFault as SplineFault
 from ropsim.motion.paths import ToolPath as ToolPath
 from ropsim.motion.paths import ToolPoints as ToolPoints
+from ropsim.motion.paths import ToolSection as ToolSection
+from ropsim.motion.paths import ToolTurn as ToolTurn
+from ropsim.motion.paths import Traced as Traced
+from ropsim.motion.paths import TurnPoints as TurnPoints
+from ropsim.motion.paths import arc as arc
+from ropsim.motion.paths import corner as corner
+from ropsim.motion.paths import enter as enter
+from ropsim.motion.paths import joint_blend as joint_blend
+from ropsim.motion.paths import leave as leave
+from ropsim.motion.paths import numeric_points as numeric_points
+from ropsim.motion.paths import spline as spline
+from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.profile import Profile as Profile
 from ropsim.motion.profile import ProfileError as ProfileError
 from ropsim.motion.profile import ProfileLimits as ProfileLimits

@@ -68,3 +68,30 @@ turns), so the arm reaches the pose that belongs to them, but with different joi
 **How to mend it.** Use PTP to reach exactly these joint coordinates.
 """,
 )
+
+NO_ARC = define(
+    "M566",
+    "no-arc",
+    Severity.ERROR,
+    "start, via point and end of a CIRC move do not make an arc",
+    """
+Three different points that do not lie on one line have one circle through them. Here two of them are the same
+point, or all three lie on a line (nearly: the circle would be larger than any cell). The move is skipped.
+
+**How to mend it.** Give a via point well between start and end, beside the line through them. A full circle
+has an angle: `circ via b to c angle 360 deg`. Where the way is straight, use `lin`.
+""",
+)
+
+NO_SPLINE = define(
+    "M567",
+    "no-spline",
+    Severity.ERROR,
+    "the points of a SPLINE move do not make a curve",
+    """
+A curve needs at least two different points with finite coordinates, and neighbours that differ. The move is
+skipped.
+
+**How to mend it.** Leave out points that are the same as the one before them.
+""",
+)

@@ -46,7 +46,7 @@ class CellRun:
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stopped: whether the run was ended by who watches.
-        overrides: changes of the speed override in order of time: tick of the cell's clock, value from 0 to 1.
+        overrides: changes of the speed override in order of time: tick of the cell's clock, value of 0 to 1.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and those that are still to come.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
@@ -174,7 +174,7 @@ class CellRun:
         return min(longest, max(1, -((at.due - self.overrides[number][0]) // at.cell_ticks)))
 
     def set_override(self, tick: int, value: float) -> None:
-        """Let the speed override have a value from a tick of the cell's clock on; later changes are dropped."""
+        """Let the speed override have a value from a tick of the cell's clock on; drop later changes."""
         del self.overrides[bisect_left(self.overrides, (tick, -math.inf)) :]
         self.overrides.append((tick, value))
         self.tracks.setdefault("override", Track([0], [1.0])).set(tick, value)

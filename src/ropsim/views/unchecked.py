@@ -55,7 +55,9 @@ def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
     """
     aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
     zoned = {
-        event.line for event in events if isinstance(event, MoveEvent) and event.zone > 0.0 == event.flown and event.line
+        event.line
+        for event in events
+        if isinstance(event, MoveEvent) and event.zone > 0.0 == event.flown and event.line
     }
     return Unchecked(
         tuple(one for one in aspects if one not in facts.checked),
