@@ -1,4 +1,4 @@
-"""Corners of a stretch: where a zone lets the path leave one move and enter the next, and the way between."""
+"""Corners of a stretch: how the path goes from one move to the next where a zone is in force."""
 
 from enum import Enum
 
@@ -8,7 +8,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, trace
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.kinematics import forward_batch
-from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, joint_blend, leave
+from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, leave
 from ropsim.spatial import Array, record
 
 _HALF = 0.5
@@ -19,59 +19,71 @@ class Stop(Enum):
     """Why the arm stops at a corner though a zone is in force."""
 
     TURNS_BACK = "the path turns back on itself there"
-    STANDS = "the tool only turns on one side of it"
     NO_WAY = "there is no way between it and its neighbour"
     UNREACHABLE = "the arm cannot follow the rounded corner"
+    NO_LOOK_AHEAD = "the controller does not look ahead"
 
 
 @record
 class Rounding:
-    """A rounded corner.
+    """A corner between two paths of the tool, rounded by a third one.
 
     Attributes:
         zone: distance of the TCP from the corner at which the path leaves and enters [m].
         leave: place on the path before, in its unit.
         enter: place on the path behind, in its unit.
-        joints: the way between, in joint space.
-        tool: the way of the tool; None where the corner is rounded in joint space.
-        before: ds/du of the way between by that of the path before, at their joint.
-        behind: ds/du of the path behind by that of the way between, at their joint.
+        tool: the way between.
+        joints: the same in joint space.
     """
 
     zone: float
     leave: float
     enter: float
+    tool: ToolPath
     joints: JointPath
-    tool: ToolPath | None
-    before: float = 1.0
-    behind: float = 1.0
 
 
-def rounding(chain: MotionChain, before: Leg, behind: Leg, zone: float) -> Rounding | Stop:
-    """Return the rounded corner between two moves, or why the arm must stop there.
+@record
+class Overlap:
+    """A corner at which the next move begins while the one before still ends: both motions are added.
 
-    Two paths of one tool are joined by a path of the tool, all others by one in joint space.
+    Attributes:
+        zone: largest distance of the TCP from the corner while both last [m].
+        leave: place on the path before from which on the next move may begin, in its unit.
+        enter: place on the path behind up to which the one before may last, in its unit.
+    """
+
+    zone: float
+    leave: float
+    enter: float
+
+
+Corner = Rounding | Overlap
+
+
+def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Stop:
+    """Return the corner between two moves, or why the arm must stop there.
+
+    Two paths of one tool are joined by a path of the tool. Where a path in joint space takes part, or the
+    tool changes, the motions overlap: nobody has said on which way the tool goes there.
 
     Args:
         chain: the entities.
-        before: the move that ends at the corner.
+        before: the move that ends at the corner, with a zone.
         behind: the move that begins there.
-        zone: commanded distance from the corner [m], above 0.
     """
-    assert before.joints is not None
-    assert behind.joints is not None
-    in_tool = (
-        before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT
-    )
-    ends = _Way(chain, before), _Way(chain, behind)
-    halves = [_HALF * way.length for way in ends]
-    widest = min(ends[0].distance(halves[0], ends[0].length), ends[1].distance(halves[1], 0.0))
-    flown = min(zone, widest)
-    if flown <= 0.0:
-        return Stop.STANDS
-    s_leave = leave(ends[0].positions, ends[0].length, flown, halves[0])
-    s_enter = enter(ends[1].positions, ends[1].length, flown, halves[1])
-    if in_tool and before.tool is not None and behind.tool is not None:
+    if chain.controller.look_ahead < 1:
+        return Stop.NO_LOOK_AHEAD
+    if before.joints is None or behind.joints is None:
+        return Stop.NO_WAY
+    one, other = _Way(chain, before, before.joints), _Way(chain, behind, behind.joints)
+    halves, zone = (_HALF * one.length, _HALF * other.length), before.move.modal.zone
+    if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
+        zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
+    s_leave = leave(one.positions, one.length, zone, halves[0])
+    s_enter = enter(other.positions, other.length, zone, halves[1])
+    flown = max(one.distance(s_leave, one.length), other.distance(s_enter, 0.0))
+    if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
         between = corner(before.tool, s_leave, behind.tool, s_enter)
         if between is CornerFault.TURNS_BACK:
             return Stop.TURNS_BACK
@@ -80,27 +92,24 @@ def rounding(chain: MotionChain, before: Leg, behind: Leg, zone: float) -> Round
             traced = trace(chain, between, q, before.move)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
-            return Rounding(flown, s_leave, s_enter, traced[0], between)
-    c_in, c_out = 2.0 * (ends[0].length - s_leave), 2.0 * s_enter
-    joints = joint_blend(before.joints, s_leave, c_in, behind.joints, s_enter, c_out)
-    return Rounding(flown, s_leave, s_enter, joints, None, 1.0 / c_in, c_out)
+            return Rounding(flown, s_leave, s_enter, between, traced[0])
+    return Overlap(flown, s_leave, s_enter)
 
 
 class _Way:
     """Positions of the TCP along the path of a move."""
 
-    def __init__(self, chain: MotionChain, leg: Leg) -> None:
-        self._chain = chain
+    def __init__(self, chain: MotionChain, leg: Leg, joints: JointPath) -> None:
+        self._robot = chain.robot
         self._leg = leg
-        assert leg.joints is not None
-        self._joints = leg.joints
-        self.length = leg.joints.length
+        self._joints = joints
+        self.length = joints.length
 
     def positions(self, places: Array) -> Array:
         """Return TCP positions in the base frame [m] at places (k,), shape (k, 3)."""
         if self._leg.tool is not None:
             return self._leg.tool.positions(places)
-        matrices = forward_batch(self._chain.robot, self._joints.joints(places).q)
+        matrices = forward_batch(self._robot, self._joints.joints(places).q)
         return np.asarray((matrices @ self._leg.planned.X_MT.matrix())[:, :3, 3])
 
     def distance(self, place: float, other: float) -> float:

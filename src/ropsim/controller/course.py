@@ -1,15 +1,13 @@
-"""The course of a stretch: the paths of its moves and the ways round its corners, one behind the other."""
+"""The course of a stretch: runs of pieces, each walked from rest to rest, one overlapping the next."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.controller.corners import Rounding
+from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
 from ropsim.controller.stages import joint_stage, tool_stage
-from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.motion import (
-    JointMotionLimits,
     JointPath,
     JointSection,
     LineLimits,
@@ -17,6 +15,7 @@ from ropsim.motion import (
     TimeLaw,
     ToolPath,
     ToolSection,
+    plan_time_law,
 )
 from ropsim.spatial import Pose, record
 
@@ -46,105 +45,129 @@ class Piece:
 
 
 @record
-class Course:
-    """All pieces of a stretch, in order.
+class Run:
+    """Pieces that are walked together from rest to rest.
 
     Attributes:
-        pieces: of moves that have a length, and corners.
-        legs: how many moves there are.
+        pieces: in order.
+        law: when the motion is where on them.
+        start: motion time at which it begins [s].
+        overlap: for how long the run before still lasts then [s].
     """
 
     pieces: tuple[Piece, ...]
-    legs: int
+    law: TimeLaw
+    start: float
+    overlap: float
 
-    def motion(self, law: TimeLaw) -> StretchMotion:
-        """Return the motion of a time law along the course."""
-        return StretchMotion(tuple(piece.joints for piece in self.pieces), law)
-
-    def stages(self, look_ahead: int) -> tuple[Stage, ...]:
-        """Return the bounds of all pieces; so many moves beyond the present one are known."""
-        last = [0] * (self.legs + 1)
-        for number, piece in enumerate(self.pieces):
-            last[piece.leg] = number
-        for leg in range(1, self.legs + 1):
-            last[leg] = max(last[leg], last[leg - 1])
-        horizons = [last[min(piece.leg + look_ahead, self.legs - 1)] for piece in self.pieces]
-        return tuple(
-            _with_horizon(piece.stage, horizon) for piece, horizon in zip(self.pieces, horizons, strict=True)
-        )
-
-    def ends_of_moves(self, law: TimeLaw) -> list[float]:
-        """Return the motion times at which moves end [s]: in the middle of corners, or where they stop."""
-        ends = [0.0] * self.legs
-        for number, piece in enumerate(self.pieces):
-            if piece.corner:
-                ends[piece.leg] = float(law.times_of(number, np.array([piece.joints.length / 2.0]))[0])
-            else:
-                ends[piece.leg] = float(law.ends[number])
-        for leg in range(1, self.legs):
-            ends[leg] = max(ends[leg], ends[leg - 1])
-        return ends
+    @property
+    def end(self) -> float:
+        """Return the motion time at which it ends [s]."""
+        return self.start + self.law.duration
 
 
-def course_of(legs: Sequence[Leg], corners: Sequence[Rounding | None]) -> Course:
+@record
+class Course:
+    """All runs of a stretch.
+
+    Attributes:
+        runs: in order; none where nothing moves.
+        ends: motion times at which the moves end [s]: in the middle of their corners, or where they stop.
+    """
+
+    runs: tuple[Run, ...]
+    ends: tuple[float, ...]
+
+    @property
+    def duration(self) -> float:
+        """Return the motion time from start to end [s]."""
+        return self.runs[-1].end if self.runs else 0.0
+
+
+def course_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> Course:
     """Return the course through moves.
 
     Args:
         legs: the moves.
         corners: between each two of them; None where the arm stops there, or where one has no length.
+        look_ahead: how many moves beyond the present one are known.
     """
+    runs: list[Run] = []
+    overlap: Overlap | None = None
+    for pieces, corner in _runs(legs, corners):
+        law = plan_time_law(_with_horizons(pieces, look_ahead))
+        before = runs[-1] if runs else None
+        both = 0.0
+        if before and overlap:
+            last = len(before.pieces) - 1
+            ends = before.law.duration - float(before.law.times_of(last, np.array([overlap.leave]))[0])
+            both = min(ends, float(law.times_of(0, np.array([overlap.enter]))[0]))
+        start = before.end - both if before else 0.0
+        runs.append(Run(tuple(pieces), law, start, both))
+        overlap = corner
+    return Course(tuple(runs), tuple(_ends(runs, len(legs))))
+
+
+def _runs(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[tuple[list[Piece], Overlap | None]]:
+    """Return the pieces of each run, and how it goes over into the next one; None where it stops."""
+    runs: list[tuple[list[Piece], Overlap | None]] = []
     pieces: list[Piece] = []
-    ratio = 0.0
+    enters = 0.0
     for number, leg in enumerate(legs):
-        before = corners[number - 1] if number else None
-        behind = corners[number] if number < len(corners) else None
+        corner = corners[number] if number < len(corners) else None
         if leg.joints is None:
             continue
-        first = before.enter if before else 0.0
-        last = behind.leave if behind else leg.joints.length
-        if last - first > _NOTHING * leg.joints.length:
-            pieces.append(_straight(number, leg, first, last, ratio))
-            ratio = 1.0
-        if behind:
-            pieces.append(_corner(number, leg, legs[number + 1], behind, ratio * behind.before))
-            ratio = behind.behind
+        leaves = corner.leave if isinstance(corner, Rounding) else leg.joints.length
+        if leaves - enters > _NOTHING * leg.joints.length:
+            pieces.append(_straight(number, leg, enters, leaves))
+        if isinstance(corner, Rounding):
+            pieces.append(_round(number, leg, legs[number + 1], corner))
+            enters = corner.enter
         else:
-            ratio = 0.0
-    return Course(tuple(pieces), len(legs))
+            runs.append((pieces, corner))
+            pieces, enters = [], 0.0
+    return runs
 
 
-def _straight(number: int, leg: Leg, first: float, last: float, ratio: float) -> Piece:
+def _ends(runs: Sequence[Run], legs: int) -> list[float]:
+    ends = [0.0] * legs
+    for run, behind in zip(runs, [*runs[1:], None], strict=True):
+        for number, piece in enumerate(run.pieces):
+            if piece.corner:
+                middle = run.law.times_of(number, np.array([piece.joints.length / 2.0]))
+                ends[piece.leg] = run.start + float(middle[0])
+        ends[run.pieces[-1].leg] = run.end - (0.5 * behind.overlap if behind else 0.0)
+    for leg in range(1, legs):
+        ends[leg] = max(ends[leg], ends[leg - 1])
+    return ends
+
+
+def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
+    """Return the bounds of the pieces of a run, each with the last piece that is known at its end."""
+    last = {piece.leg: number for number, piece in enumerate(pieces)}
+    final = pieces[-1].leg
+    stages = []
+    for number, piece in enumerate(pieces):
+        known = last[min(piece.leg + look_ahead, final)]
+        one = piece.stage
+        ratio = 0.0 if number == 0 else one.ratio
+        stages.append(Stage(one.length, one.speed, one.acceleration, one.jerk, ratio, known))
+    return stages
+
+
+def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     assert leg.joints is not None
     whole = first == 0.0 and last == leg.joints.length
     joints = leg.joints if whole else JointSection(leg.joints, first, last)
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits = leg.planned.limits
     stage = joint_stage(joints, limits.joints) if tool is None else tool_stage(tool, limits.tool)
-    return Piece(number, joints, tool, leg.planned.X_MT, _with_ratio(stage, ratio))
+    return Piece(number, joints, tool, leg.planned.X_MT, stage)
 
 
-def _corner(number: int, before: Leg, behind: Leg, corner: Rounding, ratio: float) -> Piece:
-    one, other = before.planned.limits, behind.planned.limits
-    if corner.tool is None:
-        stage = joint_stage(corner.joints, _both_joints(one.joints, other.joints))
-    else:
-        stage = tool_stage(corner.tool, _both_tool(one.tool, other.tool))
-    return Piece(number, corner.joints, corner.tool, before.planned.X_MT, _with_ratio(stage, ratio), corner)
-
-
-def _both_joints(one: JointMotionLimits, other: JointMotionLimits) -> JointMotionLimits:
-    names = ("speed", "acceleration", "jerk")
-    return JointMotionLimits(*(np.minimum(getattr(one, name), getattr(other, name)) for name in names))
-
-
-def _both_tool(one: LineLimits, other: LineLimits) -> LineLimits:
-    names = LineLimits.__slots__
-    return LineLimits(*(min(getattr(one, name), getattr(other, name)) for name in names))
-
-
-def _with_ratio(stage: Stage, ratio: float) -> Stage:
-    return Stage(stage.length, stage.speed, stage.acceleration, stage.jerk, ratio)
-
-
-def _with_horizon(stage: Stage, horizon: int) -> Stage:
-    return Stage(stage.length, stage.speed, stage.acceleration, stage.jerk, stage.ratio, horizon)
+def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
+    one, other = before.planned.limits.tool, behind.planned.limits.tool
+    least = LineLimits(*(min(getattr(one, name), getattr(other, name)) for name in LineLimits.__slots__))
+    return Piece(
+        number, corner.joints, corner.tool, before.planned.X_MT, tool_stage(corner.tool, least), corner
+    )

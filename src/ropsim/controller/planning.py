@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ropsim.controller.corners import Rounding, Stop, rounding
+from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
@@ -16,7 +16,6 @@ from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
-from ropsim.motion import plan_time_law
 from ropsim.spatial import record
 
 
@@ -70,26 +69,22 @@ class _Hurdle:
 def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionPlan | _Hurdle:
     findings = [finding for leg in legs for finding in leg.findings]
     corners = _corners(chain, legs, findings)
-    course = course_of(legs, corners)
+    course = course_of(legs, corners, chain.controller.look_ahead)
     period = chain.controller.rates.control_period
-    if not course.pieces:
+    if not course.runs:
         return standing(legs, state.q, period, findings)
-    law = plan_time_law(course.stages(chain.controller.look_ahead))
-    ends = course.ends_of_moves(law)
-    for number, duration in enumerate(np.diff(ends, prepend=0.0).tolist()):
+    for number, duration in enumerate(np.diff(course.ends, prepend=0.0).tolist()):
         if too_long := check_duration(legs[number].move, duration):
             return _Hurdle(number, Refusal(too_long))
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    return in_ticks(chain, legs, zones, course, law, state.q, findings)
+    return in_ticks(chain, legs, zones, course, state.q, findings)
 
 
-def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Rounding | None]:
+def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
-    corners: list[Rounding | None] = []
+    corners: list[Corner | None] = []
     for before, behind in pairwise(legs):
-        found: Rounding | Stop = Stop.NO_WAY
-        if before.joints is not None and behind.joints is not None:
-            found = rounding(chain, before, behind, before.move.modal.zone)
+        found = corner_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             corners.append(None)

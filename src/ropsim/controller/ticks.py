@@ -1,7 +1,7 @@
 """A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -10,10 +10,10 @@ from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
+from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.trigger_ticks import trigger_ticks
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference
-from ropsim.motion import TimeLaw
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
@@ -41,7 +41,6 @@ def in_ticks(
     legs: Sequence[Leg],
     zones: Sequence[float],
     course: Course,
-    law: TimeLaw,
     q_start: Array,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
@@ -52,23 +51,17 @@ def in_ticks(
         legs: the moves.
         zones: that are flown at their ends [m].
         course: of the stretch.
-        law: how it is walked.
         q_start: command joint coordinates at its start [rad | m], shape (n,).
         findings: on the moves.
     """
     rates = chain.controller.rates
     period, every = rates.control_period, rates.interpolation_ticks
-    ticks = every * -(-_whole(law.duration, period) // every)
+    ticks = every * -(-_whole(course.duration, period) // every)
     phi = np.arange(1.0, ticks + 1.0) * period
-    points = course.motion(law).at(phi)
+    points = StretchMotion(course).at(phi)
     reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
-    within: list[int] = np.searchsorted(phi, law.ends[:-1] + _SLACK * period, side="right").tolist()
-    marks = [0, *within, ticks]
-    pieces = tuple(
-        PlannedPiece(piece.tool, piece.X_MT, first, last)
-        for piece, (first, last) in zip(course.pieces, pairwise(marks), strict=True)
-    )
-    lasts = [0, *_ticks_of(np.array(course.ends_of_moves(law)[:-1]), phi, period), ticks]
+    pieces = tuple(_pieces(course, phi, period))
+    lasts = [0, *_ticks_of(np.array(course.ends[:-1]), phi, period), ticks]
     q = np.concatenate((q_start[None], reference.q))
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
@@ -77,6 +70,22 @@ def in_ticks(
         moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers))
         found += told
     return MotionPlan(tuple(moves), pieces, q_start, reference, period, tuple(found))
+
+
+def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]:
+    """Return the pieces with a path of the tool, as far as no other run overlaps them."""
+    for run, behind in zip(course.runs, [*course.runs[1:], None], strict=True):
+        first_time, last_time = run.start + run.overlap, run.end - (behind.overlap if behind else 0.0)
+        begins = run.start + np.concatenate(([0.0], run.law.ends[:-1]))
+        begins = np.clip(begins, first_time, last_time)
+        ends = np.append(begins[1:], last_time)
+        first, last = (
+            np.searchsorted(phi, times + _SLACK * period, side="right").tolist() for times in (begins, ends)
+        )
+        if behind is None:
+            last[-1] = len(phi)
+        for piece, a, b in zip(run.pieces, first, last, strict=True):
+            yield PlannedPiece(piece.tool, piece.X_MT, a, b)
 
 
 def _whole(time: float, period: float) -> int:

@@ -1,5 +1,7 @@
 """Following a plan in slices: the motion clock walks through it, the plant follows."""
 
+import math
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -46,6 +48,7 @@ class Follower:
         plan: its motion.
         clock: where it is.
         limits: how quickly the override may act.
+        passed: places to which it has come [control ticks of motion time], each with its tick.
     """
 
     run: CellRun
@@ -53,11 +56,13 @@ class Follower:
     plan: MotionPlan
     clock: ClockState = field(default_factory=ClockState)
     limits: ClockLimits = field(init=False)
+    passed: list[tuple[float, int]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         robot = self.at.station.robot
         self.limits = clock_limits(robot.max_speeds, robot.max_accelerations, robot.max_jerks)
         self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
+        self.passed.append((0.0, self.at.tick))
 
     @property
     def is_held(self) -> bool:
@@ -76,6 +81,12 @@ class Follower:
             self._slice(place)
             yield
 
+    def tick_at(self, place: int) -> int:
+        """Return the last tick at which the motion was not beyond a place that it has come to."""
+        number = bisect_right(self.passed, (place, math.inf)) - 1
+        before, tick = self.passed[number]
+        return tick + int(place - before) if number + 1 < len(self.passed) else tick
+
     def _slice(self, place: int) -> None:
         run, at = self.run, self.at
         override = 0.0 if run.stopped else run.override(at.due)
@@ -86,11 +97,13 @@ class Follower:
             ticks = min(place - int(self.clock.place), longest)
             self.clock, reference = advance(self.clock, rows, ticks, override, self.limits, period)
             at.follow(reference)
+            self.passed.append((self.clock.place, at.tick))
             return
         walked: list[JointReference] = []
         for _ in range(min(longest, at.station.controller.rates.interpolation_ticks)):
             self.clock, row = advance(self.clock, rows, 1, override, self.limits, period)
             walked.append(row)
+            self.passed.append((self.clock.place, at.tick + len(walked)))
             if self.clock.place >= place:
                 break
         at.follow(

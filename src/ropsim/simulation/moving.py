@@ -1,21 +1,17 @@
 """Moves of a run: plan a stretch, follow it, settle at its end."""
 
-from collections import deque
 from collections.abc import Iterator
-from dataclasses import replace
 
-from ropsim.controller import MotionPlan, MotionState, PlannedTrigger, plan, stopped_by
+from ropsim.controller import MotionPlan, MotionState, PlannedMove, plan, stopped_by
 from ropsim.core import Diagnostic
 from ropsim.flow import (
     MessageEvent,
     MessageInstruction,
     MoveEvent,
     MoveInstruction,
-    Origin,
     OutputEvent,
     SkipEvent,
 )
-from ropsim.motion import ToolPath
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.following import Follower
 from ropsim.simulation.in_force import put_in_force
@@ -55,9 +51,6 @@ def _follow(
     """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
     follower = Follower(run, at, planned)
-    pieces = iter(planned.pieces)
-    piece = next(pieces, None)
-    piece_start = at.tick
     for number, one in enumerate(planned.moves):
         if number in messages:
             text = messages[number]
@@ -65,17 +58,10 @@ def _follow(
         put_in_force(run, at, one.move)
         since, ordinal = at.tick, len(at.moves)
         at.track("move", ordinal)
-        triggers = deque(one.triggers)
-        while piece is not None and piece.last <= one.last:
-            yield from _to(run, at, follower, one.move.origin, triggers, piece.last)
-            _enter_path(at, piece.path, piece_start)
-            piece, piece_start = next(pieces, None), at.tick
-        yield from _to(run, at, follower, one.move.origin, triggers, one.last)
+        yield from _to(run, at, follower, one)
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
             yield from settle(run, at, one.move)
-            if at.paths and at.paths[-1].end == end:
-                at.paths[-1] = replace(at.paths[-1], end=at.tick)
         at.moves.append(MoveSpan(one.move, since, end, at.tick))
         at.track("move", -1)
         done = MoveEvent(
@@ -91,30 +77,28 @@ def _follow(
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
         if at.cut_short:
-            return
+            break
+    _enter_paths(at, planned, follower)
 
 
-def _to(
-    run: CellRun,
-    at: StationRun,
-    follower: Follower,
-    origin: Origin,
-    triggers: deque[PlannedTrigger],
-    place: int,
-) -> Iterator[None]:
-    """Follow the plan to a control tick of motion time; what is to be set on the way is set."""
-    while triggers and triggers[0].tick <= place:
-        yield from follower.until(triggers[0].tick)
+def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:
+    """Follow the plan to the end of a move; what is to be set on its way is set."""
+    for trigger in one.triggers:
+        yield from follower.until(trigger.tick)
         if at.cut_short:
             return
-        one = triggers.popleft().trigger
-        run.set_output(at, one.channel, one.value)
-        done = OutputEvent(*at.when(at.tick), origin, channel=one.channel, value=one.value)
+        channel, value = trigger.trigger.channel, trigger.trigger.value
+        run.set_output(at, channel, value)
+        done = OutputEvent(*at.when(at.tick), one.move.origin, channel=channel, value=value)
         run.note(at, at.tick, done)
-    yield from follower.until(place)
+    yield from follower.until(one.last)
 
 
-def _enter_path(at: StationRun, path: ToolPath | None, start: int) -> None:
-    """Note that a part of a path has been followed since a tick."""
-    if path is not None:
-        at.paths.append(PathSpan(path, start, at.tick))
+def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> None:
+    """Note which paths of the tool have been followed; the last one goes on while the arm settles."""
+    come = follower.clock.place
+    for piece in planned.pieces:
+        if piece.path is None or piece.first >= come:
+            continue
+        end = follower.tick_at(piece.last) if piece.last < min(come, planned.ticks) else at.tick
+        at.paths.append(PathSpan(piece.path, follower.tick_at(piece.first), end))
