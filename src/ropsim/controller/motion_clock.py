@@ -1,10 +1,13 @@
 """The motion clock: walks through the reference rows of a motion at a rate that anybody may change."""
 
 import math
-from typing import Protocol
+from functools import lru_cache
+from threading import get_ident
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from ropsim.codegen import Compiled, bound
 from ropsim.controller.clock_diagnostics import WRONG_CLOCK_REQUEST, ClockError
 from ropsim.controller.motion_clock_kernel import walk
 from ropsim.flow import JointReference
@@ -79,7 +82,7 @@ def advance(
     may lie between two rows, where the polynomial of fifth degree through both holds, and stays so until the
     end. However ticks are cut into calls, references and states are the same, bit by bit.
 
-    That a motion has a time of its own, which slows down where its limits ask for it, is from Dahl and Nielsen.
+    That a motion has a time of its own, which limits may slow down, is from Dahl and Nielsen.
 
     Args:
         state: where the motion is.
@@ -128,25 +131,48 @@ def _walked(
 ) -> tuple[ClockState, JointReference]:
     """Return what the compiled loop makes of the rows that it can come to or looks ahead to."""
     first, step = int(state.place), limits.jerk * period
-    last = min(first + ticks + _lookahead(state, override, limits, step) + 2, rows.count)
-    given = rows.rows(first, last)
-    n = given.q.shape[1]
-    known = np.empty((3, last - first, n))
-    known[0], known[1], known[2] = given.q, given.qd, given.qdd
-    values = np.empty(3 + n)
-    values[0], values[1], values[2], values[3:] = state.place, state.rate, state.change, limits.acceleration
-    out = np.empty((3, ticks, n))
-    walk(known, values, first, rows.count - 1, override, limits.change, step, period, out)
-    place, rate, change = values[:3].tolist()
-    return ClockState(place, rate, change), JointReference(out[0], out[1], out[2])
+    last = min(first + ticks + _lookahead(state, ticks, override, limits, step) + 2, rows.count)
+    given, many = rows.rows(first, last), last - first
+    bench = _bench(get_ident(), ticks, 1 << many.bit_length(), given.q.shape[1])
+    bench.q[:many], bench.qd[:many], bench.qdd[:many] = given.q, given.qd, given.qdd
+    bench.limits[:] = limits.acceleration
+    now = state.place, state.rate, state.change
+    bench.walk(first, rows.count - 1, *now, override, limits.change, step, period)
+    q, qd, qdd = bench.out[:, :ticks].copy()
+    return ClockState(*bench.out[:, ticks, 0].tolist()), JointReference(q, qd, qdd)
 
 
-def _lookahead(state: ClockState, override: float, limits: ClockLimits, step: float) -> int:
-    """Return in how many ticks full jerk takes any change to 0 that can come about.
-
-    A change c takes the rate c²/(2·jerk) further until it is 0, and the rate goes no further than 1.
-    """
-    if state.rate == override and state.change == 0.0:
+def _lookahead(state: ClockState, ticks: int, override: float, limits: ClockLimits, step: float) -> int:
+    """Return in how many ticks full jerk takes any change to 0 that comes about within so many ticks."""
+    now = abs(state.change)
+    if state.rate == override and now == 0.0:
         return 0
-    greatest = max(min(limits.change, math.sqrt(2.0 * limits.jerk)), abs(state.change))
+    greatest = max(min(now + step * ticks, limits.change), now)
     return math.ceil(greatest / step) + 1
+
+
+class _Bench(NamedTuple):
+    """What calls share, so that arrays are looked up once; nothing of it lasts from one call to the next.
+
+    Attributes:
+        q: coordinates of the rows that are known, as `qd` and `qdd` their derivatives.
+        qd: [rad/s | m/s].
+        qdd: [rad/s² | m/s²].
+        limits: of the joint accelerations [rad/s² | m/s²].
+        out: what becomes of them.
+        walk: the compiled loop on these arrays.
+    """
+
+    q: Array
+    qd: Array
+    qdd: Array
+    limits: Array
+    out: Array
+    walk: Compiled
+
+
+@lru_cache(maxsize=64)
+def _bench(_thread: int, ticks: int, room: int, n: int) -> _Bench:
+    """Return the bench of a thread, as compiled code lets other threads go on meanwhile."""
+    rows, limits, out = np.zeros((3, room, n)), np.zeros(n), np.zeros((3, ticks + 1, n))
+    return _Bench(rows[0], rows[1], rows[2], limits, out, bound(walk, rows, limits, out))

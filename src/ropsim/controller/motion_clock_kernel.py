@@ -11,47 +11,55 @@ HALVINGS = 4
 """How often the way between the change that is wished for and the one that is safe is halved."""
 
 
-@kernel("void(f8[:,:,::1], f8[::1], i8, i8, f8, f8, f8, f8, f8[:,:,::1])")
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,:,::1], i8, i8, f8, f8, f8, f8, f8, f8, f8)")
 def walk(
     rows: Array,
-    values: Array,
+    limits: Array,
+    out: Array,
     first: int,
     last: int,
+    place: float,
+    rate: float,
+    before: float,
     override: float,
     change: float,
     step: float,
     period: float,
-    out: Array,
 ) -> None:
-    """Walk on, one control tick for each row of the result.
+    """Walk on, one control tick for each row of the result but the last.
 
     Within a tick the change c of the rate w is linear: w += T·(c + c')/2 and place += w + T·(2·c + c')/6.
 
     Args:
         rows: coordinates, speeds and accelerations of the rows from `first` on, at control ticks of motion
-            time [rad | m, 1/s, 1/s²], shape (3, k, n); as far as the result and
-            its look-ahead go.
-        values: place [ticks], rate and its change [1/s], then the limits of the joint accelerations
-            [rad/s² | m/s²], shape (3 + n,); place, rate and change are those after the last tick afterwards.
-        first: number of the first of these rows.
+            time [rad | m, 1/s, 1/s²], shape (3, k, n); as far as the result and its look-ahead go.
+        limits: of the joint accelerations [rad/s² | m/s²], shape (n,).
+        out: references, shape (3, ticks + 1, n); out[:, ticks, 0] becomes place, rate and change at the end.
+        first: number of the first of the rows.
         last: number of the last row of the motion, where it is at rest.
+        place: where the motion is [ticks].
+        rate: at which it goes on.
+        before: its change [1/s].
         override: rate that is asked for, 0..1.
         change: greatest change of the rate [1/s].
         step: greatest step of the change per tick [1/s].
         period: of a control tick [s].
-        out: references, shape (3, ticks, n).
     """
-    limits = values[3:]
-    for tick in range(out.shape[1]):
-        place, rate, before = values[0], values[1], values[2]
+    ticks = out.shape[1] - 1
+    for tick in range(ticks):
         wished = _wished((override - rate) / period - before / 2.0, before, change, step)
         after = _allowed(rows, limits, first, last, place, rate, before, wished, step, period)
+        stood = place >= last
         place = _next_place(place, rate, before, after, period, last)
         rate = _next_rate(rate, before, after, period)
         if abs(rate - override) <= LANDED and abs(after) * period <= LANDED:
             rate, after = override, 0.0
-        values[0], values[1], values[2] = place, rate, after
-        _reference(rows, first, last, place, rate, after, period, tick, out)
+        before = after
+        if not stood and place == floor(place) and rate == 1.0 and before == 0.0:
+            _row(rows, int(place) - first, tick, out)
+        else:
+            _reference(rows, first, last, place, rate, before, period, tick, out)
+    out[0, ticks, 0], out[1, ticks, 0], out[2, ticks, 0] = place, rate, before
 
 
 def _wished(way: float, before: float, change: float, step: float) -> float:
@@ -174,20 +182,26 @@ def _reference(
     tick: int,
     out: Array,
 ) -> None:
-    """Write one row of the result: q(φ), q'·w and q''·w² + q'·c; at a row and at rate 1 that row itself."""
-    whole = int(place)
-    k, u = whole - first, place - whole
-    at_rest, untouched = whole >= last, u == 0.0 and rate == 1.0 and change == 0.0
+    """Write one row of the result: q(φ), q'·w and q''·w² + q'·c."""
+    k = int(place) - first
+    u = place - int(place)
     for j in range(out.shape[2]):
         q, speed, acceleration = rows[0, k, j], rows[1, k, j], rows[2, k, j]
-        if at_rest:
+        if place >= last:
             speed, acceleration = 0.0, 0.0
-        elif not untouched:
+        else:
             if u > 0.0:
                 q, speed, acceleration = _between(rows, k, j, u, period)
             acceleration = acceleration * rate * rate + speed * change
             speed = speed * rate
         out[0, tick, j], out[1, tick, j], out[2, tick, j] = q, speed, acceleration
+
+
+def _row(rows: Array, k: int, tick: int, out: Array) -> None:
+    """Write a row as it is, bit by bit."""
+    for axis in range(3):
+        for j in range(out.shape[2]):
+            out[axis, tick, j] = rows[axis, k, j]
 
 
 def _between(rows: Array, k: int, j: int, u: float, period: float) -> tuple[float, float, float]:
