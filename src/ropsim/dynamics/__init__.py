@@ -27,6 +27,9 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
+from ropsim.dynamics.effort_limits import effort_limits as effort_limits
+from ropsim.dynamics.effort_rows import EffortRows as EffortRows
+from ropsim.dynamics.effort_rows import effort_rows as effort_rows
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
 from ropsim.dynamics.long_arm import ACCELERATIONS as ACCELERATIONS

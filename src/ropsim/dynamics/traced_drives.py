@@ -60,7 +60,7 @@ def joint_sides(
 
 
 @lru_cache(maxsize=64)
-def _sides_code(structure: ArmStructure) -> GivenCode:
+def sides_code(structure: ArmStructure) -> GivenCode:
     """Return `sides(qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
     tracer, n = Tracer(), structure.n
     qd = tracer.variables("qd", n)
@@ -81,7 +81,7 @@ def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array], tu
         structure: of the arm.
         numbers: as from `arm_numbers`.
     """
-    code = _sides_code(structure).bound("drive_sides", numbers, Engine.PYTHON)
+    code = sides_code(structure).bound("drive_sides", numbers, Engine.PYTHON)
 
     def sides(qd: Array) -> tuple[Array, Array]:
         out = np.empty(2 * structure.n)

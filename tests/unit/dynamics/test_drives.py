@@ -69,7 +69,10 @@ def test_behind_an_elastic_gear_the_joint_feels_neither_rotor_nor_friction() -> 
         assert friction(with_drive, qd).tolist() == [0.0, 0.0]
 
 
-@pytest.mark.parametrize("one", [drive(), ideal_drive(), ideal_drive(3.0), ELASTIC])
+OPEN = replace(drive(), amplifier=VoltageAmplifier(40.0, inf))
+
+
+@pytest.mark.parametrize("one", [drive(), OPEN, ideal_drive(), ideal_drive(3.0), ELASTIC])
 def test_a_possible_drive_has_no_fault(one: Drive) -> None:
     assert drive_fault(one) is None
 
@@ -82,6 +85,8 @@ def test_a_possible_drive_has_no_fault(one: Drive) -> None:
         (replace(drive(), motor=replace(MOTOR, torque_constant=nan)), "`torque_constant` is `nan`"),
         (replace(drive(), amplifier=VoltageAmplifier(0.0, 1.0)), "`max_voltage` is `0.0`"),
         (replace(drive(), amplifier=VoltageAmplifier(inf, 1.0)), "`max_voltage` is `inf`"),
+        (replace(drive(), amplifier=VoltageAmplifier(40.0, 0.0)), "`max_current` is `0.0`"),
+        (replace(drive(), amplifier=VoltageAmplifier(40.0, nan)), "`max_current` is `nan`"),
         (replace(drive(), transmission=Gear(0.0)), "magnitude of `ratio` is `0.0`"),
         (replace(ideal_drive(), amplifier=EffortAmplifier(0.0)), "`max_effort` is `0.0`"),
         (replace(ELASTIC, transmission=ElasticGear(80.0, 0.0)), "`stiffness` is `0.0`"),

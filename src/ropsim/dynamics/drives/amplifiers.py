@@ -13,7 +13,7 @@ def _clipped(p: Numbers, command: Scalar) -> Scalar:
 VOLTAGE = AmplifierBlock(
     InputKind.VOLTAGE,
     ("max_voltage",),
-    ("max_voltage",),
+    ("max_voltage", "max_current"),
     Column("voltage", "V", "motor voltage"),
     _clipped,
     (

@@ -5,6 +5,9 @@ from math import inf, isfinite
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import Drive
 
+_OPEN = frozenset({"max_effort", "max_current"})
+"""Limits that may be infinite."""
+
 
 def drive_fault(drive: Drive) -> tuple[str, str] | None:
     """Return what of a drive is impossible and why, None for a drive that can exist.
@@ -24,7 +27,7 @@ def drive_fault(drive: Drive) -> tuple[str, str] | None:
     for block, record in pairs:
         for name in block.positive:
             value = float(getattr(record, name))
-            if not (value > 0.0 and (isfinite(value) or name == "max_effort")):
+            if not (value > 0.0 and (isfinite(value) or name in _OPEN)):
                 return f"`{name}`", f"is `{value}`; it must be positive and finite"
     if not (drive.ratio != 0.0 and abs(drive.ratio) < inf):
         return "magnitude of `ratio`", f"is `{abs(drive.ratio)}`; it must be positive and finite"

@@ -1,6 +1,6 @@
 """A drive in a steady state: what its controller has to command for an effort at the joint."""
 
-from math import copysign
+from math import copysign, inf
 from typing import NamedTuple
 
 from ropsim.dynamics.drives.chain import chain_of
@@ -46,3 +46,28 @@ def command_limit(drive: Drive) -> float:
     """Return the largest magnitude that the amplifier of a drive puts out; inf where it is open."""
     (name,) = chain_of(drive).amplifier.numbers
     return float(getattr(drive.amplifier, name))
+
+
+def largest_effort(drive: Drive) -> float:
+    """Return the largest torque or force that a drive can keep up at its joint at standstill [N·m | N].
+
+    What its motor remembers and what its amplifier puts out grow in proportion to the effort; the first of
+    them that comes to a limit of the drive sets the bound. Of a DC motor it is |G|·Kt times the smaller of
+    the largest current and the one that the largest voltage drives through the resistance.
+
+    Args:
+        drive: the drive; friction is no part of the effort.
+
+    Returns:
+        Infinite where the drive has no limit.
+    """
+    chain = chain_of(drive)
+    unit = steady_drive(drive, 0.0, 0.0, 1.0)
+    columns = (*chain.states, chain.amplifier.output)
+    share = dict(zip((column.name for column in columns), (*unit.states, unit.output), strict=True))
+    bounds = (
+        getattr(drive.amplifier, limit.number) / abs(share[limit.column])
+        for limit in chain.amplifier.limits
+        if share.get(limit.column)
+    )
+    return min(map(float, bounds), default=inf)

@@ -1,0 +1,33 @@
+"""How much torque the joints of an arm may be asked for."""
+
+from functools import lru_cache
+from math import inf
+
+from ropsim.dynamics.drives import drive_fault, largest_effort
+from ropsim.dynamics.model_check import check_model
+from ropsim.model import Mechanism
+from ropsim.spatial import Array, frozen
+
+
+@lru_cache(maxsize=256)
+def effort_limits(robot: Mechanism) -> Array:
+    """Return the largest torque or force that each joint may be asked for, shape (n,) [N·m | N], read-only.
+
+    It counts at the joint and before friction, as `effort_rows` and recordings do: the least of the limit of
+    the joint and of what its drive can keep up at standstill; infinite where neither is known. A drive that
+    cannot exist (`drive_fault`) has no say: whoever simulates the arm refuses it.
+
+    Args:
+        robot: the arm, with drives or without.
+
+    Raises:
+        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        MechanismError: the mechanism cannot be, or has closed chains.
+        ModelNumberError: a number of the model is not finite.
+    """
+    check_model(robot)
+    efforts = [float(limit) for limit in robot.max_efforts]
+    if robot.drives:
+        drives = [inf if drive_fault(drive) else largest_effort(drive) for drive in robot.drives]
+        efforts = [min(pair) for pair in zip(efforts, drives, strict=True)]
+    return frozen(efforts)

@@ -1,0 +1,139 @@
+"""The torques of the drives along a motion: many rows in one call of compiled code."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.codegen import (
+    Compiled,
+    Engine,
+    Formula,
+    GivenCode,
+    SourceFunction,
+    Tracer,
+    bound,
+    default_engine,
+    load,
+)
+from ropsim.dynamics.arm_functions import identifier
+from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
+from ropsim.dynamics.long_arm import TORQUES, chain_numbers
+from ropsim.dynamics.model_check import check_model
+from ropsim.dynamics.newton_euler import trace_inverse
+from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
+from ropsim.dynamics.traced_arm import trace_arm
+from ropsim.dynamics.traced_drives import joint_sides, sides_code
+from ropsim.model import Mechanism, Payload
+from ropsim.spatial import Array
+
+_SIGNATURE = "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])"
+_ROWS = """\
+def effort_rows(constants, q, qd, qdd, tau):
+    for k in range(q.shape[0]):
+        efforts(q[k], qd[k], qdd[k], constants, tau[k])
+"""
+_LONG_ROWS = """\
+def effort_rows(constants, q, qd, qdd, tau):
+    n = q.shape[1]
+    side, wrench, chain = np.empty(2 * n), np.zeros(6), constants[{count}:]
+    for k in range(q.shape[0]):
+        chain_torques(q[k], qd[k], qdd[k], wrench, chain, tau[k])
+        sides(qd[k], constants, side)
+        for j in range(n):
+            tau[k, j] += side[n + j] * qdd[k, j] + side[j]
+"""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class EffortRows:
+    """The torques of the drives of an arm, row by row of a motion; made by `effort_rows`.
+
+    Attributes:
+        n: number of axes.
+        function: `(q, qd, qdd, tau)`, compiled or in Python.
+    """
+
+    n: int
+    function: Compiled
+
+    def __call__(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Return for each row what `inverse_dynamics` returns, shape (k, n) [N·m | N].
+
+        It is the torque that a drive has to give at its joint, before friction is taken off, as limits and
+        recordings count it: for the rigid bodies with the payload, the inertia of the motor, and friction.
+        Coulomb friction is |G|·Tc·tanh(q̇/v_s): at standstill it is 0, as the simulated arm has it, whichever
+        way the arm is about to go. All numbers are to be finite; a row with NaN gives NaN and leaves the
+        others alone.
+
+        Args:
+            q: joint coordinates [rad | m], shape (k, n).
+            qd: joint speeds [rad/s | m/s], shape (k, n).
+            qdd: joint accelerations [rad/s² | m/s²], shape (k, n).
+
+        Raises:
+            StateShapeError: M570, the arrays are not all of shape (k, n).
+        """
+        rows = len(q) if q.ndim else 0
+        for name, array in (("q", q), ("qd", qd), ("qdd", qdd)):
+            if array.shape != (rows, self.n):
+                message = f"array `{name}` has shape `{array.shape}`; allowed is `({rows or 'k'}, {self.n})`"
+                hint = "give one row per tick with one number per joint"
+                raise StateShapeError(WRONG_SHAPE.at(None, message, hint=hint))
+        tau = np.empty((rows, self.n))
+        self.function(_plain(q), _plain(qd), _plain(qdd), tau)
+        return tau
+
+
+def effort_rows(robot: Mechanism, payload: Payload | None = None, engine: Engine | None = None) -> EffortRows:
+    """Return the torques of the drives of an arm as a function of the rows of a motion.
+
+    Structure is compiled, numbers are passed: an arm that differs in masses, friction or motors, and another
+    payload, compile nothing. Without drives there is neither friction nor motor inertia.
+
+    Args:
+        robot: the arm.
+        payload: body at the mechanical interface; None for none.
+        engine: who runs the code; None takes numba where it is installed.
+
+    Raises:
+        JointCountError: the arm has no joints, or not one link for each of them and one drive for each axis.
+        MechanismError: the mechanism cannot be, or has closed chains.
+        ModelNumberError: a number of the model is not finite.
+    """
+    return _effort_rows(robot, payload, engine or default_engine())
+
+
+@lru_cache(maxsize=256)
+def _effort_rows(robot: Mechanism, payload: Payload | None, engine: Engine) -> EffortRows:
+    check_model(robot)
+    structure, numbers = structure_of(robot), arm_numbers(robot, payload)
+    if structure.is_long:
+        sides = sides_code(structure)
+        inner = (*TORQUES, *sides.functions)
+        constants = np.concatenate([sides.constants(numbers), chain_numbers(structure, numbers)])
+        text = _LONG_ROWS.format(count=sides.count)
+    else:
+        code = _efforts_code(structure)
+        inner, constants, text = code.functions, code.constants(numbers), _ROWS
+    functions = (*inner, SourceFunction("effort_rows", _SIGNATURE, text))
+    function = load(f"{identifier(robot.name)}_effort_rows", functions, engine)
+    return EffortRows(robot.n, bound(function, constants))
+
+
+@lru_cache(maxsize=64)
+def _efforts_code(structure: ArmStructure) -> GivenCode:
+    """Return `efforts(q, qd, qdd, constants, tau)` of one row."""
+    tracer = Tracer()
+    q, qd, qdd = (tracer.variables(name, structure.n) for name in ("q", "qd", "qdd"))
+    numbers = traced_numbers(tracer, structure)
+    tau = trace_inverse(trace_arm(tracer, structure, numbers, q), qd, qdd)
+    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, qd)):
+        tau[k] = tau[k] + qdd[k] * inertia + friction
+    results = [(f"tau[{k}]", value) for k, value in enumerate(tau)]
+    return GivenCode.of(Formula("efforts", ("q", "qd", "qdd", "tau"), results))
+
+
+def _plain(array: Array) -> Array:
+    """Return an array as compiled code takes it; copies only where it must."""
+    return np.ascontiguousarray(array, np.float64)
