@@ -40,6 +40,7 @@ DEPENDS = {
     "RET": ("results", ""),
     "MKJ": ("REAL … n times", "JOINTS"),
     "MKEXT": ("POSE REAL … n times", "POSE"),
+    "MOVE.SPL": ("POSE … n times", ""),
     "GETC": ("T", "REAL"),
     "SETC": ("T REAL", "T"),
     "IN": ("", "T"),

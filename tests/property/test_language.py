@@ -12,8 +12,9 @@ from support.tasks import CELL, compiled
 FIG5 = (Path(__file__).parents[1] / "golden" / "task" / "fig5.task").read_text(encoding="utf-8")
 MODERN = (Path(__file__).parents[1] / "golden" / "task" / "everything.task").read_text(encoding="utf-8")
 SIGNS = {"(", ")", ",", ";", ".", '"', "\\", "1e999", "endr", "\t", "#"}
+MOTIONS = (Path(__file__).parents[1] / "golden" / "task" / "motions.task").read_text(encoding="utf-8")
 EXTERNAL = (Path(__file__).parents[1] / "golden" / "task" / "external.task").read_text(encoding="utf-8")
-WORDS = sorted(set((FIG5 + MODERN + EXTERNAL).split()) | SIGNS)
+WORDS = sorted(set((FIG5 + MODERN + EXTERNAL + MOTIONS).split()) | SIGNS)
 TASKS = """program p
 units mm, deg, s
 task Pick(part: loc, clear: length = 60 mm)
@@ -72,7 +73,7 @@ def test_any_words_of_the_language_are_answered(lines: list[list[str]]) -> None:
 
 
 @EXAMPLES
-@given(st.sampled_from([FIG5, MODERN, EXTERNAL]), st.data())
+@given(st.sampled_from([FIG5, MODERN, EXTERNAL, MOTIONS]), st.data())
 def test_mutations_of_right_programs_are_answered(program: str, data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(program)))
     length = data.draw(st.integers(0, 30))

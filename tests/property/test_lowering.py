@@ -130,9 +130,28 @@ modal = st.builds(
     ptp_speed=st.none() | positive,
     zone=st.none() | positive | st.just(Constant(0.0, REAL)),
 )
+
+
+def points(least: int) -> st.SearchStrategy[tuple[Expression, ...]]:
+    """Return points on the way of a motion."""
+    return st.lists(expressions[POSE], min_size=least, max_size=3).map(tuple)
+
+
 plain: st.SearchStrategy[Statement] = st.one_of(
-    st.builds(Move, st.sampled_from((MotionKind.PTP, MotionKind.LIN)), expressions[POSE], modal, spans),
-    st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans),
+    st.builds(
+        Move, st.sampled_from((MotionKind.PTP, MotionKind.LIN)), expressions[POSE], modal, spans, points(0)
+    ),
+    st.builds(Move, st.just(MotionKind.SPLINE), expressions[POSE], modal, spans, points(1)),
+    st.builds(
+        Move,
+        st.just(MotionKind.CIRC),
+        expressions[POSE],
+        modal,
+        spans,
+        st.tuples(expressions[POSE]),
+        st.none() | positive | st.just(Variable("x", REAL)),
+    ),
+    st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans, points(0)),
     st.builds(Grip, st.sampled_from(GripAction), st.sampled_from(["", "jaws"]), spans),
     st.builds(Output, st.just("lamp"), expressions[BOOL], spans),
     st.builds(Wait, positive | st.just(Variable("x", REAL)), spans),

@@ -213,10 +213,11 @@ SPEED_NOT_POSITIVE = define(
     "I426",
     "icr-speed-not-positive",
     _ERROR,
-    "V8: a constant speed, acceleration or zone is out of range",
+    "V8: a constant speed, acceleration, angle or zone is out of range",
     """
 Rule V8. Speeds, accelerations and jerks are greater than 0; shares (`SPD.PTP`, `ACC.PTP`) lie in (0, 1];
-zones and waiting times are at least 0. Values that are computed are checked when the program runs.
+the angle of an arc is greater than 0; zones and waiting times are at least 0. Values that are computed are
+checked when the program runs.
 """,
 )
 CAPABILITIES_DIFFER = define(
@@ -226,8 +227,8 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CLOCK EXT GRIP IO JNT LIN MSG PTP ZONE`). `EXT` is needed by a constant pose with
-values of external axes, too.
+instructions that occur (`CIRC CLOCK EXT GRIP IO JNT LIN MSG PTP SPLINE ZONE`). `EXT` is needed by a
+constant pose with values of external axes, too.
 """,
 )
 AXES_DIFFER = define(

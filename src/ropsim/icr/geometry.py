@@ -56,7 +56,7 @@ def _reframe(change: Location, location: Location) -> Location:
     return location if tag_of(location) is not None else _compose(change, location)
 
 
-def _same_frame(name: str, a: Datum, b: Datum) -> None:
+def check_same_frame(name: str, a: Datum, b: Datum) -> None:
     """Trap where two poses are given in different task frames.
 
     Raises:
@@ -66,16 +66,16 @@ def _same_frame(name: str, a: Datum, b: Datum) -> None:
     if one != other:
         names = " and ".join(f"`{tag.name}`" if tag else "the task frame in force" for tag in (one, other))
         message = f"`{name}` is given poses in {names}, whose places to each other change"
-        raise TrapError(kinds.POSE_UNKNOWN, message, "compare locations that are given in one frame")
+        raise TrapError(kinds.POSE_UNKNOWN, message, "use locations that are given in one frame")
 
 
 def _distance(a: Datum, b: Datum) -> float:
-    _same_frame("DIST", a, b)
+    check_same_frame("DIST", a, b)
     return _finite("DIST", (math.dist(a[:3], b[:3]),))[0]
 
 
 def _angle(a: Datum, b: Datum) -> float:
-    _same_frame("ANGLE", a, b)
+    check_same_frame("ANGLE", a, b)
     w, x, y, z = quaternion.multiply(quaternion.conjugate(a[3:7]), b[3:7])
     return 2.0 * math.atan2(math.hypot(x, y, z), abs(w))
 

@@ -159,14 +159,18 @@ _TABLE = """
 050D JERK      -        R   -  -     jerk of the TCP on lines [m/s3]
 050E ZONE.FINE -        -   -  ZONE  stop at the target
 050F ZONE.DIST -        R   -  ZONE  distance from the target at which the next move may begin [m]
+0510 ZONE.VIA  -        -   -  ZONE  pass by; without a zone at the distance that the cell has for via points
 0520 MODAL.SAVE -       -   -  -     save the whole modal state
 0521 MODAL.RESTORE -    -   -  -     bring back the modal state saved last
 0601 MOVE.PTP.J -       J   -  JNT   pose-to-pose move to joint coordinates
 0602 MOVE.PTP  -        P   -  PTP   pose-to-pose move to a pose in the task frame
 0603 MOVE.LIN  -        P   -  LIN   straight move to a pose in the task frame
+0604 MOVE.CIRC -        PP  -  CIRC  [via to] arc of a circle through a pose to a pose in the task frame
+0605 MOVE.SPL  count    *   -  SPLINE smooth curve through n poses in the task frame, the last one its target
 0608 HOME      -        -   -  PTP   pose-to-pose move to the home position of the arm
 0609 SYNC      -        -   -  -     wait until everything before has been carried out
 060A STOP      category -   -  -     end the program by a stop of category 0, 1 or 2 (IEC 60204-1)
+060D MOVE.CIRC.A -      PPR -  CIRC  [via to angle] arc of an angle [rad] on the circle through two poses
 0701 IN        channel  -   *  IO    value of a channel
 0702 OUT       channel  *   -  IO    set an output channel
 0704 WAIT.T    -        R   -  -     stand still for a time [s]

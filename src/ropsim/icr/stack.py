@@ -53,6 +53,8 @@ def _by_operand(program: Program, procedure: Procedure, step: Step) -> tuple[Sta
         return (Type.REAL,) * int(operand), (Type.JOINTS,)
     if step.mnemonic == "MKEXT":
         return (Type.POSE, *(Type.REAL,) * int(operand)), (Type.POSE,)
+    if step.mnemonic == "MOVE.SPL":
+        return (Type.POSE,) * int(operand), ()
     name = str(operand)
     if step.mnemonic in {"LOAD", "STORE"}:
         found: Stack = (variable_type(program, procedure, name),)

@@ -13,9 +13,11 @@ from ropsim.language.outline import outline as outline
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
 from ropsim.language.text import LineCache as LineCache
+from ropsim.language.vocabulary import BEHIND_TARGETS as BEHIND_TARGETS
 from ropsim.language.vocabulary import FUNCTIONS as FUNCTIONS
 from ropsim.language.vocabulary import INNER_WORDS as INNER_WORDS
 from ropsim.language.vocabulary import LOCATION_WORDS as LOCATION_WORDS
+from ropsim.language.vocabulary import MOTION_WORDS as MOTION_WORDS
 from ropsim.language.vocabulary import STATEMENT_WORDS as STATEMENT_WORDS
 from ropsim.language.vocabulary import TYPE_WORDS as TYPE_WORDS
 from ropsim.language.vocabulary import UNIT_WORDS as UNIT_WORDS

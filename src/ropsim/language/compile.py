@@ -14,7 +14,7 @@ from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
 from ropsim.language.syntax.statements import TaskHeader
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line, LineCache
-from ropsim.program import Program, check_contracts, lower_with_findings, recursion
+from ropsim.program import Program, check_contracts, check_points, lower_with_findings, recursion
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +73,7 @@ def _lowered(program: Program, report: Report) -> IcrProgram | None:
     if report.has_errors:
         return None
     report.extend(check_contracts(program))
+    report.extend(check_points(program))
     code, findings = lower_with_findings(program, report.source)
     report.extend(findings)
     return None if report.has_errors else code

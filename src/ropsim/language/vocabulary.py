@@ -3,7 +3,7 @@
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax.declarations import TYPES
 from ropsim.language.syntax.lexer import UNITS
-from ropsim.language.syntax.words import EXTERNAL, HEADS, NOT_YET, RESERVED
+from ropsim.language.syntax.words import EXTERNAL, HEADS, MOTION_MODIFIERS, NOT_YET, RESERVED, VIA
 
 _REFUSED_TYPES = frozenset(["frame", "tool", "signal"])
 
@@ -15,6 +15,12 @@ INNER_WORDS = RESERVED - HEADS
 
 LOCATION_WORDS = frozenset([EXTERNAL])
 """Words that stand behind a location only and may be names elsewhere."""
+
+BEHIND_TARGETS = MOTION_MODIFIERS
+"""Words behind the target of a motion that no other statement has; they may be names elsewhere."""
+
+MOTION_WORDS = MOTION_MODIFIERS | {VIA}
+"""Words that stand in a motion only and may be names elsewhere."""
 
 TYPE_WORDS = frozenset(TYPES) - _REFUSED_TYPES
 """Types of parameters, constants and variables."""

@@ -51,7 +51,8 @@ _PLACES = tuple(
     )
 )
 _LOCATION = re.compile(r"^\s*loc\b.*=.*\S\s+$", re.IGNORECASE)
-_MOTION = re.compile(r"^\s*(?:movj?|movl|lin)\b.*\S\s+$", re.IGNORECASE)
+_VERB = re.compile(r"^\s*(?:mov[jlc]?|lin|circ|spline)\s+$", re.IGNORECASE)
+_MOTION = re.compile(r"^\s*(?:mov[jlc]?|lin|circ|spline)\b.*\S\s+$", re.IGNORECASE)
 
 
 def completions(
@@ -132,6 +133,10 @@ def _behind_locations(lead: str) -> Iterator[Json]:
     is_target = _MOTION.search(lead) is not None
     if is_target:
         yield from _words(words.MODIFIERS, _KEYWORD, "2")
+        own = {name: word for name, word in words.MOTIONS.items() if name in language.BEHIND_TARGETS}
+        yield from _words(own, _KEYWORD, "2")
+    elif _VERB.search(lead):
+        yield _item("via", _KEYWORD, words.MOTIONS["via"].form, words.MOTIONS["via"].meaning, "3")
     if is_target or _LOCATION.search(lead):
         yield from _words(words.LOCATIONS, _KEYWORD, "3")
 

@@ -29,12 +29,13 @@ _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _AFTER = tuple(
     (re.compile(pattern, re.IGNORECASE), type_)
     for pattern, type_ in (
-        (r"^\s*(?:\d+\.\s*)?(?:movj?|movl|lin)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
+        (r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
+        (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$", "loc"),
         (r"\b(?:above|blend)\s+$", "length"),
         (r"^\s*wait\s+$|\btimeout\s+$", "time"),
         (r"\bspeed\s+$", "speed"),
         (r"\bacc\s+$", "accel"),
-        (r"\b(?:rx|ry|rz|pitch|roll|yaw)\s+$", "angle"),
+        (r"\b(?:rx|ry|rz|pitch|roll|yaw|angle)\s+$", "angle"),
     )
 )
 _DECLARED = r"\b{name}\s*:\s*([a-z]+)"

@@ -28,10 +28,13 @@ STATEMENTS: dict[str, Word] = {
     "assumes": Word("assumes words", "What the task takes for granted, such as `gripper closed`."),
     "endp": Word("endp", "End of a task."),
     "endtask": Word("endtask", "End of a task; the same as `endp`."),
-    "mov": Word("mov [to] target", "Pose-to-pose motion: all joints start and end together."),
+    "mov": Word("mov [via a, … to] target", "Pose-to-pose motion: all joints start and end together."),
     "movj": Word("movj [to] target", "The same as `mov`."),
-    "lin": Word("lin [to] target", "The TCP moves on a straight line, the orientation turns about one axis."),
+    "lin": Word("lin [via a, … to] target", "The TCP on a straight line, the orientation about one axis."),
     "movl": Word("movl [to] target", "The same as `lin`."),
+    "circ": Word("circ via a to target [angle a]", "The TCP on an arc of a circle through a point."),
+    "movc": Word("movc via a to target", "The same as `circ`."),
+    "spline": Word("spline [via] a, … to target", "The TCP on a smooth curve through points."),
     "open": Word("open [TOOL]", "Opens the gripper of the tool named, else of the tool in force."),
     "close": Word("close [TOOL]", "Closes the gripper of the tool named, else of the tool in force."),
     "load": Word("load (x, y, z), location", "Copies the coordinates of a location into variables."),
@@ -83,6 +86,11 @@ LOCATIONS: dict[str, Word] = {
     "external": Word(
         "location external (e1, …)", "The location with the external axes at these values, E1 first."
     ),
+}
+
+MOTIONS: dict[str, Word] = {
+    "via": Word("lin via a, … to target", "Points on the way of a motion; `mov` and `lin` pass them by."),
+    "angle": Word("angle a", "How far an arc goes on its circle, instead of ending at its target."),
 }
 
 MODIFIERS: dict[str, Word] = {
@@ -144,7 +152,7 @@ TYPES: dict[str, Word] = {
 def meaning_of(name: str) -> Word | None:
     """Return what a word of the language means, in any case of its letters; None for other words."""
     word = name.lower()
-    for table in (STATEMENTS, INNER, LOCATIONS, MODIFIERS, FUNCTIONS, TURNS, TYPES):
+    for table in (STATEMENTS, INNER, LOCATIONS, MOTIONS, MODIFIERS, FUNCTIONS, TURNS, TYPES):
         if word in table:
             return table[word]
     return None

@@ -20,6 +20,7 @@ from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
 from ropsim.program.lowering.lowering import lower as lower
 from ropsim.program.lowering.lowering import lower_with_findings as lower_with_findings
+from ropsim.program.points import check_points as check_points
 from ropsim.program.program import Contract as Contract
 from ropsim.program.program import Local as Local
 from ropsim.program.program import Program as Program

@@ -69,6 +69,20 @@ lin q            # error: where to, when part_ok is off?
 Give the location a value before the branch or loop.
 """,
 )
+IMPOSSIBLE_PATH = define(
+    "T393",
+    "points-make-no-path",
+    Severity.ERROR,
+    "points of an arc or a curve that make none",
+    """
+Three different points that do not lie on one line make a circle: the place where the motion begins, the via
+point and the target. A curve needs another place for each of its points. Points count as one within 0.001 mm.
+
+The check knows the place where a motion begins when a motion to a constant location stands before it; for
+locations that are computed, and after calls and loops, the points are looked at when the program runs.
+A full circle is written with a target on it and an angle: `circ via a to b angle 360 deg`.
+""",
+)
 UNSOUND = define(
     "I450",
     "structured-program-unsound",

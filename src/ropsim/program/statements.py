@@ -39,12 +39,24 @@ class Settings:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """A motion; `settings` hold for this move only. The target is a POSE in the frame in force or JOINTS."""
+    """A motion to a target, through points on the way.
+
+    Attributes:
+        kind: how the TCP travels.
+        target: POSE in the frame in force or, of PTP, JOINTS.
+        settings: hold for this move only.
+        span: of the statement.
+        via: points on the way. PTP and LIN go from each to the next one and pass them by; one point makes an
+            arc, any number a curve.
+        angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
+    """
 
     kind: MotionKind
     target: Expression
     settings: Settings
     span: Span
+    via: tuple[Expression, ...] = ()
+    angle: Expression | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,6 +43,8 @@ def program(main: str, rest: str = "") -> Program:
     offers = {
         "MOVE.LIN": "LIN",
         "MOVE.PTP\n": "PTP",
+        "MOVE.CIRC": "CIRC",
+        "MOVE.SPL": "SPLINE",
         "HOME": "PTP",
         "ZONE": "ZONE",
         "MSG": "MSG",
@@ -115,6 +117,72 @@ def test_saved_modal_states_come_back_also_through_calls() -> None:
 def test_a_changed_modal_state_outlives_the_procedure_that_changed_it() -> None:
     moves = flow("CALL slow/HOME/HALT", "PROC slow\n  PUSH REAL 0.1\n  SPD.PTP\n  RET\nEND\n")[:-1]
     assert [move.modal.ptp_speed for move in moves if isinstance(move, MoveInstruction)] == [0.1]
+
+
+def pose(x: float, *rest: object) -> str:
+    return " ".join(map(str, ("PUSH POSE", x, 0.0, 0.3, 0.0, 1.0, 0.0, 0.0, *rest)))
+
+
+def places(move: object) -> tuple[list[float], float]:
+    """Return x of the via points and of the target."""
+    assert isinstance(move, MoveInstruction)
+    assert isinstance(move.target, Pose)
+    return [one.as_tuple()[0] for one in move.via], move.target.as_tuple()[0]
+
+
+def test_an_arc_leads_through_one_pose_and_a_curve_through_any_number() -> None:
+    arc, part, curve, _ = flow(
+        f"{pose(0.1)}/{pose(0.2)}/MOVE.CIRC/{pose(0.3)}/{pose(0.4)}/PUSH REAL 7.5/MOVE.CIRC.A/"
+        f"{pose(0.5)}/{pose(0.6)}/{pose(0.7)}/MOVE.SPL 3/HALT"
+    )
+    assert (places(arc), places(part), places(curve)) == (([0.1], 0.2), ([0.3], 0.4), ([0.5, 0.6], 0.7))
+    assert isinstance(arc, MoveInstruction)
+    assert isinstance(part, MoveInstruction)
+    assert isinstance(curve, MoveInstruction)
+    assert (arc.kind, arc.angle) == (MotionKind.CIRC, None)
+    assert (part.kind, part.angle) == (MotionKind.CIRC, 7.5)
+    assert curve.kind == MotionKind.SPLINE
+
+
+def test_after_an_arc_or_a_curve_the_pose_commanded_last_is_its_target() -> None:
+    for words in ("MOVE.CIRC", "MOVE.SPL 2"):
+        *_, move, _ = flow(f"{pose(0.1)}/{pose(0.2)}/{words}/CURPOSE/MOVE.LIN/HALT")
+        assert places(move) == ([], 0.2)
+
+
+def test_where_an_arc_of_an_angle_ends_is_not_known() -> None:
+    assert trap(f"{pose(0.1)}/{pose(0.2)}/PUSH REAL 1.0/MOVE.CIRC.A/CURPOSE/POP/HALT") == "I465"
+
+
+@pytest.mark.parametrize("angle", [0.0, -1.0])
+def test_an_angle_that_is_computed_must_be_greater_than_zero(angle: float) -> None:
+    text = f"PUSH REAL {angle}/PUSH REAL 0.0/ADD.R/MOVE.CIRC.A"
+    assert trap(f"{pose(0.1)}/{pose(0.2)}/{text}/HALT") == "I461"
+
+
+def test_the_points_of_a_path_lie_in_the_frame_of_its_target() -> None:
+    both = f"{pose(0.1)}/INFRAME g/{pose(0.2)}/INFRAME g"
+    (arc, _) = flow(f"FRAME f/{both}/MOVE.CIRC/HALT")
+    assert isinstance(arc, MoveInstruction)
+    assert (arc.modal.frame, places(arc)) == ("g", ([0.1], 0.2))
+    assert trap(f"FRAME f/{pose(0.1)}/{pose(0.2)}/INFRAME g/MOVE.CIRC/HALT") == "I465"
+    assert trap(f"FRAME f/{pose(0.1)}/INFRAME g/{pose(0.2)}/MOVE.SPL 2/HALT") == "I465"
+
+
+def test_a_via_point_has_the_external_values_of_the_target_or_none() -> None:
+    for via in (pose(0.1), pose(0.1, "EXT", 0.8)):
+        (arc, _) = flow(f"{via}/{pose(0.2, 'EXT', 0.8)}/MOVE.CIRC/HALT")
+        assert isinstance(arc, MoveInstruction)
+        assert arc.external == (0.8,)
+    assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2)}/MOVE.CIRC/HALT") == "I461"
+    assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2, 'EXT', 0.9)}/MOVE.SPL 2/HALT") == "I461"
+
+
+def test_a_via_zone_passes_by_until_another_zone_is_said() -> None:
+    steps = ["HOME", "ZONE.VIA", "HOME", "PUSH REAL 0.02", "ZONE.DIST", "HOME", "ZONE.VIA", "HOME"]
+    moves = flow("/".join([*steps, "ZONE.FINE", "HOME", "HALT"]))[:-1]
+    zones = [(one.modal.zone, one.modal.passes) for one in moves if isinstance(one, MoveInstruction)]
+    assert zones == [(0.0, False), (0.0, True), (0.02, False), (0.02, True), (0.0, False)]
 
 
 def test_the_other_robot_instructions_become_their_records() -> None:

@@ -134,6 +134,7 @@ def test_a_sound_program_has_no_findings() -> None:
         # V9
         ("REQUIRE CAP IO JNT LIN PTP ZONE", "REQUIRE CAP IO JNT LIN PTP", "I427"),
         ("REQUIRE CAP IO", "REQUIRE CAP GRIP IO", "I427"),
+        ("  MOVE.LIN\n", "  DUP\n  MOVE.CIRC\n", "I427"),
         ("REQUIRE AXES 2", "REQUIRE AXES 6", "I428"),
         ("REQUIRE AXES 2\n", "", "I428"),
         ("REQUIRE AXES 2\n", "REQUIRE AXES 99\n", "I428"),
@@ -143,6 +144,20 @@ def test_a_rule_refuses_what_breaks_it(old: str, new: str, code: str) -> None:
     found = codes(changed(old, new))
     assert found
     assert set(found) == {code}
+
+
+@pytest.mark.parametrize(
+    ("path", "code"),
+    [
+        ("MOVE.CIRC", "I416"),
+        ("PUSH REAL 0.5\n  MOVE.SPL 2", "I415"),
+        ("MOVE.SPL 0", "I414"),
+        ("MOVE.SPL 1001", "I414"),
+        ("DUP\n  PUSH REAL -1.0\n  MOVE.CIRC.A", "I426"),
+    ],
+)
+def test_a_path_needs_its_points_and_an_angle_in_range(path: str, code: str) -> None:
+    assert code in codes(changed("  MOVE.LIN\n", f"  {path}\n"))
 
 
 def test_a_diagnostic_marks_the_instruction_in_the_text() -> None:

@@ -51,6 +51,7 @@ def test_every_word_of_the_language_is_explained() -> None:
     assert set(words.STATEMENTS) == language.STATEMENT_WORDS
     assert set(words.INNER) == language.INNER_WORDS
     assert set(words.LOCATIONS) == language.LOCATION_WORDS
+    assert set(words.MOTIONS) == language.MOTION_WORDS
     assert set(words.FUNCTIONS) == language.FUNCTIONS
     assert set(words.TYPES) == language.TYPE_WORDS
 
@@ -74,6 +75,12 @@ def test_a_task_is_offered_with_its_signature_and_its_comment() -> None:
     [
         ("lin |", "corner"),
         ("x = 3 * |", "sqrt"),
+        ("circ |", "via"),
+        ("circ via |", "corner"),
+        ("spline via corner, |", "corner"),
+        ("lin via corner to |", "corner"),
+        ("circ via corner to corner above 3 mm |", "angle"),
+        ("circ via corner to corner angle 90 |", "deg"),
         ("lin corner |", "speed"),
         ("lin corner above 3 |", "mm"),
         ("for each q in |", "slots"),

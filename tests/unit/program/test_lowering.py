@@ -45,6 +45,7 @@ from ropsim.program import (
     With,
     lower,
 )
+from ropsim.spatial import Pose
 from support.golden import GOLDEN, check_golden
 
 SOURCE = "t.task"
@@ -171,6 +172,44 @@ def test_targets_may_be_joints_home_and_the_command_pose() -> None:
     assert program.axes == 2
     assert [move.target for move in moves[:2]] == [(0.1, 2.0), None]
     assert moves[3].kind is MotionKind.LIN
+
+
+def test_a_move_through_points_passes_them_by_and_stops_as_it_says() -> None:
+    settings = Settings(ptp_speed=real(0.5), zone=real(0.0))
+    through = Move(MotionKind.PTP, place(0.3), settings, at(1), (place(0.1), Home(), place(0.2)))
+    last = mov(0.5)
+    moves = icr.run(compiled(Set(Settings(zone=real(0.02)), at(1)), through, last)).moves
+    assert [one.modal.passes for one in moves] == [True, True, True, False, False]
+    assert [one.modal.zone for one in moves] == [0.02, 0.02, 0.02, 0.0, 0.02]
+    assert [one.modal.ptp_speed for one in moves] == [0.5] * 4 + [1.0]
+    places = [one.target.as_tuple()[0] if isinstance(one.target, Pose) else None for one in moves]
+    assert places == [0.1, None, 0.2, 0.3, 0.5]
+
+
+def test_the_points_of_a_move_are_evaluated_before_it_begins() -> None:
+    here = Binary("compose", CommandPose(), place(0.5), POSE)
+    through = Move(MotionKind.LIN, here, Settings(), at(2), (place(2.0),))
+    *_, last = icr.run(compiled(mov(0.25), through)).moves
+    assert isinstance(last.target, Pose)
+    assert last.target.as_tuple()[0] == 0.75
+
+
+def test_arcs_and_curves_become_one_move_each() -> None:
+    arc = Move(MotionKind.CIRC, place(0.2), Settings(), at(1), (place(0.1),))
+    part = Move(MotionKind.CIRC, place(0.2), Settings(), at(2), (place(0.1),), real(7.0))
+    curve = Move(MotionKind.SPLINE, place(0.4), Settings(zone=real(0.01)), at(3), (place(0.1), place(0.2)))
+    moves = icr.run(compiled(arc, part, curve)).moves
+    assert [(one.kind, len(one.via), one.angle) for one in moves] == [
+        (MotionKind.CIRC, 1, None),
+        (MotionKind.CIRC, 1, 7.0),
+        (MotionKind.SPLINE, 2, None),
+    ]
+
+
+@pytest.mark.parametrize("via", [(), (place(0.1), place(0.2))])
+def test_an_arc_through_another_number_of_points_is_unsound(via: tuple[Expression, ...]) -> None:
+    with pytest.raises(LoweringError, match="through one point"):
+        compiled(Move(MotionKind.CIRC, place(0.3), Settings(), at(1), via))
 
 
 def test_a_task_called_inside_with_inherits_the_settings_and_with_takes_them_back() -> None:

@@ -16,7 +16,6 @@ _FIELDS = {
     "ACC.LIN": "path_acceleration",
     "ACC.ORI": "orientation_acceleration",
     "JERK": "path_jerk",
-    "ZONE.DIST": "zone",
 }
 
 
@@ -37,8 +36,19 @@ def _setting(registers: Registers, _world: World, site: Site) -> None:
     registers.modal = replace(registers.modal, **{_FIELDS[site.mnemonic]: value})
 
 
+def _zone(registers: Registers, _world: World, _site: Site) -> None:
+    zone = registers.stack.pop()
+    if fault := setting_fault("ZONE.DIST", zone):
+        raise out_of_range(fault)
+    registers.modal = replace(registers.modal, zone=zone, passes=False)
+
+
 def _zone_fine(registers: Registers, _world: World, _site: Site) -> None:
-    registers.modal = replace(registers.modal, zone=0.0)
+    registers.modal = replace(registers.modal, zone=0.0, passes=False)
+
+
+def _zone_via(registers: Registers, _world: World, _site: Site) -> None:
+    registers.modal = replace(registers.modal, passes=True)
 
 
 def _save(registers: Registers, _world: World, _site: Site) -> None:
@@ -54,6 +64,8 @@ MODAL: dict[str, Operation] = {
     "TOOL": _tool,
     **dict.fromkeys(_FIELDS, _setting),
     "ZONE.FINE": _zone_fine,
+    "ZONE.DIST": _zone,
+    "ZONE.VIA": _zone_via,
     "MODAL.SAVE": _save,
     "MODAL.RESTORE": _restore,
 }

@@ -11,10 +11,12 @@ from ropsim.flow import (
     SyncInstruction,
 )
 from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.geometry import check_same_frame
 from ropsim.icr.location import Location, composed, external_part, pose_part, tag_of
+from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Commanded, Finished, Registers
-from ropsim.icr.traps import TrapError
+from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.world import World
 from ropsim.spatial import Pose, quaternion
 
@@ -26,13 +28,61 @@ def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction
 
 
 def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
-    target = registers.stack.pop()
-    registers.commanded = Commanded(target, registers.modal)
     kind = MotionKind.LIN if site.mnemonic == "MOVE.LIN" else MotionKind.PTP
+    return _moved(registers, site, kind, _taken(registers, 1))
+
+
+def _move_arc(registers: Registers, _world: World, site: Site) -> Instruction:
+    return _moved(registers, site, MotionKind.CIRC, _taken(registers, 2))
+
+
+def _move_arc_angle(registers: Registers, _world: World, site: Site) -> Instruction:
+    """Hand out an arc that ends where its angle says, so that no pose is commanded after it."""
+    angle = registers.stack.pop()
+    if fault := setting_fault(site.mnemonic, angle):
+        raise out_of_range(fault)
+    move = _moved(registers, site, MotionKind.CIRC, _taken(registers, 2))
+    registers.commanded = None
+    return replace(move, angle=angle)
+
+
+def _move_curve(registers: Registers, _world: World, site: Site) -> Instruction:
+    return _moved(registers, site, MotionKind.SPLINE, _taken(registers, site.operand))
+
+
+def _taken(registers: Registers, count: int) -> tuple[Location, ...]:
+    """Take the locations of a move from the stack, its target last."""
+    taken = tuple(registers.stack[-count:])
+    del registers.stack[-count:]
+    return taken
+
+
+def _moved(
+    registers: Registers, site: Site, kind: MotionKind, points: tuple[Location, ...]
+) -> MoveInstruction:
+    """Return a move through points to the last one of them."""
+    *via, target = points
+    for point in via:
+        _check_via(site.mnemonic, point, target)
+    registers.commanded = Commanded(target, registers.modal)
     origin, modal, tag = registers.origin(site.key, site.span), registers.modal, tag_of(target)
     if tag is not None:
         modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
-    return MoveInstruction(kind, Pose.from_tuple(pose_part(target)), modal, origin, external_part(target))
+    X_KT, *X_KV = (Pose.from_tuple(pose_part(one)) for one in (target, *via))
+    return MoveInstruction(kind, X_KT, modal, origin, external_part(target), tuple(X_KV))
+
+
+def _check_via(name: str, point: Location, target: Location) -> None:
+    """Trap where a point on the way has a frame or values of external axes other than the target.
+
+    Raises:
+        TrapError: it has; the axes and the frame of a path are those of its end.
+    """
+    check_same_frame(name, point, target)
+    if external_part(point) and external_part(point) != external_part(target):
+        message = f"`{name}` is given a via point with values of external axes other than those of its target"
+        hint = "give values to the target only: external axes go there evenly on the whole way"
+        raise TrapError(kinds.RANGE, message, hint)
 
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -88,6 +138,9 @@ MOTION: dict[str, Operation] = {
     "MOVE.PTP.J": _move_joints,
     "MOVE.PTP": _move_pose,
     "MOVE.LIN": _move_pose,
+    "MOVE.CIRC": _move_arc,
+    "MOVE.CIRC.A": _move_arc_angle,
+    "MOVE.SPL": _move_curve,
     "HOME": _home,
     "SYNC": _sync,
     "STOP": _stop,

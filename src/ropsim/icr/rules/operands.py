@@ -13,10 +13,13 @@ UNIT_TOLERANCE = 1e-6
 """How far the length of a quaternion may be from 1: quaternions typed with 7 digits are accepted."""
 MAX_AXES = 32
 MAX_NUMBER = 65535
+MAX_POINTS = 1000
+"""Poses that one curve may lead through: more do not fit on a stack that every rule can look at."""
 _MAX_INDEX = {OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
-_MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL}
+_MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
+_POSITIVE = _SPEEDS | {"MOVE.CIRC.A"}
 _NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T"}
 
 
@@ -24,7 +27,7 @@ def setting_fault(mnemonic: str, value: float) -> str:
     """Return what is wrong with a modal value, or an empty string; shared by verifier and machine."""
     if mnemonic in _SHARES and not 0.0 < value <= 1.0:
         return f"`{mnemonic}` is given {value!r}, allowed are shares above 0 up to 1"
-    if mnemonic in _SPEEDS and value <= 0.0:
+    if mnemonic in _POSITIVE and value <= 0.0:
         return f"`{mnemonic}` is given {value!r}, allowed are values above 0"
     if mnemonic in _NOT_NEGATIVE and value < 0.0:
         return f"`{mnemonic}` is given {value!r}, allowed are values from 0"

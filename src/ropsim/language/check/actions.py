@@ -1,12 +1,12 @@
-"""Statements that act: motions, grippers, outputs, waits, messages."""
+"""Statements that act: grippers, outputs, waits, messages."""
 
 from collections.abc import Iterable
 
 from ropsim.core import Kind, did_you_mean
-from ropsim.flow import GripAction, MotionKind
+from ropsim.flow import GripAction
 from ropsim.language.check import convert, fold, settings, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import BOOL, JOINTS, NUMBER, POSE, STR, TIME, AnyType, Type, article, known
+from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
@@ -15,7 +15,6 @@ from ropsim.program import (
     Block,
     Grip,
     Message,
-    Move,
     Output,
     Set,
     SignalUse,
@@ -24,36 +23,6 @@ from ropsim.program import (
     Wait,
     WaitUntil,
 )
-
-
-def motion(body: Body, node: syntax.Motion) -> Block:
-    """Return a move."""
-    word = "lin" if node.is_linear else "mov"
-    value = values.check(body, node.target)
-    kind = known(value.type)
-    _refuse_coordinate(body, node, kind)
-    wanted = JOINTS if kind == JOINTS and not node.is_linear else POSE
-    target = convert.to(body, value, wanted, node.target, f"the target of `{word}`")
-    chosen = settings.gather(body, node.modifiers)
-    settings.check_effect(body, node, chosen)
-    return (Move(MotionKind.LIN if node.is_linear else MotionKind.PTP, target, chosen, body.statement_span),)
-
-
-def _refuse_coordinate(body: Body, node: syntax.Motion, kind: AnyType) -> None:
-    """Report a plain coordinate as target at a station that has no arm.
-
-    Raises:
-        RejectedError: it is one.
-    """
-    axes, external = body.world.environment.axes, body.world.environment.external
-    armless = bool(axes) and len(external) == len(axes)
-    if armless and isinstance(kind, Type) and kind.value in {ValueType.INT, ValueType.REAL}:
-        body.fail(
-            kinds.WRONG_TYPE,
-            node.target,
-            f"the target of a station without an arm must be joint coordinates, found {article(kind)}",
-            "write `mov joints(…)` with the coordinate of its axis: `mov joints(900)`",
-        )
 
 
 def _refuse_signal(body: Body, node: Node) -> None:

@@ -121,8 +121,13 @@ def _plain_names(statement: syntax.Statement) -> Iterator[nodes.Node]:
         part = getattr(statement, name, None)
         if isinstance(part, nodes.Name):
             yield part
-    if isinstance(statement, syntax.Print):
-        yield from (v for v in statement.values if isinstance(v, nodes.Name))
+    for part in statement.values if isinstance(statement, syntax.Print) else _via(statement):
+        if isinstance(part, nodes.Name):
+            yield part
+
+
+def _via(statement: syntax.Statement) -> tuple[nodes.Node, ...]:
+    return statement.via if isinstance(statement, syntax.Motion) else ()
 
 
 def _call(statement: syntax.Call, found: Uses, signatures: Mapping[str, Signature]) -> None:

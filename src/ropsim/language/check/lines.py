@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from ropsim.language.check import actions, assignments, calls, jumps, values
+from ropsim.language.check import actions, assignments, calls, jumps, motions, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
@@ -83,7 +83,7 @@ def _broken(body: Body, node: syntax.Broken) -> Block:
 
 
 _LINES: dict[type, Callable[[Body, Any], Block]] = {
-    syntax.Motion: actions.motion,
+    syntax.Motion: motions.motion,
     syntax.Gripper: actions.gripper,
     syntax.SetSignal: actions.set_signal,
     syntax.SetMode: actions.set_mode,

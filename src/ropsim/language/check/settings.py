@@ -40,15 +40,15 @@ def gather(body: Body, settings: tuple[Setting, ...]) -> Settings:
 
 def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
     """Warn about modifiers that the motion does not use."""
-    if motion.is_linear:
-        idle = {"speed": settings.ptp_speed, "acc": settings.ptp_acceleration}
-        hint, name = "give it in mm/s or mm/s2", "lin"
-    else:
+    if motion.word == "mov":
         idle = {"speed": settings.path_speed or settings.orientation_speed, "acc": settings.path_acceleration}
-        hint, name = "give it in %", "mov"
+        hint = "give it in %"
+    else:
+        idle = {"speed": settings.ptp_speed, "acc": settings.ptp_acceleration}
+        hint = "give it in mm/s or mm/s2"
     for modifier in motion.modifiers:
         if idle.get(modifier.word) is not None:
-            body.warn(kinds.NO_EFFECT, modifier, f"`{name}` does not use this `{modifier.word}`", hint)
+            body.warn(kinds.NO_EFFECT, modifier, f"`{motion.word}` does not use this `{modifier.word}`", hint)
 
 
 def _joined(a: Settings, b: Settings) -> Settings:

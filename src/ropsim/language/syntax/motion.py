@@ -1,9 +1,9 @@
 """Lines that move the arm, work the gripper or change how the next moves are made."""
 
 from ropsim.language.syntax.cursor import Cursor
-from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Literal, Name
+from ropsim.language.syntax.nodes import Literal, Name, Node
 from ropsim.language.syntax.statements import (
     Gripper,
     Load,
@@ -14,25 +14,67 @@ from ropsim.language.syntax.statements import (
     Statement,
     With,
 )
-from ropsim.language.syntax.words import NOT_YET_MODIFIERS
+from ropsim.language.syntax.words import NOT_YET_MODIFIERS, VIA
 
 _QUANTITIES = ("speed", "acc", "blend")
+_MODIFIERS = (*_QUANTITIES, "angle", "fine", "tool")
+_CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
 
 
 def motion(cursor: Cursor, head: Token) -> Statement:
-    """Read `mov|movj|lin|movl [to] target {modifier}`."""
-    if cursor.word == "via":
-        cursor.not_yet(cursor.token, "via")
+    """Read `mov|movj|lin|movl [via point {, point} to | to] target {modifier}`."""
+    via: tuple[Node, ...] = ()
+    if cursor.word == VIA:
+        cursor.advance()
+        via = listed(cursor)
+        _target_follows(cursor)
     cursor.accept("to")
+    return _motion(cursor, head, via)
+
+
+def arc(cursor: Cursor, head: Token) -> Statement:
+    """Read `circ|movc via point to target {modifier}`."""
+    if cursor.word != VIA:
+        cursor.fail("`via`", f"an arc needs a point on its way: `{head.word} via point to target`")
+    cursor.advance()
+    via = (expression(cursor),)
+    if cursor.word == ",":
+        cursor.fail("`to`", "three points make a circle; a curve through more of them is a `spline`")
+    _target_follows(cursor)
+    cursor.expect("to")
+    return _motion(cursor, head, via)
+
+
+def spline(cursor: Cursor, head: Token) -> Statement:
+    """Read `spline [via] point {, point} to target {modifier}`."""
+    cursor.accept(VIA)
+    if cursor.word == "to":
+        cursor.fail("a point on the way", "a curve leads through points; without any it is a `lin`")
+    via = listed(cursor)
+    _target_follows(cursor)
+    cursor.expect("to")
+    return _motion(cursor, head, via)
+
+
+def _target_follows(cursor: Cursor) -> None:
+    """Refuse a list of points that no target follows."""
+    if cursor.word != "to":
+        cursor.fail("`to`", "the points on the way stand first, then the target: `via a, b to c`")
+
+
+def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
+    """Read the target and its modifiers."""
     target = expression(cursor)
     modifiers: list[Setting] = []
     while not cursor.at_end:
         if cursor.word in NOT_YET_MODIFIERS:
             cursor.not_yet(cursor.token, cursor.word)
-        if cursor.word not in (*_QUANTITIES, "fine", "tool"):
+        if cursor.word == VIA:
+            cursor.fail("a modifier", "points on the way stand before the target: `via a to b`")
+        if cursor.word not in _MODIFIERS:
             cursor.finish()
-        modifiers.append(_setting(cursor))
-    return Motion(head.word in ("lin", "movl"), target, tuple(modifiers), head.start, cursor.end)
+        modifiers.append(_quantity(cursor) if cursor.word == "angle" else _setting(cursor))
+    return Motion(_CANONICAL.get(head.word, head.word), via, target, tuple(modifiers), head.start, cursor.end)
 
 
 def gripper(cursor: Cursor, head: Token) -> Statement:
@@ -86,13 +128,17 @@ def with_statement(cursor: Cursor, head: Token) -> Statement:
     return With(tuple(settings), head.start, cursor.end)
 
 
+def _quantity(cursor: Cursor) -> Setting:
+    token = cursor.advance()
+    value = total(cursor)
+    return Setting(token.word, value, None, token.start, cursor.end)
+
+
 def _setting(cursor: Cursor) -> Setting:
     token = cursor.token
     word = token.word
     if word in _QUANTITIES:
-        cursor.advance()
-        value = total(cursor)
-        return Setting(word, value, None, token.start, cursor.end)
+        return _quantity(cursor)
     if word == "fine":
         cursor.advance()
         return Setting(word, None, None, token.start, cursor.end)

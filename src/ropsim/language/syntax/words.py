@@ -71,10 +71,10 @@ HEADS = frozenset(
 """Words that start a statement; they cannot name anything else."""
 
 VERBS = (
-    "mov", "movj", "lin", "movl", "open", "close", "load", "set", "wait", "if", "while", "repeat", "for",
-    "with", "break", "continue", "return", "stop", "call", "print", "endp", "endr", "endif", "endw", "endf",
-    "endwith", "until", "else", "elseif", "task", "needs", "assumes", "frame", "loc", "tool", "signal",
-    "const", "var", "pattern", "program", "units",
+    "mov", "movj", "lin", "movl", "circ", "movc", "spline", "open", "close", "load", "set", "wait",
+    "if", "while", "repeat", "for", "with", "break", "continue", "return", "stop", "call", "print", "endp",
+    "endr", "endif", "endw", "endf", "endwith", "until", "else", "elseif", "task", "needs", "assumes",
+    "frame", "loc", "tool", "signal", "const", "var", "pattern", "program", "units",
 )  # fmt: skip
 """Statement words worth suggesting for a misspelt one."""
 
@@ -100,14 +100,17 @@ RESERVED = HEADS | frozenset(
 )
 """Words that cannot be names."""
 
+VIA = "via"
+"""Stands before the points on the way of a motion; elsewhere it may be a name."""
+
+MOTION_MODIFIERS = frozenset(["angle"])
+"""Words behind the target of a motion that hold for this motion only and for no other statement."""
+
 EXTERNAL = "external"
 """Stands behind a location, before the values of external axes; elsewhere it may be a name."""
 
 NOT_YET = frozenset(
     [
-        "circ",
-        "movc",
-        "spline",
         "on",
         "endon",
         "resume",
@@ -129,7 +132,7 @@ NOT_YET = frozenset(
 )
 """Statements of the language that this version refuses by name."""
 
-NOT_YET_MODIFIERS = frozenset(["until", "store", "at", "time", "angle", "jtol", "force", "timeout", "via"])
+NOT_YET_MODIFIERS = frozenset(["until", "store", "at", "time", "jtol", "force", "timeout"])
 """Words after a motion target that this version refuses by name."""
 
 OPENERS = {

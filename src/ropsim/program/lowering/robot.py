@@ -1,10 +1,8 @@
-"""Motion, gripper, signals, messages -> ICR."""
+"""Settings, gripper, signals, messages -> ICR."""
 
-from ropsim.flow import MotionKind
 from ropsim.icr import TRAP_TIMED_OUT, Type
 from ropsim.program import expressions as sir
 from ropsim.program import statements as st
-from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Label
 from ropsim.program.lowering.expressions import evaluate, push, static_type
 from ropsim.program.scope import Scope
@@ -42,25 +40,6 @@ def use_tool(scope: Scope, tool: str) -> None:
     """Note that a tool is used."""
     if tool:
         scope.used.tools.setdefault(tool)
-
-
-def lower_move(scope: Scope, move: st.Move) -> None:
-    """Emit a move; its own settings are taken back after it."""
-    if not move.settings.is_empty:
-        scope.emitter.emit("MODAL.SAVE")
-        lower_settings(scope, move.settings)
-    if move.kind == MotionKind.PTP and isinstance(move.target, sir.Home):
-        scope.emitter.emit("HOME")
-    elif static_type(scope, move.target) is Type.POSE:
-        evaluate(scope, move.target, Type.POSE)
-        scope.emitter.emit("MOVE." + move.kind.value)
-    elif move.kind == MotionKind.PTP:
-        evaluate(scope, move.target, Type.JOINTS)
-        scope.emitter.emit("MOVE.PTP.J")
-    else:
-        raise unsound("a straight line needs a pose as target", move.span)
-    if not move.settings.is_empty:
-        scope.emitter.emit("MODAL.RESTORE")
 
 
 def lower_grip(scope: Scope, grip: st.Grip) -> None:

@@ -7,7 +7,7 @@ from ropsim.language.syntax.nodes import Item, Name, Node
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """`speed|acc|blend value`, `fine`, `tool name` or `frame name`."""
+    """`speed|acc|blend|angle value`, `fine`, `tool name` or `frame name`."""
 
     word: str
     value: Node | None
@@ -18,9 +18,10 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """`mov` or `lin` to a target."""
+    """`mov`, `lin`, `circ` or `spline` to a target, through points on the way."""
 
-    is_linear: bool
+    word: str
+    via: tuple[Node, ...]
     target: Node
     modifiers: tuple[Setting, ...]
     start: int

@@ -1,0 +1,107 @@
+"""Motions: the target, the points on the way, and what holds for this motion only."""
+
+from ropsim.flow import MotionKind
+from ropsim.icr import external_part
+from ropsim.language.check import convert, fold, settings, values
+from ropsim.language.check.body import Body
+from ropsim.language.check.types import ANGLE, JOINTS, POSE, AnyType, Type, article, known
+from ropsim.language.findings import types as kinds
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.nodes import Node
+from ropsim.program import Block, Constant, Expression, InFrame, MakeExternal, Move, ValueType
+
+_KINDS = {
+    "mov": MotionKind.PTP,
+    "lin": MotionKind.LIN,
+    "circ": MotionKind.CIRC,
+    "spline": MotionKind.SPLINE,
+}
+_CURVED = ("circ", "spline")
+
+
+def motion(body: Body, node: syntax.Motion) -> Block:
+    """Return a move."""
+    target = _point(body, node, node.target, f"the target of `{node.word}`")
+    via = tuple(_point(body, node, one, f"a via point of `{node.word}`") for one in node.via)
+    if node.word in _CURVED:
+        for point, expression in zip(node.via, via, strict=True):
+            _refuse_external(body, node, point, expression, target)
+    chosen = settings.gather(body, tuple(one for one in node.modifiers if one.word != "angle"))
+    settings.check_effect(body, node, chosen)
+    return (Move(_KINDS[node.word], target, chosen, body.statement_span, via, _angle(body, node)),)
+
+
+def _point(body: Body, node: syntax.Motion, place: Node, what: str) -> Expression:
+    value = values.check(body, place)
+    kind = known(value.type)
+    _refuse_coordinate(body, place, kind)
+    wanted = JOINTS if kind == JOINTS and node.word == "mov" else POSE
+    return convert.to(body, value, wanted, place, what)
+
+
+def _refuse_coordinate(body: Body, place: Node, kind: AnyType) -> None:
+    """Report a plain coordinate as target at a station that has no arm.
+
+    Raises:
+        RejectedError: it is one.
+    """
+    axes, external = body.world.environment.axes, body.world.environment.external
+    armless = bool(axes) and len(external) == len(axes)
+    if armless and isinstance(kind, Type) and kind.value in {ValueType.INT, ValueType.REAL}:
+        body.fail(
+            kinds.WRONG_TYPE,
+            place,
+            f"the target of a station without an arm must be joint coordinates, found {article(kind)}",
+            "write `mov joints(…)` with the coordinate of its axis: `mov joints(900)`",
+        )
+
+
+def _refuse_external(
+    body: Body, node: syntax.Motion, place: Node, point: Expression, target: Expression
+) -> None:
+    """Report a via point of an arc or curve that is written with other external values than the target.
+
+    Raises:
+        RejectedError: it is.
+    """
+    found = _external(point)
+    if found and found != _external(target):
+        body.fail(
+            kinds.WRONG_TYPE,
+            place,
+            f"a via point of `{node.word}` has no values of external axes of its own",
+            "give them to the target: the axes go there evenly on the whole way",
+        )
+
+
+def _external(location: Expression) -> tuple[Expression | float, ...]:
+    """Return the values of external axes that a location is seen to have."""
+    inner = location.operand if isinstance(location, InFrame) else location
+    if isinstance(inner, MakeExternal):
+        return inner.values
+    value = fold.location_of(inner) if isinstance(inner, Constant) else None
+    return external_part(value) if value is not None else ()
+
+
+def _angle(body: Body, node: syntax.Motion) -> Expression | None:
+    """Return the angle of an arc.
+
+    Raises:
+        RejectedError: it is given twice, to another motion, or is not greater than zero.
+    """
+    given = [one for one in node.modifiers if one.word == "angle"]
+    if not given:
+        return None
+    if len(given) > 1:
+        body.fail(kinds.ARGUMENTS, given[1], "`angle` is given twice")
+    (setting,) = given
+    assert setting.value is not None
+    if node.word != "circ":
+        hint = "leave it out, or write `circ via point to target angle …`"
+        body.fail(kinds.WRONG_TYPE, setting, f"`{node.word}` has no `angle`, only arcs have one", hint)
+    angle = values.expect(body, setting.value, ANGLE, "the value of `angle`")
+    number = fold.number_of(angle)
+    if number is not None and number <= 0.0:
+        message = f"`angle` must be greater than zero, found {number:g} rad"
+        body.fail(kinds.OUT_OF_RANGE, setting, message, "for the other way round choose another via point")
+    return angle

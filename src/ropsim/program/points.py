@@ -1,0 +1,140 @@
+"""Points of arcs and curves that make none, where constants tell where they are."""
+
+import math
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from ropsim.core import Diagnostic
+from ropsim.flow import MotionKind
+from ropsim.program import statements as st
+from ropsim.program.diagnostics import IMPOSSIBLE_PATH
+from ropsim.program.expressions import Constant, Expression, InFrame
+from ropsim.program.program import Program
+from ropsim.program.types import ValueType
+
+TOLERANCE = 1e-6
+"""Points nearer to each other, or to a line, than this are taken for one, or for points of it [m]."""
+
+_Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where a location is known to be: a point in the work frame, or in a frame that moves."""
+
+    frame: str
+    point: _Point
+
+
+def check_points(program: Program) -> tuple[Diagnostic, ...]:
+    """Return an error for each arc and each curve whose points, as far as they are constants, make none."""
+    check = _Check()
+    for block in (program.main, *(task.body for task in program.tasks)):
+        check.block(block, None)
+    return tuple(check.found)
+
+
+@dataclass(slots=True)
+class _Check:
+    """Follows the place of the TCP through blocks; None where it is not known."""
+
+    found: list[Diagnostic] = field(default_factory=list)
+
+    def block(self, block: st.Block, place: _Place | None) -> _Place | None:
+        for statement in block:
+            place = self.statement(statement, place)
+        return place
+
+    def statement(self, statement: st.Statement, place: _Place | None) -> _Place | None:
+        """Return the place after a statement; what steers the flow leaves none that is known for certain."""
+        match statement:
+            case st.Move():
+                return self.move(statement, place)
+            case st.With(settings=settings, body=body):
+                is_other = settings.tool is not None
+                after = self.block(body, None if is_other else place)
+                return None if is_other else after
+            case st.Set(settings=settings):
+                return place if settings.tool is None else None
+            case st.If(branches=branches, otherwise=otherwise):
+                return _joined([self.block(one, place) for one in (*(b for _, b in branches), otherwise)])
+            case st.WaitUntil(otherwise=otherwise):
+                return _joined([place, self.block(otherwise, place)])
+            case st.While(body=body) | st.Repeat(body=body) | st.For(body=body):
+                self.block(body, None)
+                return None
+            case st.Call() | st.Break() | st.Continue() | st.Return() | st.Stop():
+                return None
+        return place
+
+    def move(self, move: st.Move, start: _Place | None) -> _Place | None:
+        is_other = move.settings.tool is not None
+        places = [None if is_other else start, *map(_place, (*move.via, move.target))]
+        if move.kind == MotionKind.CIRC and len(places) == 3:
+            fault = _arc_fault(places)
+        elif move.kind == MotionKind.SPLINE:
+            fault = _curve_fault(places)
+        else:
+            fault = None
+        if fault is not None:
+            self.found.append(IMPOSSIBLE_PATH.at(move.span, fault[0], hint=fault[1]))
+        return None if is_other or move.angle is not None else places[-1]
+
+
+def _place(location: Expression) -> _Place | None:
+    """Return where a location is, None where only a run tells."""
+    frame = location.frame if isinstance(location, InFrame) else ""
+    inner = location.operand if isinstance(location, InFrame) else location
+    if isinstance(inner, Constant) and inner.type is ValueType.POSE and isinstance(inner.value, tuple):
+        x, y, z = inner.value[:3]
+        return _Place(frame, (x, y, z))
+    return None
+
+
+def _arc_fault(places: list[_Place | None]) -> tuple[str, str] | None:
+    """Return what is wrong with the points of an arc, and what to do."""
+    start, via, target = places
+    if _is_one(via, target):
+        return "the via point of the arc is its target", "choose a point between start and target"
+    if _is_one(start, via):
+        return "the via point of the arc is its start", "choose a point between start and target"
+    if _is_one(start, target):
+        hint = "for a full circle choose another target on it and write `angle 360 deg`"
+        return "the arc begins at its target", hint
+    if start and via and target and start.frame == via.frame == target.frame:
+        along, across = _way(start, target), _way(start, via)
+        height = math.hypot(*_cross(along, across)) / math.hypot(*along)
+        if height <= TOLERANCE:
+            hint = "write `lin`, or choose a via point beside the line"
+            return "start, via point and target of the arc lie on one line", hint
+    return None
+
+
+def _curve_fault(places: list[_Place | None]) -> tuple[str, str] | None:
+    """Return which points of a curve are one; a first point at the start is no further one."""
+    points = places[1:]
+    for number, (one, other) in enumerate(pairwise(points), 1):
+        if _is_one(one, other):
+            last = "the target" if number + 1 == len(points) else f"point {number + 1}"
+            return f"point {number} of the curve and {last} are at one place", "leave one of them out"
+    return None
+
+
+def _joined(places: list[_Place | None]) -> _Place | None:
+    first, *others = places
+    return first if all(one == first for one in others) else None
+
+
+def _is_one(one: _Place | None, other: _Place | None) -> bool:
+    if one is None or other is None or one.frame != other.frame:
+        return False
+    return math.dist(one.point, other.point) <= TOLERANCE
+
+
+def _way(start: _Place, end: _Place) -> _Point:
+    a, b = start.point, end.point
+    return b[0] - a[0], b[1] - a[1], b[2] - a[2]
+
+
+def _cross(a: _Point, b: _Point) -> _Point:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
