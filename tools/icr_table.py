@@ -41,6 +41,8 @@ DEPENDS = {
     "MKJ": ("REAL … n times", "JOINTS"),
     "MKEXT": ("POSE REAL … n times", "POSE"),
     "MOVE.SPL": ("POSE … n times", ""),
+    "TRIG.DIST": ("T REAL", ""),
+    "TRIG.TIME": ("T REAL", ""),
     "GETC": ("T", "REAL"),
     "SETC": ("T REAL", "T"),
     "IN": ("", "T"),

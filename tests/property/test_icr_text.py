@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from ropsim.icr import (
     OPCODES,
+    WORDS,
     Constant,
     FrameDefinition,
     IoChannel,
@@ -61,8 +62,8 @@ MAX_CODE = 12
 def operand(kind: OperandKind) -> st.SearchStrategy[Operand]:
     if kind is OperandKind.CONSTANT:
         return constants
-    if kind is OperandKind.ACTION:
-        return st.sampled_from(["open", "close"])
+    if kind in WORDS:
+        return st.sampled_from(WORDS[kind])
     if kind in {OperandKind.FRAME, OperandKind.TOOL}:
         return st.one_of(st.just(""), names)
     if kind is OperandKind.LABEL:

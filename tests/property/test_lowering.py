@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.core import Span
-from ropsim.flow import GripAction, MotionKind
+from ropsim.flow import GripAction, MotionKind, Side
 from ropsim.program import (
     Assign,
     AssignComponent,
@@ -40,6 +40,7 @@ from ropsim.program import (
     Statement,
     Stop,
     Task,
+    Trigger,
     Unary,
     ValueType,
     Variable,
@@ -137,11 +138,25 @@ def points(least: int) -> st.SearchStrategy[tuple[Expression, ...]]:
     return st.lists(expressions[POSE], min_size=least, max_size=3).map(tuple)
 
 
+places = positive | st.just(Variable("x", REAL))
+trigger = st.builds(
+    Trigger, st.just("lamp"), expressions[BOOL], st.sampled_from(Side), st.none(), places
+) | st.builds(Trigger, st.just("lamp"), expressions[BOOL], st.sampled_from(Side), places)
+triggers = st.lists(trigger, max_size=2).map(tuple)
 plain: st.SearchStrategy[Statement] = st.one_of(
     st.builds(
-        Move, st.sampled_from((MotionKind.PTP, MotionKind.LIN)), expressions[POSE], modal, spans, points(0)
+        Move,
+        st.sampled_from((MotionKind.PTP, MotionKind.LIN)),
+        expressions[POSE],
+        modal,
+        spans,
+        points(0),
+        st.none(),
+        triggers,
     ),
-    st.builds(Move, st.just(MotionKind.SPLINE), expressions[POSE], modal, spans, points(1)),
+    st.builds(
+        Move, st.just(MotionKind.SPLINE), expressions[POSE], modal, spans, points(1), st.none(), triggers
+    ),
     st.builds(
         Move,
         st.just(MotionKind.CIRC),
@@ -150,8 +165,9 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         spans,
         st.tuples(expressions[POSE]),
         st.none() | positive | st.just(Variable("x", REAL)),
+        triggers,
     ),
-    st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans, points(0)),
+    st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans, points(0), st.none(), triggers),
     st.builds(Grip, st.sampled_from(GripAction), st.sampled_from(["", "jaws"]), spans),
     st.builds(Output, st.just("lamp"), expressions[BOOL], spans),
     st.builds(Wait, positive | st.just(Variable("x", REAL)), spans),

@@ -1,6 +1,7 @@
 """`ropsim icr`: compile, verify and run the neutral robot program."""
 
 import argparse
+from collections.abc import Iterator
 from pathlib import Path
 
 from ropsim import icr
@@ -73,18 +74,8 @@ def instruction_text(one: Instruction) -> str:
     """
     place = f"{one.origin.span.line if one.origin.span else 0:>5} #{one.origin.visit:<4}"
     match one:
-        case MoveInstruction(kind=kind, target=Pose() as pose):
-            x, y, z = (1e3 * float(c) for c in pose.position)
-            w, i, j, k = (float(c) for c in pose.orientation)
-            yaw, pitch, roll = (57.29577951308232 * angle for angle in quaternion.to_zyx((w, i, j, k)))
-            what = f"{kind} x {x:.3f} y {y:.3f} z {z:.3f} mm, "
-            what += f"roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
-            what += f" in {one.modal.frame}" if one.modal.frame else ""
-            what += f" external ({', '.join(f'{e:.6g}' for e in one.external)})" if one.external else ""
-        case MoveInstruction(kind=kind, target=None):
-            what = f"{kind} home"
-        case MoveInstruction(kind=kind, target=target):
-            what = f"{kind} joints {target}"
+        case MoveInstruction():
+            what = " ".join([_target_text(one), *_path_words(one)])
         case GripInstruction():
             what = f"{one.action.value} {one.tool}".rstrip()
         case OutputInstruction():
@@ -96,6 +87,36 @@ def instruction_text(one: Instruction) -> str:
         case _:
             what = "sync"
     return f"{place} {what}"
+
+
+def _target_text(move: MoveInstruction) -> str:
+    if move.target is None:
+        return f"{move.kind} home"
+    if not isinstance(move.target, Pose):
+        return f"{move.kind} joints {move.target}"
+    w, i, j, k = (float(c) for c in move.target.orientation)
+    yaw, pitch, roll = (57.29577951308232 * angle for angle in quaternion.to_zyx((w, i, j, k)))
+    what = f"{move.kind} {_place_text(move.target)} mm, roll {roll:.2f} pitch {pitch:.2f} yaw {yaw:.2f} deg"
+    what += f" in {move.modal.frame}" if move.modal.frame else ""
+    return what + (f" external ({', '.join(f'{e:.6g}' for e in move.external)})" if move.external else "")
+
+
+def _path_words(move: MoveInstruction) -> Iterator[str]:
+    """Yield what a move says about its way."""
+    if move.modal.passes:
+        yield "passing by"
+    if move.via:
+        yield "via " + ", ".join(map(_place_text, move.via)) + " mm"
+    if move.angle is not None:
+        yield f"angle {57.29577951308232 * move.angle:.2f} deg"
+    for one in move.triggers:
+        place = f"{one.time:g} s" if one.distance is None else f"{1e3 * one.distance:g} mm"
+        yield f"at {place} {one.side.value} set {one.channel} = {one.value}"
+
+
+def _place_text(pose: Pose) -> str:
+    x, y, z = (1e3 * float(c) for c in pose.position)
+    return f"x {x:.3f} y {y:.3f} z {z:.3f}"
 
 
 def _open(path: str) -> tuple[Project, CompiledProgram]:

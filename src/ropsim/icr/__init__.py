@@ -9,6 +9,7 @@ from ropsim.icr.location import pose_part as pose_part
 from ropsim.icr.machine import Machine as Machine
 from ropsim.icr.machine import MachineOptions as MachineOptions
 from ropsim.icr.opcodes import OPCODES as OPCODES
+from ropsim.icr.opcodes import WORDS as WORDS
 from ropsim.icr.opcodes import Opcode as Opcode
 from ropsim.icr.opcodes import OperandKind as OperandKind
 from ropsim.icr.program import FrameDefinition as FrameDefinition

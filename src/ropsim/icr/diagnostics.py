@@ -227,7 +227,7 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CIRC CLOCK EXT GRIP IO JNT LIN MSG PTP SPLINE ZONE`). `EXT` is needed by a
+instructions that occur (`CIRC CLOCK EXT GRIP IO JNT LIN MSG PTP SPLINE TRIG ZONE`). `EXT` is needed by a
 constant pose with values of external axes, too.
 """,
 )
@@ -239,5 +239,16 @@ AXES_DIFFER = define(
     """
 Rule V9. All JOINTS values of a program have one coordinate for each axis of the arm. `REQUIRE AXES n`
 declares how many (1 to 32), and every `MKJ n`, `PUSH JOINTS` and component index must agree with it.
+""",
+)
+PREFIX_LOST = define(
+    "I429",
+    "icr-prefix-without-move",
+    _ERROR,
+    "V4: an instruction that belongs to the next move is not followed by one",
+    """
+Rule V4. `TRIG.DIST` and `TRIG.TIME` say something about the next move. On every way a move must follow before
+the procedure ends or calls another one, and before any other instruction goes to the robot. Between them may
+stand what only computes, modal instructions and further ones that belong to the same move.
 """,
 )

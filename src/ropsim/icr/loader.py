@@ -119,4 +119,4 @@ def _operand(program: Program, step: Step) -> Datum:
     if step.mnemonic == "IN":
         channel = program.channel(str(name))
         return name, channel.type if channel else None
-    return step.operands if step.mnemonic == "GRIP" else name
+    return step.operands if len(step.operands) > 1 else name

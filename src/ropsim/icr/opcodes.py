@@ -25,6 +25,11 @@ class OperandKind(Enum):
     NUMBER = "number"
     ACTION = "action"
     CATEGORY = "category"
+    SIDE = "side"
+
+
+WORDS = {OperandKind.ACTION: ("open", "close"), OperandKind.SIDE: ("before", "after")}
+"""Operands that are one of a few words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +58,11 @@ class Opcode:
     def ends_flow(self) -> bool:
         """Return whether control never reaches the next instruction."""
         return self.mnemonic in _ENDS
+
+    @property
+    def is_move(self) -> bool:
+        """Return whether the robot is told to move."""
+        return self.mnemonic.startswith("MOVE.") or self.mnemonic == "HOME"
 
 
 _ENDS = frozenset({"HALT", "TRAP", "JMP", "RET", "STOP"})
@@ -170,6 +180,8 @@ _TABLE = """
 0608 HOME      -        -   -  PTP   pose-to-pose move to the home position of the arm
 0609 SYNC      -        -   -  -     wait until everything before has been carried out
 060A STOP      category -   -  -     end the program by a stop of category 0, 1 or 2 (IEC 60204-1)
+060B TRIG.DIST side,channel * - TRIG [value distance ->] output on the next move at a way of the TCP [m]
+060C TRIG.TIME side,channel * - TRIG [value time ->] output on the next move at a time [s]
 060D MOVE.CIRC.A -      PPR -  CIRC  [via to angle] arc of an angle [rad] on the circle through two poses
 0701 IN        channel  -   *  IO    value of a channel
 0702 OUT       channel  *   -  IO    set an output channel

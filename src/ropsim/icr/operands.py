@@ -1,14 +1,13 @@
 """Operands of instructions in ICR text."""
 
 from ropsim.icr.literals import read_constant, read_int, written
-from ropsim.icr.opcodes import Opcode, OperandKind
+from ropsim.icr.opcodes import WORDS, Opcode, OperandKind
 from ropsim.icr.program import Operand
 from ropsim.icr.tokens import Token, is_name, named, shown
 from ropsim.icr.types import Constant
 
 _INTEGERS = {OperandKind.COUNT, OperandKind.INDEX, OperandKind.NUMBER, OperandKind.CATEGORY}
 _OPTIONAL = {OperandKind.FRAME, OperandKind.TOOL}
-_ACTIONS = {"open", "close"}
 
 
 def read_operands(opcode: Opcode, words: tuple[Token, ...]) -> tuple[Operand, ...] | str:
@@ -29,8 +28,8 @@ def read_operands(opcode: Opcode, words: tuple[Token, ...]) -> tuple[Operand, ..
 def _read(kind: OperandKind, word: Token) -> Operand | None:
     if kind in _INTEGERS:
         return read_int(word)
-    if kind is OperandKind.ACTION:
-        return word.text if word.text in _ACTIONS and not word.is_quoted else None
+    if kind in WORDS:
+        return word.text if word.text in WORDS[kind] and not word.is_quoted else None
     if kind in _OPTIONAL and word.text == "-" and not word.is_quoted:
         return ""
     return word.text if is_name(word) else None
@@ -44,4 +43,4 @@ def written_operand(kind: OperandKind, operand: Operand, labels: dict[int, str])
         return labels[operand] if kind is OperandKind.LABEL else str(operand)
     if kind in _OPTIONAL and not operand:
         return "-"
-    return operand if kind is OperandKind.ACTION else named(operand)
+    return operand if kind in WORDS else named(operand)

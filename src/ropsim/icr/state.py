@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span
-from ropsim.flow import ModalState, Origin
+from ropsim.flow import ModalState, Origin, Trigger
 from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location
 
@@ -55,6 +55,7 @@ class MachineState:
         modal: modal state in force.
         saved: modal states saved, the last one on top.
         commanded: pose commanded last, or None.
+        triggers: those of the next move.
         visits: (procedure, instruction) and how often it was carried out.
         activations: procedures started so far, `main` not counted.
         steps: instructions carried out.
@@ -73,6 +74,7 @@ class MachineState:
     modal: ModalState
     saved: tuple[ModalState, ...]
     commanded: Commanded | None
+    triggers: tuple[Trigger, ...]
     visits: tuple[tuple[tuple[int, int], int], ...]
     activations: int
     steps: int
@@ -95,6 +97,7 @@ class Registers:
     modal: ModalState = field(default_factory=ModalState)
     saved: list[ModalState] = field(default_factory=list)
     commanded: Commanded | None = None
+    triggers: tuple[Trigger, ...] = ()
     visits: dict[tuple[int, int], int] = field(default_factory=dict)
     activations: int = 0
     steps: int = 0
@@ -121,6 +124,7 @@ class Registers:
             self.modal,
             tuple(self.saved),
             self.commanded,
+            self.triggers,
             tuple(sorted(self.visits.items())),
             self.activations,
             self.steps,
@@ -134,7 +138,7 @@ class Registers:
         self.stack, self.callers, self.saved = list(state.stack), list(state.callers), list(state.saved)
         self.shared[:] = state.shared
         self.calls, self.call_serials = state.calls, state.call_serials
-        self.modal, self.commanded = state.modal, state.commanded
+        self.modal, self.commanded, self.triggers = state.modal, state.commanded, state.triggers
         self.visits = dict(state.visits)
         self.activations, self.steps = state.activations, state.steps
         self.is_synced, self.finished = state.is_synced, state.finished

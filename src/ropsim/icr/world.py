@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
-from ropsim.flow import Instruction, OutputInstruction, WaitInstruction
+from ropsim.flow import Instruction, MoveInstruction, OutputInstruction, WaitInstruction
 
 
 class World(Protocol):
@@ -53,8 +53,11 @@ class StillWorld:
         return self._time
 
     def carry_out(self, instruction: Instruction) -> None:
-        """Set an output, or let the duration of a wait pass; everything else takes no time here."""
+        """Set outputs, or let the duration of a wait pass; everything else takes no time here."""
         if isinstance(instruction, OutputInstruction):
             self._channels[instruction.channel] = instruction.value
+        elif isinstance(instruction, MoveInstruction):
+            for trigger in instruction.triggers:
+                self._channels[trigger.channel] = trigger.value
         elif isinstance(instruction, WaitInstruction):
             self._time += instruction.duration

@@ -25,6 +25,7 @@ _KINDS = {
     Role.PATTERN: 13,
 }
 _KEYWORD, _FUNCTION, _UNIT, _TYPE, _FIELD, _LITERAL = 14, 3, 11, 25, 5, 12
+_SIDES = ("after start", "before end")
 _QUIET_TRIGGERS = (" ", ",", "(")
 _MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
 _NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*")*(?:#|//|")')
@@ -40,6 +41,9 @@ _PLACES = tuple(
         (r"^\s*(?:for\s+each\s+\w+\s+in)\s+$", "pattern"),
         (r"^\s*(?:\d+\.\s*)?$", "statement"),
         (r"\b(?:then|else)\s+$", "statement"),
+        (r"\bat\s(?:(?!\bdo\b).)*[^\d\s(,=+*/-]\s+$", "side"),
+        (r"\b(?:start|end)\s+do\s+$", "trigger"),
+        (r"\bdo\s+set\s+$", "signal"),
         (r"^\s*call\s+$", "task"),
         (r"^\s*set\s+$", "setting"),
         (r"^\s*with\s+$|^\s*with\b.*,\s*$", "modifier"),
@@ -116,6 +120,8 @@ def _offered(
             yield from _tasks(checked, outline)
         case "modifier":
             yield from _words(words.MODIFIERS, _KEYWORD, "1")
+        case "side" | "trigger" | "signal":
+            yield from _on_the_way(place, known)
         case "setting":
             yield from _named(known, Role.SIGNAL)
             yield from _words(words.MODIFIERS, _KEYWORD, "2")
@@ -126,6 +132,16 @@ def _offered(
         case "value":
             yield from _behind_locations(lead)
             yield from _fitting(known, expected(lead, checked.tasks))
+
+
+def _on_the_way(place: str, known: list[names.Known]) -> Iterator[Json]:
+    """Yield what may follow in the words of an output that is set on the way of a motion."""
+    if place == "side":
+        yield from (_item(side, _KEYWORD, "the end from which is counted", "") for side in _SIDES)
+    elif place == "trigger":
+        yield _item("set", _KEYWORD, "set OUTPUT on|off|= value", words.STATEMENTS["set"].meaning)
+    else:
+        yield from _named(known, Role.SIGNAL)
 
 
 def _behind_locations(lead: str) -> Iterator[Json]:

@@ -31,7 +31,7 @@ _AFTER = tuple(
     for pattern, type_ in (
         (r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
         (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$", "loc"),
-        (r"\b(?:above|blend)\s+$", "length"),
+        (r"\b(?:above|blend|at)\s+$", "length"),
         (r"^\s*wait\s+$|\btimeout\s+$", "time"),
         (r"\bspeed\s+$", "speed"),
         (r"\bacc\s+$", "accel"),

@@ -91,6 +91,9 @@ LOCATIONS: dict[str, Word] = {
 MOTIONS: dict[str, Word] = {
     "via": Word("lin via a, … to target", "Points on the way of a motion; `mov` and `lin` pass them by."),
     "angle": Word("angle a", "How far an arc goes on its circle, instead of ending at its target."),
+    "at": Word(
+        "at d after start|before end do set OUTPUT on", "Sets an output on the way, after a way or time."
+    ),
 }
 
 MODIFIERS: dict[str, Word] = {

@@ -44,6 +44,7 @@ from ropsim.program.statements import Set as Set
 from ropsim.program.statements import Settings as Settings
 from ropsim.program.statements import Statement as Statement
 from ropsim.program.statements import Stop as Stop
+from ropsim.program.statements import Trigger as Trigger
 from ropsim.program.statements import Wait as Wait
 from ropsim.program.statements import WaitUntil as WaitUntil
 from ropsim.program.statements import While as While

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.core import Span
-from ropsim.flow import GripAction, MotionKind
+from ropsim.flow import GripAction, MotionKind, Side
 from ropsim.program.expressions import Expression
 
 Block = tuple["Statement", ...]
@@ -38,6 +38,25 @@ class Settings:
 
 
 @dataclass(frozen=True, slots=True)
+class Trigger:
+    """An output that is set at a place of a motion.
+
+    Attributes:
+        signal: the output.
+        value: what it is set to.
+        side: end of the motion from which is counted.
+        distance: REAL, way of the TCP from there [m]; None where a time is given.
+        time: REAL, time from there [s]; None where a distance is given.
+    """
+
+    signal: str
+    value: Expression
+    side: Side
+    distance: Expression | None = None
+    time: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Move:
     """A motion to a target, through points on the way.
 
@@ -49,6 +68,7 @@ class Move:
         via: points on the way. PTP and LIN go from each to the next one and pass them by; one point makes an
             arc, any number a curve.
         angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
+        triggers: outputs that are set on the way.
     """
 
     kind: MotionKind
@@ -57,6 +77,7 @@ class Move:
     span: Span
     via: tuple[Expression, ...] = ()
     angle: Expression | None = None
+    triggers: tuple[Trigger, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

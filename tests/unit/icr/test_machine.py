@@ -8,7 +8,9 @@ from ropsim.flow import (
     MotionKind,
     MoveInstruction,
     OutputInstruction,
+    Side,
     SyncInstruction,
+    Trigger,
     WaitInstruction,
 )
 from ropsim.icr import (
@@ -45,13 +47,21 @@ def program(main: str, rest: str = "") -> Program:
         "MOVE.PTP\n": "PTP",
         "MOVE.CIRC": "CIRC",
         "MOVE.SPL": "SPLINE",
+        "TRIG": "TRIG",
         "HOME": "PTP",
         "ZONE": "ZONE",
         "MSG": "MSG",
         "GRIP": "GRIP",
         "EXT": "EXT",
     }
-    offers |= {"IN part": "IO", "IN count": "IO", "OUT": "IO", "TIME": "CLOCK", "MOVE.PTP.J": "JNT"}
+    offers |= {
+        "IN part": "IO",
+        "IN count": "IO",
+        "IN lamp": "IO",
+        "OUT": "IO",
+        " TIME": "CLOCK",
+        "MOVE.PTP.J": "JNT",
+    }
     names = sorted({offer for word, offer in offers.items() if word in body + rest})
     axes = "REQUIRE AXES 2\n" if "JOINTS" in body else ""
     cap = axes + (f"REQUIRE CAP {' '.join(names)}\n" if names else "")
@@ -176,6 +186,47 @@ def test_a_via_point_has_the_external_values_of_the_target_or_none() -> None:
         assert arc.external == (0.8,)
     assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2)}/MOVE.CIRC/HALT") == "I461"
     assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2, 'EXT', 0.9)}/MOVE.SPL 2/HALT") == "I461"
+
+
+TRIGGERS = (
+    "PUSH BOOL TRUE/PUSH REAL 0.003/TRIG.DIST after lamp/PUSH BOOL FALSE/PUSH REAL 0.2/TRIG.TIME before lamp"
+)
+
+
+@pytest.mark.parametrize(
+    "move", ["HOME", f"{TARGET}/MOVE.PTP", f"{TARGET}/MOVE.LIN", f"{TARGET}/DUP/MOVE.CIRC"]
+)
+def test_triggers_belong_to_the_next_move_only(move: str) -> None:
+    first, second, _ = flow(f"{TRIGGERS}/{move}/{move}/HALT")
+    assert isinstance(first, MoveInstruction)
+    assert isinstance(second, MoveInstruction)
+    assert first.triggers == (
+        Trigger("lamp", True, Side.AFTER_START, distance=0.003),
+        Trigger("lamp", False, Side.BEFORE_END, time=0.2),
+    )
+    assert second.triggers == ()
+
+
+def test_what_a_trigger_sets_is_read_after_its_move() -> None:
+    before, after = "IN lamp/FMT/MSG", "IN lamp/FMT/MSG"
+    text = f"{before}/PUSH BOOL TRUE/PUSH REAL 0.003/TRIG.DIST after lamp/HOME/{after}/HALT"
+    shown = [one.text for one in flow(text) if isinstance(one, MessageInstruction)]
+    assert shown == ["false", "true"]
+
+
+def test_the_place_of_a_trigger_that_is_computed_is_not_negative() -> None:
+    place = "PUSH REAL 0.0/PUSH REAL 0.1/SUB.R"
+    assert trap(f"PUSH BOOL TRUE/{place}/TRIG.DIST after lamp/HOME/HALT") == "I461"
+
+
+def test_a_snapshot_keeps_the_triggers_of_the_next_move() -> None:
+    text = f"{TRIGGERS}/IN part/POP/HOME/HALT"
+    machine = Machine(program(text), StillWorld())
+    assert isinstance(machine.advance(), SyncInstruction)
+    state = machine.snapshot()
+    resumed = Machine.resume(program(text), StillWorld(), state).advance()
+    assert isinstance(resumed, MoveInstruction)
+    assert len(resumed.triggers) == 2
 
 
 def test_a_via_zone_passes_by_until_another_zone_is_said() -> None:

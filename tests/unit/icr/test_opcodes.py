@@ -30,7 +30,20 @@ def test_stack_effects_are_read_from_the_table() -> None:
 
 def test_capabilities_are_those_that_the_diagnostic_page_names() -> None:
     names = {opcode.capability for opcode in OPCODES.values()} - {""}
-    assert names == {"CIRC", "CLOCK", "EXT", "GRIP", "IO", "JNT", "LIN", "MSG", "PTP", "SPLINE", "ZONE"}
+    assert names == {
+        "CIRC",
+        "CLOCK",
+        "EXT",
+        "GRIP",
+        "IO",
+        "JNT",
+        "LIN",
+        "MSG",
+        "PTP",
+        "SPLINE",
+        "TRIG",
+        "ZONE",
+    }
 
 
 def test_flow_ends_at_five_instructions() -> None:

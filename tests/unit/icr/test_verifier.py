@@ -160,6 +160,55 @@ def test_a_path_needs_its_points_and_an_angle_in_range(path: str, code: str) -> 
     assert code in codes(changed("  MOVE.LIN\n", f"  {path}\n"))
 
 
+TRIGGER = "  PUSH BOOL TRUE\n  PUSH REAL 0.1\n  TRIG.DIST after valve\n"
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        "CALL square",
+        "RET",
+        "HALT",
+        "STOP 1",
+        "SYNC",
+        "PUSH BOOL TRUE\n  OUT valve",
+        "PUSH REAL 1.0\n  WAIT.T",
+        "PUSH BOOL TRUE\n  PUSH REAL 1.0\n  WAIT.IN part",
+        'PUSH STR "a"\n  MSG',
+        "GRIP open -",
+    ],
+)
+def test_nothing_of_the_robot_stands_between_a_trigger_and_its_move(between: str) -> None:
+    assert "I429" in codes(changed("  HOME\n", f"{TRIGGER}  {between}\n  HOME\n"))
+
+
+def test_what_only_computes_stands_between_a_trigger_and_its_move() -> None:
+    rest = "  PUSH REAL 0.2\n  SPD.PTP\n  IN part\n  POP\n  MODAL.SAVE\n  MODAL.RESTORE\n"
+    text = changed("  HOME\n", f"{TRIGGER}{rest}{TRIGGER}  HOME\n")
+    assert codes(text.replace("PTP ZONE", "PTP TRIG ZONE")) == []
+
+
+def test_a_trigger_is_followed_by_a_move_on_every_way() -> None:
+    branch = "  IN part\n  JF over\n  HOME\n  JMP done\nover:\n{}done:\n"
+    for way, found in (("  HOME\n", set()), ("  NOP\n", {"I417", "I429"}), ("  HALT\n", {"I429"})):
+        text = changed("  HOME\n", TRIGGER + branch.format(way))
+        assert set(codes(text.replace("PTP ZONE", "PTP TRIG ZONE"))) == found
+
+
+@pytest.mark.parametrize(
+    ("trigger", "code"),
+    [
+        ("PUSH BOOL TRUE\n  PUSH REAL -0.1\n  TRIG.TIME before valve", "I426"),
+        ("PUSH BOOL TRUE\n  PUSH REAL 0.1\n  TRIG.TIME before part", "I414"),
+        ("PUSH BOOL TRUE\n  PUSH REAL 0.1\n  TRIG.TIME before valv", "I413"),
+        ("PUSH REAL 1.0\n  PUSH REAL 0.1\n  TRIG.DIST after valve", "I415"),
+    ],
+)
+def test_a_trigger_sets_an_output_at_a_place_in_range(trigger: str, code: str) -> None:
+    text = changed("  HOME\n", f"  {trigger}\n  HOME\n")
+    assert codes(text.replace("PTP ZONE", "PTP TRIG ZONE")) == [code]
+
+
 def test_a_diagnostic_marks_the_instruction_in_the_text() -> None:
     found = verify(assemble(changed("CALL square", "CALL sqare"), "t.icr"))[0]
     assert str(found.span) == "t.icr:28:3"

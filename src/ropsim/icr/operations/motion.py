@@ -8,10 +8,13 @@ from ropsim.flow import (
     Instruction,
     MotionKind,
     MoveInstruction,
+    Side,
     SyncInstruction,
+    Trigger,
 )
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.geometry import check_same_frame
+from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location, composed, external_part, pose_part, tag_of
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
@@ -23,8 +26,7 @@ from ropsim.spatial import Pose, quaternion
 
 def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction:
     registers.commanded = None
-    target = registers.stack.pop()
-    return MoveInstruction(MotionKind.PTP, target, registers.modal, registers.origin(site.key, site.span))
+    return _told(registers, site, MotionKind.PTP, registers.stack.pop())
 
 
 def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -50,8 +52,8 @@ def _move_curve(registers: Registers, _world: World, site: Site) -> Instruction:
     return _moved(registers, site, MotionKind.SPLINE, _taken(registers, site.operand))
 
 
-def _taken(registers: Registers, count: int) -> tuple[Location, ...]:
-    """Take the locations of a move from the stack, its target last."""
+def _taken(registers: Registers, count: int) -> tuple[Datum, ...]:
+    """Take values from the stack, the top last."""
     taken = tuple(registers.stack[-count:])
     del registers.stack[-count:]
     return taken
@@ -65,11 +67,20 @@ def _moved(
     for point in via:
         _check_via(site.mnemonic, point, target)
     registers.commanded = Commanded(target, registers.modal)
-    origin, modal, tag = registers.origin(site.key, site.span), registers.modal, tag_of(target)
-    if tag is not None:
-        modal = replace(modal, frame=tag.name, X_BK=tag.X_BK)
     X_KT, *X_KV = (Pose.from_tuple(pose_part(one)) for one in (target, *via))
-    return MoveInstruction(kind, X_KT, modal, origin, external_part(target), tuple(X_KV))
+    move = _told(registers, site, kind, X_KT)
+    tag = tag_of(target)
+    modal = move.modal if tag is None else replace(move.modal, frame=tag.name, X_BK=tag.X_BK)
+    return replace(move, modal=modal, external=external_part(target), via=tuple(X_KV))
+
+
+def _told(
+    registers: Registers, site: Site, kind: MotionKind, target: Pose | tuple[float, ...] | None
+) -> MoveInstruction:
+    """Return a move with all that has been said about the next one."""
+    triggers, registers.triggers = registers.triggers, ()
+    origin = registers.origin(site.key, site.span)
+    return MoveInstruction(kind, target, registers.modal, origin, triggers=triggers)
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:
@@ -87,7 +98,16 @@ def _check_via(name: str, point: Location, target: Location) -> None:
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:
     registers.commanded = None
-    return MoveInstruction(MotionKind.PTP, None, registers.modal, registers.origin(site.key, site.span))
+    return _told(registers, site, MotionKind.PTP, None)
+
+
+def _trigger(registers: Registers, _world: World, site: Site) -> None:
+    side, channel = site.operand
+    value, place = _taken(registers, 2)
+    if fault := setting_fault(site.mnemonic, place):
+        raise out_of_range(fault)
+    distance, time = (place, None) if site.mnemonic == "TRIG.DIST" else (None, place)
+    registers.triggers += (Trigger(channel, value, _SIDES[side], distance, time),)
 
 
 def _sync(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -134,6 +154,8 @@ def _seen_now(registers: Registers) -> Location:
     return target
 
 
+_SIDES = {"before": Side.BEFORE_END, "after": Side.AFTER_START}
+
 MOTION: dict[str, Operation] = {
     "MOVE.PTP.J": _move_joints,
     "MOVE.PTP": _move_pose,
@@ -142,6 +164,8 @@ MOTION: dict[str, Operation] = {
     "MOVE.CIRC.A": _move_arc_angle,
     "MOVE.SPL": _move_curve,
     "HOME": _home,
+    "TRIG.DIST": _trigger,
+    "TRIG.TIME": _trigger,
     "SYNC": _sync,
     "STOP": _stop,
     "GRIP": _grip,

@@ -1,4 +1,4 @@
-"""Rules V4 and V5: typed stack and saved modal states by data flow, no dead code, no fall-through."""
+"""Rules V4 and V5: typed stack, saved modal states and moves by data flow, no dead code, no fall-through."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -10,11 +10,23 @@ from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
 
 _JUMPS = {"JMP", "JF", "JT"}
+_PREFIXES = {"TRIG.DIST", "TRIG.TIME"}
+_LOSING = {"HALT", "RET", "CALL", "STOP", "SYNC", "OUT", "WAIT.T", "WAIT.IN", "MSG", "GRIP"}
+"""What cannot stand between a prefix and its move: they end the procedure, or go to the robot before it."""
 
 
 class _State(NamedTuple):
+    """What is known before an instruction.
+
+    Attributes:
+        stack: types on the stack.
+        depth: number of saved modal states.
+        prefix: instruction that waits for the next move; empty for none.
+    """
+
     stack: Stack
     depth: int
+    prefix: str = ""
 
 
 def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
@@ -52,7 +64,7 @@ def check_reachability(program: Program, procedure: Procedure) -> Iterator[Diagn
 
 
 def check_stack(program: Program, procedure: Procedure) -> tuple[Diagnostic, ...]:
-    """Return the faults of types and of saved modal states on all ways through a procedure (V4)."""
+    """Return the faults of types, saved modal states and prefixes of moves on all ways (V4)."""
     return tuple(_flow(program, procedure)[1])
 
 
@@ -90,15 +102,24 @@ def _after(program: Program, procedure: Procedure, step: Step, before: _State) -
         depth += 1
     elif step.mnemonic == "MODAL.RESTORE":
         depth -= 1
+    prefix = before.prefix
+    if step.mnemonic in _PREFIXES:
+        prefix = prefix or step.mnemonic
+    elif prefix and step.mnemonic in _LOSING:
+        message = f"`{step.mnemonic}` stands between `{prefix}` and its move"
+        return Fault(kinds.PREFIX_LOST, message, f"put `{prefix}` right before a move")
+    elif OPCODES[step.mnemonic].is_move:
+        prefix = ""
     if depth < 0:
         return Fault(kinds.MODAL_UNBALANCED, "`MODAL.RESTORE` without `MODAL.SAVE` before it")
     if step.mnemonic == "RET" and depth:
         message = f"`RET` in `{procedure.name}` with {depth} saved modal states, allowed: none"
         return Fault(kinds.MODAL_UNBALANCED, message, "put `MODAL.RESTORE` before `RET`")
     stack = effect(program, procedure, step, before.stack)
-    return stack if isinstance(stack, Fault) else _State(stack, depth)
+    return stack if isinstance(stack, Fault) else _State(stack, depth, prefix)
 
 
 def _shown(state: _State) -> str:
     types = " ".join(one.value for one in state.stack)
-    return f"stack [{types}], {state.depth} saved modal states"
+    waiting = f", `{state.prefix}` without its move" if state.prefix else ""
+    return f"stack [{types}], {state.depth} saved modal states{waiting}"

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, Span, did_you_mean, near
 from ropsim.icr import diagnostics as kinds
-from ropsim.icr.opcodes import OPCODES, OperandKind
+from ropsim.icr.opcodes import OPCODES, WORDS, OperandKind
 from ropsim.icr.program import Operand, Procedure, Program, Step, text_place
 from ropsim.icr.types import MAX_EXTERNAL, Constant, Type, has_form, reals, rotation
 
@@ -20,7 +20,8 @@ _MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
 _POSITIVE = _SPEEDS | {"MOVE.CIRC.A"}
-_NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T"}
+_SETTERS = {"OUT", "TRIG.DIST", "TRIG.TIME"}
+_NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T", "TRIG.DIST", "TRIG.TIME"}
 
 
 def setting_fault(mnemonic: str, value: float) -> str:
@@ -78,7 +79,7 @@ def _names(program: Program, procedure: Procedure) -> dict[OperandKind, set[str]
         OperandKind.FRAME: {one.name for one in program.frames} | {""},
         OperandKind.TOOL: {one.name for one in program.tools} | {""},
         OperandKind.CHANNEL: {one.name for one in program.channels},
-        OperandKind.ACTION: {"open", "close"},
+        **{kind: set(words) for kind, words in WORDS.items()},
     }
 
 
@@ -121,9 +122,10 @@ def _check_use(
 ) -> Iterator[Diagnostic]:
     """Check what needs more than one operand: kinds of channels, constants given to modal instructions."""
     step = procedure.code[index]
-    channel = program.channel(str(step.operands[0])) if step.operands else None
-    if step.mnemonic == "OUT" and channel and not channel.is_output:
-        yield kinds.OPERAND_WRONG.at(place, f"`OUT` needs an output, `{channel.name}` is {channel.kind}")
+    channel = program.channel(str(step.operands[-1])) if step.operands else None
+    if step.mnemonic in _SETTERS and channel and not channel.is_output:
+        message = f"`{step.mnemonic}` needs an output, `{channel.name}` is {channel.kind}"
+        yield kinds.OPERAND_WRONG.at(place, message)
     if step.mnemonic == "WAIT.IN" and channel and channel.type is not Type.BOOL:
         message = f"`WAIT.IN` needs a channel of type BOOL, `{channel.name}` is {channel.type.value}"
         yield kinds.OPERAND_WRONG.at(place, message)

@@ -63,6 +63,15 @@ def gripper(body: Body, node: syntax.Gripper) -> Block:
 
 def set_signal(body: Body, node: syntax.SetSignal) -> Block:
     """Return the setting of an output."""
+    return (output(body, node),)
+
+
+def output(body: Body, node: syntax.SetSignal) -> Output:
+    """Return which output is set to what.
+
+    Raises:
+        RejectedError: it is none, or the value does not fit.
+    """
     symbol = body.find(node.name.text)
     if not isinstance(symbol, SignalUse):
         outputs = [n for n, s in body.world.symbols.items() if isinstance(s, SignalUse) and not s.is_input]
@@ -82,7 +91,7 @@ def set_signal(body: Body, node: syntax.SetSignal) -> Block:
     body.world.used_signals[symbol.name] = symbol
     wanted = BOOL if symbol.type is ValueType.BOOL else NUMBER
     value = values.expect(body, node.value, wanted, f"the value of `{node.name.text}`")
-    return (Output(symbol.name, value, body.statement_span),)
+    return Output(symbol.name, value, body.statement_span)
 
 
 def set_mode(body: Body, node: syntax.SetMode) -> Block:

@@ -117,7 +117,7 @@ def _fields(statement: syntax.Statement, found: Uses, signatures: Mapping[str, S
 
 def _plain_names(statement: syntax.Statement) -> Iterator[nodes.Node]:
     """Yield the expressions that consist of a single name: there it is a value, not a name of something."""
-    for name in ("target", "count", "condition", "duration", "value", "timeout", "message"):
+    for name in ("target", "count", "condition", "duration", "value", "timeout", "message", "place"):
         part = getattr(statement, name, None)
         if isinstance(part, nodes.Name):
             yield part

@@ -1,14 +1,23 @@
 """Motions: the target, the points on the way, and what holds for this motion only."""
 
-from ropsim.flow import MotionKind
+from ropsim.flow import MotionKind, Side
 from ropsim.icr import external_part
-from ropsim.language.check import convert, fold, settings, values
+from ropsim.language.check import actions, convert, fold, settings, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, JOINTS, POSE, AnyType, Type, article, known
+from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, TIME, AnyType, Type, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Node
-from ropsim.program import Block, Constant, Expression, InFrame, MakeExternal, Move, ValueType
+from ropsim.program import (
+    Block,
+    Constant,
+    Expression,
+    InFrame,
+    MakeExternal,
+    Move,
+    Trigger,
+    ValueType,
+)
 
 _KINDS = {
     "mov": MotionKind.PTP,
@@ -28,7 +37,25 @@ def motion(body: Body, node: syntax.Motion) -> Block:
             _refuse_external(body, node, point, expression, target)
     chosen = settings.gather(body, tuple(one for one in node.modifiers if one.word != "angle"))
     settings.check_effect(body, node, chosen)
-    return (Move(_KINDS[node.word], target, chosen, body.statement_span, via, _angle(body, node)),)
+    triggers = tuple(_trigger(body, one) for one in node.triggers)
+    angle = _angle(body, node)
+    return (Move(_KINDS[node.word], target, chosen, body.statement_span, via, angle, triggers),)
+
+
+def _trigger(body: Body, node: syntax.Trigger) -> Trigger:
+    """Return an output that is set on the way; a bare number is a distance."""
+    value = values.check(body, node.place)
+    is_time = known(value.type) == TIME
+    place = convert.to(body, value, TIME if is_time else LENGTH, node.place, "the place of `at`")
+    number = fold.number_of(place)
+    if number is not None and number < 0.0:
+        message = f"the place of `at` must not be negative, found {number:g} {'s' if is_time else 'm'}"
+        hint = "`after start` counts from the start on, `before end` from the end back"
+        body.fail(kinds.OUT_OF_RANGE, node.place, message, hint)
+    output = actions.output(body, node.action)
+    side = Side.AFTER_START if node.side == "after" else Side.BEFORE_END
+    distance, time = (None, place) if is_time else (place, None)
+    return Trigger(output.signal, output.value, side, distance, time)
 
 
 def _point(body: Body, node: syntax.Motion, place: Node, what: str) -> Expression:

@@ -1,5 +1,6 @@
 """Lines that move the arm, work the gripper or change how the next moves are made."""
 
+from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
@@ -12,12 +13,14 @@ from ropsim.language.syntax.statements import (
     SetSignal,
     Setting,
     Statement,
+    Trigger,
     With,
 )
-from ropsim.language.syntax.words import NOT_YET_MODIFIERS, VIA
+from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS, VIA
 
 _QUANTITIES = ("speed", "acc", "blend")
 _MODIFIERS = (*_QUANTITIES, "angle", "fine", "tool")
+_ENDS = {"after": "start", "before": "end"}
 _CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
 
 
@@ -66,7 +69,11 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     """Read the target and its modifiers."""
     target = expression(cursor)
     modifiers: list[Setting] = []
+    triggers: list[Trigger] = []
     while not cursor.at_end:
+        if cursor.word == "at":
+            triggers.append(_trigger(cursor))
+            continue
         if cursor.word in NOT_YET_MODIFIERS:
             cursor.not_yet(cursor.token, cursor.word)
         if cursor.word == VIA:
@@ -74,7 +81,33 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
         if cursor.word not in _MODIFIERS:
             cursor.finish()
         modifiers.append(_quantity(cursor) if cursor.word == "angle" else _setting(cursor))
-    return Motion(_CANONICAL.get(head.word, head.word), via, target, tuple(modifiers), head.start, cursor.end)
+    word = _CANONICAL.get(head.word, head.word)
+    return Motion(word, via, target, tuple(modifiers), tuple(triggers), head.start, cursor.end)
+
+
+def _trigger(cursor: Cursor) -> Trigger:
+    """Read `at place after start|before end do set output …`."""
+    start = cursor.advance().start
+    place = total(cursor)
+    side = cursor.word
+    if side not in _ENDS:
+        cursor.fail("`after start` or `before end`")
+    cursor.advance()
+    cursor.expect(_ENDS[side])
+    cursor.expect("do")
+    head = cursor.token
+    if head.word in NOT_YET:
+        cursor.not_yet(head, head.word)
+    if head.word != "set":
+        cursor.fail("`set`", "on the way of a motion only outputs are set: `do set NAME on`")
+    cursor.advance()
+    action = set_statement(cursor, head)
+    if not isinstance(action, SetSignal):
+        message = "on the way of a motion only outputs are set"
+        cursor.fault(
+            kinds.MISPLACED, action.start, action.end, message, "write settings as modifiers of a motion"
+        )
+    return Trigger(place, side, action, start, cursor.end)
 
 
 def gripper(cursor: Cursor, head: Token) -> Statement:

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from ropsim.flow import MotionKind
+from ropsim.flow import MotionKind, Side
 from ropsim.icr import Type
 from ropsim.program import expressions as sir
 from ropsim.program import statements as st
@@ -11,13 +11,17 @@ from ropsim.program.lowering.expressions import evaluate, static_type
 from ropsim.program.lowering.robot import lower_settings
 from ropsim.program.scope import Scope
 
+_Prefix = tuple[str, str, str]
+"""Mnemonic and operands of an instruction that belongs to the next move."""
+
+_SIDES = {Side.BEFORE_END: "before", Side.AFTER_START: "after"}
 _SINGLE = (MotionKind.PTP, MotionKind.LIN)
 
 
 def lower_move(scope: Scope, move: st.Move) -> None:
     """Emit a move; its own settings are taken back after it.
 
-    All points are evaluated before the first motion, so `here` is where the arm is then.
+    All points and places of triggers are evaluated before the first motion: `here` is where the arm is then.
     """
     single = move.kind in _SINGLE
     if single and move.via:
@@ -29,6 +33,7 @@ def lower_move(scope: Scope, move: st.Move) -> None:
         lower_settings(scope, move.settings)
     if single:
         _evaluate(scope, move, move.target)
+        _prefix(scope, _operands(scope, move.triggers))
         _single(scope, move, move.target)
     else:
         _curved(scope, move)
@@ -39,23 +44,55 @@ def lower_move(scope: Scope, move: st.Move) -> None:
 def _through(scope: Scope, move: st.Move) -> None:
     """Emit a move to each point on the way, which passes it by, and one to the target.
 
-    A zone of the move's own is that of all points; a fine stop is one at the target only.
+    A zone of the move's own is that of all points; a fine stop is one at the target only. Triggers after the
+    start belong to the first move, those before the end to the last one.
     """
     emit, settings = scope.emitter.emit, move.settings
     fine = isinstance(settings.zone, sir.Constant) and settings.zone.value == 0
     emit("MODAL.SAVE")
     lower_settings(scope, replace(settings, zone=None) if fine else settings)
-    for point in (move.target, *reversed(move.via)):
+    first = tuple(one for one in move.triggers if one.side is Side.AFTER_START)
+    last = tuple(one for one in move.triggers if one.side is Side.BEFORE_END)
+    _evaluate(scope, move, move.target)
+    at_end = _operands(scope, last)
+    for point in reversed(move.via):
         _evaluate(scope, move, point)
+    at_start = _operands(scope, first)
     emit("MODAL.SAVE")
     emit("ZONE.VIA")
+    _prefix(scope, at_start)
     for point in move.via:
         _single(scope, move, point)
     emit("MODAL.RESTORE")
     if fine:
         emit("ZONE.FINE")
+    _prefix(scope, at_end)
     _single(scope, move, move.target)
     emit("MODAL.RESTORE")
+
+
+def _operands(scope: Scope, triggers: tuple[st.Trigger, ...]) -> tuple[_Prefix, ...]:
+    """Emit code that leaves values and places of triggers on the stack, the first one on top.
+
+    Returns:
+        The instructions that take them from there.
+    """
+    found = []
+    for one in reversed(triggers):
+        channel = scope.channel(one.signal)
+        evaluate(scope, one.value, channel.type)
+        place, mnemonic = (one.distance, "TRIG.DIST") if one.time is None else (one.time, "TRIG.TIME")
+        if place is None or (one.distance is not None and one.time is not None):
+            raise unsound(f"the place of `{one.signal}` on a motion is a distance or a time")
+        evaluate(scope, place, Type.REAL)
+        found.append((mnemonic, _SIDES[one.side], channel.name))
+    return tuple(reversed(found))
+
+
+def _prefix(scope: Scope, prefixes: tuple[_Prefix, ...]) -> None:
+    """Emit what the next move is told before."""
+    for mnemonic, *operands in prefixes:
+        scope.emitter.emit(mnemonic, *operands)
 
 
 def _evaluate(scope: Scope, move: st.Move, point: sir.Expression) -> None:
@@ -80,15 +117,14 @@ def _single(scope: Scope, move: st.Move, point: sir.Expression) -> None:
 
 def _curved(scope: Scope, move: st.Move) -> None:
     """Emit an arc or a smooth curve."""
+    if move.kind == MotionKind.CIRC and len(move.via) != 1:
+        raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)
     for point in (*move.via, move.target):
         _evaluate(scope, move, point)
+    if move.angle is not None:
+        evaluate(scope, move.angle, Type.REAL)
+    _prefix(scope, _operands(scope, move.triggers))
     if move.kind == MotionKind.SPLINE:
         scope.emitter.emit("MOVE.SPL", len(move.via) + 1)
-        return
-    if len(move.via) != 1:
-        raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)
-    if move.angle is None:
-        scope.emitter.emit("MOVE.CIRC")
     else:
-        evaluate(scope, move.angle, Type.REAL)
-        scope.emitter.emit("MOVE.CIRC.A")
+        scope.emitter.emit("MOVE.CIRC" if move.angle is None else "MOVE.CIRC.A")

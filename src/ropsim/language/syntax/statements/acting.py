@@ -17,6 +17,27 @@ class Setting:
 
 
 @dataclass(frozen=True, slots=True)
+class SetSignal:
+    """`set output on|off|= value`."""
+
+    name: Name
+    value: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Trigger:
+    """`at place after start|before end do set output …`; the side is `after` or `before`."""
+
+    place: Node
+    side: str
+    action: SetSignal
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """`mov`, `lin`, `circ` or `spline` to a target, through points on the way."""
 
@@ -24,6 +45,7 @@ class Motion:
     via: tuple[Node, ...]
     target: Node
     modifiers: tuple[Setting, ...]
+    triggers: tuple[Trigger, ...]
     start: int
     end: int
 
@@ -44,16 +66,6 @@ class Load:
 
     names: tuple[Name, ...]
     source: Node
-    start: int
-    end: int
-
-
-@dataclass(frozen=True, slots=True)
-class SetSignal:
-    """`set output on|off|= value`."""
-
-    name: Name
-    value: Node
     start: int
     end: int
 
