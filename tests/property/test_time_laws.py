@@ -68,7 +68,8 @@ def _inside(law: TimeLaw, each: int) -> Array:
 @given(st.one_of(ways, wide_ways))
 def test_bounds_hold_everywhere(way: list[Stage]) -> None:
     law = plan_time_law(way)
-    inside = np.concatenate([_inside(law, 20), law.times, np.nextafter(law.times, 0.0), law.ends])
+    joints = np.concatenate([law.times, law.ends])
+    inside = np.concatenate([_inside(law, 20), joints, np.nextafter(joints, 0.0)])
     rows = law.at(inside)
     numbers = [(one.length, one.speed, one.acceleration, one.jerk) for one in way]
     length, speed, acceleration, _ = np.array(numbers)[rows.pieces].T

@@ -27,8 +27,7 @@ def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
         out: where the rows go, shape (4, k).
     """
     last, row = segments.shape[1] - 1, 0
-    start, until, whole = inf, -inf, 0.0
-    place, v, a, j, limit = 0.0, 0.0, 0.0, 0.0, 0.0
+    start, until, place, v, a, j, limit = inf, -inf, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(times.shape[0]):
         t = max(times[k], 0.0)
         if t >= duration:
@@ -38,8 +37,8 @@ def rows_at(segments: Array, duration: float, times: Array, out: Array) -> None:
             row = _row_at(segments, t, row)
             start, until = segments[1, row], _start_of(segments, row + 1)
             place, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
-            whole, limit = segments[6, row], segments[7, row]
-        u = min(t - start, whole)
+            limit = segments[7, row]
+        u = t - start
         out[0, k] = segments[0, row]
         out[1, k] = min(place + u * (v + u * (0.5 * a + u * (j * SIXTH))), limit)
         out[2, k] = max(v + u * (a + u * (0.5 * j)), 0.0)
@@ -78,7 +77,7 @@ def times_at(segments: Array, ends: Array, piece: int, places: Array, out: Array
             else:
                 high = middle
         end = min(_start_of(segments, low + 1), ends[piece])
-        out[k] = min(_time_at(segments, low, place, end), end)
+        out[k] = _time_at(segments, low, place, end)
 
 
 def _row_at(segments: Array, t: float, row: int) -> int:
@@ -119,30 +118,23 @@ def _lower(segments: Array, column: int, value: float) -> int:
 
 
 def _time_at(segments: Array, row: int, place: float, end: float) -> float:
-    """Return the time [s] of a place in a segment.
+    """Return the time [s] of a place in a segment that ends at `end`.
 
-    Where the speed falls, time runs back from the end of the segment: the way x(u) = v·u + a·u²/2 + j·u³/6 is
-    then convex too, and Newton's steps fall to the root from an upper bound, the least of the times that the
-    parts of x would take alone.
+    Newton's steps for the way v·u + a·u²/2 + j·u³/6 start at the least of the times that its parts would take
+    alone; a step that leaves the times known to be too early and too late is replaced by halving.
     """
-    start, whole = segments[1, row], segments[6, row]
     v, a, j = segments[3, row], segments[4, row], segments[5, row]
-    final = a + whole * j
-    falls = a + final < 0.0
     way = place - segments[2, row]
-    if falls:
-        v, a = max(v + whole * (a + 0.5 * whole * j), 0.0), -final
-        way = segments[7, row] - place
-    u: float = whole
+    u: float = segments[6, row]
     if v > 0.0:
         u = min(u, way / v)
-    if a > 0.0 and j >= 0.0:
+    if a > 0.0:
         u = min(u, sqrt(2.0 * way / a))
     if j > 0.0:
         u = min(u, (6.0 * way / j) ** (1.0 / 3.0))
-    least, most = 0.0, whole
+    least, most = 0.0, segments[6, row]
     for _ in range(HALVINGS):
-        over = u * (v + u * (0.5 * a + u * j / 6.0)) - way
+        over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - way
         slope = v + u * (a + 0.5 * u * j)
         if over > 0.0:
             most = u
@@ -153,4 +145,4 @@ def _time_at(segments: Array, row: int, place: float, end: float) -> float:
             break
         tried = u - step
         u = tried if least < tried < most else 0.5 * (least + most)
-    return end - u if falls else start + u
+    return min(float(segments[1, row]) + u, end)

@@ -166,16 +166,30 @@ def test_segments_follow_each_other_in_time_and_in_order_of_the_pieces() -> None
     assert np.diff(law.times)[:-1] == pytest.approx(law.segments[6, :-2], rel=ROUNDING, abs=ROUNDING)
 
 
-@pytest.mark.parametrize("jerk", np.linspace(1e-8, 1e-6, 12).tolist())
-def test_a_speed_that_could_rise_by_less_than_its_last_digit_fits_the_way(jerk: float) -> None:
+@pytest.mark.parametrize("unit", [1.0, 2.6899601290682327, 3.055062319799821])
+def test_a_speed_that_could_rise_by_less_than_its_last_digit_fits_the_way(unit: float) -> None:
     # A rise by d from 1000 1/s takes the way 2000·√(d/jerk): over 1, d is about 1e-13, the last digit of 1000
-    long, short = Stage(1e4, 1e3, 1e6, 1e9), Stage(1.0, 2e3, 1.0, jerk)
-    for way in ([long, short, replace(long, speed=2e3)], [replace(long, speed=2e3), short, long]):
-        law = plan_time_law(way)
-        _, _, places, speeds, accelerations, jerks, h, ends = law.segments
-        reached = places + h * (speeds + h * (accelerations / 2.0 + h * jerks / 6.0))
-        assert reached == pytest.approx(ends, rel=ROUNDING)
-        assert law.ends[1] - law.ends[0] == pytest.approx(1e-3, rel=1e-9)
+    for speed in np.random.default_rng(6).uniform(500.0, 1000.0, 40).tolist():
+        for jerk in np.logspace(-9.0, -6.0, 8).tolist():
+            slow = Stage(1e4, speed, 1e6, 1e9, 1.0 / unit)
+            fast, short = replace(slow, speed=2e3), Stage(unit, 2e3 * unit, unit, jerk * unit, unit)
+            for way in ([slow, short, fast], [fast, short, slow]):
+                law = plan_time_law(way)
+                _, _, places, speeds, accelerations, jerks, h, ends = law.segments
+                reached = places + h * (speeds + h * (accelerations / 2.0 + h * jerks / 6.0))
+                np.testing.assert_allclose(reached, ends, rtol=ROUNDING)
+                assert abs((law.ends[1] - law.ends[0]) * speed - 1.0) <= 1e-9
+
+
+def test_bounds_hold_where_a_piece_takes_no_longer_than_the_last_digit_of_the_time() -> None:
+    # After 1e9 s the next number is 1.2e-7 s later
+    short = [Stage(10.0**k, 1e3, 1e3, 1e12) for k in range(-12, -3)]
+    law = plan_time_law([Stage(1e6, 1e-3, 1.0, 1.0), *(replace(one, ratio=0.0) for one in short)])
+    assert law.ends[0] > 1e9
+    times = law.ends[0] + np.spacing(law.ends[0]) * np.arange(20_000)
+    rows = law.at(times)
+    assert len(set(rows.pieces.tolist())) >= 5
+    assert np.abs(rows.accelerations).max() <= 1e3 * (1.0 + ROUNDING)
 
 
 def test_times_in_any_order_give_the_rows_of_times_in_order() -> None:
