@@ -7,7 +7,7 @@ from enum import Enum
 import numpy as np
 
 from ropsim.motion.paths.orientation import ToolTurn, tool_turn
-from ropsim.motion.paths.path import STANDS, ToolPoints
+from ropsim.motion.paths.path import FARTHEST, STANDS, ToolPoints
 from ropsim.motion.turn import OrientationMode, Turn
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -24,7 +24,7 @@ class ArcOrientation(Enum):
 class ArcFault(Enum):
     """Why there is no arc through three points."""
 
-    NOT_FINITE = "a coordinate or the angle is not a finite number"
+    NOT_FINITE = "a coordinate or the angle is not a number, or no robot is that large"
     END_AT_START = "start and end are one point"
     VIA_AT_START = "start and via point are one point"
     VIA_AT_END = "via point and end are one point"
@@ -122,7 +122,7 @@ def arc(
         angle: how far to go about the centre [rad], over the end and round again; as far as the end if None.
     """
     points = [pose.position for pose in (X_start, X_via, X_end)]
-    if not np.isfinite(points).all() or not math.isfinite(angle or 0.0):
+    if not (np.abs([*points, np.full(3, angle or 0.0)]) <= FARTHEST).all():  # NaN is not either
         return ArcFault.NOT_FINITE
     if angle is not None and angle <= 0.0:
         return ArcFault.NO_ANGLE

@@ -37,7 +37,7 @@ class ArcLength:
 
     def parameters(self, s: Array) -> tuple[IntArray, Array]:
         """Return segment and parameter t at ways s, each of shape (k,)."""
-        step = np.clip(np.searchsorted(self.ends, s, side="right") - 1, 0, len(self.coefficients) - 1)
+        step = self.ends[1:-1].searchsorted(s, side="right")
         begin = self.ends[step]
         share = (s - begin) / (self.ends[step + 1] - begin)
         t = np.einsum("ki,ki->k", powers(share), self.coefficients.take(step, axis=0))

@@ -5,6 +5,7 @@ from typing import Protocol
 from ropsim.spatial import Array, record
 
 STANDS = 1e-9  # [m]; a TCP that moves less only turns
+FARTHEST = 1e6  # [m, rad]; greater numbers are mistakes, and their squares have no micrometres
 STILL = 1e-9  # [rad]; a tool that turns less keeps its orientation
 
 

@@ -33,7 +33,8 @@ def logarithms(rotations: Array) -> Array:
 def turning(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array, Array]:
     """Return exp(K), its angular velocity ω and the derivative of that, in the fixed frame.
 
-    ω = θ' + c₂·θ×θ' + c₃·θ×(θ×θ'), with c₂ = (1 - cos|θ|) / |θ|² and c₃ = (|θ| - sin|θ|) / |θ|³.
+    ω = θ' + c₂·θ×θ' + c₃·θ×(θ×θ'), with c₂ = (1 - cos|θ|) / |θ|² and c₃ = (|θ| - sin|θ|) / |θ|³; both are
+    sums of θ, θ', θ'', θ×θ' and θ×θ''.
 
     Args:
         vectors: θ [rad], shape (k, 3).
@@ -49,19 +50,21 @@ def turning(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array, Array]:
     """
     c1, c2, c3, c2_x, c3_x = _coefficients(vectors)
     K = _crosses(vectors)
-    rows = np.empty((len(vectors), 3, 7))  # θ', θ'', both under K, both under K², and θ'×(θ×θ')
-    rows[:, :, 0], rows[:, :, 1] = d1, d2
-    rows[:, :, 2:4] = K @ rows[:, :, :2]
-    rows[:, :, 4:6] = K @ rows[:, :, 2:4]
-    rows[:, :, 6:] = _crosses(d1) @ rows[:, :, 2:3]
-    x_rate = 2.0 * np.einsum("ki,ki->k", vectors, d1)
-    weights = np.zeros((len(vectors), 7, 2))
-    weights[:, 0, 0] = weights[:, 1, 1] = 1.0
-    weights[:, 2, 0] = weights[:, 3, 1] = c2
-    weights[:, 4, 0] = weights[:, 5, 1] = weights[:, 6, 1] = c3
-    weights[:, 2, 1], weights[:, 4, 1] = c2_x * x_rate, c3_x * x_rate
-    motion = rows @ weights
-    return _sums(K, K @ K, c1, c2), motion[:, :, 0], motion[:, :, 1]
+    summands = np.empty((len(vectors), 5, 3))
+    summands[:, 0], summands[:, 1], summands[:, 2] = vectors, d1, d2
+    products = summands[:, :3] @ summands[:, :3].transpose(0, 2, 1)
+    summands[:, 3:] = summands[:, 1:3] @ K.transpose(0, 2, 1)
+    x, along = products[:, 0, 0], products[:, 0, 1]
+    bent = (2.0 * along) * c3_x
+    weights = np.zeros((len(vectors), 2, 5))
+    weights[:, 0, 0] = c3 * along
+    weights[:, 0, 1] = weights[:, 1, 2] = c1  # as 1 - c₃·x
+    weights[:, 0, 3] = weights[:, 1, 4] = c2
+    weights[:, 1, 0] = c3 * (products[:, 0, 2] + products[:, 1, 1]) + bent * along
+    weights[:, 1, 1] = -c3 * along - bent * x
+    weights[:, 1, 3] = (2.0 * along) * c2_x
+    motion = weights @ summands
+    return _sums(K, K @ K, c1, c2), motion[:, 0], motion[:, 1]
 
 
 def rates(vectors: Array, speed: Array, change: Array) -> tuple[Array, Array]:
@@ -95,15 +98,10 @@ def _sums(K: Array, KK: Array, first: Array, second: Array) -> Array:
 
 def _coefficients(vectors: Array) -> Array:
     """Return c₁ = sin|θ| / |θ|, c₂, c₃ and the derivatives of c₂ and c₃ by x, for (k, 3), shape (5, k)."""
-    power = np.einsum("ki,ki->k", vectors, vectors)
-    powers = np.empty((_TERMS, len(power)))
+    powers = np.empty((_TERMS, len(vectors)))
     powers[0] = 1.0
-    known = 1
-    while known < _TERMS:  # twice as many with every squaring
-        more = min(known, _TERMS - known)
-        np.multiply(powers[:more], power, out=powers[known : known + more])
-        power = power * power
-        known += more
+    powers[1:] = np.einsum("ki,ki->k", vectors, vectors)
+    np.multiply.accumulate(powers, axis=0, out=powers)
     return np.asarray(_series() @ powers)
 
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
-from ropsim.motion.paths.path import STANDS, STILL
+from ropsim.motion.paths.path import FARTHEST, STANDS, STILL
 from ropsim.motion.paths.polynomials import quintics, with_derivatives
 from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
 from ropsim.spatial import Array, Pose
@@ -21,7 +21,7 @@ _SLOWEST = 0.02  # least |p'| of a segment by its chord
 class SplineFault(Enum):
     """Why there is no spline through points."""
 
-    NOT_FINITE = "a coordinate is not a finite number"
+    NOT_FINITE = "a coordinate is not a number, or no robot is that large"
     TOO_FEW = "there are fewer than two different points"
     TURNS_IN_PLACE = "two neighbours are one point with different orientations"
     TURNS_BACK = "the way turns back on itself at a point"
@@ -48,7 +48,7 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
         chord lengths.
     """
     positions = np.array([pose.position for pose in poses]).reshape(-1, 3)
-    if not np.isfinite(positions).all():
+    if not (np.abs(positions) <= FARTHEST).all():  # NaN is not either
         return SplineFault.NOT_FINITE
     rotations = np.array([pose.rotation() for pose in poses]).reshape(-1, 3, 3)
     kept = _differs_from_the_one_before(positions, rotations)

@@ -165,6 +165,7 @@ def point(x: float, y: float = 0.0, w: float = 1.0) -> Pose:
         ([point(0), point(0, 1e-10), point(0)], SplineFault.TOO_FEW),
         ([point(0), point(math.nan)], SplineFault.NOT_FINITE),
         ([point(0), point(1), point(math.inf, 1)], SplineFault.NOT_FINITE),
+        ([point(0), point(1e200)], SplineFault.NOT_FINITE),
         ([point(0), point(1), point(1, w=0.5), point(2)], SplineFault.TURNS_IN_PLACE),
         ([point(0), point(0, w=0.5)], SplineFault.TURNS_IN_PLACE),
         ([point(0), point(1), point(0)], SplineFault.TURNS_BACK),
