@@ -23,10 +23,14 @@ from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_F
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.laws import law_of as law_of
+from ropsim.controller.motion_chain import MotionChain as MotionChain
 from ropsim.controller.motion_clock import ClockLimits as ClockLimits
 from ropsim.controller.motion_clock import ClockState as ClockState
 from ropsim.controller.motion_clock import Rows as Rows
 from ropsim.controller.motion_clock import advance as advance
+from ropsim.controller.motion_plan import MotionPlan as MotionPlan
+from ropsim.controller.motion_plan import MotionState as MotionState
+from ropsim.controller.motion_plan import PlannedMove as PlannedMove
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.planned_path import MoveLimits as MoveLimits
 from ropsim.controller.planned_path import PlannedPath as PlannedPath

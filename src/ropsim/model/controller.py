@@ -133,8 +133,8 @@ class ControllerModel:
         rates: periods.
         gains: gains of the joint controller, those of its law.
         path: defaults on LIN paths.
-        in_position: a fine stop is over when every joint is this near its target [rad | m] and not faster than
-            this way in 20 ms, shape (n,).
+        in_position: a fine stop is over when every joint is this near its target [rad | m], and not faster
+            than this way in 20 ms, shape (n,).
         settle_time: for which time both must hold [s].
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
