@@ -131,7 +131,8 @@ def _runs(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[tuple[l
 
 def _ends(runs: Sequence[Run], legs: int) -> list[float]:
     ends = [0.0] * legs
-    for run, behind in zip(runs, [*runs[1:], None], strict=True):
+    for place, run in enumerate(runs):
+        behind = runs[place + 1] if place + 1 < len(runs) else None
         for number, piece in enumerate(run.pieces):
             if piece.corner:
                 middle = run.law.times_of(number, np.array([piece.joints.length / 2.0]))
