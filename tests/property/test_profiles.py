@@ -1,25 +1,22 @@
-"""Laws of profiles and trajectories on random cases, with ruckig as the oracle of optimal time."""
-
-from collections.abc import Callable
+"""Laws of profiles and straight ways on random cases, with ruckig as the oracle of optimal time."""
 
 import numpy as np
 import ruckig
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.motion import (
+    JointLine,
     JointMotionLimits,
-    LineLimits,
+    Line,
     OrientationMode,
-    Profile,
     ProfileLimits,
+    ToolLimits,
     durations,
     evaluate,
-    joint_trajectory,
-    lengthen,
-    line_trajectory,
     plan_profile,
-    stretch,
+    plan_time_law,
 )
 from ropsim.spatial import Pose
 
@@ -66,12 +63,9 @@ def test_profile_follows_the_trajectory_of_ruckig(distance: float, bounds: Profi
 
 
 @settings(max_examples=100, derandomize=True)
-@given(sizes, limits, st.floats(1.0, 3.0), st.sampled_from([stretch, lengthen]))
-def test_limits_hold_on_the_whole_way(
-    distance: float, bounds: ProfileLimits, longer: float, how: Callable[[Profile, float], Profile]
-) -> None:
-    fastest = plan_profile(distance, bounds)
-    profile = how(fastest, fastest.duration * longer)
+@given(sizes, limits)
+def test_limits_hold_on_the_whole_way(distance: float, bounds: ProfileLimits) -> None:
+    profile = plan_profile(distance, bounds)
     t = np.linspace(0.0, profile.duration, 1001)
     way, speed, acceleration = evaluate(profile, t)
     within = 1.0 + ROUNDING
@@ -88,58 +82,63 @@ def test_limits_hold_on_the_whole_way(
 def test_ptp_keeps_every_joint_within_its_limits_and_takes_one_of_them_to_its_bound(
     q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
 ) -> None:
-    trajectory = joint_trajectory(q_start, q_end, JointMotionLimits(v, a, 10.0 * j))
-    if trajectory.duration == 0.0:
-        assert np.abs(q_end - q_start).max() < 1e-8
-        return
-    t = np.linspace(0.0, trajectory.duration, 1001)
-    speed, acceleration = trajectory.derivatives(t)
-    shares = [np.abs(speed) / v, np.abs(acceleration) / a]
-    assert max(share.max() for share in shares) <= 1.0 + ROUNDING
-    jerk_share = trajectory.profile.jerk * np.abs(q_end - q_start) / (10.0 * j)
-    assert jerk_share.max() <= 1.0 + ROUNDING
-    assert max(jerk_share.max(), *(share.max() for share in shares)) >= 1.0 - 1e-6
+    assume(float(np.abs(q_end - q_start).max()) > 1e-8)
+    bounds = JointMotionLimits(v, a, 10.0 * j)
+    law = plan_time_law([joint_stage(JointLine(q_start, q_end), bounds)])
+    rows = law.at(np.linspace(0.0, law.duration, 1001))
+    way = np.abs(q_end - q_start)
+    sizes = rows.speeds.max(), np.abs(rows.accelerations).max(), np.abs(law.jerks).max()
+    limits_of = bounds.speed, bounds.acceleration, bounds.jerk
+    shares = [float((way * size / limit).max()) for size, limit in zip(sizes, limits_of, strict=True)]
+    assert max(shares) <= 1.0 + ROUNDING
+    assert max(shares) >= 1.0 - 1e-6
+    assert abs(durations(q_start, q_end[None], bounds)[0] - law.duration) <= ROUNDING * law.duration
 
 
 @settings(max_examples=50, derandomize=True)
 @given(angles, angles, vectors)
 def test_ptp_is_a_straight_line_in_joint_space(q_start: np.ndarray, q_end: np.ndarray, v: np.ndarray) -> None:
-    bounds = JointMotionLimits(v, 4.0 * v, 40.0 * v)
-    trajectory = joint_trajectory(q_start, q_end, bounds)
-    q = trajectory.joints(np.linspace(0.0, trajectory.duration, 21))
+    assume((q_start != q_end).any())
+    q = JointLine(q_start, q_end).joints(np.linspace(0.0, 1.0, 21)).q
     way = q_end - q_start
     along = (q - q_start) @ way / max(float(way @ way), 1e-300)
     assert np.abs(q - q_start - along[:, None] * way).max() < 1e-12
-    assert durations(q_start, q_end[None], bounds)[0] == trajectory.duration
+    assert q[[0, -1]].tolist() == [q_start.tolist(), q_end.tolist()]
 
 
-LINE_LIMITS = LineLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
+TOOL_LIMITS = ToolLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
 
 
 @settings(max_examples=100, derandomize=True)
 @given(poses, poses)
 def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start: Pose, X_end: Pose) -> None:
-    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS)
-    t = np.linspace(0.0, trajectory.duration, 201)
-    matrices = trajectory.matrices(t)
+    path = Line(X_start, X_end)
+    assume(path.length > 0.0)
+    law = plan_time_law([tool_stage(path, TOOL_LIMITS)])
+    rows = law.at(np.linspace(0.0, law.duration, 201))
+    points = path.tool(rows.places)
     way = X_end.position - X_start.position
-    offsets = matrices[:, :3, 3] - X_start.position
+    offsets = points.matrices[:, :3, 3] - X_start.position
     assert np.abs(np.cross(offsets, way)).max() < 1e-14
-    rotations = matrices[:, :3, :3]
+    rotations = points.matrices[:, :3, :3]
     assert np.abs(rotations @ np.swapaxes(rotations, 1, 2) - np.eye(3)).max() < 1e-13
-    axis = X_start.rotation() @ trajectory.turn.axis
-    assert np.abs(rotations @ trajectory.turn.axis - axis).max() < 1e-13
-    speed, turning = trajectory.speeds(t)
-    assert speed.max() <= LINE_LIMITS.speed * (1.0 + ROUNDING)
-    assert turning.max() <= LINE_LIMITS.orientation_speed * (1.0 + ROUNDING)
+    axis = X_start.rotation() @ path.turn.turn.axis
+    assert np.abs(rotations @ path.turn.turn.axis - axis).max() < 1e-13
+    sizes = np.stack([np.linalg.norm(part, axis=1) for part in (points.d1[:, :3], points.d1[:, 3:])])
+    for values, linear, angular in (
+        (rows.speeds, TOOL_LIMITS.speed, TOOL_LIMITS.orientation_speed),
+        (np.abs(rows.accelerations), TOOL_LIMITS.acceleration, TOOL_LIMITS.orientation_acceleration),
+    ):
+        shares = sizes * values / np.array([[linear], [angular]])
+        assert shares.max() <= 1.0 + ROUNDING
 
 
 @settings(max_examples=100, derandomize=True)
 @given(poses, poses, st.sampled_from(OrientationMode))
 def test_line_starts_and_ends_at_its_poses(X_start: Pose, X_end: Pose, mode: OrientationMode) -> None:
-    trajectory = line_trajectory(X_start, X_end, LINE_LIMITS, mode)
-    assume(trajectory.duration > 0.0)
-    ends = trajectory.matrices(np.array([0.0, trajectory.duration]))
+    path = Line(X_start, X_end, mode)
+    assume(path.length > 0.0)
+    ends = path.tool(np.array([0.0, path.length])).matrices
     assert np.abs(ends[0] - X_start.matrix()).max() < 1e-14
     assert np.abs(ends[1] - X_end.matrix()).max() < 1e-13
     assert ends[1, :3, 3].tolist() == X_end.position.tolist()

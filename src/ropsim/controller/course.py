@@ -10,9 +10,9 @@ from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.motion import (
     JointPath,
     JointSection,
-    LineLimits,
     Stage,
     TimeLaw,
+    ToolLimits,
     ToolPath,
     ToolSection,
     plan_time_law,
@@ -168,7 +168,7 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
     one, other = before.planned.limits.tool, behind.planned.limits.tool
-    least = LineLimits(*(min(getattr(one, name), getattr(other, name)) for name in LineLimits.__slots__))
+    least = ToolLimits(*(min(getattr(one, name), getattr(other, name)) for name in ToolLimits.__slots__))
     return Piece(
         number, corner.joints, corner.tool, before.planned.X_MT, tool_stage(corner.tool, least), corner
     )

@@ -18,7 +18,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
 from ropsim.model import ControllerModel, RobotModel, Tool
-from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, LineLimits, OrientationMode
+from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, OrientationMode, ToolLimits
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -87,7 +87,7 @@ class StandardPathPlanner:
         findings = numeric_hint(move, self.robot)
         if isinstance(move.target, Pose) and move.origin.visit == 1:
             findings = self._work.frame_findings(move.modal, span) + findings
-        limits = MoveLimits(self._joint_limits(move.modal), self._line_limits(move.modal))
+        limits = MoveLimits(self._joint_limits(move.modal), self._tool_limits(move.modal))
         planned = self._plan_tool if move.kind in TOOL_PATHS else self._plan_ptp
         return planned(move, q_start, PlannedPath(None, None, limits, X_MT, findings))
 
@@ -161,9 +161,9 @@ class StandardPathPlanner:
             self._limits.jerk * modal.ptp_acceleration,
         )
 
-    def _line_limits(self, modal: ModalState) -> LineLimits:
+    def _tool_limits(self, modal: ModalState) -> ToolLimits:
         path, override = self.controller.path, self.controller.speed_override
-        return LineLimits(
+        return ToolLimits(
             (path.speed if modal.path_speed is None else modal.path_speed) * override,
             path.acceleration if modal.path_acceleration is None else modal.path_acceleration,
             path.jerk if modal.path_jerk is None else modal.path_jerk,

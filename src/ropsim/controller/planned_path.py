@@ -1,7 +1,7 @@
 """What the path planner makes of a move: a path and the bounds that hold on it."""
 
 from ropsim.core import Diagnostic
-from ropsim.motion import JointMotionLimits, JointPath, LineLimits, ToolPath
+from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath
 from ropsim.spatial import Pose, record
 
 
@@ -15,7 +15,7 @@ class MoveLimits:
     """
 
     joints: JointMotionLimits
-    tool: LineLimits
+    tool: ToolLimits
 
 
 @record

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import JointMotionLimits, JointPath, LineLimits, Stage, ToolPath
+from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath
 from ropsim.spatial import Array
 
 _PLACES = np.linspace(0.0, 1.0, 33)
@@ -32,7 +32,7 @@ def joint_stage(path: JointPath, limits: JointMotionLimits) -> Stage:
     return _bent(path.length, speed, (d1, d2, d3), limits.acceleration, limits.jerk, (_BENT, _ALONG))
 
 
-def tool_stage(path: ToolPath, limits: LineLimits) -> Stage:
+def tool_stage(path: ToolPath, limits: ToolLimits) -> Stage:
     """Return the bounds of a path of the tool.
 
     Args:

@@ -191,8 +191,8 @@ WRONG_PROFILE_REQUEST = define(
     Severity.ERROR,
     "a profile was asked for with values that no motion can have",
     """
-The Python functions of `ropsim.motion` need a finite distance of 0 or more, finite limits above 0, and a
-duration that is not shorter than the fastest one. Programs never lead here: their values are checked first
+The Python functions of `ropsim.motion` need finite distances of 0 or more, and finite limits above 0; the
+pieces of a way need such lengths and bounds, too. Programs never lead here: their values are checked first
 (M509).
 """,
 )

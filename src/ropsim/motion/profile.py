@@ -9,11 +9,9 @@ from ropsim.core import RopsimError
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.spatial import Array
 
-_WHOLE_SLACK = 1e-12  # relative; rounding of duration / period must not cost a whole period
-
 
 class ProfileError(RopsimError):
-    """A profile was asked for with limits, a distance or a duration that no motion can have."""
+    """A profile was asked for with limits or a distance that no motion can have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,66 +97,6 @@ def plan_profile(distance: float, limits: ProfileLimits) -> Profile:
         jerk_time, acceleration_time = _short_rise(distance, a, j)
     duration = 4.0 * jerk_time + 2.0 * acceleration_time + speed_time
     return Profile(distance, duration, j, jerk_time, acceleration_time, speed_time)
-
-
-def lengthen(profile: Profile, duration: float) -> Profile:
-    """Return the same way in a longer time at the same peak speed, where that is possible.
-
-    The ramps of speed take longer at the cost of the constant speed; with ramps longer by a factor f the
-    acceleration is divided by f, the jerk by f². Where the constant speed does not last long enough,
-    time is scaled, see `stretch`. So a path keeps its commanded speed though its end must fall on a tick.
-
-    Args:
-        profile: the fastest motion.
-        duration: new duration [s], not shorter than before (but for rounding).
-
-    Raises:
-        ProfileError: M540, where `duration` is shorter than the profile's or not finite.
-    """
-    longer = duration - profile.duration
-    if not 0.0 < longer <= profile.speed_time or profile.distance == 0.0:
-        return stretch(profile, duration)
-    ramp = 2.0 * profile.jerk_time + profile.acceleration_time
-    factor = (ramp + longer) / ramp
-    return Profile(
-        profile.distance,
-        duration,
-        profile.jerk / factor**2,
-        profile.jerk_time * factor,
-        profile.acceleration_time * factor,
-        profile.speed_time - longer,
-    )
-
-
-def stretch(profile: Profile, duration: float) -> Profile:
-    """Return the same way in a longer time, by scaling time; every derivative gets smaller.
-
-    Args:
-        profile: the fastest motion.
-        duration: new duration [s], not shorter than before (but for rounding).
-
-    Raises:
-        ProfileError: M540, where `duration` is shorter than the profile's or not finite.
-    """
-    if not math.isfinite(duration) or duration < profile.duration * (1.0 - _WHOLE_SLACK):
-        message = f"duration is {duration:g} s, allowed is {profile.duration:g} s or more"
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
-    if profile.duration == 0.0:
-        return Profile(0.0, duration, profile.jerk, 0.0, 0.0, duration)
-    factor = duration / profile.duration
-    return Profile(
-        profile.distance,
-        duration,
-        profile.jerk / factor**3,
-        profile.jerk_time * factor,
-        profile.acceleration_time * factor,
-        profile.speed_time * factor,
-    )
-
-
-def whole_periods(duration: float, period: float) -> int:
-    """Return how many periods [s] cover `duration` [s], rounded up."""
-    return math.ceil(duration / period * (1.0 - _WHOLE_SLACK))
 
 
 def evaluate(profile: Profile, t: Array) -> tuple[Array, Array, Array]:

@@ -5,15 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import (
-    ProfileError,
-    ProfileLimits,
-    evaluate,
-    lengthen,
-    plan_profile,
-    stretch,
-    whole_periods,
-)
+from ropsim.motion import ProfileError, ProfileLimits, evaluate, plan_profile
 
 ROUNDING = 1e-12  # relative; a handful of float64 operations
 UNIT_DURATION = 3.1748021039  # 32^(1/3) s, the printed digits
@@ -94,51 +86,6 @@ def test_no_distance_takes_no_time() -> None:
     assert [values.tolist() for values in evaluate(profile, np.array([0.0, 1.0]))] == [[0.0, 0.0]] * 3
 
 
-def test_stretching_scales_speed_acceleration_and_jerk_by_powers_of_time() -> None:
-    profile = plan_profile(1.0, ProfileLimits(1.0, 2.0, 8.0))
-    slow = stretch(profile, 2.0 * profile.duration)
-    t = np.linspace(0.0, slow.duration, 101)
-    fast_way, fast_speed, fast_acceleration = evaluate(profile, t / 2.0)
-    way, speed, acceleration = evaluate(slow, t)
-    assert way == pytest.approx(fast_way, abs=ROUNDING)
-    assert speed == pytest.approx(fast_speed / 2.0, abs=ROUNDING)
-    assert acceleration == pytest.approx(fast_acceleration / 4.0, abs=ROUNDING)
-    assert slow.jerk == pytest.approx(profile.jerk / 8.0, rel=ROUNDING)
-
-
-def test_stretched_profile_lasts_exactly_as_long_as_asked() -> None:
-    slow = stretch(plan_profile(1.0, ProfileLimits(1.0, 1.0, 1.0)), 3.176)
-    assert slow.duration == 3.176
-    assert float(evaluate(slow, np.array([3.176]))[0][0]) == 1.0
-
-
-def test_lengthening_keeps_the_peak_speed_where_the_plateau_is_long_enough() -> None:
-    profile = plan_profile(10.0, ProfileLimits(1.0, 2.0, 8.0))
-    slow = lengthen(profile, profile.duration + 0.75)
-    assert slow.peak_speed == pytest.approx(1.0, rel=ROUNDING)
-    assert slow.peak_acceleration == pytest.approx(1.0, rel=ROUNDING)  # ramps twice as long
-    assert slow.jerk == pytest.approx(2.0, rel=ROUNDING)
-    half = float(evaluate(slow, np.array([slow.duration / 2.0]))[0][0])
-    assert half == pytest.approx(5.0, rel=ROUNDING)
-
-
-def test_lengthening_scales_time_where_the_plateau_is_too_short() -> None:
-    profile = plan_profile(1.0, ProfileLimits(10.0, 10.0, 32.0))
-    assert lengthen(profile, 1.5) == stretch(profile, 1.5)
-
-
-def test_lengthening_by_nothing_changes_nothing() -> None:
-    profile = plan_profile(10.0, ProfileLimits(1.0, 2.0, 8.0))
-    assert lengthen(profile, profile.duration) == profile
-
-
-def test_profile_cannot_be_made_shorter() -> None:
-    profile = plan_profile(1.0, ProfileLimits(1.0, 1.0, 1.0))
-    with pytest.raises(ProfileError, match=r"M540.*3\.1748 s or more") as caught:
-        stretch(profile, 3.0)
-    assert caught.value.diagnostic.code == "M540"
-
-
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 def test_limits_that_no_motion_can_have_are_refused(bad: float) -> None:
     for limits in (ProfileLimits(bad, 1, 1), ProfileLimits(1, bad, 1), ProfileLimits(1, 1, bad)):
@@ -150,9 +97,3 @@ def test_limits_that_no_motion_can_have_are_refused(bad: float) -> None:
 def test_distances_that_no_motion_can_have_are_refused(bad: float) -> None:
     with pytest.raises(ProfileError, match="allowed is 0 or more"):
         plan_profile(bad, ProfileLimits(1, 1, 1))
-
-
-def test_whole_periods_round_up_but_not_because_of_rounding() -> None:
-    assert whole_periods(0.1, 0.004) == 25  # 0.1 / 0.004 = 25.000000000000004 in float64
-    assert whole_periods(0.1001, 0.004) == 26
-    assert whole_periods(0.0, 0.004) == 0

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import LineLimits, OrientationMode, line_trajectory, plan_turn
+from ropsim.motion import OrientationMode, plan_turn
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-12
@@ -50,6 +50,11 @@ def test_both_modes_agree_where_the_tool_only_swings_or_only_rolls() -> None:
         assert np.abs(turns[0] - turns[1]).max() < ROUNDING
 
 
+def test_the_fixed_axis_turns_the_short_way() -> None:
+    there, here = pose(math.cos(1.5), 0.0, 0.0, math.sin(1.5)), pose(math.cos(-1.5), 0.0, 0.0, math.sin(-1.5))
+    assert plan_turn(there, here, OrientationMode.FIXED_AXIS).angle == pytest.approx(2.0 * math.pi - 6.0)
+
+
 def test_swing_and_roll_of_a_known_turn_are_found() -> None:
     # Rot(y, 1.1)·Rot(z, -0.7)
     swung, rolled = (
@@ -86,10 +91,3 @@ def test_the_size_of_a_drive_transform_is_what_the_angular_speed_adds_up_to() ->
         / 2.0
     )
     assert np.linalg.norm(skew, axis=0) / (2.0 * step) == pytest.approx(np.full(21, turn.size), rel=1e-8)
-
-
-def test_lines_respect_the_angular_speed_in_the_drive_transform_too() -> None:
-    limits = LineLimits(0.25, 2.0, 20.0, 1.0, 6.0, 60.0)
-    trajectory = line_trajectory(START, GOAL, limits, DRIVE)
-    turning = trajectory.speeds(np.linspace(0.0, trajectory.duration, 101))[1]
-    assert turning.max() == pytest.approx(1.0, rel=ROUNDING)

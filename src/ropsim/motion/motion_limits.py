@@ -1,0 +1,45 @@
+"""What moves must respect: limits of the joints, and of the tool."""
+
+from dataclasses import dataclass
+
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class JointMotionLimits:
+    """What every joint must respect on the way, each of shape (n,).
+
+    Attributes:
+        speed: [rad/s | m/s].
+        acceleration: [rad/s² | m/s²].
+        jerk: [rad/s³ | m/s³].
+    """
+
+    speed: Array
+    acceleration: Array
+    jerk: Array
+
+    def __post_init__(self) -> None:
+        for name in ("speed", "acceleration", "jerk"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+
+@dataclass(frozen=True, slots=True)
+class ToolLimits:
+    """What the tool must respect on lines and all other paths of its own; all positive.
+
+    Attributes:
+        speed: of the TCP [m/s].
+        acceleration: of the TCP [m/s²].
+        jerk: of the TCP [m/s³].
+        orientation_speed: angular speed of the tool [rad/s].
+        orientation_acceleration: [rad/s²].
+        orientation_jerk: [rad/s³].
+    """
+
+    speed: float
+    acceleration: float
+    jerk: float
+    orientation_speed: float
+    orientation_acceleration: float
+    orientation_jerk: float

@@ -1,0 +1,110 @@
+"""Bounds of the pieces of a stretch: exact on straight ways, kept together on bent ones."""
+
+import math
+
+import numpy as np
+import pytest
+
+from ropsim.controller.stages import joint_stage, tool_stage
+from ropsim.motion import (
+    JointLine,
+    JointMotionLimits,
+    JointPath,
+    Line,
+    OrientationMode,
+    ToolLimits,
+    durations,
+    joint_blend,
+    plan_time_law,
+)
+from ropsim.spatial import Pose
+
+ROUNDING = 1e-12
+BETWEEN_PLACES = 1e-3  # relative; derivatives are looked at on 33 places, the largest may lie between two
+LIMITS = ToolLimits(0.25, 2.0, 20.0, 1.0, 8.0, 80.0)
+JOINTS = JointMotionLimits(np.array([1.0, 2.0]), np.array([4.0, 8.0]), np.array([40.0, 80.0]))
+
+
+def turned(angle: float, *, x: float = 0.0) -> Pose:
+    """Return a pose at x [m], turned about z by an angle [rad]."""
+    return Pose(np.array([x, 0.0, 0.0]), np.array([math.cos(angle / 2.0), 0.0, 0.0, math.sin(angle / 2.0)]))
+
+
+def line_time(end: Pose, mode: OrientationMode = OrientationMode.FIXED_AXIS) -> float:
+    return plan_time_law([tool_stage(Line(Pose(), end, mode), LIMITS)]).duration
+
+
+def test_a_pure_translation_takes_the_time_of_its_speed_and_ramp() -> None:
+    # 1 m at 0.25 m/s, and the ramp of 2/20 + 0.25/2 s
+    assert line_time(turned(0.0, x=1.0)) == pytest.approx(4.225, rel=ROUNDING)
+
+
+def test_a_pure_turn_takes_the_time_of_its_angular_speed_and_ramp() -> None:
+    # 2 rad at 1 rad/s, and the ramp of 8/80 + 1/8 s
+    assert line_time(turned(2.0)) == pytest.approx(2.225, rel=ROUNDING)
+
+
+def test_the_slower_of_way_and_turn_leads() -> None:
+    assert line_time(turned(0.1, x=1.0)) == pytest.approx(line_time(turned(0.0, x=1.0)), rel=ROUNDING)
+    assert line_time(turned(2.0, x=0.01)) == pytest.approx(line_time(turned(2.0)), rel=ROUNDING)
+
+
+def test_rounding_of_an_orientation_that_is_kept_does_not_limit_the_speed() -> None:
+    assert line_time(turned(1e-12, x=1.0)) == pytest.approx(4.225, rel=ROUNDING)
+
+
+@pytest.mark.parametrize("mode", OrientationMode)
+def test_a_turn_of_the_tool_keeps_to_the_angular_limits(mode: OrientationMode) -> None:
+    start = Pose(np.zeros(3), np.array([0.9, 0.1, -0.3, 0.2]))
+    path = Line(start, Pose(np.array([0.01, 0.0, 0.0]), np.array([0.2, -0.5, 0.4, 0.7])), mode)
+    law = plan_time_law([tool_stage(path, LIMITS)])
+    rows = law.at(np.linspace(0.0, law.duration, 2001))
+    points = path.tool(rows.places)
+    v, a = rows.speeds[:, None], rows.accelerations[:, None]
+    angular = (points.d1 * v)[:, 3:]
+    accelerated = (points.d2 * v * v + points.d1 * a)[:, 3:]
+    assert np.linalg.norm(angular, axis=1).max() <= LIMITS.orientation_speed * (1.0 + ROUNDING)
+    assert np.linalg.norm(accelerated, axis=1).max() <= LIMITS.orientation_acceleration * (1.0 + ROUNDING)
+    jerks = np.linalg.norm(np.diff(accelerated, axis=0), axis=1) / (law.duration / 2000)
+    assert jerks.max() <= LIMITS.orientation_jerk * (1.0 + BETWEEN_PLACES)
+    if mode is OrientationMode.FIXED_AXIS:  # on one straight turn the limit is reached
+        assert np.linalg.norm(angular, axis=1).max() == pytest.approx(LIMITS.orientation_speed)
+
+
+def test_the_bounds_of_a_straight_way_of_the_joints_are_those_of_the_slowest_joint() -> None:
+    start, end = np.array([0.1, -0.4]), np.array([1.0, 0.2])
+    law = plan_time_law([joint_stage(JointLine(start, end), JOINTS)])
+    assert law.duration == pytest.approx(durations(start, end[None], JOINTS)[0], rel=ROUNDING)
+
+
+def shares_of(path: JointPath, limits: JointMotionLimits) -> list[float]:
+    """Return the greatest shares of the speed, acceleration and jerk limits that the bounds of a way allow.
+
+    Speed, acceleration and jerk along the way are all at their bounds at once, to the worse at every place.
+    """
+    stage = joint_stage(path, limits)
+    s = np.linspace(0.0, path.length, 4001)
+    points = path.joints(s)
+    d1, d2 = np.abs(points.d1), np.abs(points.d2)
+    d3 = np.abs(np.gradient(points.d2, s, axis=0))
+    v, a, j = stage.speed, stage.acceleration, stage.jerk
+    sizes = d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3.0 * d2 * v * a + d1 * j
+    bounds = limits.speed, limits.acceleration, limits.jerk
+    return [float((size / bound).max()) for size, bound in zip(sizes, bounds, strict=True)]
+
+
+def test_the_bounds_hold_on_random_blends() -> None:
+    random = np.random.default_rng(9)
+    for _ in range(200):
+        corner = random.uniform(-1.0, 1.0, 6)
+        before = JointLine(corner + random.uniform(-1.5, 1.5, 6), corner)
+        behind = JointLine(corner, corner + random.uniform(-1.5, 1.5, 6) * 10.0 ** random.uniform(-2.0, 0.0))
+        share = random.uniform(0.01, 0.5, 2)
+        blend = joint_blend(before, 1.0 - share[0], 2.0 * share[0], behind, share[1], 2.0 * share[1])
+        speed = random.uniform(0.5, 6.0, 6)
+        limits = JointMotionLimits(
+            speed, speed * random.uniform(2.0, 8.0, 6), speed * random.uniform(20.0, 90.0, 6)
+        )
+        shares = shares_of(blend, limits)
+        assert max(shares) <= 1.0 + BETWEEN_PLACES, shares
+        assert max(shares) > 0.5, shares  # and they are not far too low
