@@ -14,6 +14,9 @@ from ropsim.controller.entities import SensorInterface as SensorInterface
 from ropsim.controller.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.controller.inverse_transform import StandardInverseTransform as StandardInverseTransform
 from ropsim.controller.joint_interpolator import StandardJointInterpolator as StandardJointInterpolator
+from ropsim.controller.kinds import TOOL_PATHS as TOOL_PATHS
+from ropsim.controller.kinds import PathRequest as PathRequest
+from ropsim.controller.kinds import ToolPathMaker as ToolPathMaker
 from ropsim.controller.law import CompiledLaw as CompiledLaw
 from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits

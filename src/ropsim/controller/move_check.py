@@ -1,11 +1,10 @@
 """Checks of the values of one move instruction, before anything is computed with them."""
 
 import math
-from collections.abc import Container, Iterator
+from collections.abc import Collection, Container, Iterator
 
 import numpy as np
 
-from ropsim.controller.kinds import TOOL_PATHS
 from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.wording import coordinate, figures, passes
 from ropsim.core import Diagnostic
@@ -25,11 +24,11 @@ _MAX_COORDINATE = 1e3  # [m]
 _MAX_RATE = 1e6  # any speed, acceleration or jerk, in SI units
 
 
-def check_kind(move: MoveInstruction) -> tuple[Diagnostic, ...]:
-    """Return M561 where the kind of path of a move is not known."""
-    if move.kind == MotionKind.PTP or move.kind in TOOL_PATHS:
+def check_kind(move: MoveInstruction, kinds: Collection[str]) -> tuple[Diagnostic, ...]:
+    """Return M561 where the kind of path of a move is neither PTP nor one of `kinds`."""
+    if move.kind == MotionKind.PTP or move.kind in kinds:
         return ()
-    known = ", ".join((MotionKind.PTP.value, *sorted(TOOL_PATHS)))
+    known = ", ".join((MotionKind.PTP.value, *sorted(kinds)))
     found = UNKNOWN_PATH.at(
         move.origin.span,
         f"a move is of kind `{move.kind}`, this controller makes {known}",

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.external_check import check_external, with_external
-from ropsim.controller.kinds import TOOL_PATHS, PathRequest
+from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.planned_path import MoveLimits, PlannedPath
@@ -43,6 +43,7 @@ class StandardPathPlanner:
         orientation: how the tool turns on lines.
         moving: task frames that the external axes of the robot move, by name.
         others: names of the stations that move other task frames, by the name of the frame.
+        kinds: tool paths that it makes, by the word of the instruction.
     """
 
     robot: RobotModel
@@ -54,6 +55,7 @@ class StandardPathPlanner:
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
     moving: Mapping[str, MovingFrame] = field(default_factory=dict)
     others: Mapping[str, str] = field(default_factory=dict)
+    kinds: Mapping[str, ToolPathMaker] = field(default_factory=lambda: TOOL_PATHS)
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
@@ -76,7 +78,7 @@ class StandardPathPlanner:
         """
         span = move.origin.span
         X_MT = self._work.tool_pose(move.modal, span)
-        problems = (*check_kind(move), *check_values(move))
+        problems = (*check_kind(move, self.kinds), *check_values(move))
         if isinstance(X_MT, Diagnostic):
             problems = (*problems, X_MT)
         problems = (*problems, *no_arm(move, self.robot))
@@ -88,7 +90,7 @@ class StandardPathPlanner:
         if isinstance(move.target, Pose) and move.origin.visit == 1:
             findings = self._work.frame_findings(move.modal, span) + findings
         limits = MoveLimits(self._joint_limits(move.modal), self._tool_limits(move.modal))
-        planned = self._plan_tool if move.kind in TOOL_PATHS else self._plan_ptp
+        planned = self._plan_tool if move.kind in self.kinds else self._plan_ptp
         return planned(move, q_start, PlannedPath(None, None, limits, X_MT, findings))
 
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
@@ -131,7 +133,7 @@ class StandardPathPlanner:
             X_BT = self._tool_pose_at(goal, X_MT)
         via = tuple(X_BK @ X_KT for X_KT in move.via)
         request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.orientation)
-        path = TOOL_PATHS[move.kind](request)
+        path = self.kinds[move.kind](request)
         return Refusal(path) if isinstance(path, tuple) else replace(so_far, tool=path)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:

@@ -1,64 +1,43 @@
-"""The spline between joint samples: interpolation, continuity, rest at the ends, scipy as the oracle."""
+"""The path through joint samples: all of them are passed, at places of the length that they were taken from."""
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
 
-from ropsim.controller import SplineJointInterpolator
-from ropsim.flow import JointReference, JointSamples
+from ropsim.controller import StandardJointInterpolator
+from ropsim.flow import JointSamples
 from ropsim.spatial import Array
 
-PERIOD = 0.004
-TICKS = 4
-ROUNDING = 1e-12  # of positions of size 1; derivatives lose the powers of the period
-
+ROUNDING = 1e-12
+LENGTH = 0.3
 START: Array = np.array([0.1, -0.4, 1.0])
 
 
 def samples(count: int) -> JointSamples:
     steps = np.random.default_rng(5).uniform(-0.01, 0.01, (count, 3))
-    return JointSamples(PERIOD, START + np.cumsum(steps, axis=0))
+    return JointSamples(LENGTH, START + np.cumsum(steps, axis=0))
 
 
-def refined(count: int) -> JointReference:
-    return SplineJointInterpolator().refine(samples(count), START, TICKS)
+@pytest.mark.parametrize("count", [2, 3, 7, 64, 251])
+def test_the_path_goes_through_all_samples(count: int) -> None:
+    given = samples(count)
+    path = StandardJointInterpolator().refine(given)
+    assert path.length == LENGTH
+    assert np.abs(path.joints(np.linspace(0.0, LENGTH, count)).q - given.q).max() < ROUNDING
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 7, 64, 251])
-def test_references_are_those_of_the_clamped_cubic_spline(count: int) -> None:
-    knots = np.concatenate((START[None], samples(count).q))
-    spline = CubicSpline(np.arange(count + 1) * PERIOD, knots, bc_type="clamped")
-    t = np.arange(1, count * TICKS + 1) * PERIOD / TICKS
-    reference = refined(count)
-    assert np.abs(reference.q - spline(t)).max() < ROUNDING
-    assert np.abs(reference.qd - spline(t, 1)).max() < ROUNDING / PERIOD
-    inside = np.arange(len(t)) < len(t) - 1  # scipy takes the last piece for the last knot, too
-    assert np.abs(reference.qdd - spline(t, 2))[inside].max() < ROUNDING / PERIOD**2
+def test_derivatives_are_by_the_length_of_the_path() -> None:
+    s = np.linspace(0.0, LENGTH, 40)
+    q = np.stack([np.sin(3.0 * s), np.cos(2.0 * s), s], axis=1)
+    points = StandardJointInterpolator().refine(JointSamples(LENGTH, q)).joints(s)
+    expected = np.stack([3.0 * np.cos(3.0 * s), -2.0 * np.sin(2.0 * s), np.ones(40)], axis=1)
+    assert np.abs(points.d1 - expected).max() < 1e-8  # differences of order six, 8 mm apart
+    bends = np.stack([-9.0 * np.sin(3.0 * s), -4.0 * np.cos(2.0 * s), np.zeros(40)], axis=1)
+    assert np.abs(points.d2 - bends).max() < 1e-5
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 64])
-def test_references_pass_exactly_through_the_samples(count: int) -> None:
-    assert refined(count).q[TICKS - 1 :: TICKS].tolist() == samples(count).q.tolist()
-
-
-@pytest.mark.parametrize("count", [1, 2, 64])
-def test_the_arm_is_at_rest_at_the_end(count: int) -> None:
-    assert refined(count).qd[-1].tolist() == [0.0, 0.0, 0.0]
-
-
-def test_a_joint_that_stands_still_has_references_at_rest() -> None:
-    still = JointSamples(PERIOD, np.tile(START, (50, 1)))
-    reference = SplineJointInterpolator().refine(still, START, TICKS)
-    assert (reference.q == START).all()
-    assert not reference.qd.any()
-    assert not reference.qdd.any()
-
-
-def test_no_samples_give_no_ticks() -> None:
-    nothing = JointSamples(PERIOD, np.empty((0, 3)))
-    assert SplineJointInterpolator().refine(nothing, START, TICKS).ticks == 0
-
-
-def test_one_tick_per_sample_gives_the_samples_themselves() -> None:
-    reference = SplineJointInterpolator().refine(samples(9), START, 1)
-    assert reference.q.tolist() == samples(9).q.tolist()
+def test_a_joint_that_stands_still_has_no_derivatives() -> None:
+    path = StandardJointInterpolator().refine(JointSamples(LENGTH, np.tile(START, (50, 1))))
+    points = path.joints(np.linspace(0.0, LENGTH, 200))
+    assert np.abs(points.q - START).max() < ROUNDING
+    assert np.abs(points.d1).max() < 1e-10
+    assert np.abs(points.d2).max() < 1e-7

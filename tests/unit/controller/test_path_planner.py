@@ -98,16 +98,6 @@ def test_an_unknown_frame_without_a_pose_is_a_warning() -> None:
     assert move.findings[0].hint == "did you mean `pallet`?"
 
 
-def test_a_zone_is_a_hint_once_per_line() -> None:
-    goal = shifted(interface_pose(START), 0.0, 0.05, 0.0)
-    zone = ModalState(zone=0.01)
-    for make in (ptp, lin):
-        first, later = planned(make(goal, zone, visit=1)), planned(make(goal, zone, visit=2))
-        assert [(finding.code, finding.severity) for finding in first.findings] == [("M507", Severity.HINT)]
-        assert "zone of 10 mm" in first.findings[0].message
-        assert later.findings == ()
-
-
 @pytest.mark.parametrize("count", [0, 3, 7])
 def test_a_wrong_number_of_joint_coordinates_is_refused(count: int) -> None:
     for make in (ptp, lin):

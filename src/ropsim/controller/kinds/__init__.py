@@ -2,3 +2,4 @@
 
 from ropsim.controller.kinds.request import PathRequest as PathRequest
 from ropsim.controller.kinds.table import TOOL_PATHS as TOOL_PATHS
+from ropsim.controller.kinds.table import ToolPathMaker as ToolPathMaker
