@@ -1,11 +1,12 @@
-"""The PUMA 560 with its controller, two tools and a frame; helpers that plan moves."""
+"""The PUMA 560 with its controller, two tools and a frame; helpers that plan moves and stretches."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ropsim import robots
-from ropsim.controller import MotionChain, MotionPlan, Refusal, plan_move
+from ropsim.controller import MotionChain, MotionPlan, MotionState, Refusal, plan, plan_move
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
@@ -57,6 +58,23 @@ def refused(move: MoveInstruction, q_start: Array = START, chain: MotionChain = 
     assert isinstance(result, Refusal)
     assert len(result.diagnostics) == 1
     return result.diagnostics[0]
+
+
+def planned_stretch(
+    moves: Sequence[MoveInstruction], q_start: Array = START, chain: MotionChain = CHAIN
+) -> MotionPlan:
+    """Return the plan through moves; fail where one is refused."""
+    result, refusal = plan(chain, moves, MotionState.at_rest(q_start))
+    assert refusal is None, refusal
+    assert result is not None
+    return result
+
+
+def references(plan: MotionPlan) -> tuple[Array, Array, Array]:
+    """Return q, qd and qdd of a plan at its control ticks with those of its start, each (ticks + 1, n)."""
+    q = np.concatenate((plan.q_start[None], plan.reference.q))
+    rest = np.zeros((1, len(plan.q_start)))
+    return q, np.concatenate((rest, plan.reference.qd)), np.concatenate((rest, plan.reference.qdd))
 
 
 def interface_pose(q: Array) -> Pose:

@@ -5,8 +5,14 @@ from functools import partial
 import numpy as np
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.entity_faults import guarded, unusable_path, unusable_samples
+from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.path_faults import (
+    unusable_path,
+    unusable_samples,
+    unusable_setpoints,
+    unusable_tool_path,
+)
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
@@ -59,14 +65,19 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         return planned
     joints: JointPath | None = planned.joints
     found: tuple[Diagnostic, ...] = ()
+    maker: object = planner
     if planned.tool is not None:
+        maker = chain.joint_interpolator
+        wrong = unusable_tool_path(planned.tool, move)
+        if wrong:
+            return wrong
         traced = trace(chain, planned.tool, q_start, move)
         if isinstance(traced, Refusal):
             return traced
         joints, found = traced
     if joints is None:
         return Leg(move, planned, None, q_start, planned.findings)
-    wrong = unusable_path(planner, joints, q_start, move)
+    wrong = unusable_path(maker, joints, q_start, move)
     if wrong:
         return wrong
     q_end = frozen(joints.joints(np.array([joints.length])).q[0])
@@ -108,6 +119,9 @@ def _samples(
     setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
     if isinstance(setpoints, Refusal):
         return setpoints
+    wrong = unusable_setpoints(interpolator, setpoints, move)
+    if wrong:
+        return wrong
     samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
     if isinstance(samples, Refusal):
         return samples

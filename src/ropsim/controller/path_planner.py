@@ -6,6 +6,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from ropsim.controller.entities import Refusal
+from ropsim.controller.entity_faults import guarded
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
@@ -133,7 +134,10 @@ class StandardPathPlanner:
             X_BT = self._tool_pose_at(goal, X_MT)
         via = tuple(X_BK @ X_KT for X_KT in move.via)
         request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.orientation)
-        path = self.kinds[move.kind](request)
+        make = self.kinds[move.kind]
+        path = guarded(make, lambda: make(request), (object,), move)
+        if isinstance(path, Refusal):
+            return path
         return Refusal(path) if isinstance(path, tuple) else replace(so_far, tool=path)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:

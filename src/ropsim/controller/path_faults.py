@@ -1,0 +1,128 @@
+"""What entities of a user return, looked at before it is followed: shapes, finite numbers, starts of paths."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from ropsim.controller.entities import Refusal
+from ropsim.controller.entity_faults import guarded, is_our_own, refused
+from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.motion import JointPath, JointPoints, ToolPath, ToolPoints
+from ropsim.spatial import Array
+
+_LOOKS = 9
+"""Places at which a path is looked at before it is used."""
+_JUMP = 1e-6
+"""Largest distance of the start of a path from where the arm is [rad | m]."""
+
+
+def unusable_setpoints(entity: object, setpoints: PoseSetpoints, move: MoveInstruction) -> Refusal | None:
+    """Return why pose setpoints cannot be followed, None where they can.
+
+    Args:
+        entity: who returned them.
+        setpoints: what it returned.
+        move: what they are for.
+    """
+    matrices = np.asarray(setpoints.matrices)
+    if matrices.ndim != 3 or matrices.shape[1:] != (4, 4) or len(matrices) < 2:
+        found = f"returned `matrices` of shape {matrices.shape} instead of (2 or more, 4, 4)"
+        return refused(entity, found, move)
+    if not np.isfinite(matrices).all():
+        return refused(entity, "returned `matrices` with numbers that are not finite", move)
+    return _unusable_length(entity, setpoints.length, move)
+
+
+def unusable_samples(
+    entity: object, samples: JointSamples, q_start: Array, move: MoveInstruction
+) -> Refusal | None:
+    """Return why joint samples cannot be followed, None where they can.
+
+    Args:
+        entity: who returned them.
+        samples: what it returned.
+        q_start: where the arm stands, shape (n,).
+        move: what it is for.
+    """
+    q, n = np.asarray(samples.q), len(q_start)
+    if q.ndim != 2 or q.shape[1] != n or len(q) < 2:
+        return refused(entity, f"returned `q` of shape {q.shape} instead of (2 or more, {n})", move)
+    if not np.isfinite(q).all():
+        return refused(entity, "returned `q` with numbers that are not finite", move)
+    return _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
+
+
+def unusable_tool_path(path: ToolPath, move: MoveInstruction) -> Refusal | None:
+    """Return why a path of the tool cannot be followed, None where it can; our own are not looked at.
+
+    Args:
+        path: what a planner returned.
+        move: what it is for.
+    """
+    if is_our_own(path):
+        return None
+    length = guarded(path, lambda: float(path.length), (float,), move)
+    wrong = length if isinstance(length, Refusal) else _unusable_length(path, length, move)
+    if wrong:
+        return wrong
+    places = np.linspace(0.0, path.length, _LOOKS)
+    points = guarded(path, lambda: path.tool(places), (ToolPoints,), move)
+    if isinstance(points, Refusal):
+        return points
+    positions = guarded(path, lambda: path.positions(places), (np.ndarray,), move)
+    if isinstance(positions, Refusal):
+        return positions
+    shapes = {"matrices": (_LOOKS, 4, 4), "d1": (_LOOKS, 6), "d2": (_LOOKS, 6)}
+    arrays = {name: np.asarray(getattr(points, name)) for name in shapes}
+    return _unusable_arrays(
+        path, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
+    )
+
+
+def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
+    """Return why a path of the joints cannot be followed, None where it can.
+
+    Args:
+        entity: who returned it.
+        path: what it returned.
+        q_start: where the arm stands, shape (n,).
+        move: what it is for.
+    """
+    wrong = _unusable_length(entity, path.length, move)
+    if wrong:
+        return wrong
+    places = np.linspace(0.0, path.length, _LOOKS)
+    points = guarded(entity, lambda: path.joints(places), (JointPoints,), move)
+    if isinstance(points, Refusal):
+        return points
+    names = ("q", "d1", "d2")
+    arrays = {name: np.asarray(getattr(points, name)) for name in names}
+    wrong = _unusable_arrays(entity, arrays, dict.fromkeys(names, (_LOOKS, len(q_start))), move)
+    return wrong or _begins_elsewhere(entity, points.q[0], q_start, move)
+
+
+def _unusable_length(entity: object, length: float, move: MoveInstruction) -> Refusal | None:
+    if math.isfinite(length) and length > 0.0:
+        return None
+    return refused(entity, f"returned a path of length {length:g}, allowed are numbers above 0", move)
+
+
+def _unusable_arrays(
+    entity: object, arrays: Mapping[str, Array], shapes: Mapping[str, tuple[int, ...]], move: MoveInstruction
+) -> Refusal | None:
+    for name, array in arrays.items():
+        if array.shape != shapes[name]:
+            return refused(
+                entity, f"returned `{name}` of shape {array.shape} instead of {shapes[name]}", move
+            )
+        if not np.isfinite(array).all():
+            return refused(entity, f"returned `{name}` with numbers that are not finite", move)
+    return None
+
+
+def _begins_elsewhere(entity: object, q: Array, q_start: Array, move: MoveInstruction) -> Refusal | None:
+    jump = float(np.abs(q - q_start).max())
+    if jump <= _JUMP:
+        return None
+    return refused(entity, f"returned a path that begins {jump:.3g} rad | m from where the arm is", move)

@@ -1,0 +1,184 @@
+"""Legs: a tool path traced through the inverse transform, as densely as the joints ask for, or refused."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import pytest
+
+from ropsim.controller import Interpolator, InverseTransform, Refusal
+from ropsim.controller.leg import MOST_DENSITY, Leg, leg_of
+from ropsim.flow import JointSamples, ModalState, MoveInstruction, PoseSetpoints
+from ropsim.kinematics import forward_batch, inverse
+from ropsim.motion import JointLine, ToolPath
+from ropsim.spatial import Array
+from support.motion import CELL, CHAIN, LINE, PUMA, START, interface_pose, lin, ptp, shifted
+
+ON_PATH = 5e-9  # [m], and per entry of the rotation; `leg` asks for about 1e-9 rad between samples
+X_MT = CELL.first.tools["gripper"].X_MT
+GRIPPER = ModalState(tool="gripper")
+
+
+@dataclass
+class CountingInterpolator:
+    """Samples like another one, and remembers the densities that it was asked for."""
+
+    inner: Interpolator = field(default_factory=lambda: CHAIN.interpolator)
+    densities: list[int] = field(default_factory=list)
+
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+        """Return what the inner one does."""
+        self.densities.append(density)
+        return self.inner.sample(path, density)
+
+
+def past_singularity(offset: float) -> tuple[Array, MoveInstruction]:
+    """Return the start of a line of 200 mm past the wrist singularity, joint 5 at `offset` [rad] in its middle."""
+    near = np.array([0.2, 1.0, -2.7, -1.3, offset, 0.1])
+    solutions = inverse(PUMA, shifted(interface_pose(near), 0.0, -0.1, 0.0)).solutions
+    start = np.asarray(min(solutions, key=lambda one: float(np.abs(one - near).max())))
+    return start, lin(shifted(interface_pose(near) @ X_MT, 0.0, 0.1, 0.0), GRIPPER)
+
+
+def traced(offset: float) -> tuple[Leg, list[int]]:
+    counting = CountingInterpolator()
+    start, move = past_singularity(offset)
+    leg = leg_of(replace(CHAIN, interpolator=counting), move, start)
+    assert isinstance(leg, Leg), leg
+    return leg, counting.densities
+
+
+def error_of(leg: Leg, X: Array) -> float:
+    """Return by how much the joints leave the path of the tool between samples, positions and orientations."""
+    assert leg.joints is not None
+    assert leg.tool is not None
+    s = np.linspace(0.0, leg.joints.length, 5003)
+    return float(np.abs(forward_batch(PUMA, leg.joints.joints(s).q) @ X - leg.tool.tool(s).matrices).max())
+
+
+def test_a_pose_to_pose_move_is_a_line_of_the_joints() -> None:
+    leg = leg_of(CHAIN, ptp((0.5, 1.0, -2.5, 0.5, 0.5, 0.0)), START)
+    assert isinstance(leg, Leg)
+    assert isinstance(leg.joints, JointLine)
+    assert leg.tool is None
+    assert leg.q_end.tolist() == [0.5, 1.0, -2.5, 0.5, 0.5, 0.0]
+
+
+def test_a_move_to_where_the_arm_is_has_no_path() -> None:
+    for move in (ptp(tuple(START.tolist())), lin(interface_pose(START))):
+        leg = leg_of(CHAIN, move, START)
+        assert isinstance(leg, Leg)
+        assert leg.joints is None
+        assert leg.q_end.tolist() == START.tolist()
+
+
+def test_away_from_singularities_one_sampling_is_enough() -> None:
+    counting = CountingInterpolator()
+    move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
+    leg = leg_of(replace(CHAIN, interpolator=counting), move, START)
+    assert isinstance(leg, Leg)
+    assert counting.densities == [1]
+    assert error_of(leg, np.eye(4)) < ON_PATH
+
+
+@pytest.mark.parametrize("offset", [0.3, 0.1, 0.05])
+def test_near_a_singularity_samples_are_taken_more_densely_until_the_joints_are_smooth(offset: float) -> None:
+    leg, densities = traced(offset)
+    assert densities == [2**k for k in range(len(densities))]
+    assert densities[-1] < MOST_DENSITY
+    assert error_of(leg, X_MT.matrix()) < ON_PATH
+
+
+def test_the_nearer_the_singularity_the_denser_the_samples() -> None:
+    last = [traced(offset)[1][-1] for offset in (0.3, 0.1, 0.05)]
+    assert last == sorted(last)
+    assert last[0] < last[-1]
+
+
+def test_what_even_the_densest_samples_cannot_follow_is_refused_with_its_place() -> None:
+    start, move = past_singularity(0.0007)
+    refusal = leg_of(CHAIN, move, start)
+    assert isinstance(refusal, Refusal)
+    found = refusal.diagnostics[0]
+    assert (found.code, found.span) == ("M505", LINE)
+    assert found.data["share"] == pytest.approx(0.5, abs=0.01)
+    assert "the wrist is near its singularity" in found.notes[0]
+
+
+def test_a_refusal_for_another_reason_is_not_tried_again() -> None:
+    counting = CountingInterpolator()
+    goal = shifted(interface_pose(PUMA.home), -1.1, 0.0, 0.0)
+    refusal = leg_of(replace(CHAIN, interpolator=counting), lin(goal), PUMA.home)
+    assert isinstance(refusal, Refusal)
+    assert refusal.diagnostics[0].code == "M503"
+    assert counting.densities == [1]
+
+
+@dataclass(frozen=True)
+class Answers:
+    """An inverse transform that changes what another one answers."""
+
+    q: Array | None = None
+    inner: InverseTransform = field(default_factory=lambda: CHAIN.inverse)
+
+    def solve(
+        self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+    ) -> JointSamples | Refusal:
+        """Return the given rows."""
+        samples = self.inner.solve(setpoints, q_start, move)
+        if isinstance(samples, Refusal) or self.q is None:
+            return samples
+        return replace(samples, q=self.q)
+
+
+@pytest.mark.parametrize(
+    ("q", "told"),
+    [
+        (np.zeros((20, 5)), "`q` of shape (20, 5) instead of (2 or more, 6)"),
+        (np.zeros((1, 6)), "`q` of shape (1, 6) instead of (2 or more, 6)"),
+        (np.zeros(6), "`q` of shape (6,) instead of (2 or more, 6)"),
+        (np.full((20, 6), np.nan), "numbers that are not finite"),
+        (START + np.linspace(0.1, 0.2, 21)[:, None], "begins 0.1 rad | m from where the arm is"),
+    ],
+)
+def test_samples_that_no_arm_can_follow_are_told_at_the_line(q: Array, told: str) -> None:
+    move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
+    refusal = leg_of(replace(CHAIN, inverse=Answers(q)), move, START)
+    assert isinstance(refusal, Refusal)
+    assert refusal.diagnostics[0].code == "C603"
+    assert told in refusal.diagnostics[0].message
+
+
+@dataclass(frozen=True)
+class Setpoints:
+    """An interpolator that returns what it is given."""
+
+    matrices: Array
+
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+        """Return the given matrices."""
+        del density
+        return PoseSetpoints(path.length, self.matrices)
+
+
+@pytest.mark.parametrize(
+    ("matrices", "told"),
+    [
+        (np.zeros((20, 3, 3)), "`matrices` of shape (20, 3, 3) instead of (2 or more, 4, 4)"),
+        (np.zeros((0, 4, 4)), "`matrices` of shape (0, 4, 4) instead of (2 or more, 4, 4)"),
+        (np.full((20, 4, 4), np.inf), "numbers that are not finite"),
+    ],
+)
+def test_setpoints_that_nobody_can_solve_are_told_at_the_line(matrices: Array, told: str) -> None:
+    move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
+    refusal = leg_of(replace(CHAIN, interpolator=Setpoints(matrices)), move, START)
+    assert isinstance(refusal, Refusal)
+    assert refusal.diagnostics[0].code == "C603"
+    assert "`Setpoints` returned" in refusal.diagnostics[0].message
+    assert told in refusal.diagnostics[0].message
+
+
+def test_a_path_that_begins_elsewhere_is_told_of_the_entity_that_made_it() -> None:
+    move = lin(shifted(interface_pose(START), 0.05, 0.1, -0.06))
+    refusal = leg_of(replace(CHAIN, inverse=Answers(np.tile(START + 0.1, (20, 1)))), move, START)
+    assert isinstance(refusal, Refusal)
+    assert refusal.diagnostics[0].message.startswith("`Answers` returned")
