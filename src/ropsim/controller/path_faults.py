@@ -1,4 +1,4 @@
-"""What entities of a user return, looked at before it is followed: shapes, finite numbers, starts of paths."""
+"""What entities of a user return, looked at before it is used: shapes, finite numbers, starts of paths."""
 
 import math
 from collections.abc import Mapping

@@ -94,14 +94,15 @@ def _whole(time: float, period: float) -> int:
 
 
 def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
-    """Return the first control ticks at which the motion has come to motion times [s], shape (k,).
+    """Return the first control ticks, 0 for the start, at which the motion has come to motion times.
 
     Args:
         times: motion times [s].
         phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
         period: time of a control tick [s].
     """
-    found: list[int] = np.minimum(np.searchsorted(phi, times - _SLACK * period) + 1, len(phi)).tolist()
+    since = np.concatenate(([0.0], phi))
+    found: list[int] = np.minimum(np.searchsorted(since, times - _SLACK * period), len(phi)).tolist()
     return found
 
 

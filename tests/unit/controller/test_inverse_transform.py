@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.controller import StandardInverseTransform
-from ropsim.flow import JointSamples, ModalState, PoseSetpoints
 from ropsim.kinematics import forward_batch, inverse
 from ropsim.spatial import Array
 from support.motion import LINE, PASS, PUMA, START, interface_pose, lin, planned, refused, shifted

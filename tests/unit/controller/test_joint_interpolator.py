@@ -1,4 +1,4 @@
-"""The path through joint samples: all of them are passed, at places of the length that they were taken from."""
+"""The path through joint samples: all of them are passed, at the places that they were taken from."""
 
 import numpy as np
 import pytest

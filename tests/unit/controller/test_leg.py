@@ -32,7 +32,7 @@ class CountingInterpolator:
 
 
 def past_singularity(offset: float) -> tuple[Array, MoveInstruction]:
-    """Return the start of a line of 200 mm past the wrist singularity, joint 5 at `offset` [rad] in its middle."""
+    """Return start and instruction of a line past the singularity, joint 5 at `offset` [rad] halfway."""
     near = np.array([0.2, 1.0, -2.7, -1.3, offset, 0.1])
     solutions = inverse(PUMA, shifted(interface_pose(near), 0.0, -0.1, 0.0)).solutions
     start = np.asarray(min(solutions, key=lambda one: float(np.abs(one - near).max())))
@@ -48,7 +48,7 @@ def traced(offset: float) -> tuple[Leg, list[int]]:
 
 
 def error_of(leg: Leg, X: Array) -> float:
-    """Return by how much the joints leave the path of the tool between samples, positions and orientations."""
+    """Return by how much the joints leave the path of the tool, in positions [m] and entries of rotations."""
     assert leg.joints is not None
     assert leg.tool is not None
     s = np.linspace(0.0, leg.joints.length, 5003)

@@ -1,0 +1,289 @@
+"""Plans of several moves: continuous at every control tick, within limits, exact at targets, with reasons."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropsim.controller import MotionChain, MotionPlan, MotionState, plan
+from ropsim.flow import ModalState, MoveInstruction
+from ropsim.kinematics import forward_batch
+from ropsim.model import Rates
+from ropsim.motion import ToolSection
+from ropsim.spatial import Array
+from support.cells import chain_of, with_station
+from support.motion import (
+    CELL,
+    CHAIN,
+    LINE,
+    PUMA,
+    START,
+    interface_pose,
+    lin,
+    planned,
+    planned_stretch,
+    ptp,
+    references,
+    shifted,
+)
+
+PERIOD = CELL.first.controller.rates.control_period
+TICKS = CELL.first.controller.rates.interpolation_ticks
+WITHIN = 1.0 + 1e-9
+ZONE = ModalState(zone=0.02)
+HERE = interface_pose(START)
+SQUARE = [(-0.1, 0.1, 0.0), (-0.1, 0.1, 0.1), (0.0, 0.15, 0.1), (0.0, 0.0, 0.0)]
+MIXES = {
+    "PTP": (ptp, ptp, ptp, ptp),
+    "LIN": (lin, lin, lin, lin),
+    "mixed": (ptp, lin, ptp, lin),
+    "mixed otherwise": (lin, ptp, ptp, lin),
+}
+
+
+def stretch(mix: str, modal: ModalState = ZONE, visit: int = 1) -> list[MoveInstruction]:
+    """Return moves round a square; the last one is fine."""
+    moves = [
+        make(shifted(HERE, *shift), modal, visit) for make, shift in zip(MIXES[mix], SQUARE, strict=True)
+    ]
+    return [*moves[:-1], replace(moves[-1], modal=replace(modal, zone=0.0))]
+
+
+def with_controller(**changes: Any) -> MotionChain:
+    return chain_of(with_station(CELL, controller=replace(CELL.first.controller, **changes)))
+
+
+def steps(moves: Sequence[MoveInstruction], chain: MotionChain, period: float) -> tuple[Array, Array, Array]:
+    """Return the greatest steps of q, qd, qdd at control ticks beyond what their derivatives tell."""
+    q, qd, qdd = references(planned_stretch(moves, START, chain))
+    speed, acceleration = (qd[1:] + qd[:-1]) / 2.0, (qdd[1:] + qdd[:-1]) / 2.0
+    rest = (
+        np.diff(q, axis=0) - period * speed,
+        np.diff(qd, axis=0) - period * acceleration,
+        np.diff(qdd, axis=0),
+    )
+    first, second, third = (np.abs(one).max(axis=0) for one in rest)
+    return first, second, third
+
+
+@pytest.mark.parametrize("mix", MIXES)
+def test_position_speed_and_acceleration_are_continuous_at_every_control_tick(mix: str) -> None:
+    """A step of the motion would stay as large when control ticks are made half as long."""
+    fast = with_controller(rates=Rates(2000, TICKS))
+    once, half = steps(stretch(mix), CHAIN, PERIOD), steps(stretch(mix), fast, PERIOD / 2.0)
+    for coarse, fine, order, slack in zip(once, half, (3, 2, 1), (2.0, 2.0, 1.3), strict=True):
+        assert (fine <= slack * coarse / 2.0**order + 1e-12).all()
+
+
+def test_joints_of_pose_to_pose_moves_keep_their_limits_at_every_control_tick_corners_included() -> None:
+    _, qd, qdd = references(planned_stretch(stretch("PTP")))
+    shares = (
+        np.abs(qd) / PUMA.max_speeds,
+        np.abs(qdd) / PUMA.max_accelerations,
+        np.abs(np.diff(qdd, axis=0)) / PERIOD / PUMA.max_jerks,
+    )
+    for share in shares:
+        assert share.max() <= WITHIN
+    assert max(share.max() for share in shares) > 0.99  # one of them is what the time is made of
+
+
+def test_the_tool_on_lines_keeps_its_limits_corners_included() -> None:
+    done = planned_stretch(stretch("LIN"))
+    path = CELL.first.controller.path
+    positions = forward_batch(PUMA, references(done)[0])[:, :3, 3]
+    velocity = np.gradient(positions, PERIOD, axis=0)
+    acceleration = np.gradient(velocity, PERIOD, axis=0)
+    assert np.linalg.norm(velocity, axis=1).max() <= path.speed * (1.0 + 1e-6)
+    assert np.linalg.norm(acceleration, axis=1).max() <= path.acceleration * (1.0 + 1e-3)  # by differences
+
+
+@pytest.mark.parametrize("mix", MIXES)
+def test_the_plan_ends_exactly_at_the_target_at_rest_after_whole_interpolation_ticks(mix: str) -> None:
+    done = planned_stretch(stretch(mix))
+    assert done.ticks % TICKS == 0
+    assert done.reference.q[-1].tolist() == done.q_end.tolist()
+    assert not done.reference.qd[-1].any()
+    assert not done.reference.qdd[-1].any()
+    goal = shifted(HERE, *SQUARE[-1])
+    assert np.abs(interface_pose(done.q_end).matrix() - goal.matrix()).max() < 1e-9
+
+
+@pytest.mark.parametrize("mix", MIXES)
+def test_the_path_passes_corners_within_their_zones_and_goes_over_to_the_next_move_in_the_middle(
+    mix: str,
+) -> None:
+    done = planned_stretch(stretch(mix))
+    places = forward_batch(PUMA, references(done)[0])[:, :3, 3]
+    assert [one.zone for one in done.moves] == pytest.approx([0.02, 0.02, 0.02, 0.0])
+    for one, shift in zip(done.moves[:-1], SQUARE, strict=False):
+        away = np.linalg.norm(places - shifted(HERE, *shift).position, axis=1)
+        nearest = int(np.argmin(away))
+        assert 1e-4 < away[nearest] < 0.02
+        assert away[one.last] < 1.2 * away[nearest]
+    lasts = [one.last for one in done.moves]
+    assert lasts == sorted(lasts)
+    assert lasts[-1] == done.ticks
+
+
+def test_lines_are_flown_between_their_zones_and_pieces_follow_each_other() -> None:
+    done = planned_stretch(stretch("LIN"))
+    assert len(done.pieces) == 7  # four lines, three corners
+    assert [piece.first for piece in done.pieces[1:]] == [piece.last for piece in done.pieces[:-1]]
+    assert (done.pieces[0].first, done.pieces[-1].last) == (0, done.ticks)
+    places = forward_batch(PUMA, references(done)[0])[:, :3, 3]
+    for piece in done.pieces:
+        assert piece.path is not None
+        assert piece.path.distance(places[piece.first + 1 : piece.last]).max() < 1e-8
+    assert isinstance(done.pieces[2].path, ToolSection)
+
+
+def test_a_stretch_with_zones_is_quicker_than_its_moves_one_by_one() -> None:
+    wide = ModalState(zone=0.05)
+    for mix in MIXES:
+        q, alone = START, 0.0
+        for move in stretch(mix):
+            one = planned(move, q)
+            q, alone = one.q_end, alone + one.duration
+        assert planned_stretch(stretch(mix, wide)).duration < alone
+
+
+def test_one_move_in_a_stretch_is_planned_as_it_is_alone() -> None:
+    move = lin(shifted(HERE, -0.1, 0.1, 0.0))
+    assert planned_stretch([move]).reference.q.tobytes() == planned(move).reference.q.tobytes()
+
+
+@pytest.mark.parametrize("mix", MIXES)
+def test_without_look_ahead_the_arm_stops_at_every_target(mix: str) -> None:
+    done = planned_stretch(stretch(mix), START, with_controller(look_ahead=0))
+    _, qd, _ = references(done)
+    assert codes(done) == ["M560"] * 3
+    assert "`look_ahead` is 0" in done.findings[0].message
+    for one in done.moves:
+        assert one.zone == 0.0
+        assert (np.abs(qd[one.last]) <= PUMA.max_jerks * PERIOD**2).all()  # less than a tick from the rest
+
+
+def test_the_further_the_controller_looks_the_faster_it_passes_short_moves() -> None:
+    shifts = np.linspace(0.0, 0.2, 41)[1:]
+    moves = [lin(shifted(HERE, 0.0, float(y), 0.0), ModalState(zone=0.002)) for y in shifts]
+    duration = {
+        ahead: planned_stretch(moves, START, with_controller(look_ahead=ahead)).duration
+        for ahead in (0, 1, 2, 10, 40)
+    }
+    assert list(duration.values()) == sorted(duration.values(), reverse=True)
+    assert duration[0] > duration[1] > duration[2] > duration[10]
+    straight = planned(lin(shifted(HERE, 0.0, 0.2, 0.0))).duration
+    assert duration[40] >= straight
+
+
+def test_a_move_that_cannot_be_made_ends_the_plan_at_the_target_before_it() -> None:
+    moves = stretch("mixed")
+    bad = lin(shifted(HERE, 3.0, 0.0, 0.0), ZONE)
+    done, refusal = plan(CHAIN, [*moves[:2], bad, *moves[2:]], MotionState.at_rest(START))
+    assert done is not None
+    assert refusal is not None
+    assert [found.code for found in refusal.diagnostics] == ["M501"]
+    assert [one.move for one in done.moves] == moves[:2]
+    assert done.moves[-1].zone == 0.0
+    goal = shifted(HERE, *SQUARE[1])
+    assert np.abs(interface_pose(done.q_end).matrix() - goal.matrix()).max() < 1e-9
+    assert not done.reference.qd[-1].any()
+
+
+def test_where_the_first_move_cannot_be_made_there_is_no_plan() -> None:
+    done, refusal = plan(CHAIN, [lin(shifted(HERE, 3.0, 0.0, 0.0), ZONE)], MotionState.at_rest(START))
+    assert done is None
+    assert refusal is not None
+
+
+def test_a_move_in_the_middle_that_would_take_too_long_ends_the_plan_before_it() -> None:
+    moves = stretch("LIN")
+    moves[2] = replace(moves[2], modal=replace(ZONE, path_speed=1e-6))
+    done, refusal = plan(CHAIN, moves, MotionState.at_rest(START))
+    assert done is not None
+    assert refusal is not None
+    assert [found.code for found in refusal.diagnostics] == ["M513"]
+    assert [one.move for one in done.moves] == moves[:2]
+
+
+@pytest.mark.parametrize("modal", [ModalState(ptp_speed=5e-324), ModalState(ptp_acceleration=1e-200)])
+def test_shares_next_to_nothing_take_too_long(modal: ModalState) -> None:
+    done, refusal = plan(CHAIN, [ptp(shifted(HERE, *SQUARE[0]), modal)], MotionState.at_rest(START))
+    assert done is None
+    assert refusal is not None
+    assert [found.code for found in refusal.diagnostics] == ["M513"]
+
+
+@pytest.mark.parametrize("mix", MIXES)
+@pytest.mark.parametrize("number", range(4))
+def test_a_move_that_leads_nowhere_is_a_part_of_the_plan_and_takes_no_time(mix: str, number: int) -> None:
+    moves = stretch(mix)
+    goal = HERE if number == 0 else shifted(HERE, *SQUARE[number - 1])
+    still = MIXES[mix][number](goal, ZONE)
+    done = planned_stretch([*moves[:number], still, *moves[number:]])
+    lasts = [0, *(one.last for one in done.moves)]
+    assert lasts[number + 1] == lasts[number]
+    assert len(done.moves) == 5
+    assert done.moves[number].zone == 0.0
+    assert done.ticks == lasts[-1] > 0
+
+
+def test_moves_that_all_lead_nowhere_take_no_time_and_keep_the_arm() -> None:
+    done = planned_stretch([ptp(HERE, ZONE), lin(HERE, ZONE), ptp(HERE)])
+    assert (done.ticks, done.duration, done.pieces) == (0, 0.0, ())
+    assert done.q_end.tolist() == START.tolist()
+    assert [one.last for one in done.moves] == [0, 0, 0]
+
+
+def codes(done: MotionPlan) -> list[str]:
+    return [found.code for found in done.findings]
+
+
+def test_zones_that_are_flown_as_commanded_are_not_mentioned() -> None:
+    assert codes(planned_stretch(stretch("LIN"))) == []
+
+
+def test_a_clipped_zone_is_a_hint_with_the_zone_that_is_flown_once_per_line() -> None:
+    done = planned_stretch(stretch("LIN", ModalState(zone=0.06)))
+    assert codes(done) == ["M562", "M562", "M562"]
+    found = done.findings[0]
+    assert found.span == LINE
+    assert found.data["zone_m"] == 0.06
+    assert found.data["flown_m"] == pytest.approx(0.05, abs=1e-9)
+    assert "the zone of 60 mm is flown as 50 mm" in found.message
+    assert codes(planned_stretch(stretch("LIN", ModalState(zone=0.06), visit=2))) == []
+
+
+def test_a_corner_at_which_the_arm_stops_says_why_once_per_line() -> None:
+    back = shifted(HERE, -0.05, 0.05, 0.0)
+    for visit, told in ((1, ["M560"]), (2, [])):
+        moves = [lin(shifted(HERE, *SQUARE[0]), ZONE, visit), lin(back, visit=visit)]
+        done = planned_stretch(moves)
+        assert codes(done) == told
+        assert done.moves[0].zone == 0.0
+        if told:
+            assert "the path turns back on itself there" in done.findings[0].message
+
+
+def test_a_plan_of_two_hundred_moves_is_one_motion() -> None:
+    turns = [
+        shifted(HERE, -0.05 + 0.05 * np.cos(a), 0.05 * np.sin(a), 0.01) for a in np.linspace(0.3, 60.0, 200)
+    ]
+    moves = [lin(goal, ModalState(zone=0.002)) for goal in turns]
+    done = planned_stretch(moves)
+    assert len(done.moves) == 200
+    assert all(one.zone > 0.0 for one in done.moves[:-1])
+    lasts = [one.last for one in done.moves]
+    assert lasts == sorted(lasts)
+    assert np.abs(done.q_end - done.reference.q[-1]).max() == 0.0
+    _, qd, qdd = references(done)
+    assert np.abs(np.diff(qd, axis=0) - PERIOD * (qdd[1:] + qdd[:-1]) / 2.0).max() < 1e-3
+
+
+def test_planning_twice_gives_the_same_bits() -> None:
+    for mix in MIXES:
+        first, second = planned_stretch(stretch(mix)), planned_stretch(stretch(mix))
+        assert first.reference.q.tobytes() == second.reference.q.tobytes()
+        assert first.reference.qdd.tobytes() == second.reference.qdd.tobytes()
