@@ -8,7 +8,7 @@ import numpy as np
 
 from ropsim.controller import ClockLimits, ClockState, Rows, advance
 from ropsim.flow import JointReference
-from ropsim.motion import JointMotionLimits, joint_trajectory
+from ropsim.motion import ProfileLimits, evaluate, plan_profile
 from ropsim.spatial import Array
 
 PERIOD = 1e-3
@@ -59,12 +59,12 @@ def times(ticks: int, period: float = PERIOD) -> Array:
 
 def s_curve(ways: Sequence[float], period: float = PERIOD) -> KeptRows:
     """Return a move from zero along the given ways of the joints, which are not all 0, within the limits."""
-    limits = JointMotionLimits(*(np.full(len(ways), one) for one in (SPEED, ACCELERATION, JERK)))
-    move = joint_trajectory(np.zeros(len(ways)), np.array(ways), limits)
-    ticks = max(ceil(move.duration / period), 1)
-    t = times(ticks, period)
-    move = move.stretched(ticks * period)
-    return KeptRows(JointReference(move.joints(t), *move.derivatives(t)))
+    longest = float(np.abs(ways).max())
+    profile = plan_profile(1.0, ProfileLimits(SPEED / longest, ACCELERATION / longest, JERK / longest))
+    ticks = max(ceil(profile.duration / period), 1)
+    rate = profile.duration / (ticks * period)
+    r, rd, rdd = evaluate(profile, rate * times(ticks, period))
+    return KeptRows(JointReference(*(np.outer(one, ways) for one in (r, rate * rd, rate**2 * rdd))))
 
 
 def walk(

@@ -6,9 +6,10 @@ import numpy as np
 
 from ropsim.motion import synchronised_kernel, time_law_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.durations import ZERO_LENGTH
+from ropsim.motion.motion_limits import JointMotionLimits
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
-from ropsim.motion.ptp import ZERO_LENGTH, JointMotionLimits
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, frozen, record
 

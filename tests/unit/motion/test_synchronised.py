@@ -12,10 +12,9 @@ from ropsim.motion import (
     ProfileError,
     ProfileLimits,
     SynchronisedJoints,
+    durations,
     evaluate,
-    joint_trajectory,
     plan_profile,
-    stretch,
     synchronised_kernel,
     time_law_kernel,
 )
@@ -37,13 +36,14 @@ def test_the_slowest_joint_gives_the_time() -> None:
 @pytest.mark.parametrize(("joint", "distance"), [(0, 2.2), (1, 1.8)])
 def test_each_joint_follows_its_own_profile_stretched_to_the_time(joint: int, distance: float) -> None:
     own = ProfileLimits(LIMITS.speed[joint], LIMITS.acceleration[joint], LIMITS.jerk[joint])
-    profile = stretch(plan_profile(distance, own), MOVE.length)
+    profile = plan_profile(distance, own)
+    rate = profile.duration / MOVE.length
     t = np.linspace(0.0, MOVE.length, 101)
-    points, (way, speed, acceleration) = MOVE.joints(t), evaluate(profile, t)
+    points, (way, speed, acceleration) = MOVE.joints(t), evaluate(profile, rate * t)
     assert points.q[:, joint] == pytest.approx(START[joint] + way, abs=ROUNDING)
-    assert points.d1[:, joint] == pytest.approx(speed, abs=ROUNDING)
+    assert points.d1[:, joint] == pytest.approx(rate * speed, abs=ROUNDING)
     inside = np.abs(t - MOVE.length / 2.0) > 1e-9  # there, a profile without constant speed turns over
-    assert points.d2[inside, joint] == pytest.approx(acceleration[inside], abs=10.0 * ROUNDING)
+    assert points.d2[inside, joint] == pytest.approx(rate**2 * acceleration[inside], abs=10.0 * ROUNDING)
 
 
 def test_a_joint_that_is_where_it_should_be_stands_still() -> None:
@@ -69,7 +69,7 @@ def test_derivatives_are_those_of_the_joint_coordinates() -> None:
 
 
 def test_the_way_is_no_longer_in_time_than_with_one_profile_for_all_joints() -> None:
-    assert MOVE.length <= joint_trajectory(START, END, LIMITS).duration
+    assert MOVE.length <= durations(START, END[None], LIMITS)[0]
 
 
 @pytest.mark.parametrize("way", [0.0, 5e-10])
