@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from websockets.exceptions import InvalidStatus
 
+from ropsim.flow import Interventions
 from ropsim.records import read_recording
 from ropsim.records.inputs import read_inputs
 from ropsim.workbench import new_project
@@ -230,7 +231,7 @@ def test_the_newest_run_is_served_as_files_under_the_same_rules(shared: Studio, 
             assert get(shared, f"/run/{run}.{ending}", {})[0] == 401
             assert get(shared, f"/run/{run + 7}.{ending}", secret(shared))[0] == 404
         assert read_recording(tmp_path / "x.npz").duration > 0.0
-        assert read_inputs(tmp_path / "x.inputs.json") == ()
+        assert read_inputs(tmp_path / "x.inputs.json") == Interventions()
 
 
 def test_cookies_of_other_servers_of_this_machine_do_no_harm(shared: Studio) -> None:

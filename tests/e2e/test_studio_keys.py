@@ -124,9 +124,8 @@ def test_an_armed_key_lets_the_program_go_on_and_the_run_is_had_again_exactly(
             signals.get_by_role("link", name=name).click()
         assert saved.value.suggested_filename.endswith(ending)
         saved.value.save_as(tmp_path / f"run{ending}")
-        kept = [
-            (one.time, one.value) for one in read_inputs(tmp_path / f"run{ending}") if one.signal == "start"
-        ]
+        given = read_inputs(tmp_path / f"run{ending}")
+        kept = [(one.time, one.value) for one in given.inputs if one.signal == "start"]
         assert [value for _, value in kept] == [on, off]
         assert [time for time, _ in kept] == pytest.approx([pressed, released], abs=0.006)
     keys.page.keyboard.press("Control+Enter")

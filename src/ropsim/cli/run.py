@@ -90,14 +90,15 @@ def _simulate(
     cell, codes = project.runnable(programs)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
+        from ropsim.flow import Interventions
         from ropsim.records import read_inputs, with_inputs
         from ropsim.simulation import Fidelity, RunOptions
         from ropsim.simulation import run as simulate
 
-        inputs = read_inputs(options.inputs) if options.inputs else ()
+        given = read_inputs(options.inputs) if options.inputs else Interventions()
         fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
         plain = RunOptions(fidelity, progress=_counted(codes.values(), progress))
-        return simulate(cell, codes, with_inputs(plain, inputs))
+        return simulate(cell, codes, with_inputs(plain, given))
 
 
 def _counted(

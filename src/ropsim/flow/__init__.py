@@ -26,6 +26,8 @@ from ropsim.flow.facts import prefix_of as prefix_of
 from ropsim.flow.guard import Comparison as Comparison
 from ropsim.flow.guard import Guard as Guard
 from ropsim.flow.inputs import InputChange as InputChange
+from ropsim.flow.inputs import Interventions as Interventions
+from ropsim.flow.inputs import OverrideChange as OverrideChange
 from ropsim.flow.instructions import AwaitInstruction as AwaitInstruction
 from ropsim.flow.instructions import GripAction as GripAction
 from ropsim.flow.instructions import GripInstruction as GripInstruction

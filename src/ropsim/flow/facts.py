@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from math import inf, nan
 
-from ropsim.flow.inputs import InputChange
+from ropsim.flow.inputs import InputChange, Interventions, OverrideChange
 from ropsim.flow.parameter_origin import ParameterOrigin
 
 ROBOT = "robot"
@@ -113,6 +113,8 @@ class RunFacts:
         checked: what the run looked at beside motion, limits and, with drives, torques, drives and servo,
             such as `collisions`.
         inputs: changes of inputs that the run was given beside those of the cell, in order of time.
+        overrides: changes of the override, in order of time.
+        stopped: when the run was ended by hand [s]; None where it came to its own end.
         parts_left: names of the parts that have left by a sink, in that order.
         destinations: of parts; none are wanted in a run that was cut short.
         stations: each with its program, in the order of the cell.
@@ -124,9 +126,16 @@ class RunFacts:
     record_hz: float = nan
     checked: tuple[str, ...] = ()
     inputs: tuple[InputChange, ...] = ()
+    overrides: tuple[OverrideChange, ...] = ()
+    stopped: float | None = None
     parts_left: tuple[str, ...] = ()
     destinations: Destinations = Destinations()
     stations: tuple[StationFacts, ...] = ()
+
+    @property
+    def interventions(self) -> Interventions:
+        """Return all that somebody did to the run."""
+        return Interventions(self.inputs, self.overrides, self.stopped)
 
     @property
     def is_kinematic(self) -> bool:

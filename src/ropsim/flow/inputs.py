@@ -1,4 +1,4 @@
-"""Changes of inputs that somebody gives to a run."""
+"""What somebody gives to a run while it goes on: inputs, the override, its end."""
 
 from dataclasses import dataclass
 
@@ -16,3 +16,31 @@ class InputChange:
     time: float
     signal: str
     value: float
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class OverrideChange:
+    """One change of the override, at which all motions of a run are followed.
+
+    Attributes:
+        time: of the control tick from which on it holds [s of simulated time].
+        value: share of the planned speed, 0 (held) to 1.
+    """
+
+    time: float
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Interventions:
+    """All that somebody did to a live run; a run that is given the same does the same.
+
+    Attributes:
+        inputs: changes of inputs.
+        overrides: changes of the override; before the first one it is 1.
+        stopped: when the run was ended by hand [s of simulated time]; None where it came to its own end.
+    """
+
+    inputs: tuple[InputChange, ...] = ()
+    overrides: tuple[OverrideChange, ...] = ()
+    stopped: float | None = None

@@ -7,6 +7,7 @@ from ropsim.records.file import read_recording as read_recording
 from ropsim.records.file import recording_bytes as recording_bytes
 from ropsim.records.file import write_recording as write_recording
 from ropsim.records.inputs import inputs_of as inputs_of
+from ropsim.records.inputs import inputs_text as inputs_text
 from ropsim.records.inputs import read_inputs as read_inputs
 from ropsim.records.inputs import with_inputs as with_inputs
 from ropsim.records.pack_file import pack_bytes as pack_bytes

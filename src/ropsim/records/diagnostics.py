@@ -119,10 +119,18 @@ INPUTS_UNREADABLE = define(
     "recorded inputs cannot be read",
     """
 `ropsim run PATH --inputs FILE` gives a run the inputs of an earlier live run. FILE is the recording of that
-run (`.npz`), or a JSON list such as `[{"signal": "start", "time": 1.5, "value": 1}]` with times in seconds of
-simulated time.
+run (`.npz`), or a JSON list with times in seconds of simulated time, such as
 
-The file is missing, is no JSON, or an entry lacks one of the three keys.
+```json
+[
+  {"signal": "start", "time": 1.5, "value": 1},
+  {"override": 0.3, "time": 2.0},
+  {"stop": true, "time": 9.0}
+]
+```
+
+The file is missing, is no JSON, or an entry is none of these: a signal with a time and a value, an override
+from 0 to 1 with a time, or one stop with a time. Or the run can take values of signals only.
 """,
 )
 

@@ -13,8 +13,8 @@ from ropsim.records.plain_values import tagged, untagged
 from ropsim.spatial import Pose, PoseError, frozen
 
 FORMAT = "ropsim-recording"
-VERSION = 3
-"""Written; `recording_older` knows the versions before."""
+VERSION = 4
+"""Written; `older` knows the versions before."""
 
 Entry = Mapping[str, object]
 T = TypeVar("T")

@@ -22,7 +22,7 @@ from ropsim.records.diagnostics import (
 )
 from ropsim.records.document import FORMAT, ChannelFacts, document, read_document
 from ropsim.records.document import VERSION as KNOWN_VERSION
-from ropsim.records.older import OLDER, WITHOUT_PLACEMENTS, held, is_held, upgraded
+from ropsim.records.older import OLDER, UNTYPED, WITHOUT_PLACEMENTS, held, is_held, upgraded
 from ropsim.records.plain_records import DocumentError
 from ropsim.records.plain_values import NotPlainError
 from ropsim.spatial import Array
@@ -106,7 +106,7 @@ def read_recording(path: str | Path) -> Recording:
 
 def _recording(arrays: dict[str, npz.AnyArray], path: Path) -> Recording:
     plain = _header(arrays, path)
-    older = plain["version"] in OLDER
+    older = plain["version"] in UNTYPED
     try:
         read_from = read_document(upgraded(plain) if older else plain)
         time = _floats(arrays, TIME)

@@ -1,16 +1,16 @@
-"""Recorded inputs of a live run: from a recording or a file, to be given to a run again."""
+"""What a live run was given: from a recording or a file, to be given to a run again, and as text."""
 
 import json
-import math
 import stat
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import read_bytes
-from ropsim.flow import InputChange, Recording
+from ropsim.flow import Interventions, Recording
 from ropsim.records.diagnostics import INPUTS_UNREADABLE, InputsError
 from ropsim.records.file import read_recording
+from ropsim.records.plain_inputs import finite, inputs_from_plain, plain_from_inputs, share, unreadable
 
 if TYPE_CHECKING:
     from ropsim.simulation import RunOptions
@@ -18,53 +18,55 @@ if TYPE_CHECKING:
 LARGEST = 5_000_000
 """Largest JSON text of inputs that is read [bytes]."""
 
-_FORM = 'a list of `{"signal": "NAME", "time": SECONDS, "value": NUMBER}`'
 
-
-def inputs_of(recording: Recording) -> tuple[InputChange, ...]:
-    """Return the inputs that a run was given.
+def inputs_of(recording: Recording) -> Interventions:
+    """Return what a run was given.
 
     Raises:
-        InputsError: X878, a time or value in the recording is not finite.
+        InputsError: X878, a time or value in the recording is none.
     """
-    for k, one in enumerate(recording.facts.inputs, start=1):
-        for name, number in (("time", one.time), ("value", one.value)):
-            if not math.isfinite(number):
-                raise _unreadable(f"facts of the recording, entry {k}", f"`{name}` must be a finite number")
-    return recording.facts.inputs
+    given = recording.facts.interventions
+    source = "facts of the recording"
+    for k, change in enumerate(given.inputs, start=1):
+        finite(change.time, "time", f"{source}, entry {k} of the inputs")
+        finite(change.value, "value", f"{source}, entry {k} of the inputs")
+    for k, one in enumerate(given.overrides, start=1):
+        finite(one.time, "time", f"{source}, entry {k} of the overrides")
+        share(one.value, f"{source}, entry {k} of the overrides")
+    if given.stopped is not None:
+        finite(given.stopped, "stopped", source)
+    return given
 
 
-def with_inputs(options: "RunOptions", inputs: tuple[InputChange, ...]) -> "RunOptions":
+def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
     """Return options of a run that takes recorded inputs again, and lasts longer for them.
 
     A live run waits for a key as long as it takes; its inputs must find the program still waiting.
+
+    Raises:
+        InputsError: X878, there is more than changes of inputs, and left out that would make another run.
     """
-    later = max((one.time for one in inputs), default=0.0)
+    if given.overrides or given.stopped is not None:
+        message = "the recorded inputs change the override or stop, and a run takes values of signals only"
+        raise InputsError(INPUTS_UNREADABLE.at(None, message, hint="take the entries with `signal` alone"))
+    later = max((one.time for one in given.inputs), default=0.0)
     return replace(
         options,
-        inputs=inputs,
+        inputs=given.inputs,
         longest=options.longest + later,
         longest_wait=options.longest_wait + later,
     )
 
 
-def inputs_from_plain(plain: object, source: str) -> tuple[InputChange, ...]:
-    """Return the inputs that plain values describe.
-
-    Args:
-        plain: list of mappings of `signal`, `time` [s] and `value`.
-        source: where they are from, for messages.
-
-    Raises:
-        InputsError: X878, they are not of that form.
-    """
-    if not isinstance(plain, (list, tuple)):
-        raise _unreadable(source, f"found a `{type(plain).__name__}`, needed is {_FORM}")
-    return tuple(_input(entry, f"{source}, entry {k}") for k, entry in enumerate(plain, start=1))
+def inputs_text(given: Interventions) -> bytes:
+    """Return what a run was given as a JSON list in order of time, one entry a line, for `read_inputs`."""
+    entries = [json.dumps(entry, ensure_ascii=False) for entry in plain_from_inputs(given)]
+    inside = ",\n".join(f"  {entry}" for entry in entries)
+    return f"[\n{inside}\n]\n".encode() if entries else b"[]\n"
 
 
-def read_inputs(path: str | Path) -> tuple[InputChange, ...]:
-    """Return the inputs in a JSON file or in the recording (`.npz`) of a live run.
+def read_inputs(path: str | Path) -> Interventions:
+    """Return what a JSON file, or the recording (`.npz`) of a live run, gives to a run.
 
     Raises:
         InputsError: X878, the file cannot be read or holds something else.
@@ -76,47 +78,16 @@ def read_inputs(path: str | Path) -> tuple[InputChange, ...]:
     try:
         facts = path.stat()
         if not stat.S_ISREG(facts.st_mode):
-            raise _unreadable(str(path), "it is no ordinary file")
+            raise unreadable(str(path), "it is no ordinary file")
         if facts.st_size > LARGEST:
-            raise _unreadable(str(path), f"it is larger than {LARGEST / 1e6:.0f} MB")
+            raise unreadable(str(path), f"it is larger than {LARGEST / 1e6:.0f} MB")
         text = read_bytes(path).decode("utf-8-sig")
     except OSError as error:
-        raise _unreadable(str(path), (error.strerror or type(error).__name__).lower()) from error
+        raise unreadable(str(path), (error.strerror or type(error).__name__).lower()) from error
     except UnicodeDecodeError as error:
-        raise _unreadable(str(path), "it is no UTF-8 text") from error
+        raise unreadable(str(path), "it is no UTF-8 text") from error
     try:
         plain = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise _unreadable(str(path), f"it is no JSON text: {error}"[:200]) from error
+        raise unreadable(str(path), f"it is no JSON text: {error}"[:200]) from error
     return inputs_from_plain(plain, str(path))
-
-
-def _input(entry: object, source: str) -> InputChange:
-    if not isinstance(entry, dict):
-        raise _unreadable(source, f"found a `{type(entry).__name__}`, needed is {_FORM}")
-    signal = entry.get("signal")
-    if not isinstance(signal, str):
-        raise _unreadable(source, "`signal` must be the name of an input")
-    from ropsim.simulation import InputChange
-
-    return InputChange(_number(entry, "time", source), signal, _number(entry, "value", source))
-
-
-def _number(entry: dict[object, object], key: str, source: str) -> float:
-    value = entry.get(key)
-    if isinstance(value, bool) and key == "value":
-        return float(value)
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise _unreadable(source, f"`{key}` must be a number")
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise _unreadable(source, f"`{key}` must be a finite number")
-    return number
-
-
-def _unreadable(source: str, reason: str) -> InputsError:
-    hint = "record the inputs again, or correct the file; docs/reference/recording.md tells its form"
-    return InputsError(INPUTS_UNREADABLE.at(None, f"inputs from `{source}`: {reason}", hint=hint))

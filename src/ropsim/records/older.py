@@ -1,6 +1,7 @@
 """Recordings of older formats: their document becomes one of the present format.
 
-Version 1 had no placements. Versions 1 and 2 had the facts as an untyped mapping, of each event the figures
+Version 3 told of changes of inputs only, not of the override; but for that it is the present form. Version 1
+had no placements. Versions 1 and 2 had the facts as an untyped mapping, of each event the figures
 as one, and rows for what a channel holds between changes.
 """
 
@@ -15,7 +16,10 @@ from ropsim.spatial import Array, frozen
 WITHOUT_PLACEMENTS = 1
 """The first version."""
 
-OLDER = (WITHOUT_PLACEMENTS, 2)
+UNTYPED = (WITHOUT_PLACEMENTS, 2)
+"""Versions whose document has to become one of the present form."""
+
+OLDER = (*UNTYPED, 3)
 """Versions that are read beside the present one."""
 
 _STATION = "robot"

@@ -10,9 +10,10 @@ from tempfile import mkdtemp
 
 import numpy as np
 
-from ropsim.flow import InputChange, Recording
+from ropsim.flow import InputChange, Interventions, OverrideChange, Recording
 from ropsim.records import InputsError, RecordingFileError, read_recording, recording_bytes
-from ropsim.records.inputs import inputs_of, read_inputs, with_inputs
+from ropsim.records.inputs import inputs_of, inputs_text, read_inputs, with_inputs
+from ropsim.records.plain_inputs import inputs_from_plain, plain_from_inputs
 from ropsim.simulation import RunOptions
 from ropsim.views import summarize
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
@@ -21,9 +22,11 @@ from support.older_recordings import version_2
 from support.recordings import pick_and_place, two_findings
 
 _GIVEN = (InputChange(2.0, "start", 1.0), InputChange(2.5, "level", -0.25))
-_INPUTS = [{"signal": one.signal, "time": one.time, "value": one.value} for one in _GIVEN]
+_OVERRIDES, _STOPPED = (OverrideChange(2.2, 0.5), OverrideChange(2.4, 0.0)), 2.75
+_INPUTS = plain_from_inputs(Interventions(_GIVEN, _OVERRIDES, _STOPPED))
 _RUN = pick_and_place(1, 2.0, two_findings())
-_RECORDING = recording_bytes(replace(_RUN, facts=replace(_RUN.facts, inputs=_GIVEN)))
+_FACTS = replace(_RUN.facts, inputs=_GIVEN, overrides=_OVERRIDES, stopped=_STOPPED)
+_RECORDING = recording_bytes(replace(_RUN, facts=_FACTS))
 _TEXT = json.dumps(_INPUTS).encode()
 _WORK = Path(mkdtemp(prefix="ropsim-fuzz-"))
 _ENTRIES = ("header.npy", "time.npy")
@@ -79,8 +82,21 @@ def _inputs(content: bytes) -> str:
         found = read_inputs(path)
     except InputsError as error:
         return error.diagnostic.code
-    assert with_inputs(RunOptions(), found).inputs == found
+    assert inputs_from_plain(json.loads(inputs_text(found)), "text") == in_order(found)
+    try:
+        assert with_inputs(RunOptions(), found).inputs == found.inputs
+    except InputsError:
+        assert found.overrides or found.stopped is not None
     return "read"
+
+
+def in_order(given: Interventions) -> Interventions:
+    """Return the same in order of time, as it is written."""
+    return Interventions(
+        tuple(sorted(given.inputs, key=lambda one: one.time)),
+        tuple(sorted(given.overrides, key=lambda one: one.time)),
+        given.stopped,
+    )
 
 
 def _made_recording(random: Random) -> bytes:

@@ -22,6 +22,7 @@ from ropsim.flow import (
     MoveEvent,
     Origin,
     OutputEvent,
+    OverrideChange,
     Placement,
     Recording,
     ReleaseEvent,
@@ -79,6 +80,8 @@ def sample() -> Recording:
     about = facts(
         checked=("collisions",),
         inputs=(InputChange(0.5, "start", 1.0),),
+        overrides=(OverrideChange(0.25, 0.5), OverrideChange(0.75, 0.0)),
+        stopped=1.0,
         parts_left=("box",),
         destinations=Destinations(2, 1),
     )
@@ -233,11 +236,19 @@ def test_archive_that_announces_more_than_the_limit_is_told(
 
 
 def test_a_format_that_is_not_known_is_told_with_its_version_and_writer(tmp_path: Path) -> None:
-    (tmp_path / "run.npz").write_bytes(changed({"version": 4, "facts": {"ropsim": "9.1"}}))
+    (tmp_path / "run.npz").write_bytes(changed({"version": 5, "facts": {"ropsim": "9.1"}}))
     with pytest.raises(RecordingFileError) as caught:
         read_recording(tmp_path / "run.npz")
     assert caught.value.diagnostic.code == "X873"
-    assert "format version 4, written by ropsim 9.1; this ropsim reads 1, 2 and 3" in str(caught.value)
+    assert "format version 5, written by ropsim 9.1; this ropsim reads 1, 2, 3 and 4" in str(caught.value)
+
+
+def test_a_recording_of_the_version_before_overrides_is_read_as_it_is(tmp_path: Path) -> None:
+    facts = json.loads(npz.unpack(recording_bytes(sample()))["header"].tobytes())["facts"]
+    facts = {key: value for key, value in facts.items() if key not in {"overrides", "stopped"}}
+    (tmp_path / "run.npz").write_bytes(changed({"version": 3, "facts": facts}))
+    found, now = read_recording(tmp_path / "run.npz"), sample()
+    assert found == replace(now, facts=replace(now.facts, overrides=(), stopped=None))
 
 
 CHANNEL = {"unit": "", "columns": [], "description": "", "group": "joints", "subject": "", "held": False}
@@ -273,6 +284,9 @@ CHANNEL = {"unit": "", "columns": [], "description": "", "group": "joints", "sub
         {"facts": {"stations": [{"axes": []}]}},
         {"facts": {"stations": [{"name": "robot", "axes": [{"name": "1", "lower": "low"}]}]}},
         {"facts": {"inputs": [{"signal": "start", "time": 1.0}]}},
+        {"facts": {"overrides": [{"time": 1.0}]}},
+        {"facts": {"overrides": [{"time": 1.0, "value": True}]}},
+        {"facts": {"stopped": "soon"}},
     ],
 )
 def test_inconsistent_header_is_told(tmp_path: Path, header: dict[str, object]) -> None:

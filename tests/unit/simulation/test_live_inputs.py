@@ -7,7 +7,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.flow import InputEvent, MoveEvent, Recording
+from ropsim.flow import InputEvent, Interventions, MoveEvent, Recording
 from ropsim.model import Cell, Signal, Tool
 from ropsim.records.inputs import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
@@ -162,6 +162,7 @@ def test_a_wait_for_an_input_ends_after_the_longest_wait(cell: Cell, program: ic
 
 
 def test_a_run_with_inputs_waits_for_the_last_of_them(cell: Cell) -> None:
-    options = with_recorded(RunOptions(), (InputChange(7000.0, "go", 1.0), InputChange(1.0, "go", 0.0)))
+    given = Interventions((InputChange(7000.0, "go", 1.0), InputChange(1.0, "go", 0.0)))
+    options = with_recorded(RunOptions(), given)
     assert options.longest_wait > 7000.0
     assert options.longest > 7000.0

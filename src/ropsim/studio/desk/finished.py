@@ -1,12 +1,10 @@
 """The run that the worker has made last: to be shown on other lines, or to be kept as files."""
 
-import json
 from dataclasses import dataclass
 
 from ropsim import icr
 from ropsim.flow import Recording
-from ropsim.records import inputs_of, recording_bytes
-from ropsim.simulation import InputChange as Change
+from ropsim.records import inputs_of, inputs_text, recording_bytes
 from ropsim.studio.desk.content import moved_lines, on_lines
 from ropsim.studio.desk.runnable import Runnable
 from ropsim.studio.jobs import RunForm, SavedRun
@@ -60,13 +58,3 @@ class Shelf:
     """Where the newest finished run is kept; None before the first."""
 
     run: FinishedRun | None = None
-
-
-def inputs_text(inputs: tuple[Change, ...]) -> bytes:
-    """Return inputs as `ropsim run --inputs` takes them: a JSON list, one change a line."""
-    entries = [
-        json.dumps({"signal": one.signal, "time": one.time, "value": one.value}, ensure_ascii=False)
-        for one in inputs
-    ]
-    inside = ",\n".join(f"  {entry}" for entry in entries)
-    return f"[\n{inside}\n]\n".encode() if entries else b"[]\n"

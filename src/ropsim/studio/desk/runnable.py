@@ -42,7 +42,7 @@ class Runnable:
 
     def finished(self, recording: Recording) -> RunReply:
         """Return the reply to a run of this program."""
-        inputs = tuple(InputChange(one.signal, one.time, one.value) for one in inputs_of(recording))
+        inputs = tuple(InputChange(one.signal, one.time, one.value) for one in inputs_of(recording).inputs)
         pack = pack_of(self.project, recording, self.findings)
         return RunReply("done", self.name, pack=pack, inputs=inputs)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from ropsim.core import RopsimError
-from ropsim.flow import Recording
+from ropsim.flow import Interventions, Recording
 from ropsim.records import with_inputs
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView
 from ropsim.simulation import run as run_program
@@ -70,7 +70,7 @@ def _carried_out(job: Simulate, ready: Runnable, listener: "Listener", purpose: 
         options = RunOptions(Fidelity.KINEMATIC, record_hz=PLANNING_ROWS, most_rows=MOST_ROWS, watch=listener)
     else:
         options = RunOptions(Fidelity(job.fidelity), most_rows=MOST_ROWS, watch=listener)
-    return run_program(ready.cell, ready.codes, with_inputs(options, inputs))
+    return run_program(ready.cell, ready.codes, with_inputs(options, Interventions(inputs)))
 
 
 @dataclass(slots=True)

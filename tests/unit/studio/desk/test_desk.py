@@ -263,7 +263,7 @@ def test_the_newest_run_can_be_kept_as_files(worker: Worker, folder: Path, tmp_p
         assert isinstance(saved, SavedRun)
         place = tmp_path / name
         place.write_bytes(saved.content)
-        assert [(one.signal, one.time, one.value) for one in read_inputs(place)] == [
+        assert [(one.signal, one.time, one.value) for one in read_inputs(place).inputs] == [
             (one.signal, one.time, one.value) for one in live.inputs
         ]
     report, code = (worker.ask(SaveRun(number, form)) for form in ("report", "code"))
