@@ -1,15 +1,16 @@
 """The cascaded P-PI law."""
 
+from math import isfinite
 from sys import float_info
 
 import numpy as np
 
 from ropsim.controller.law import CompiledLaw, LawTraits
 from ropsim.controller.law_gains import gain_rows
-from ropsim.dynamics import command_limit
+from ropsim.dynamics import command_band, command_limit
 from ropsim.model import GAIN_NAMES, CascadedGains, ControllerModel, Mechanism
 
-CASCADED_P_PI_SOURCE = '''\
+_SOURCE = '''\
 def law(par, state, ref, meas, load, aux, out):
     """Position loop P, speed loop PI, both with feed-forward; see model.CascadedGains."""
     for j in range(out.shape[0]):
@@ -20,10 +21,13 @@ def law(par, state, ref, meas, load, aux, out):
             u = limit
         elif u < -limit:
             u = -limit
-        else:
+        {otherwise}:
             state[0, j] += par[2, j] * speed_error * par[7, j]
         out[j] = u
 '''
+CASCADED_P_PI_SOURCE = _SOURCE.format(otherwise="else")
+LIMITED_SOURCE = _SOURCE.format(otherwise="elif abs(u - par[8, j] * meas[1, j]) <= par[9, j]")
+"""For drives of which one limits its current: there the integral has to stand still, too."""
 
 
 def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
@@ -31,7 +35,8 @@ def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
 
     Args:
         model: gains and control period.
-        robot: the amplifiers of its drives say at which output the integral has to stand still.
+        robot: the amplifiers of its drives say at which output the integral has to stand still: the largest,
+            and where one limits the current of its motor, what it lets through at the measured speed.
 
     Raises:
         GainError: the gains are those of another law, or one does not have one number per drive.
@@ -40,10 +45,16 @@ def cascaded_p_pi(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     gains = gain_rows(model, CascadedGains, n)
     limits = [min(command_limit(drive), float_info.max) for drive in robot.drives]
     period = np.full(n, model.rates.control_period)
+    rows = dict(zip((*GAIN_NAMES, "limit", "period"), (*gains, np.array(limits), period), strict=True))
+    bands = [command_band(drive) for drive in robot.drives]
+    is_limited = any(isfinite(band.span) for band in bands)
+    if is_limited:
+        rows["per_speed"] = np.array([band.per_speed for band in bands])
+        rows["span"] = np.array([min(band.span, float_info.max) for band in bands])
     return CompiledLaw(
         name="cascaded_p_pi",
-        source=CASCADED_P_PI_SOURCE,
-        parameter_names=(*GAIN_NAMES, "limit", "period"),
-        parameters=np.stack([*gains, np.array(limits), period]),
+        source=LIMITED_SOURCE if is_limited else CASCADED_P_PI_SOURCE,
+        parameter_names=tuple(rows),
+        parameters=np.stack(list(rows.values())),
         traits=LawTraits(state_names=("integral",), hold_row=0),
     )

@@ -24,6 +24,7 @@ from ropsim.dynamics.drives import Limit as Limit
 from ropsim.dynamics.drives import LimitSort as LimitSort
 from ropsim.dynamics.drives import SteadyDrive as SteadyDrive
 from ropsim.dynamics.drives import chain_of as chain_of
+from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive

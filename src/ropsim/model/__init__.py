@@ -56,6 +56,7 @@ from ropsim.model.dh import limited as limited
 from ropsim.model.dh import links_from_dh as links_from_dh
 from ropsim.model.dh_row import DhRow as DhRow
 from ropsim.model.drive import Amplifier as Amplifier
+from ropsim.model.drive import CurrentLimitedAmplifier as CurrentLimitedAmplifier
 from ropsim.model.drive import DcMotor as DcMotor
 from ropsim.model.drive import Drive as Drive
 from ropsim.model.drive import EffortAmplifier as EffortAmplifier

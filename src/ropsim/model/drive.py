@@ -28,6 +28,19 @@ class VoltageAmplifier:
 
 
 @dataclass(frozen=True, slots=True)
+class CurrentLimitedAmplifier:
+    """A voltage amplifier that lowers its voltage where the current of its motor would grow beyond a limit.
+
+    Attributes:
+        max_voltage: [V]; the output is clipped to ±max_voltage.
+        max_current: [A]; the current stays within ±max_current as far as the voltage suffices for that.
+    """
+
+    max_voltage: float
+    max_current: float
+
+
+@dataclass(frozen=True, slots=True)
 class EffortAmplifier:
     """An amplifier that commands the torque or force of its motor directly.
 
@@ -114,7 +127,7 @@ class Friction:
     smoothing_speed: float = 5e-3
 
 
-Amplifier = VoltageAmplifier | EffortAmplifier
+Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier
 Motor = DcMotor | IdealMotor
 Transmission = Gear | ElasticGear
 

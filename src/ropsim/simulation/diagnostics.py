@@ -105,7 +105,7 @@ CURRENT_EXCEEDED = define(
     "a motor drew more current than its amplifier allows",
     """
 The simulated motor current was higher than the amplifier's limit in the arm's model. Lower the acceleration
-on the line that is named, or the payload.
+on the line that is named, or the payload. An amplifier that limits the current itself is told by S739.
 """,
 )
 
@@ -188,6 +188,21 @@ VOLTAGE_SATURATED = define(
 The controller asked for more voltage than the amplifier has, for more than a twentieth of a second in all.
 While that lasts the arm does not follow its reference. Lower the speed or acceleration on the line that is
 named.
+""",
+)
+
+CURRENT_LIMITED = define(
+    "S739",
+    "current-limited",
+    Severity.WARNING,
+    "an amplifier held the current of its motor at its limit",
+    """
+The amplifier lets no more current through its motor than its `max_current`. The motor took that much, to a
+hundredth, for more than a twentieth of a second in all. It then gives the largest torque that it has, and
+where that is not enough the arm falls behind its reference. Lower the acceleration on the line that is named,
+or the payload.
+
+An amplifier that does not limit the current is told by S731, how far beyond its limit it went.
 """,
 )
 

@@ -1,6 +1,6 @@
 """What a recording proves against the limits of the arm: torque, current, speed, range, voltage."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -13,6 +13,7 @@ from ropsim.model import OVERRUN, SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     COMMAND_SATURATED,
     CURRENT_EXCEEDED,
+    CURRENT_LIMITED,
     DRIVE_EXCEEDED,
     DRIVE_SATURATED,
     EFFORT_EXCEEDED,
@@ -36,6 +37,7 @@ _TIME: _Shown = dict.fromkeys(JointType, (1.0, "s"))
 
 _DRIVE_LIMITS = {
     ("current", LimitSort.PEAK): CURRENT_EXCEEDED,
+    ("current", LimitSort.LASTING): CURRENT_LIMITED,
     ("voltage", LimitSort.LASTING): VOLTAGE_SATURATED,
     ("command", LimitSort.LASTING): COMMAND_SATURATED,
 }
@@ -119,16 +121,22 @@ def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping
     axes = _drive_limits(robot)[limit]
     values, limits = np.zeros((len(time), robot.n)), np.full(robot.n, np.inf)
     bounds = np.array([getattr(robot.drives[k].amplifier, limit.number) for k in axes])
-    recorded = channels[limit.column].values
+    recorded = _of_axes(robot, channels[limit.column], axes)
     if limit.sort is LimitSort.PEAK:
         values[:, axes], limits[axes] = recorded, bounds
     else:
         period = float(time[1] - time[0]) if len(time) > 1 else 0.0
-        full = np.abs(recorded) >= bounds * (1 - 1e-9)
+        full = np.abs(recorded) >= bounds * limit.near
         # the time at the limit so far, kept only where it grows: its maximum is at the last such row
         quantity, shown = f"time at full {limit.column}", _TIME
         values[:, axes], limits[axes] = np.where(full, np.cumsum(full, axis=0) * period, 0.0), SATURATION_TIME
     return _Check(kind, quantity, shown, values, limits)
+
+
+def _of_axes(robot: RobotModel, channel: Channel, axes: Sequence[int]) -> Array:
+    """Return the columns of some joints; others may have the quantity, too, but not the limit."""
+    names = channel.columns or tuple(joint.name for joint in robot.axis_joints)
+    return channel.values[:, [names.index(robot.axis_joints[k].name) for k in axes]]
 
 
 def _finding(

@@ -9,6 +9,7 @@ import pytest
 from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, friction, mass_matrix, steady_drive
 from ropsim.dynamics.drives import command_limit
 from ropsim.model import (
+    CurrentLimitedAmplifier,
     Drive,
     EffortAmplifier,
     ElasticGear,
@@ -72,7 +73,10 @@ def test_behind_an_elastic_gear_the_joint_feels_neither_rotor_nor_friction() -> 
 OPEN = replace(drive(), amplifier=VoltageAmplifier(40.0, inf))
 
 
-@pytest.mark.parametrize("one", [drive(), OPEN, ideal_drive(), ideal_drive(3.0), ELASTIC])
+HELD = replace(drive(), amplifier=CurrentLimitedAmplifier(40.0, inf))
+
+
+@pytest.mark.parametrize("one", [drive(), OPEN, HELD, ideal_drive(), ideal_drive(3.0), ELASTIC])
 def test_a_possible_drive_has_no_fault(one: Drive) -> None:
     assert drive_fault(one) is None
 
@@ -87,6 +91,9 @@ def test_a_possible_drive_has_no_fault(one: Drive) -> None:
         (replace(drive(), amplifier=VoltageAmplifier(inf, 1.0)), "`max_voltage` is `inf`"),
         (replace(drive(), amplifier=VoltageAmplifier(40.0, 0.0)), "`max_current` is `0.0`"),
         (replace(drive(), amplifier=VoltageAmplifier(40.0, nan)), "`max_current` is `nan`"),
+        (replace(drive(), amplifier=CurrentLimitedAmplifier(40.0, -1.0)), "`max_current` is `-1.0`"),
+        (replace(drive(), amplifier=CurrentLimitedAmplifier(inf, 1.0)), "`max_voltage` is `inf`"),
+        (replace(drive(), motor=IdealMotor(), amplifier=CurrentLimitedAmplifier(40.0, 1.0)), "takes effort"),
         (replace(drive(), transmission=Gear(0.0)), "magnitude of `ratio` is `0.0`"),
         (replace(ideal_drive(), amplifier=EffortAmplifier(0.0)), "`max_effort` is `0.0`"),
         (replace(ELASTIC, transmission=ElasticGear(80.0, 0.0)), "`stiffness` is `0.0`"),

@@ -9,6 +9,7 @@ import pytest
 from ropsim import dynamics, robots
 from ropsim.dynamics import effort_limits, steady_drive
 from ropsim.model import (
+    CurrentLimitedAmplifier,
     Drive,
     EffortAmplifier,
     ElasticGear,
@@ -32,13 +33,14 @@ def _arm(*drives: Drive, most: float = inf) -> RobotModel:
     ("one", "expected"),
     [
         (Drive(VoltageAmplifier(40.0, 10.0), MOTOR, Gear(-60.0)), 60.0 * KT * 10.0),
+        (Drive(CurrentLimitedAmplifier(40.0, 10.0), MOTOR, Gear(-60.0)), 60.0 * KT * 10.0),
         (Drive(VoltageAmplifier(12.0, 10.0), MOTOR, Gear(-60.0)), 60.0 * KT * 12.0 / R),
         (Drive(VoltageAmplifier(12.0, inf), MOTOR, Gear(60.0)), 60.0 * KT * 12.0 / R),
         (Drive(VoltageAmplifier(40.0, 10.0), MOTOR, ElasticGear(-80.0, 1e4, 5.0)), 80.0 * KT * 10.0),
         (Drive(EffortAmplifier(3.0), IdealMotor(1e-4), Gear(-20.0)), 60.0),
         (ideal_drive(), inf),
     ],
-    ids=["current", "voltage", "open current", "elastic gear", "ideal motor", "open"],
+    ids=["current", "held current", "voltage", "open current", "elastic gear", "ideal motor", "open"],
 )
 def test_a_drive_gives_what_its_first_limit_leaves(one: Drive, expected: float) -> None:
     assert effort_limits(_arm(one)).tolist() == pytest.approx([expected])

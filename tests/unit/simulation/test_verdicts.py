@@ -6,7 +6,7 @@ import pytest
 from ropsim import robots
 from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.flow import Channel
-from ropsim.model import Cell, VoltageAmplifier, ideal_drive
+from ropsim.model import Cell, CurrentLimitedAmplifier, RobotModel, VoltageAmplifier, ideal_drive
 from ropsim.simulation.verdicts import verdicts
 from support.cells import one_station, with_station
 
@@ -85,6 +85,37 @@ def test_full_voltage_counts_only_when_it_lasts() -> None:
     channels["voltage"].values[20:35, 3] = -40.0
     (found,) = verdicts(CELL.first.robot, TIME, channels, "a.task")
     assert (found.code, found.data["value"]) == ("S734", pytest.approx(0.060))
+
+
+def _limited() -> RobotModel:
+    """Return the arm with an amplifier at joint 3 that holds its current within 8.8 A."""
+    third = replace(ROBOT.drives[2], amplifier=CurrentLimitedAmplifier(40.0, 8.8))
+    return replace(ROBOT, drives=(*ROBOT.drives[:2], third, *ROBOT.drives[3:]))
+
+
+def test_a_current_that_is_held_at_its_limit_counts_when_it_lasts() -> None:
+    channels = quiet()
+    channels["current"].values[20:32, 2] = 0.995 * 8.8
+    assert verdicts(_limited(), TIME, channels, "a.task") == ()
+    channels["current"].values[20:35, 2] = -0.995 * 8.8
+    (found,) = verdicts(_limited(), TIME, channels, "a.task")
+    assert (found.code, found.data["joint"], found.data["value"]) == ("S739", 3, pytest.approx(0.060))
+    assert "time at full current of joint `3` reached 0.06 s, the limit is 0.05 s" in found.message
+    assert found.span is not None
+    assert found.span.line == 34
+
+
+def test_a_current_below_its_limit_may_last() -> None:
+    channels = quiet()
+    channels["current"].values[:, 2] = 0.98 * 8.8
+    assert verdicts(_limited(), TIME, channels, "a.task") == ()
+
+
+def test_beside_an_amplifier_that_limits_the_current_others_are_told_how_far_they_went() -> None:
+    channels = quiet()
+    channels["current"].values[41, [2, 3]] = 9.5
+    (found,) = verdicts(_limited(), TIME, channels, "a.task")
+    assert (found.code, found.data["joint"]) == ("S731", 4)
 
 
 def _mixed() -> tuple[Cell, dict[str, Channel]]:

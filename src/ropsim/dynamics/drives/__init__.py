@@ -8,6 +8,7 @@ from ropsim.dynamics.drives.chain import DriveChain as DriveChain
 from ropsim.dynamics.drives.chain import chain_of as chain_of
 from ropsim.dynamics.drives.faults import drive_fault as drive_fault
 from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
+from ropsim.dynamics.drives.steady import command_band as command_band
 from ropsim.dynamics.drives.steady import command_limit as command_limit
 from ropsim.dynamics.drives.steady import largest_effort as largest_effort
 from ropsim.dynamics.drives.steady import reflected_inertia as reflected_inertia

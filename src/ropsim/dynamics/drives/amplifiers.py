@@ -1,4 +1,6 @@
-"""Amplifiers: they clip what the joint controller puts out."""
+"""Amplifiers: they clip what the joint controller puts out; one of them looks at its motor, too."""
+
+from collections.abc import Callable
 
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import AmplifierBlock, Column, Limit, LimitSort, Numbers
@@ -6,8 +8,22 @@ from ropsim.model import InputKind
 
 
 def _clipped(p: Numbers, command: Scalar) -> Scalar:
-    (limit,) = p
+    limit = p[0]
     return minimum(maximum(command, -limit), limit)
+
+
+def _within(p: Numbers, output: Scalar, keeping: Callable[[Scalar], Scalar]) -> Scalar:
+    """Return the voltage u' of a current loop: u between Ke·ω - R·i_max and Ke·ω + R·i_max.
+
+    L·di/dt = u' - R·i - Ke·ω <= R·(i_max - i): the distance from the limit shrinks by its own rate R/L at the
+    fastest, so that a current within ±i_max stays there, however the motor is turned. The classical
+    Runge-Kutta method keeps to that, too, with steps h of which h·R/L <= 1.29: there 1 - z + z²/2 - z³/4, the
+    least of the weights with which it adds up what u' stays below its bound, is not negative.
+    Where the back-EMF is so high that the largest voltage does not reach the band, that voltage is all.
+    """
+    voltage, current = p
+    held = minimum(maximum(output, keeping(-current)), keeping(current))
+    return minimum(maximum(held, -voltage), voltage)
 
 
 VOLTAGE = AmplifierBlock(
@@ -20,6 +36,18 @@ VOLTAGE = AmplifierBlock(
         Limit("current", LimitSort.PEAK, "max_current"),
         Limit("voltage", LimitSort.LASTING, "max_voltage"),
     ),
+)
+CURRENT_LIMITED = AmplifierBlock(
+    InputKind.VOLTAGE,
+    ("max_voltage", "max_current"),
+    ("max_voltage", "max_current"),
+    Column("voltage", "V", "motor voltage"),
+    _clipped,
+    (
+        Limit("current", LimitSort.LASTING, "max_current", near=0.99),
+        Limit("voltage", LimitSort.LASTING, "max_voltage"),
+    ),
+    _within,
 )
 EFFORT = AmplifierBlock(
     InputKind.EFFORT,

@@ -43,11 +43,13 @@ class Limit(NamedTuple):
         column: name of the recorded quantity that it is about, such as `current`.
         sort: what breaks it.
         number: attribute of the amplifier that holds the largest magnitude.
+        near: share of that magnitude from which on a lasting value counts as one at its limit.
     """
 
     column: str
     sort: LimitSort
     number: str
+    near: float = 1.0 - 1e-9
 
 
 class Torque(NamedTuple):
@@ -55,6 +57,13 @@ class Torque(NamedTuple):
 
     torque: Scalar
     rates: tuple[Scalar, ...]
+
+
+class Turning(NamedTuple):
+    """A motor at its amplifier: what it is given now, and what it does with that."""
+
+    given: Scalar
+    does: Torque
 
 
 class Steady(NamedTuple):
@@ -70,11 +79,14 @@ class AmplifierBlock:
 
     Attributes:
         kind: of what it takes and puts out.
-        numbers: attributes of its record that the formula takes.
-        positive: those of them that must be positive.
+        numbers: attributes of its record that the formulas take, the largest magnitude of its output first.
+        positive: attributes that must be positive.
         output: how its output is recorded.
         trace: `(numbers, command)` to the output, which holds until the next control tick.
         limits: that its record holds.
+        within: `(numbers, output, keeping)` to what the motor is given at any instant of the tick, where
+            `keeping(value)` is what would keep the first state of the motor at a value; None where the output
+            holds whatever the motor does.
     """
 
     kind: InputKind
@@ -83,6 +95,7 @@ class AmplifierBlock:
     output: Column
     trace: Callable[[Numbers, Scalar], Scalar]
     limits: tuple[Limit, ...]
+    within: Callable[[Numbers, Scalar, Callable[[Scalar], Scalar]], Scalar] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +111,8 @@ class MotorBlock:
         inertia: `numbers` to the rotor inertia.
         steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
         pole: `record` to the rate at which its torque follows its input [rad/s].
+        keeping: `(numbers, value, shaft speed)` to the input that would keep its first state at a value; None
+            for a motor without states.
     """
 
     takes: InputKind
@@ -108,6 +123,7 @@ class MotorBlock:
     inertia: Callable[[Numbers], Scalar]
     steady: Callable[[Any, float, float], Steady]
     pole: Callable[[Any], float]
+    keeping: Callable[[Numbers, Scalar, Scalar], Scalar] | None = None
 
 
 class Shaft(NamedTuple):
@@ -116,14 +132,14 @@ class Shaft(NamedTuple):
     Attributes:
         q: joint coordinate.
         qd: joint speed.
-        motor: shaft speed to what the motor does.
+        motor: shaft speed to what the motor is given and does.
         inertia: of the rotor.
         friction: speed seen at the joint, to the torque at the joint that friction takes.
     """
 
     q: Scalar
     qd: Scalar
-    motor: Callable[[Scalar], Torque]
+    motor: Callable[[Scalar], Turning]
     inertia: Scalar
     friction: Callable[[Scalar], Scalar]
 
@@ -136,12 +152,14 @@ class Carried(NamedTuple):
         friction: torque or force that friction takes at the joint; None where it acts on the motor alone.
         inertia: that the joint feels in addition to its links; None where the motor moves by itself.
         rates: of the states of the motor, then of the transmission.
+        given: what the motor is given by its amplifier, in its own sense.
     """
 
     effort: Scalar
     friction: Scalar | None
     inertia: Scalar | None
     rates: tuple[Scalar, ...]
+    given: Scalar
 
 
 @dataclass(frozen=True, slots=True)

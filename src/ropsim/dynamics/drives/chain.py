@@ -10,8 +10,8 @@ from ropsim.dynamics.drives.block import (
     MotorBlock,
     Numbers,
     Shaft,
-    Torque,
     TransmissionBlock,
+    Turning,
 )
 from ropsim.dynamics.drives.friction import FRICTION_NUMBERS, trace_friction
 from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
@@ -69,19 +69,28 @@ class DriveChain:
             q: joint coordinate.
             qd: joint speed.
             states: of motor and transmission.
-            u: what the amplifier puts out.
+            u: what the amplifier puts out, unless it looks at its motor.
         """
         _, motor, gear, friction = self._parts(p)
         own = len(self.motor.states)
 
-        def turning(speed: Scalar) -> Torque:
-            return self.motor.trace(motor, states[:own], u, speed)
+        def turning(speed: Scalar) -> Turning:
+            given = self._given(p, u, speed)
+            return Turning(given, self.motor.trace(motor, states[:own], given, speed))
 
         def taken(speed: Scalar) -> Scalar:
             return trace_friction(friction, gear[0], speed)
 
         shaft = Shaft(q, qd, turning, self.motor.inertia(motor), taken)
         return self.transmission.trace(gear, states[own:], shaft)
+
+    def _given(self, p: Numbers, u: Scalar, speed: Scalar) -> Scalar:
+        """Return what the motor is given at an instant at which its shaft has a speed."""
+        within, keeping = self.amplifier.within, self.motor.keeping
+        if within is None or keeping is None:
+            return u
+        amplifier, motor, _, _ = self._parts(p)
+        return within(amplifier, u, lambda value: keeping(motor, value, speed))
 
     @property
     def _names(self) -> tuple[tuple[str, ...], ...]:

@@ -14,6 +14,12 @@ def _trace(p: Numbers, states: Numbers, voltage: Scalar, speed: Scalar) -> Torqu
     return Torque(current * constant, (rate,))
 
 
+def _keeping(p: Numbers, current: Scalar, speed: Scalar) -> Scalar:
+    """Return R·i + Ke·ω."""
+    _, back_emf, resistance, *_ = p
+    return resistance * current + back_emf * speed
+
+
 def _steady(motor: DcMotor, torque: float, speed: float) -> Steady:
     current = torque / motor.torque_constant
     return Steady((current,), motor.resistance * current + motor.back_emf_constant * speed)
@@ -28,4 +34,5 @@ DC_MOTOR = MotorBlock(
     inertia=lambda p: p[4],
     steady=_steady,
     pole=lambda motor: float(motor.resistance / motor.inductance),
+    keeping=_keeping,
 )

@@ -16,10 +16,10 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     ratio, stiffness, damping = p
     theta, omega = states
     spring = stiffness * (theta - shaft.q) + damping * (omega - shaft.qd)
-    motor = shaft.motor(ratio * omega)
+    given, motor = shaft.motor(ratio * omega)
     inverse = 1.0 / (shaft.inertia * (ratio * ratio))
     rate = (ratio * motor.torque - shaft.friction(omega) - spring) * inverse
-    return Carried(spring, None, None, (*motor.rates, omega, rate))
+    return Carried(spring, None, None, (*motor.rates, omega, rate), given)
 
 
 def _rest(gear: ElasticGear, q: float, effort: float) -> Steady:

@@ -8,9 +8,9 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     """Return G·τ and J·G²; the motor turns at G·q̇."""
     del states
     (ratio,) = p
-    motor = shaft.motor(ratio * shaft.qd)
+    given, motor = shaft.motor(ratio * shaft.qd)
     inertia = shaft.inertia * (ratio * ratio)
-    return Carried(ratio * motor.torque, shaft.friction(shaft.qd), inertia, motor.rates)
+    return Carried(ratio * motor.torque, shaft.friction(shaft.qd), inertia, motor.rates, given)
 
 
 def _rest(gear: Gear, q: float, effort: float) -> Steady:

@@ -1,8 +1,10 @@
 """A drive in a steady state: what its controller has to command for an effort at the joint."""
 
+from collections.abc import Sequence
 from math import copysign, inf
 from typing import NamedTuple
 
+from ropsim.dynamics.drives.block import Limit
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import Drive
 
@@ -44,8 +46,39 @@ def reflected_inertia(drive: Drive) -> float:
 
 def command_limit(drive: Drive) -> float:
     """Return the largest magnitude that the amplifier of a drive puts out; inf where it is open."""
-    (name,) = chain_of(drive).amplifier.numbers
-    return float(getattr(drive.amplifier, name))
+    return float(getattr(drive.amplifier, chain_of(drive).amplifier.numbers[0]))
+
+
+class CommandBand(NamedTuple):
+    """The commands that an amplifier which looks at its motor puts out as they are, at one joint speed.
+
+    They lie between per_speed·q̇ - span and per_speed·q̇ + span.
+
+    Attributes:
+        per_speed: [V·s/rad | V·s/m].
+        span: [V]; inf where the amplifier does not look at its motor.
+    """
+
+    per_speed: float
+    span: float
+
+
+def command_band(drive: Drive) -> CommandBand:
+    """Return which commands the amplifier of a drive puts out as they are, besides its largest output.
+
+    Of a DC motor with a current limit it is |G|·Ke·q̇ ± R·i_max.
+
+    Args:
+        drive: the drive.
+    """
+    chain = chain_of(drive)
+    if chain.amplifier.within is None:
+        return CommandBand(0.0, inf)
+    names = {state.name for state in chain.motor.states}
+    held = tuple(limit for limit in chain.amplifier.limits if limit.column in names)
+    per_effort = steady_drive(drive, 0.0, 0.0, 1.0).command
+    per_speed = steady_drive(drive, 0.0, 1.0, 0.0).command
+    return CommandBand(per_speed, per_effort * _bound(drive, held))
 
 
 def largest_effort(drive: Drive) -> float:
@@ -61,13 +94,18 @@ def largest_effort(drive: Drive) -> float:
     Returns:
         Infinite where the drive has no limit.
     """
+    return _bound(drive, chain_of(drive).amplifier.limits)
+
+
+def _bound(drive: Drive, limits: Sequence[Limit]) -> float:
+    """Return the effort at which the first of some limits of a drive is reached at standstill."""
     chain = chain_of(drive)
     unit = steady_drive(drive, 0.0, 0.0, 1.0)
     columns = (*chain.states, chain.amplifier.output)
     share = dict(zip((column.name for column in columns), (*unit.states, unit.output), strict=True))
     bounds = (
         getattr(drive.amplifier, limit.number) / abs(share[limit.column])
-        for limit in chain.amplifier.limits
+        for limit in limits
         if share.get(limit.column)
     )
     return min(map(float, bounds), default=inf)

@@ -1,13 +1,25 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
-from ropsim.dynamics.drives.amplifiers import EFFORT, VOLTAGE
+from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VOLTAGE
 from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
 from ropsim.dynamics.drives.gear import GEAR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
-from ropsim.model import DcMotor, EffortAmplifier, ElasticGear, Gear, IdealMotor, VoltageAmplifier
+from ropsim.model import (
+    CurrentLimitedAmplifier,
+    DcMotor,
+    EffortAmplifier,
+    ElasticGear,
+    Gear,
+    IdealMotor,
+    VoltageAmplifier,
+)
 
-AMPLIFIERS: dict[type, AmplifierBlock] = {VoltageAmplifier: VOLTAGE, EffortAmplifier: EFFORT}
+AMPLIFIERS: dict[type, AmplifierBlock] = {
+    VoltageAmplifier: VOLTAGE,
+    CurrentLimitedAmplifier: CURRENT_LIMITED,
+    EffortAmplifier: EFFORT,
+}
 MOTORS: dict[type, MotorBlock] = {DcMotor: DC_MOTOR, IdealMotor: IDEAL_MOTOR}
 TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR}

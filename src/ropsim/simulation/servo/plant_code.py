@@ -187,5 +187,5 @@ def _row(structure: ArmStructure, drives: _Traced) -> list[tuple[str, Scalar]]:
                 state = states[field.name]
                 results.append((f"row[{place}]", x[state.first + state.axes.index(axis)]))
             elif field.name == structure.drives[axis].amplifier.output.name:
-                results.append((f"row[{place}]", drives.u[axis]))
+                results.append((f"row[{place}]", drives.carried[axis].given))
     return results
