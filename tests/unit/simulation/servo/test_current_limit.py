@@ -194,6 +194,19 @@ def test_the_integral_stands_still_while_the_current_is_limited() -> None:
     np.testing.assert_array_equal(after.law, start.law)
 
 
+@pytest.mark.parametrize(("volts", "moves"), [(22.8, True), (32.8, True), (33.8, False), (11.8, False)])
+def test_at_speed_the_integral_stands_still_beside_the_back_emf(volts: float, moves: bool) -> None:
+    """At 2 rad/s the back-EMF is 22.8 V, and 10.5 V more or less drive 5 A through the winding."""
+    servo = Servo.build(_axis(CurrentLimitedAmplifier(VOLTS, AMPERES)), controller(1), None, Engine.PYTHON)
+    rest = servo.initial_state(np.zeros(1))
+    values = rest.values.copy()
+    values[servo.layout.qd], values[servo.layout.law] = 2.0, volts
+    start = replace(rest, values=values)
+    reference = replace(standing(np.array([1e-4]), 1), qd=np.array([[2.0]]))
+    after = servo.run(start, reference, NOTHING, servo.recorder(start))
+    assert bool(after.law[0, 0] > volts) is moves
+
+
 def test_an_integral_that_stands_still_lets_the_arm_settle_sooner() -> None:
     """A move that asks for too much, against the same law that knows of no limit but that of the voltage."""
     robot, blind = (_axis(kind(VOLTS, 3.0)) for kind in (CurrentLimitedAmplifier, VoltageAmplifier))
