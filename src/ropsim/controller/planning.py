@@ -8,19 +8,25 @@ import numpy as np
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
+from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
+from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
+from ropsim.model import Payload
+from ropsim.motion import Beyond, keep_limits
 from ropsim.spatial import record
+
+NO_PAYLOAD = Payload()
 
 
 def plan(
-    chain: MotionChain, stretch: Sequence[MoveInstruction], state: MotionState
+    chain: MotionChain, stretch: Sequence[MoveInstruction], state: MotionState, payload: Payload = NO_PAYLOAD
 ) -> tuple[MotionPlan | None, Refusal | None]:
     """Return the motion through the moves of a stretch.
 
@@ -31,6 +37,7 @@ def plan(
         chain: the entities.
         stretch: moves in order.
         state: at rest.
+        payload: tool and part as one body, for the whole stretch.
 
     Returns:
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
@@ -46,7 +53,7 @@ def plan(
         legs.append(leg)
         q = leg.q_end
     while legs:
-        planned = _planned(chain, legs, state)
+        planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):
             return planned, refusal
         legs, refusal = legs[: planned.leg], planned.refusal
@@ -66,7 +73,9 @@ class _Hurdle:
     refusal: Refusal
 
 
-def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionPlan | _Hurdle:
+def _planned(
+    chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload
+) -> MotionPlan | _Hurdle:
     findings = [finding for leg in legs for finding in leg.findings]
     corners = _corners(chain, legs, findings)
     course = course_of(legs, corners, chain.controller.look_ahead)
@@ -76,8 +85,14 @@ def _planned(chain: MotionChain, legs: list[Leg], state: MotionState) -> MotionP
     for number, duration in enumerate(np.diff(course.ends, prepend=0.0).tolist()):
         if too_long := check_duration(legs[number].move, duration):
             return _Hurdle(number, Refusal(too_long))
+    bounds = arm_bounds(chain.robot, payload)
+    kept = keep_limits(StretchMotion(course), bounds.joints, bounds.effort, period)
+    if isinstance(kept, Beyond):
+        number = move_at(course.ends, kept.phi)
+        return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
+    findings += slowed_findings(legs, course.ends, kept.slowed, chain.robot)
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    return in_ticks(chain, legs, zones, course, state.q, findings)
+    return in_ticks(chain, legs, zones, course, kept, findings)
 
 
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:

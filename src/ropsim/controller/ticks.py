@@ -1,6 +1,5 @@
 """A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
 
-import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
@@ -10,10 +9,10 @@ from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
-from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.trigger_ticks import trigger_ticks
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference
+from ropsim.motion import JointPoints, Kept
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
@@ -41,7 +40,7 @@ def in_ticks(
     legs: Sequence[Leg],
     zones: Sequence[float],
     course: Course,
-    q_start: Array,
+    kept: Kept,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
     """Return the plan of a motion; it lasts a whole number of interpolation ticks.
@@ -51,25 +50,26 @@ def in_ticks(
         legs: the moves.
         zones: that are flown at their ends [m].
         course: of the stretch.
-        q_start: command joint coordinates at its start [rad | m], shape (n,).
+        kept: its motion within the limits of the joints.
         findings: on the moves.
     """
     rates = chain.controller.rates
     period, every = rates.control_period, rates.interpolation_ticks
-    ticks = every * -(-_whole(course.duration, period) // every)
-    phi = np.arange(1.0, ticks + 1.0) * period
-    points = StretchMotion(course).at(phi)
-    reference = _at_rest_at_end(points.q, points.d1, points.d2, legs[-1].q_end)
+    rows = len(kept.rows.q) - 1
+    ticks = every * -(-rows // every)
+    reference = _to_rest(kept.rows, legs[-1].q_end, ticks)
+    phi = np.full(ticks, course.duration)
+    phi[:rows] = kept.clock.at(np.arange(1.0, rows + 1.0) * period)[0]
     pieces = tuple(_pieces(course, phi, period))
     lasts = [0, *_ticks_of(np.array(course.ends[:-1]), phi, period), ticks]
-    q = np.concatenate((q_start[None], reference.q))
+    q = np.concatenate((kept.rows.q[:1], reference.q))
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
         X_MT, move = leg.planned.X_MT, leg.move
         triggers, told = trigger_ticks(move, chain.robot, X_MT, q[first : last + 1], first, period)
         moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers))
         found += told
-    return MotionPlan(tuple(moves), pieces, q_start, reference, period, tuple(found))
+    return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found))
 
 
 def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]:
@@ -88,11 +88,6 @@ def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]
             yield PlannedPiece(piece.tool, piece.X_MT, a, b)
 
 
-def _whole(time: float, period: float) -> int:
-    """Return how many control ticks cover a time [s]."""
-    return math.ceil(time / period - _SLACK)
-
-
 def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
     """Return the first control ticks, 0 for the start, at which the motion has come to motion times.
 
@@ -106,7 +101,18 @@ def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:
     return found
 
 
-def _at_rest_at_end(q: Array, qd: Array, qdd: Array, q_end: Array) -> JointReference:
-    """Return the reference; its last row is the end of the motion, without the rounding of sums."""
-    q[-1], qd[-1], qdd[-1] = q_end, 0.0, 0.0
+def _to_rest(rows: JointPoints, q_end: Array, ticks: int) -> JointReference:
+    """Return the reference of a motion, standing at its end until a control tick.
+
+    The end is exact, without the rounding of sums.
+
+    Args:
+        rows: of the motion at the control ticks 0, 1, … to its end.
+        q_end: joint coordinates there [rad | m], shape (n,).
+        ticks: control ticks of the reference.
+    """
+    last = len(rows.q) - 2
+    q = np.tile(q_end, (ticks, 1))
+    qd, qdd = np.zeros((2, ticks, len(q_end)))
+    q[:last], qd[:last], qdd[:last] = rows.q[1:-1], rows.d1[1:-1], rows.d2[1:-1]
     return JointReference(q, qd, qdd)

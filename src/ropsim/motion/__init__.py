@@ -15,6 +15,13 @@ from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.durations import durations as durations
+from ropsim.motion.limits.joint_bounds import Effort as Effort
+from ropsim.motion.limits.joint_bounds import JointBounds as JointBounds
+from ropsim.motion.limits.joint_bounds import Quantity as Quantity
+from ropsim.motion.limits.keep import keep_limits as keep_limits
+from ropsim.motion.limits.kept import Beyond as Beyond
+from ropsim.motion.limits.kept import Kept as Kept
+from ropsim.motion.limits.kept import Slowed as Slowed
 from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE

@@ -9,6 +9,8 @@ from ropsim.core import RopsimError
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.spatial import Array
 
+_WHOLE_SLACK = 1e-12  # relative; rounding of duration / period must not cost a whole period
+
 
 class ProfileError(RopsimError):
     """A profile was asked for with limits or a distance that no motion can have."""
@@ -155,3 +157,8 @@ def _short_rise(distance: float, a: float, j: float) -> tuple[float, float]:
     if peak * j >= a * a:
         return a / j, peak / a - a / j
     return math.cbrt(distance / (2.0 * j)), 0.0
+
+
+def whole_periods(duration: float, period: float) -> int:
+    """Return how many periods [s] cover `duration` [s], rounded up."""
+    return math.ceil(duration / period * (1.0 - _WHOLE_SLACK))

@@ -29,7 +29,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch) -> Iterator[None]:
     done, moves = 0, stretch.moves
     run.findings += stopped_by(moves[-1], why_it_ends(stretch))
     while done < len(moves) and not at.is_over:
-        planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command))
+        planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command), at.payload)
         if planned is not None:
             messages = {number - done: text for number, text in stretch.messages}
             yield from _follow(run, at, planned, messages)

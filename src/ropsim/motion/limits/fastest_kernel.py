@@ -1,0 +1,108 @@
+"""The fastest course along a path under limits that are linear in speed squared and acceleration."""
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+NOTHING = 1e-12
+"""Where the acceleration changes a row by less than this share of its room, it is no part of the row."""
+MOST_FALL = 0.75
+"""Share of x by which it may fall from one place to the next, unless it must be 0 there.
+
+Where a torque row changes its side at once, such as where a joint turns back against dry friction, the fastest
+way up to there would come to rest behind it.
+"""
+MOST_STEPS = 60
+"""Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])")
+def fastest(A: Array, B: Array, lower: Array, upper: Array, caps: Array, steps: Array, x: Array) -> None:
+    """Compute the greatest squared speeds x = (ds/dt)² along a path.
+
+    Between places i and i+1 the acceleration u = d²s/dt² is constant, x[i+1] = x[i] + 2·steps[i]·u, and each
+    row r holds at both ends of the way with that u:
+
+        lower[i, r] <= A[i, r]·u + B[i, r]·x[i] <= upper[i, r]
+        lower[i+1, r] <= A[i+1, r]·u + B[i+1, r]·x[i+1] <= upper[i+1, r]
+
+    Backwards, the greatest x from which the rest can be gone; then forwards, the greatest acceleration that
+    stays below it. Standing still satisfies all rows, so a place never has a least speed. The greatest x of a
+    place is the root of a convex function, linear in pieces, so Newton's method from above finds it exactly.
+
+    Args:
+        A: shape (m, r).
+        B: shape (m, r).
+        lower: at most 0, shape (m, r).
+        upper: at least 0, shape (m, r).
+        caps: bounds of x, at least 0, shape (m,).
+        steps: ways from place to place, above 0, shape (m - 1,).
+        x: the squared speeds afterwards, shape (m,).
+
+    References:
+        Bobrow, Dubowsky and Gibson 1985, Time-optimal control of robotic manipulators along specified paths.
+        Pham and Pham 2018, A new approach to time-optimal path parameterization based on reachability
+        analysis; rows at both ends of the way are its interpolation scheme.
+    """
+    m = caps.shape[0]
+    greatest = 0.0
+    for i in range(m):
+        greatest = max(greatest, caps[i])
+    x[m - 1] = caps[m - 1]
+    for i in range(m - 2, -1, -1):
+        value = caps[i]
+        for _ in range(MOST_STEPS):
+            least, rise, most, fall, cap = _between(
+                A, B, lower, upper, i, steps[i], value, x[i + 1], greatest
+            )
+            new = min(value, cap)
+            if least + rise * value > most + fall * value and rise > fall:
+                new = min(new, (most - least) / (rise - fall))
+            new = max(new, 0.0)
+            if not new < value * (1.0 - 1e-15):
+                break
+            value = new
+        x[i] = value
+    for i in range(m - 1):
+        least, rise, most, fall, cap = _between(A, B, lower, upper, i, steps[i], x[i], x[i + 1], greatest)
+        x[i + 1] = min(x[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
+
+
+def _between(
+    A: Array,
+    B: Array,
+    lower: Array,
+    upper: Array,
+    i: int,
+    step: float,
+    x: float,
+    goal: float,
+    greatest: float,
+) -> tuple[float, float, float, float, float]:
+    """Return the two lines by x that bind the acceleration at x, and a bound of x.
+
+    Returns:
+        the least acceleration at x = 0 and its slope, the greatest one at x = 0 and its slope, the bound.
+    """
+    share = MOST_FALL if goal > 0.0 else 1.0
+    least, rise = 0.0, -share / (2.0 * step)
+    most, fall = goal / (2.0 * step), -1.0 / (2.0 * step)
+    cap, reach = x, greatest / (2.0 * step)  # no acceleration is greater
+    for r in range(A.shape[1]):
+        for end in range(2):
+            b = B[i + end, r]
+            a = A[i + end, r] + 2.0 * step * end * b
+            low, high = lower[i + end, r], upper[i + end, r]
+            if abs(a) * reach <= NOTHING * (high - low):
+                if b > 0.0:
+                    cap = min(cap, high / b)
+                elif b < 0.0:
+                    cap = min(cap, low / b)
+                continue
+            if a < 0.0:
+                low, high = high, low
+            bottom, top, slope = low / a, high / a, -b / a
+            if bottom + slope * x > least + rise * x:
+                least, rise = bottom, slope
+            if top + slope * x < most + fall * x:
+                most, fall = top, slope
+    return least, rise, most, fall, cap

@@ -1,0 +1,70 @@
+"""What joints can do on the way: speed, acceleration, jerk and torque."""
+
+from collections.abc import Callable
+from enum import Enum
+
+import numpy as np
+
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.profile import ProfileError
+from ropsim.spatial import Array, frozen, record
+
+Effort = Callable[[Array, Array, Array], Array]
+"""Torques at the joints [N m | N] for rows of coordinates, speeds and accelerations, all (k, n)."""
+
+
+class Quantity(Enum):
+    """What can be too much for a joint; in the order in which the rows of strains stand."""
+
+    SPEED = "speed"
+    ACCELERATION = "acceleration"
+    JERK = "jerk"
+    TORQUE = "torque"
+
+
+@record
+class JointBounds:
+    """What every joint can do, each of shape (n,) and above 0; infinity where nothing is known.
+
+    Attributes:
+        speed: [rad/s | m/s].
+        acceleration: [rad/s² | m/s²].
+        jerk: [rad/s³ | m/s³].
+        effort: torque or force at the joint [N m | N], or None where it does not count.
+
+    Raises:
+        ProfileError: M540, where one is not above 0, or they are not of one shape.
+    """
+
+    speed: Array
+    acceleration: Array
+    jerk: Array
+    effort: Array | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("speed", "acceleration", "jerk", "effort"):
+            values = getattr(self, name)
+            if values is None:
+                continue
+            bound = frozen(values)
+            if bound.ndim != 1 or bound.shape != np.shape(self.speed) or not bool((bound > 0.0).all()):
+                found = f"bounds of {name} are {values}, allowed are numbers above 0, one for each joint"
+                raise ProfileError(WRONG_PROFILE_REQUEST.at(None, found))
+            object.__setattr__(self, name, bound)
+
+
+def torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
+    """Return the torques of rows [N m | N], all of shape (k, n).
+
+    Raises:
+        ProfileError: M540, one is no number, or they are of another shape.
+    """
+    found = np.asarray(effort(q, qd, qdd), dtype=np.float64)
+    if found.shape != q.shape:
+        message = f"torques have shape {found.shape}, allowed is that of the joints, {q.shape}"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
+    if not bool(np.isfinite(found).all()):
+        row = int(np.flatnonzero(~np.isfinite(found).all(axis=1))[0])
+        message = f"torques are {found[row]} at q = {q[row]}, allowed are finite numbers"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
+    return found

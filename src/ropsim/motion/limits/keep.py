@@ -1,0 +1,123 @@
+"""Limits of joints kept at every control tick: a planned motion is slowed where it asks too much."""
+
+import math
+
+import numpy as np
+
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.limits.course import course_below, window_times
+from ropsim.motion.limits.demand import LEAST_RATE, Demand, demand
+from ropsim.motion.limits.grid import places_of
+from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
+from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
+from ropsim.motion.limits.motion_time import MotionTime, unslowed
+from ropsim.motion.limits.need import rates_needed
+from ropsim.motion.limits.reference import ROUNDING, load, reference, strains, tick_times
+from ropsim.motion.limits.refusal import too_heavy, too_slow
+from ropsim.motion.limits.shares import all_of_it, less
+from ropsim.motion.profile import ProfileError
+from ropsim.spatial import Array
+
+LONGEST_DELAY = 600.0
+"""A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
+_MOST_TICKS = 1e8
+_ATTEMPTS = 14
+
+
+def keep_limits(
+    motion: Motion, bounds: JointBounds, effort: Effort | None, period: float, grid: float = 4e-3
+) -> Kept | Beyond:
+    """Return the motion within its limits at every control tick, slowed where it must be.
+
+    Motion time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
+    else is computed. Else the fastest course under the limits of speed, acceleration and torque is found
+    backwards and forwards along the path; below it, a course without kinks by lowest values and means over
+    windows; what that exceeds at control ticks is taken off the limits around there, and the same is done
+    again. If some is left after that, the whole motion is slowed by it, so that nothing remains.
+
+    Every place must be one at which the arm can creep, so that the motion can be halted anywhere. Where dry
+    friction and gravity alone take more than the torque that there is, it is refused, though momentum might
+    help.
+
+    Args:
+        motion: the plan, at rest at both ends.
+        bounds: what the joints can do.
+        effort: torques at the joints, affine in accelerations; None where they do not count.
+        period: of the control ticks [s].
+        grid: real time between two places that are planned with, about [s].
+
+    Raises:
+        ProfileError: M540, the duration or a period is not above 0, or the motion or its torques are none.
+
+    References:
+        Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
+    """
+    _check(motion.duration, period, grid)
+    clock = unslowed(motion.duration)
+    phi = clock.at(tick_times(motion.duration, period))[0]
+    rows = motion.at(phi)
+    if rows.q.shape[1:] != bounds.speed.shape:
+        found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
+    used = strains(rows, load(rows, bounds, effort), bounds, period)
+    if used.max() <= 1.0 + ROUNDING:
+        return Kept(clock, (), rows)
+    speed, acceleration, jerk, _ = used.max(axis=2)
+    estimate = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
+    places = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
+    asked = demand(motion.at(places), bounds, effort)
+    return too_heavy(asked, places) or _slowed(motion, asked, places, period)
+
+
+def _slowed(motion: Motion, asked: Demand, places: Array, period: float) -> Kept | Beyond:
+    """Return the motion slowed, with what it asks of the joints at places on it."""
+    needed, lasting = rates_needed(asked, places, period), window_times(asked, motion.duration)
+    caps, ways = np.minimum(needed[::2].min(axis=(0, 2)), 1.0), np.diff(places)
+    shares = all_of_it(len(places))
+    x = caps**2
+    best, attempt = (math.inf, unslowed(motion.duration)), 0
+    while True:
+        x = asked.fastest((caps * shares.rate) ** 2, x, ways, shares.acceleration, shares.torque)
+        sigma, clock = course_below(places, np.sqrt(x), lasting, shares.width)
+        if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
+            return too_slow(asked, places, needed, int(np.argmin(x)))
+        found = reference(motion, clock, asked, places, period)
+        if found.worst <= 1.0 + ROUNDING:
+            return Kept(clock, _parts(clock, needed), found.rows)
+        best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
+        if attempt == _ATTEMPTS:
+            return _slower(motion, best[1], asked, places, period)
+        shares, attempt = less(shares, found, places, sigma, attempt), attempt + 1
+
+
+def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, period: float) -> Kept | Beyond:
+    """Return the motion with all rates brought down by what its worst control tick needs."""
+    needed, extra = rates_needed(asked, places, period), ROUNDING
+    while True:
+        found = reference(motion, clock, asked, places, period)
+        if found.worst <= 1.0 + ROUNDING:
+            return Kept(clock, _parts(clock, needed), found.rows)
+        clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
+        if clock.duration - motion.duration > LONGEST_DELAY:
+            return too_slow(asked, places, needed, int(np.argmin(needed.min(axis=(0, 2)))))
+
+
+def _parts(clock: MotionTime, needed: Array) -> tuple[Slowed, ...]:
+    """Return the parts of a motion that are slowed, with what needs it most there."""
+    slow = np.concatenate(([False], clock.rates < 1.0, [False]))
+    starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
+    parts = []
+    for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
+        kind, _, joint = np.unravel_index(int(np.argmin(needed[:, first:end])), needed[:, first:end].shape)
+        begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
+        share = float(clock.rates[first:end].min())
+        parts.append(Slowed(float(begins), float(stops), share, int(joint), tuple(Quantity)[kind]))
+    return tuple(parts)
+
+
+def _check(duration: float, period: float, grid: float) -> None:
+    numbers = (duration, period, grid)
+    if not all(math.isfinite(each) and each > 0.0 for each in numbers) or duration / period > _MOST_TICKS:
+        found = f"duration is {duration:g} s, control tick {period:g} s, grid {grid:g} s"
+        allowed = f"allowed are numbers above 0, and {_MOST_TICKS:g} ticks"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, {allowed}"))

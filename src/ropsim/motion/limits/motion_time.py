@@ -1,0 +1,92 @@
+"""How far a motion has come at a time, where it is slowed: motion time over real time."""
+
+import numpy as np
+
+from ropsim.spatial import Array, frozen, record
+
+_INSIDE = 0.9
+"""Share of a rate by which it may change towards a third of a cell, so that it stays above 0 in between.
+
+The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts so much longer at most.
+"""
+
+
+@record
+class MotionTime:
+    """Motion time φ over real time t, with rates dφ/dt in ]0, 1] that have no kinks.
+
+    Between two knots the rate is the cubic with their rates and changes at both ends, and φ its integral.
+
+    Attributes:
+        times: real times of the knots [s], from 0 on, rising, shape (m,).
+        places: motion times there [s], from 0 on, rising, shape (m,).
+        rates: dφ/dt there, shape (m,).
+        changes: d²φ/dt² there [1/s], shape (m,).
+    """
+
+    times: Array
+    places: Array
+    rates: Array
+    changes: Array
+
+    def __post_init__(self) -> None:
+        for name in ("times", "places", "rates", "changes"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    @property
+    def duration(self) -> float:
+        """Return the real time that the whole motion takes [s]."""
+        return float(self.times[-1])
+
+    def at(self, times: Array) -> tuple[Array, Array, Array]:
+        """Return motion time [s], rate and change of the rate [1/s] at real times [s], each of shape (k,).
+
+        Times before the start and after the end count as these. Where nothing is slowed, φ is t bit by bit.
+        """
+        t = np.clip(times, 0.0, self.times[-1])
+        i = np.clip(np.searchsorted(self.times, t, "right") - 1, 0, len(self.times) - 2)
+        past, step = t - self.times[i], self.times[i + 1] - self.times[i]
+        first, change = self.rates[i], self.changes[i]
+        more = (self.rates[i + 1] - first) / step
+        square = (3.0 * more - 2.0 * change - self.changes[i + 1]) / step
+        cube = (change + self.changes[i + 1] - 2.0 * more) / step**2
+        way = past * (first + past * (change / 2.0 + past * (square / 3.0 + past * cube / 4.0)))
+        phi = np.clip(self.places[i] + way, self.places[i], self.places[i + 1])
+        return (
+            np.where(t < self.times[-1], phi, self.places[-1]),
+            first + past * (change + past * (square + past * cube)),
+            change + past * (2.0 * square + past * 3.0 * cube),
+        )
+
+    def slower(self, share: float) -> "MotionTime":
+        """Return the same course at a share, in ]0, 1], of all its rates."""
+        return MotionTime(self.times / share, self.places, self.rates * share, self.changes * share**2)
+
+
+def unslowed(duration: float) -> MotionTime:
+    """Return the motion time of a motion [s] that goes as it is planned."""
+    return MotionTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
+
+
+def motion_time(places: Array, rates: Array, changes: Array) -> MotionTime:
+    """Return the motion time with given rates.
+
+    The time from knot to knot is that in which the integral of the cubic rate is the way between them: the
+    smaller root of Δφ = (w + w')·Δt/2 + (c - c')·Δt²/12 with rates w, w' and changes c, c'. Changes that
+    would lead a rate out of ]0, 1] between two knots are brought down.
+
+    Args:
+        places: motion times of the knots [s], rising, shape (m,).
+        rates: in ]0, 1], shape (m,).
+        changes: d²φ/dt² [1/s], shape (m,).
+    """
+    way, mean = np.diff(places), (rates[1:] + rates[:-1]) / 2.0
+    step = way / mean
+    left, right = np.append(step[:1], step), np.append(step, step[-1:])
+    above, below = 3.0 * (1.0 - rates), 3.0 * _INSIDE * rates * (2.0 - _INSIDE) / 2.0
+    up, down = np.minimum(above / right, below / left), np.minimum(above / left, below / right)
+    c = np.clip(changes, -down, up)
+    bend = (c[:-1] - c[1:]) / 12.0
+    root = np.sqrt(np.maximum(mean**2 + 4.0 * bend * way, 0.0))
+    times = np.concatenate(([0.0], np.cumsum(2.0 * way / (mean + root))))
+    return MotionTime(times, places, rates, c)
