@@ -14,11 +14,16 @@ from ropsim.spatial import Array, record
 _HALF = 0.5
 """Share of a move that a zone may take."""
 
+_LEAST = 1e-6
+"""Zones below this are none [m]: no arm shows them, and rounding would have a say in the way round them."""
+
 
 class Stop(Enum):
     """Why the arm stops at a corner though a zone is in force."""
 
     TURNS_BACK = "the path turns back on itself there"
+    STANDS = "the tool only turns on one side of it"
+    TOO_SMALL = "it is smaller than a micrometre"
     NO_WAY = "there is no way between it and its neighbour"
     UNREACHABLE = "the arm cannot follow the rounded corner"
     NO_LOOK_AHEAD = "the controller does not look ahead"
@@ -78,8 +83,12 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
         return Stop.NO_WAY
     one, other = _Way(chain, before, before.joints), _Way(chain, behind, behind.joints)
     halves, zone = (_HALF * one.length, _HALF * other.length), before.move.modal.zone
+    if zone < _LEAST:
+        return Stop.TOO_SMALL
     if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
+        if zone < _LEAST:
+            return Stop.STANDS
     s_leave = leave(one.positions, one.length, zone, halves[0])
     s_enter = enter(other.positions, other.length, zone, halves[1])
     flown = max(one.distance(s_leave, one.length), other.distance(s_enter, 0.0))

@@ -1,5 +1,6 @@
 """Planning a stretch: moves become paths, paths a course with rounded corners, that a motion in time."""
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -13,16 +14,21 @@ from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
+from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
-from ropsim.motion import Beyond, keep_limits
+from ropsim.motion import Beyond, ToolLimits, keep_limits
 from ropsim.spatial import record
 
 NO_PAYLOAD = Payload()
+_CRAWLING = 1e-9
+"""Smallest limit of a move that is planned without a look at how long it takes, in units of the limits."""
+_SMALLEST = 1e-300
+"""Bounds below this count as this, so that nothing is divided by 0."""
 
 
 def plan(
@@ -77,14 +83,17 @@ def _planned(
     chain: MotionChain, legs: list[Leg], state: MotionState, payload: Payload
 ) -> MotionPlan | _Hurdle:
     findings = [finding for leg in legs for finding in leg.findings]
+    for number, leg in enumerate(legs):
+        if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
+            return _too_long(legs, number, alone)
     corners = _corners(chain, legs, findings)
     course = course_of(legs, corners, chain.controller.look_ahead)
     period = chain.controller.rates.control_period
     if not course.runs:
         return standing(legs, state.q, period, findings)
     for number, duration in enumerate(np.diff(course.ends, prepend=0.0).tolist()):
-        if too_long := check_duration(legs[number].move, duration):
-            return _Hurdle(number, Refusal(too_long))
+        if check_duration(legs[number].move, duration):
+            return _too_long(legs, number, duration)
     bounds = arm_bounds(chain.robot, payload)
     kept = keep_limits(StretchMotion(course), bounds.joints, bounds.effort, period)
     if isinstance(kept, Beyond):
@@ -93,6 +102,34 @@ def _planned(
     findings += slowed_findings(legs, course.ends, kept.slowed, chain.robot)
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     return in_ticks(chain, legs, zones, course, kept, findings)
+
+
+def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:
+    """Return M513 for a move that lasts too long [s], or for the neighbour that makes its corner slow."""
+    beside = range(max(number - 1, 0), min(number + 2, len(legs)))
+    slowest = max(beside, key=lambda one: (_time_alone(legs[one]), one == number))
+    return _Hurdle(slowest, Refusal(check_duration(legs[slowest].move, duration)))
+
+
+def _crawls(leg: Leg) -> bool:
+    """Return whether a limit of a move is so small that the time of the move is no number to plan with."""
+    joints, tool = leg.planned.limits.joints, leg.planned.limits.tool
+    of_joints = (float(limit.min()) for limit in (joints.speed, joints.acceleration, joints.jerk))
+    of_tool = (float(getattr(tool, name)) for name in ToolLimits.__slots__)
+    return min(*of_joints, *of_tool) < _CRAWLING
+
+
+def _time_alone(leg: Leg) -> float:
+    """Return the time [s] below which a move cannot be made from rest to rest."""
+    limits = leg.planned.limits
+    if leg.joints is None:
+        return 0.0
+    stage = tool_stage(leg.tool, limits.tool) if leg.tool else joint_stage(leg.joints, limits.joints)
+    speed, acceleration, jerk = (
+        max(bound, _SMALLEST) for bound in (stage.speed, stage.acceleration, stage.jerk)
+    )
+    way = stage.length
+    return max(way / speed, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.controller.corners import Rounding, Stop, rounding
+from ropsim.controller.corners import Corner, Overlap, Rounding, Stop, corner_between
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward_batch
@@ -25,9 +25,20 @@ def legs(one: MoveInstruction, other: MoveInstruction) -> tuple[Leg, Leg]:
     return before, behind
 
 
+def between(one: MoveInstruction, other: MoveInstruction, zone: float) -> Corner | Stop:
+    one = replace(one, modal=replace(one.modal, zone=zone))
+    return corner_between(CHAIN, *legs(one, other))
+
+
+def flown(one: MoveInstruction, other: MoveInstruction, zone: float) -> Corner:
+    found = between(one, other, zone)
+    assert not isinstance(found, Stop)
+    return found
+
+
 def rounded(one: MoveInstruction, other: MoveInstruction, zone: float) -> Rounding:
-    found = rounding(CHAIN, *legs(one, other), zone)
-    assert isinstance(found, Rounding), found
+    found = between(one, other, zone)
+    assert isinstance(found, Rounding)
     return found
 
 
@@ -48,27 +59,21 @@ KINDS = {
 def test_the_path_leaves_and_enters_its_moves_at_the_distance_of_the_zone(kinds: str) -> None:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
     before, behind = legs(one, other)
-    found = rounded(one, other, 0.02)
-    assert found.zone == 0.02
+    found = flown(one, other, 0.02)
+    assert found.zone == pytest.approx(0.02, abs=PLACE)
     for leg, place in ((before, found.leave), (behind, found.enter)):
         assert np.linalg.norm(place_of(leg, place) - FIRST.position) == pytest.approx(0.02, abs=PLACE)
 
 
-@pytest.mark.parametrize("kinds", KINDS)
-def test_the_way_round_goes_on_from_its_neighbours_in_position_speed_and_acceleration(kinds: str) -> None:
-    one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
-    before, behind = legs(one, other)
-    found = rounded(one, other, 0.02)
-    assert before.joints is not None
-    assert behind.joints is not None
-    # with the place on the neighbour moving at 1/s and not accelerated, and that of the way round accordingly
-    start, end = (found.joints.joints(np.array([s])) for s in (0.0, found.joints.length))
-    left = before.joints.joints(np.array([found.leave]))
-    entered = behind.joints.joints(np.array([found.enter]))
-    for here, there, rate in ((start, left, found.before), (end, entered, 1.0 / found.behind)):
+def test_the_way_round_goes_on_from_its_neighbours_with_both_derivatives() -> None:
+    before, behind = legs(lin(FIRST), lin(SECOND))
+    found = rounded(lin(FIRST), lin(SECOND), 0.02)
+    for s, leg, place in ((0.0, before, found.leave), (found.joints.length, behind, found.enter)):
+        assert leg.joints is not None
+        here, there = found.joints.joints(np.array([s])), leg.joints.joints(np.array([place]))
         assert np.abs(here.q - there.q).max() < 1e-9
-        assert np.abs(here.d1 * rate - there.d1).max() < 1e-6
-        assert np.abs(here.d2 * rate**2 - there.d2).max() < 2e-3  # of differences of samples on lines
+        assert np.abs(here.d1 - there.d1).max() < 1e-6
+        assert np.abs(here.d2 - there.d2).max() < 2e-3  # of differences of samples
 
 
 def test_a_corner_of_two_lines_is_one_of_the_tool_and_stays_within_its_zone() -> None:
@@ -80,49 +85,63 @@ def test_a_corner_of_two_lines_is_one_of_the_tool_and_stays_within_its_zone() ->
     assert np.abs(joints - found.tool.positions(s)).max() < 1e-8
 
 
-def test_corners_with_a_pose_to_pose_move_are_rounded_in_joint_space() -> None:
-    for kinds in ("PTP to PTP", "PTP to LIN", "LIN to PTP"):
-        one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
-        assert rounded(one, other, 0.02).tool is None
+@pytest.mark.parametrize("kinds", ["PTP to PTP", "PTP to LIN", "LIN to PTP"])
+def test_motions_overlap_where_one_of_them_is_pose_to_pose(kinds: str) -> None:
+    one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
+    assert isinstance(between(one, other, 0.02), Overlap)
 
 
-def test_lines_of_two_tools_are_joined_in_joint_space() -> None:
-    gripper = ModalState(tool="gripper")
+def test_lines_of_two_tools_overlap() -> None:
     X_MT = CELL.first.tools["gripper"].X_MT
-    assert rounded(lin(FIRST), lin(shifted(FIRST @ X_MT, 0.0, 0.0, 0.06), gripper), 0.02).tool is None
+    other = lin(shifted(FIRST @ X_MT, 0.0, 0.0, 0.06), ModalState(tool="gripper"))
+    assert isinstance(between(lin(FIRST), other, 0.02), Overlap)
 
 
 @pytest.mark.parametrize("kinds", KINDS)
 def test_a_zone_takes_at_most_half_of_either_move(kinds: str) -> None:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
     before, behind = legs(one, other)
-    found = rounded(one, other, 1.0)
+    found = flown(one, other, 1.0)
     assert before.joints is not None
     assert behind.joints is not None
     assert found.leave >= before.joints.length / 2.0 * (1.0 - 1e-9)
     assert found.enter <= behind.joints.length / 2.0 * (1.0 + 1e-9)
-    assert found.zone == pytest.approx(
-        np.linalg.norm(place_of(behind, found.enter) - FIRST.position), abs=PLACE
-    )
+    ends = (before, found.leave), (behind, found.enter)
+    away = [np.linalg.norm(place_of(leg, place) - FIRST.position) for leg, place in ends]
+    assert found.zone == pytest.approx(max(away), abs=PLACE)
     if kinds == "LIN to LIN":
-        assert found.zone == pytest.approx(0.03, abs=PLACE)  # half of the second line
+        assert away == pytest.approx([0.03, 0.03], abs=PLACE)  # half of the second line
+    else:
+        assert found.leave == pytest.approx(before.joints.length / 2.0)
+        assert found.enter == pytest.approx(behind.joints.length / 2.0)
 
 
 def test_a_line_back_on_itself_is_a_stop() -> None:
-    assert rounding(CHAIN, *legs(lin(FIRST), lin(shifted(FIRST, 0.05, -0.05, 0.0))), 0.01) is Stop.TURNS_BACK
+    assert between(lin(FIRST), lin(shifted(FIRST, 0.05, -0.05, 0.0)), 0.01) is Stop.TURNS_BACK
 
 
-def test_a_tool_that_only_turns_on_one_side_is_a_stop() -> None:
+def test_a_tool_that_only_turns_on_one_side_of_two_lines_is_a_stop() -> None:
     turned = Pose(FIRST.position, (FIRST @ Pose(orientation=np.array([0.99, 0.0, 0.0, 0.1]))).orientation)
-    assert rounding(CHAIN, *legs(lin(FIRST), lin(turned)), 0.01) is Stop.STANDS
-    assert rounding(CHAIN, *legs(ptp(FIRST), lin(turned)), 0.01) is Stop.STANDS
+    assert between(lin(FIRST), lin(turned), 0.01) is Stop.STANDS
+    assert isinstance(between(ptp(FIRST), lin(turned), 0.01), Overlap)
+
+
+def test_there_is_no_way_round_where_a_move_leads_nowhere() -> None:
+    assert between(lin(FIRST), lin(FIRST), 0.01) is Stop.NO_WAY
+    assert between(lin(HERE), lin(FIRST), 0.01) is Stop.NO_WAY
 
 
 @pytest.mark.parametrize("zone", [1e-300, 1e-160, 1e-18, 1e-12, 0.9e-6])
-def test_a_zone_below_a_micrometre_is_a_stop(zone: float) -> None:
-    for kinds in KINDS.values():
-        one, other = (make(goal) for make, goal in zip(kinds, (FIRST, SECOND), strict=True))
-        assert rounding(CHAIN, *legs(one, other), zone) is Stop.TOO_SMALL
+@pytest.mark.parametrize("kinds", KINDS)
+def test_a_zone_below_a_micrometre_is_a_stop(kinds: str, zone: float) -> None:
+    one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
+    assert between(one, other, zone) is Stop.TOO_SMALL
+
+
+def test_a_controller_that_does_not_look_ahead_stops() -> None:
+    short = replace(CHAIN, controller=replace(CHAIN.controller, look_ahead=0))
+    move = lin(FIRST, ModalState(zone=0.01))
+    assert corner_between(short, *legs(move, lin(SECOND))) is Stop.NO_LOOK_AHEAD
 
 
 def test_a_corner_that_the_arm_cannot_follow_is_a_stop() -> None:
@@ -133,9 +152,9 @@ def test_a_corner_that_the_arm_cannot_follow_is_a_stop() -> None:
             """Raise."""
             raise ValueError(path, density)
 
-    before, behind = legs(lin(FIRST), lin(SECOND))
+    before, behind = legs(lin(FIRST, ModalState(zone=0.02)), lin(SECOND))
     chain = replace(CHAIN, interpolator=Refusing())  # type: ignore[arg-type]
-    assert rounding(chain, before, behind, 0.02) is Stop.UNREACHABLE
+    assert corner_between(chain, before, behind) is Stop.UNREACHABLE
 
 
 def test_a_line_that_goes_on_straight_is_rounded_on_the_line() -> None:
