@@ -7,12 +7,15 @@ import pytest
 
 from ropsim.controller.stages import joint_stage, tool_stage
 from ropsim.motion import (
+    CornerFault,
     JointLine,
     JointMotionLimits,
     JointPath,
     Line,
     OrientationMode,
     ToolLimits,
+    ToolPath,
+    corner,
     durations,
     joint_blend,
     plan_time_law,
@@ -108,3 +111,34 @@ def test_the_bounds_hold_on_random_blends() -> None:
         shares = shares_of(blend, limits)
         assert max(shares) <= 1.0 + BETWEEN_PLACES, shares
         assert max(shares) > 0.5, shares  # and they are not far too low
+
+
+def bow(random: np.random.Generator) -> ToolPath:
+    """Return the way round a random corner of two lines of 0.2 m, from 0.1 m before it to 0.1 m behind it."""
+    edge = random.uniform(-1.0, 1.0, 3)
+    ways = [way / np.linalg.norm(way) for way in random.normal(size=(2, 3))]
+    turns = random.normal(size=(3, 4)) * 0.2 + np.array([1.0, 0.0, 0.0, 0.0])
+    poses = [Pose(edge - 0.2 * ways[0], turns[0]), Pose(edge, turns[1]), Pose(edge + 0.2 * ways[1], turns[2])]
+    found = corner(Line(poses[0], poses[1]), 0.1, Line(poses[1], poses[2]), 0.1)
+    assert not isinstance(found, CornerFault)
+    return found
+
+
+def test_the_bounds_of_the_tool_hold_on_random_corners() -> None:
+    random = np.random.default_rng(3)
+    for _ in range(100):
+        path = bow(random)
+        speed = random.uniform(0.1, 3.0)
+        limits = ToolLimits(speed, random.uniform(0.5, 9.0), random.uniform(10.0, 900.0), 9.0, 90.0, 900.0)
+        stage = tool_stage(path, limits)
+        s = np.linspace(0.0, path.length, 4001)
+        points = path.tool(s)
+        d3 = np.gradient(points.d2, s, axis=0)
+        v, a, j = stage.speed, stage.acceleration, stage.jerk
+        accelerated = points.d2 * v**2 + np.array([[[1.0]], [[-1.0]]]) * points.d1 * a
+        most = np.linalg.norm(accelerated[:, :, :3], axis=2).max() / limits.acceleration
+        sizes = [np.linalg.norm(one[:, :3], axis=1) for one in (points.d1, points.d2, d3)]
+        jerks = (sizes[2] * v**3 + 3.0 * sizes[1] * v * a + sizes[0] * j).max() / limits.jerk
+        assert v <= limits.speed
+        assert most <= 1.0 + BETWEEN_PLACES
+        assert jerks <= 1.0 + 5.0 * BETWEEN_PLACES
