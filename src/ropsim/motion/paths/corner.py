@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import STANDS, ToolPath
-from ropsim.motion.paths.polynomials import quintics, with_derivatives
+from ropsim.motion.paths.polynomials import quintics
 from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
 from ropsim.spatial import Array
 
@@ -57,9 +57,9 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     ends = np.empty((2, 3, 6))
     ends[:, 0, :3], ends[:, 1, :3], ends[:, 2, :3] = matrices[:, :3, 3], d1[:, :3], d2[:, :3]
     middle, ends[:, :, 3:] = _orientations(matrices[:, :3, :3], d1[:, 3:], d2[:, 3:])
-    coefficients = with_derivatives(quintics(ends.reshape(1, 6, 6)))
+    coefficients = quintics(ends.reshape(1, 6, 6))
     least = np.array([_SLOWEST * min(c_in, c_out)])
-    way = arc_length(coefficients[..., 6:9], coefficients[..., 12:15], _STEPS, least)
+    way = arc_length(coefficients, _STEPS, least)
     return CornerFault.TURNS_BACK if way is None else Curve(coefficients, middle[None], way)
 
 

@@ -1,14 +1,12 @@
 """Curve: a way of the tool through polynomials of position and orientation, over its arc length."""
 
-from dataclasses import field
-
 import numpy as np
 
 from ropsim.motion.paths.arc_length import ArcLength
+from ropsim.motion.paths.curve_kernel import curve_at, curve_points
 from ropsim.motion.paths.nearest import distances
 from ropsim.motion.paths.path import ToolPoints
-from ropsim.motion.paths.polynomials import powers
-from ropsim.motion.paths.rotation_vector import turning
+from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array, frozen, record
 
 _GRID = 16  # steps of each segment in the search for the nearest place
@@ -23,21 +21,18 @@ class Curve:
     acceleration per way has them in the curve, to rounding.
 
     Attributes:
-        coefficients: of t⁰ to t⁵ in p [m] and θ [rad], beside those of both derivatives, (c, 6, 18).
+        coefficients: of t⁰ to t⁵ in p [m] and θ [rad], shape (c, 6, 6).
         middles: R_middle in the reference frame, shape (c, 3, 3).
         way: of the TCP.
-        turns: whether the tool turns at all.
     """
 
     coefficients: Array
     middles: Array
     way: ArcLength
-    turns: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "coefficients", frozen(self.coefficients))
         object.__setattr__(self, "middles", frozen(self.middles))
-        object.__setattr__(self, "turns", bool(self.coefficients[:, 1:, 3:6].any()))
 
     @property
     def length(self) -> float:
@@ -46,33 +41,24 @@ class Curve:
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
-        segment, t = self.way.parameters(s)
-        values = (powers(t)[:, None, :] @ self.coefficients.take(segment, axis=0))[:, 0, :]
-        middles = self.middles.take(segment, axis=0)
-        p1, p2 = values[:, 6:9], values[:, 12:15]
-        square = np.einsum("ki,ki->k", p1, p1)
-        rate = (1.0 / np.sqrt(square))[:, None]  # dt/ds
-        change = (-np.einsum("ki,ki->k", p1, p2) / (square * square))[:, None]  # d²t/ds²
-        matrices = np.zeros((len(s), 4, 4))
-        matrices[:, :3, 3] = values[:, :3]
-        matrices[:, 3, 3] = 1.0
-        d1, d2 = np.zeros((len(s), 6)), np.zeros((len(s), 6))
-        d1[:, :3] = p1 * rate
-        d2[:, :3] = p2 * (rate * rate) + p1 * change
-        if not self.turns:
-            matrices[:, :3, :3] = middles
-            return ToolPoints(matrices, d1, d2)
-        rotations, speed, grown = turning(values[:, 3:6], values[:, 9:12], values[:, 15:18])
-        matrices[:, :3, :3] = middles @ rotations
-        by_s = np.stack((speed * rate, grown * (rate * rate) + speed * change), axis=2)
-        turned = middles @ by_s
-        d1[:, 3:], d2[:, 3:] = turned[:, :, 0], turned[:, :, 1]
-        return ToolPoints(matrices, d1, d2)
+        points = ToolPoints(np.empty((len(s), 4, 4)), np.empty((len(s), 6)), np.empty((len(s), 6)))
+        curve_points(
+            series(),
+            self.way.ends,
+            self.way.inverse,
+            self.way.steps,
+            self.coefficients,
+            self.middles,
+            np.ascontiguousarray(s),
+            points.matrices,
+            points.d1,
+            points.d2,
+        )
+        return points
 
     def positions(self, s: Array) -> Array:
         """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
-        segment, t = self.way.parameters(s)
-        return np.asarray((powers(t)[:, None, :] @ self.coefficients[..., :3].take(segment, axis=0))[:, 0, :])
+        return self.tool(s).matrices[:, :3, 3]
 
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
@@ -81,6 +67,6 @@ class Curve:
 
     def _by_parameter(self, u: Array) -> tuple[Array, Array, Array]:
         """Return p and its derivatives by u, the number of the segment and the parameter in it as one."""
-        segment = np.clip(u.astype(np.int64), 0, len(self.middles) - 1)
-        values = (powers(u - segment)[:, None, :] @ self.coefficients.take(segment, axis=0))[:, 0, :]
-        return values[:, :3], values[:, 6:9], values[:, 12:15]
+        p, d1, d2 = (np.empty((len(u), 3)) for _ in range(3))
+        curve_at(self.coefficients, np.ascontiguousarray(u), p, d1, d2)
+        return p, d1, d2

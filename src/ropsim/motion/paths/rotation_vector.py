@@ -1,8 +1,8 @@
 """Rotation vectors: orientation, angular velocity and angular acceleration as functions of three numbers.
 
 A rotation vector θ is axis times angle; K is the matrix of its cross product, x = |θ|². All coefficients are
-power series in x, so nothing needs a case of its own near no turn at all. They are exact to rounding up to a
-full turn.
+power series in x, so nothing needs a case of its own near no turn at all; they are exact to rounding up to a
+full turn. The loops over rows are in `curve_kernel`.
 """
 
 import math
@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 
+from ropsim.motion.paths.curve_kernel import rate_rows, turning_rows
 from ropsim.spatial import Array, frozen, quaternions_from_matrices
 
 _TERMS = 18  # (2π)²ᵏ / (2k + 1)! is below the last bits from there on
@@ -17,8 +18,7 @@ _TERMS = 18  # (2π)²ᵏ / (2k + 1)! is below the last bits from there on
 
 def exponentials(vectors: Array) -> Array:
     """Return the rotations exp(K) = I + c₁·K + c₂·K² of rotation vectors (k, 3) [rad], shape (k, 3, 3)."""
-    c, K = _coefficients(vectors), _crosses(vectors)
-    return _sums(K, K @ K, c[0], c[1])
+    return turning(vectors, np.zeros(vectors.shape), np.zeros(vectors.shape))[0]
 
 
 def logarithms(rotations: Array) -> Array:
@@ -48,23 +48,11 @@ def turning(vectors: Array, d1: Array, d2: Array) -> tuple[Array, Array, Array]:
         Iserles, Munthe-Kaas, Nørsett and Zanna 2000, Lie-group methods, Acta Numerica 9, section 2.6 (the
         series of dexp).
     """
-    c1, c2, c3, c2_x, c3_x = _coefficients(vectors)
-    K = _crosses(vectors)
-    summands = np.empty((len(vectors), 5, 3))
-    summands[:, 0], summands[:, 1], summands[:, 2] = vectors, d1, d2
-    products = summands[:, :3] @ summands[:, :3].transpose(0, 2, 1)
-    summands[:, 3:] = summands[:, 1:3] @ K.transpose(0, 2, 1)
-    x, along = products[:, 0, 0], products[:, 0, 1]
-    bent = (2.0 * along) * c3_x
-    weights = np.zeros((len(vectors), 2, 5))
-    weights[:, 0, 0] = c3 * along
-    weights[:, 0, 1] = weights[:, 1, 2] = c1  # as 1 - c₃·x
-    weights[:, 0, 3] = weights[:, 1, 4] = c2
-    weights[:, 1, 0] = c3 * (products[:, 0, 2] + products[:, 1, 1]) + bent * along
-    weights[:, 1, 1] = -c3 * along - bent * x
-    weights[:, 1, 3] = (2.0 * along) * c2_x
-    motion = weights @ summands
-    return _sums(K, K @ K, c1, c2), motion[:, 0], motion[:, 1]
+    count = len(vectors)
+    rotations, speed, change = np.empty((count, 3, 3)), np.empty((count, 3)), np.empty((count, 3))
+    v, rate, bend = (np.ascontiguousarray(rows) for rows in (vectors, d1, d2))
+    turning_rows(series(), v, rate, bend, rotations, speed, change)
+    return rotations, speed, change
 
 
 def rates(vectors: Array, speed: Array, change: Array) -> tuple[Array, Array]:
@@ -75,48 +63,15 @@ def rates(vectors: Array, speed: Array, change: Array) -> tuple[Array, Array]:
         speed: ω in the fixed frame, shape (k, 3).
         change: its derivative, shape (k, 3).
     """
-    c, K = _coefficients(vectors), _crosses(vectors)
-    left = _sums(K, K @ K, c[1], c[2])  # ω = left·θ'
-    d1 = np.asarray(np.linalg.solve(left, speed[:, :, None])[:, :, 0], np.float64)
-    _, _, rest = turning(vectors, d1, np.zeros(d1.shape))
-    d2 = np.linalg.solve(left, (change - rest)[:, :, None])[:, :, 0]
-    return d1, np.asarray(d2, np.float64)
-
-
-def _crosses(vectors: Array) -> Array:
-    """Return the matrices of the cross products of vectors (k, 3), shape (k, 3, 3)."""
-    return (vectors @ _CROSS).reshape(-1, 3, 3)
-
-
-def _sums(K: Array, KK: Array, first: Array, second: Array) -> Array:
-    """Return I + first·K + second·K² for rows of K, shape (k, 3, 3)."""
-    result = first[:, None, None] * K
-    result += second[:, None, None] * KK
-    result += _IDENTITY
-    return result
-
-
-def _coefficients(vectors: Array) -> Array:
-    """Return c₁ = sin|θ| / |θ|, c₂, c₃ and the derivatives of c₂ and c₃ by x, for (k, 3), shape (5, k)."""
-    powers = np.empty((_TERMS, len(vectors)))
-    powers[0] = 1.0
-    powers[1:] = np.einsum("ki,ki->k", vectors, vectors)
-    np.multiply.accumulate(powers, axis=0, out=powers)
-    return np.asarray(_series() @ powers)
+    d1, d2 = np.empty((len(vectors), 3)), np.empty((len(vectors), 3))
+    v, w, grown = (np.ascontiguousarray(rows) for rows in (vectors, speed, change))
+    rate_rows(series(), v, w, grown, d1, d2)
+    return d1, d2
 
 
 @cache
-def _series() -> Array:
-    """Return the coefficients of xᵏ in the five functions, shape (5, terms)."""
+def series() -> Array:
+    """Return the coefficients of xᵏ in the functions of `curve_kernel`, shape (6, terms)."""
     c = np.array([[(-1.0) ** k / math.factorial(2 * k + j) for k in range(_TERMS + 1)] for j in (1, 2, 3)])
-    return frozen(np.concatenate((c[:, :-1], c[1:, 1:] * np.arange(1, _TERMS + 1))))
-
-
-_IDENTITY = frozen(np.eye(3))
-_CROSS = frozen(  # rows: which entries of K the three components are
-    [
-        [0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0],
-        [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0],
-        [0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    ]
-)
+    by_x = c[1:, 1:] * np.arange(1, _TERMS + 1)
+    return frozen(np.concatenate((c[:, :-1], by_x, [c[1, 1:] - 0.5 * c[0, 1:]])))

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import FARTHEST, STANDS, STILL
-from ropsim.motion.paths.polynomials import quintics, with_derivatives
+from ropsim.motion.paths.polynomials import quintics
 from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
 from ropsim.spatial import Array, Pose
 
@@ -62,8 +62,8 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     first, second = _knot_derivatives(chords, np.hstack((steps, 2.0 * halves)))
     begin = _ends(positions[:-1], -halves, first[:-1], second[:-1], chords)
     end = _ends(positions[1:], halves, first[1:], second[1:], chords)
-    coefficients = with_derivatives(quintics(np.concatenate((begin, end), axis=1)))
-    way = arc_length(coefficients[..., 6:9], coefficients[..., 12:15], _STEPS, _SLOWEST * chords)
+    coefficients = quintics(np.concatenate((begin, end), axis=1))
+    way = arc_length(coefficients, _STEPS, _SLOWEST * chords)
     if way is None:
         return SplineFault.TURNS_BACK
     return Curve(coefficients, rotations[:-1] @ exponentials(halves), way)

@@ -1,0 +1,273 @@
+"""Curves of polynomials in plain loops that numba compiles: their places, their way, how the tool turns.
+
+Rotation vectors θ stand beside positions: coefficients have six columns, p [m] and θ [rad]. Functions of
+x = |θ|² are power series (`rotation_vector.series`), whose rows are c₁ = sin|θ| / |θ|,
+c₂ = (1 - cos|θ|) / |θ|², c₃ = (|θ| - sin|θ|) / |θ|³, the derivatives of c₂ and c₃ by x, and
+(c₂ - c₁ / 2) / x.
+"""
+
+from math import sqrt
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+_Vector = tuple[float, float, float]
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[:,::1])")
+def turning_rows(
+    series: Array, vectors: Array, d1: Array, d2: Array, R: Array, speed: Array, change: Array
+) -> None:
+    """Write exp(K), ω and ω' of rows of θ, θ' and θ'', shapes (k, 3, 3) and (k, 3)."""
+    for k in range(vectors.shape[0]):
+        v = (vectors[k, 0], vectors[k, 1], vectors[k, 2])
+        rate, bend = (d1[k, 0], d1[k, 1], d1[k, 2]), (d2[k, 0], d2[k, 1], d2[k, 2])
+        c = _functions(series, _dot(v, v))
+        _write_rotation(c[0], c[1], v, R[k])
+        w, a = _turning(c[0], c[1], c[2], c[3], c[4], v, rate, bend)
+        for i in range(3):
+            speed[k, i], change[k, i] = w[i], a[i]
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+def rate_rows(series: Array, vectors: Array, speed: Array, change: Array, d1: Array, d2: Array) -> None:
+    """Write θ' and θ'' of rows of θ, ω and ω', shapes (k, 3): the inverse of `turning_rows`."""
+    for k in range(vectors.shape[0]):
+        v = (vectors[k, 0], vectors[k, 1], vectors[k, 2])
+        c = _functions(series, _dot(v, v))
+        inverse = c[5] / c[1]
+        rate = _untwisted(inverse, v, (speed[k, 0], speed[k, 1], speed[k, 2]))
+        _, rest = _turning(c[0], c[1], c[2], c[3], c[4], v, rate, (0.0, 0.0, 0.0))
+        bend = _untwisted(
+            inverse, v, (change[k, 0] - rest[0], change[k, 1] - rest[1], change[k, 2] - rest[2])
+        )
+        for i in range(3):
+            d1[k, i], d2[k, i] = rate[i], bend[i]
+
+
+@kernel(
+    "void(f8[:,::1], f8[::1], f8[:,::1], i8, f8[:,:,::1], f8[:,:,::1], f8[::1],"
+    " f8[:,:,::1], f8[:,::1], f8[:,::1])"
+)
+def curve_points(
+    series: Array,
+    ends: Array,
+    inverse: Array,
+    steps: int,
+    coefficients: Array,
+    middles: Array,
+    s: Array,
+    matrices: Array,
+    d1: Array,
+    d2: Array,
+) -> None:
+    """Write the tool and its derivatives by the way at ways s.
+
+    Args:
+        series: see above.
+        ends: way at the end of each step, and 0 before them, shape (m + 1,).
+        inverse: coefficients of t over the share of each step, shape (m, 6).
+        steps: of each segment; m = c·steps.
+        coefficients: of the segments, shape (c, 6, 6).
+        middles: orientations that θ counts from, shape (c, 3, 3).
+        s: shape (k,).
+        matrices: where the poses go, shape (k, 4, 4).
+        d1: where first derivatives go, shape (k, 6).
+        d2: where second derivatives go, shape (k, 6).
+    """
+    for k in range(s.shape[0]):
+        step = _step_of(ends, s[k])
+        t = _parameter(ends, inverse, step, s[k])
+        C, M, X = coefficients[step // steps], middles[step // steps], matrices[k]
+        for i in range(3):
+            X[i, 3], d1[k, i], d2[k, i] = _polynomial(C, i, t)
+        p1, p2 = (d1[k, 0], d1[k, 1], d1[k, 2]), (d2[k, 0], d2[k, 1], d2[k, 2])
+        square = _dot(p1, p1)
+        first, second = 1.0 / sqrt(square), -_dot(p1, p2) / (square * square)  # dt/ds, d²t/ds²
+        v0, r0, b0 = _polynomial(C, 3, t)
+        v1, r1, b1 = _polynomial(C, 4, t)
+        v2, r2, b2 = _polynomial(C, 5, t)
+        v = (v0, v1, v2)
+        c = _functions(series, _dot(v, v))
+        _write_rotation(c[0], c[1], v, X)
+        w, a = _turning(c[0], c[1], c[2], c[3], c[4], v, (r0, r1, r2), (b0, b1, b2))
+        for i in range(3):
+            d1[k, i], d2[k, i] = p1[i] * first, p2[i] * first * first + p1[i] * second
+            speed = M[i, 0] * w[0] + M[i, 1] * w[1] + M[i, 2] * w[2]
+            change = M[i, 0] * a[0] + M[i, 1] * a[1] + M[i, 2] * a[2]
+            d1[k, 3 + i], d2[k, 3 + i] = speed * first, change * first * first + speed * second
+        for j in range(3):
+            x, y, z = X[0, j], X[1, j], X[2, j]
+            for i in range(3):
+                X[i, j] = M[i, 0] * x + M[i, 1] * y + M[i, 2] * z
+        X[3, 0] = X[3, 1] = X[3, 2] = 0.0
+        X[3, 3] = 1.0
+
+
+@kernel("void(f8[:,:,::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1])")
+def curve_at(coefficients: Array, u: Array, p: Array, d1: Array, d2: Array) -> None:
+    """Write positions and their derivatives by t at u, the number of the segment and t in it as one."""
+    for k in range(u.shape[0]):
+        segment = min(max(int(u[k]), 0), coefficients.shape[0] - 1)
+        for i in range(3):
+            p[k, i], d1[k, i], d2[k, i] = _polynomial(coefficients[segment], i, u[k] - segment)
+
+
+@kernel("void(f8[:,:,::1], i8, f8[:,::1])")
+def speed_range(coefficients: Array, steps: int, out: Array) -> None:
+    """Write the least and the greatest |p'| at the ends of the steps of each segment, shape (c, 2)."""
+    for segment in range(coefficients.shape[0]):
+        for step in range(steps + 1):
+            speed = _speed(coefficients[segment], step / steps)
+            out[segment, 0] = min(out[segment, 0], speed) if step else speed
+            out[segment, 1] = max(out[segment, 1], speed) if step else speed
+
+
+@kernel("void(f8[:,:,::1], i8, f8[::1], f8[::1], f8[::1], f8[:,::1])")
+def way_of_steps(
+    coefficients: Array, steps: int, points: Array, weights: Array, ends: Array, inverse: Array
+) -> None:
+    """Write the way at the end of each step, and t over the share of the step.
+
+    Args:
+        coefficients: of the segments, shape (c, 6, 6).
+        steps: of each segment.
+        points: of the quadrature in [0, 1], shape (g,).
+        weights: of these, shape (g,).
+        ends: where the ways go, and 0 before them, shape (c·steps + 1,).
+        inverse: where the coefficients of t go, shape (c·steps, 6).
+    """
+    ends[0] = 0.0
+    row = 0
+    for segment in range(coefficients.shape[0]):
+        C = coefficients[segment]
+        first, second = _rates(C, 0.0)
+        for step in range(steps):
+            way = 0.0
+            for g in range(points.shape[0]):
+                way += weights[g] * _speed(C, (step + points[g]) / steps)
+            way /= steps
+            begin, end = step / steps, (step + 1) / steps
+            v, a = first * way, second * way * way
+            first, second = _rates(C, end)
+            w, b, gap = first * way, second * way * way, end - begin
+            inverse[row, 0], inverse[row, 1], inverse[row, 2] = begin, v, 0.5 * a
+            inverse[row, 3] = 10.0 * gap - 6.0 * v - 4.0 * w - 1.5 * a + 0.5 * b
+            inverse[row, 4] = -15.0 * gap + 8.0 * v + 7.0 * w + 1.5 * a - b
+            inverse[row, 5] = 6.0 * gap - 3.0 * (v + w) - 0.5 * (a - b)
+            ends[row + 1] = ends[row] + way
+            row += 1
+
+
+def _speed(C: Array, t: float) -> float:
+    """Return |p'|."""
+    square = 0.0
+    for i in range(3):
+        _, rate, _ = _polynomial(C, i, t)
+        square += rate * rate
+    return sqrt(square)
+
+
+def _rates(C: Array, t: float) -> tuple[float, float]:
+    """Return dt/ds and d²t/ds²."""
+    square = along = 0.0
+    for i in range(3):
+        _, rate, bend = _polynomial(C, i, t)
+        square += rate * rate
+        along += rate * bend
+    return 1.0 / sqrt(square), -along / (square * square)
+
+
+def _polynomial(C: Array, column: int, t: float) -> _Vector:
+    """Return value, first and second derivative of a column of coefficients (6, n)."""
+    value = rate = half = 0.0
+    for k in range(5, -1, -1):
+        half = half * t + rate
+        rate = rate * t + value
+        value = value * t + C[k, column]
+    return value, rate, 2.0 * half
+
+
+def _step_of(ends: Array, s: float) -> int:
+    """Return the last step that begins at s or before, the first one for what is before all."""
+    low, high = 0, ends.shape[0] - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if ends[middle] <= s:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _parameter(ends: Array, inverse: Array, step: int, s: float) -> float:
+    share = (s - ends[step]) / (ends[step + 1] - ends[step])
+    t = 0.0
+    for k in range(5, -1, -1):
+        t = t * share + inverse[step, k]
+    return t
+
+
+def _functions(series: Array, x: float) -> tuple[float, float, float, float, float, float]:
+    """Return the six functions of x."""
+    c1 = c2 = c3 = c2_x = c3_x = rest = 0.0
+    for k in range(series.shape[1] - 1, -1, -1):
+        c1 = c1 * x + series[0, k]
+        c2 = c2 * x + series[1, k]
+        c3 = c3 * x + series[2, k]
+        c2_x = c2_x * x + series[3, k]
+        c3_x = c3_x * x + series[4, k]
+        rest = rest * x + series[5, k]
+    return c1, c2, c3, c2_x, c3_x, rest
+
+
+def _turning(
+    c1: float, c2: float, c3: float, c2_x: float, c3_x: float, v: _Vector, rate: _Vector, bend: _Vector
+) -> tuple[_Vector, _Vector]:
+    """Return ω and ω' as sums of θ, θ', θ'', θ×θ' and θ×θ''."""
+    along = _dot(v, rate)
+    turned, bent = _cross(v, rate), _cross(v, bend)
+    grown = 2.0 * along * c3_x
+    to_v = c3 * (_dot(v, bend) + _dot(rate, rate)) + grown * along
+    to_rate = -c3 * along - grown * _dot(v, v)
+    to_turned = 2.0 * along * c2_x
+    by_v = c3 * along
+    w = (
+        c1 * rate[0] + c2 * turned[0] + by_v * v[0],
+        c1 * rate[1] + c2 * turned[1] + by_v * v[1],
+        c1 * rate[2] + c2 * turned[2] + by_v * v[2],
+    )
+    a = (
+        c1 * bend[0] + c2 * bent[0] + to_v * v[0] + to_rate * rate[0] + to_turned * turned[0],
+        c1 * bend[1] + c2 * bent[1] + to_v * v[1] + to_rate * rate[1] + to_turned * turned[1],
+        c1 * bend[2] + c2 * bent[2] + to_v * v[2] + to_rate * rate[2] + to_turned * turned[2],
+    )
+    return w, a
+
+
+def _untwisted(inverse: float, v: _Vector, w: _Vector) -> _Vector:
+    """Return θ' of ω: w - v×w / 2 + inverse·v×(v×w)."""
+    once = _cross(v, w)
+    twice = _cross(v, once)
+    return (
+        w[0] - 0.5 * once[0] + inverse * twice[0],
+        w[1] - 0.5 * once[1] + inverse * twice[1],
+        w[2] - 0.5 * once[2] + inverse * twice[2],
+    )
+
+
+def _write_rotation(c1: float, c2: float, v: _Vector, R: Array) -> None:
+    """Write exp(K) = I + c₁·K + c₂·K² to the first three rows and columns of R."""
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        R[i, i] = 1.0 - c2 * (v[j] * v[j] + v[k] * v[k])
+        R[k, j] = c2 * v[j] * v[k] + c1 * v[i]
+        R[j, k] = c2 * v[j] * v[k] - c1 * v[i]
+
+
+def _dot(a: _Vector, b: _Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a: _Vector, b: _Vector) -> _Vector:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
