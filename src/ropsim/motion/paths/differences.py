@@ -8,6 +8,7 @@ import numpy as np
 
 from ropsim.motion.paths.path import ToolPoints
 from ropsim.motion.paths.rotation_vector import logarithms
+from ropsim.motion.paths.traced_kernel import row_differences
 from ropsim.spatial import Array, frozen
 
 _CENTRAL = 7
@@ -15,7 +16,7 @@ _SIDED = 8  # one row more, for second derivatives of the same order at the ends
 _FINENESS = 256  # steps on the length of a path; rounding and the order of the differences are even there
 
 
-def row_derivatives(rows: Array, step: float) -> tuple[Array, Array]:
+def row_derivatives(rows: Array, step: float) -> Array:
     """Return first and second derivatives of rows at equidistant places.
 
     Central differences of order 6, one-sided ones of the same order at the three rows of each end; k < 9
@@ -25,24 +26,23 @@ def row_derivatives(rows: Array, step: float) -> tuple[Array, Array]:
         rows: shape (k, n), k >= 2.
         step: from one place to the next.
 
+    Returns:
+        first and second derivatives, shape (2, k, n).
+
     References:
         Fornberg 1988, Generation of Finite Difference Formulas on Arbitrarily Spaced Grids, Mathematics of
         Computation 51(184), 699-706.
     """
     count = len(rows)
-    scale = np.array([1.0 / step, 1.0 / step**2])[:, None, None]
-    if count <= _SIDED:
-        first, second = scale * (_weights(count) @ rows)
-        return first, second
     result = np.empty((2, *rows.shape))
-    half = _CENTRAL // 2
-    inner, ends = _weights(_CENTRAL)[:, half], _weights(_SIDED)
-    result[:, :half] = ends[:, :half] @ rows[:_SIDED]
-    result[:, -half:] = ends[:, -half:] @ rows[-_SIDED:]
-    windows = np.lib.stride_tricks.sliding_window_view(rows, _CENTRAL, axis=0)  # (k - 6, n, 7)
-    result[:, half:-half] = np.moveaxis(windows @ inner.T, -1, 0)
-    result *= scale
-    return result[0], result[1]
+    if count <= _SIDED:
+        result[:] = _weights(count) @ rows
+    else:
+        inner, sided = _stencils()
+        row_differences(np.ascontiguousarray(rows), inner, sided, result)
+    result[0] *= 1.0 / step
+    result[1] *= 1.0 / step**2
+    return result
 
 
 def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:
@@ -78,6 +78,12 @@ def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: floa
 def _weights(count: int) -> Array:
     """Return the weights of first and second derivatives at each of `count` rows, shape (2, count, count)."""
     return frozen([_weights_at(_places(count), count, order) for order in (1, 2)])
+
+
+@cache
+def _stencils() -> tuple[Array, Array]:
+    """Return the weights around a row, shape (2, 7), and at the ends, shape (2, 8, 8)."""
+    return frozen(_weights(_CENTRAL)[:, _CENTRAL // 2]), _weights(_SIDED)
 
 
 def _weights_at(offsets: Array, count: int, order: int) -> Array:

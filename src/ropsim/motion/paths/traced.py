@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.paths.differences import row_derivatives
 from ropsim.motion.paths.path import JointPoints
-from ropsim.motion.paths.polynomials import powers, quintics, with_derivatives
+from ropsim.motion.paths.traced_kernel import traced_points
 from ropsim.spatial import Array, frozen, record
 
 
@@ -21,29 +21,24 @@ class Traced:
     Attributes:
         length: of the way, in its own unit; positive.
         q: joint coordinates [rad | m] at the places 0 to `length`, shape (k, n), k >= 2.
-        coefficients: of the polynomials between the rows and of their derivatives, shape (k - 1, 6, 3·n).
+        derivatives: first and second ones at the rows by the number of the row, shape (2, k, n).
     """
 
     length: float
     q: Array
-    coefficients: Array = field(init=False, repr=False)
+    derivatives: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         q = frozen(self.q)
-        step = 1.0  # of a place counted in rows
-        rows = np.stack((q, *row_derivatives(q, step)), axis=1)
-        coefficients = with_derivatives(quintics(np.concatenate((rows[:-1], rows[1:]), axis=1)))
-        coefficients.flags.writeable = False
+        derivatives = row_derivatives(q, 1.0)
+        derivatives.flags.writeable = False
         object.__setattr__(self, "q", q)
-        object.__setattr__(self, "coefficients", coefficients)
+        object.__setattr__(self, "derivatives", derivatives)
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         count, n = self.q.shape
+        q, d1, d2 = np.empty((len(s), n)), np.empty((len(s), n)), np.empty((len(s), n))
         per_unit = (count - 1) / self.length
-        t = s * per_unit
-        row = np.minimum(np.maximum(t, 0.0).astype(np.int64), count - 2)
-        values = (powers(t - row)[:, None, :] @ self.coefficients.take(row, axis=0))[:, 0, :]
-        return JointPoints(
-            values[:, :n], values[:, n : 2 * n] * per_unit, values[:, 2 * n :] * (per_unit * per_unit)
-        )
+        traced_points(self.q, self.derivatives, per_unit, np.ascontiguousarray(s), q, d1, d2)
+        return JointPoints(q, d1, d2)
