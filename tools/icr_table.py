@@ -22,6 +22,7 @@ CLASSES = {
     0x05: "Modal state",
     0x06: "Motion",
     0x07: "Inputs, outputs, time",
+    0x08: "Conditions and poses of the arm",
 }
 OPERANDS = {
     OperandKind.CONSTANT: "*type value*",
@@ -41,6 +42,7 @@ DEPENDS = {
     "MKJ": ("REAL … n times", "JOINTS"),
     "MKEXT": ("POSE REAL … n times", "POSE"),
     "MOVE.SPL": ("POSE … n times", ""),
+    "GUARD": ("T REAL", ""),
     "TRIG.DIST": ("T REAL", ""),
     "TRIG.TIME": ("T REAL", ""),
     "GETC": ("T", "REAL"),

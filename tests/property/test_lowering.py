@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.core import Span
-from ropsim.flow import GripAction, MotionKind, Side
+from ropsim.flow import Comparison, GripAction, ModalState, MotionKind, Side
 from ropsim.program import (
     Assign,
     AssignComponent,
@@ -19,6 +19,7 @@ from ropsim.program import (
     Expression,
     For,
     Grip,
+    Guard,
     Home,
     If,
     InFrame,
@@ -51,6 +52,7 @@ from ropsim.program import (
     check_contracts,
     lower,
 )
+from ropsim.spatial import Pose
 
 BOOL, INT, REAL, POSE = ValueType.BOOL, ValueType.INT, ValueType.REAL, ValueType.POSE
 BUDGET = 5_000
@@ -143,6 +145,17 @@ trigger = st.builds(
     Trigger, st.just("lamp"), expressions[BOOL], st.sampled_from(Side), st.none(), places
 ) | st.builds(Trigger, st.just("lamp"), expressions[BOOL], st.sampled_from(Side), places)
 triggers = st.lists(trigger, max_size=2).map(tuple)
+guards = st.none() | st.one_of(
+    st.builds(Guard, st.just("part"), st.just(Comparison.IS), expressions[BOOL], st.none() | places),
+    st.builds(
+        Guard,
+        st.just("force"),
+        st.sampled_from((Comparison.ABOVE, Comparison.BELOW)),
+        expressions[REAL],
+        st.none() | places,
+    ),
+)
+stores = st.sampled_from(["", "", "p"])
 plain: st.SearchStrategy[Statement] = st.one_of(
     st.builds(
         Move,
@@ -153,9 +166,32 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         points(0),
         st.none(),
         triggers,
+        st.none(),
+        stores,
     ),
     st.builds(
-        Move, st.just(MotionKind.SPLINE), expressions[POSE], modal, spans, points(1), st.none(), triggers
+        Move,
+        st.sampled_from((MotionKind.PTP, MotionKind.LIN)),
+        expressions[POSE],
+        modal,
+        spans,
+        st.just(()),
+        st.none(),
+        triggers,
+        guards,
+        stores,
+    ),
+    st.builds(
+        Move,
+        st.just(MotionKind.SPLINE),
+        expressions[POSE],
+        modal,
+        spans,
+        points(1),
+        st.none(),
+        triggers,
+        guards,
+        stores,
     ),
     st.builds(
         Move,
@@ -276,6 +312,12 @@ class Timeless:
 
     def time(self) -> float:
         return 0.5
+
+    def met(self) -> bool:
+        return True
+
+    def attained(self, modal: ModalState) -> Pose | None:
+        return Pose() if modal.tool else None
 
 
 @settings(max_examples=40, derandomize=True)

@@ -8,6 +8,7 @@ from ropsim.program import (
     Binary,
     Component,
     Constant,
+    Guard,
     MakeExternal,
     MakeJoints,
     MakePose,
@@ -17,6 +18,7 @@ from ropsim.program import (
     Settings,
     SignalValue,
     Statement,
+    Trigger,
     Unary,
     Variable,
 )
@@ -74,6 +76,9 @@ def _text(value: object) -> str:
         case MakeVector() | MakeZyx() | MakePose() | MakeExternal() | MakeJoints():
             parts = [_text(getattr(value, f.name)) for f in fields(value) if f.name != "type"]
             text = f"{type(value).__name__.lower()}[{', '.join(parts)}]"
+        case Trigger() | Guard():
+            given = [(f.name, getattr(value, f.name)) for f in fields(value)]
+            text = "(" + " ".join(f"{n}={_text(v)}" for n, v in given if v is not None) + ")"
         case Settings():
             given = [(f.name, getattr(value, f.name)) for f in fields(value)]
             text = "{" + ", ".join(f"{n} {_text(v)}" for n, v in given if v is not None) + "}"

@@ -112,6 +112,9 @@ def _path_words(move: MoveInstruction) -> Iterator[str]:
     for one in move.triggers:
         place = f"{one.time:g} s" if one.distance is None else f"{1e3 * one.distance:g} mm"
         yield f"at {place} {one.side.value} set {one.channel} = {one.value}"
+    if move.guard is not None:
+        limit = "" if move.guard.timeout is None else f" timeout {move.guard.timeout:g} s"
+        yield f"until {move.guard.channel} {move.guard.comparison.value} {move.guard.value}{limit}"
 
 
 def _place_text(pose: Pose) -> str:

@@ -27,3 +27,9 @@ class Guard:
     comparison: Comparison
     value: bool | float
     timeout: float | None = None
+
+    def holds(self, found: bool | float) -> bool:  # noqa: FBT001 - a signal's value
+        """Return whether a value of the channel makes the condition true."""
+        if self.comparison is Comparison.IS:
+            return bool(found) is bool(self.value)
+        return found > self.value if self.comparison is Comparison.ABOVE else found < self.value

@@ -227,8 +227,8 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CIRC CLOCK EXT GRIP IO JNT LIN MSG PTP SPLINE TRIG ZONE`). `EXT` is needed by a
-constant pose with values of external axes, too.
+instructions that occur (`CIRC CLOCK EXT GRIP GUARD IO JNT LIN MSG POSE PTP SPLINE TRIG ZONE`). `EXT`
+is needed by a constant pose with values of external axes, too.
 """,
 )
 AXES_DIFFER = define(
@@ -247,8 +247,9 @@ PREFIX_LOST = define(
     _ERROR,
     "V4: an instruction that belongs to the next move is not followed by one",
     """
-Rule V4. `TRIG.DIST` and `TRIG.TIME` say something about the next move. On every way a move must follow before
-the procedure ends or calls another one, and before any other instruction goes to the robot. Between them may
-stand what only computes, modal instructions and further ones that belong to the same move.
+Rule V4. `TRIG.DIST`, `TRIG.TIME` and `GUARD` say something about the next move. On every way a move must
+follow before the procedure ends or calls another one, and before any other instruction goes to the robot.
+Between them may stand what only computes, modal instructions and further ones that belong to the same move,
+`GUARD` once.
 """,
 )

@@ -1,7 +1,8 @@
 """The opcode table of ICR 1.0: the one source of reader, printer, verifier and machine.
 
 A code is class · 256 + number. Codes are frozen once released and never used again. Classes: 00 control,
-01 data, 02 arithmetic, 03 flow, 04 geometry, 05 modal state, 06 motion, 07 inputs, outputs and time.
+01 data, 02 arithmetic, 03 flow, 04 geometry, 05 modal state, 06 motion, 07 inputs, outputs and time,
+08 conditions and poses of the arm.
 """
 
 from dataclasses import dataclass
@@ -26,9 +27,14 @@ class OperandKind(Enum):
     ACTION = "action"
     CATEGORY = "category"
     SIDE = "side"
+    COMPARISON = "comparison"
 
 
-WORDS = {OperandKind.ACTION: ("open", "close"), OperandKind.SIDE: ("before", "after")}
+WORDS = {
+    OperandKind.ACTION: ("open", "close"),
+    OperandKind.SIDE: ("before", "after"),
+    OperandKind.COMPARISON: ("is", "above", "below"),
+}
 """Operands that are one of a few words."""
 
 
@@ -192,6 +198,9 @@ _TABLE = """
 0709 GRIP      action,tool - - GRIP  open or close the gripper of a tool
 070A FMT       -        *   S  -     any value as text
 070B CAT       -        SS  S  -     one text after the other
+0804 GUARD     comparison,channel * - GUARD [value timeout ->] condition that ends the next move
+0809 MET       -        -   B  GUARD whether the condition of the guarded move before came true
+080A ATTAINED  -        -   P  POSE  pose that the tool in force has, X_KT, in the frame in force
 """
 
 

@@ -64,7 +64,7 @@ def _by_operand(program: Program, procedure: Procedure, step: Step) -> tuple[Sta
         return (tuple(one.type for one in callee.parameters), callee.results) if callee else ((), ())
     channel = program.channel(str(step.operands[-1]))
     found = (channel.type,) if channel else ()
-    if step.mnemonic in {"TRIG.DIST", "TRIG.TIME"}:
+    if step.mnemonic in {"TRIG.DIST", "TRIG.TIME", "GUARD"}:
         return (*found, Type.REAL), ()
     return ((), found) if step.mnemonic == "IN" else (found, ())
 

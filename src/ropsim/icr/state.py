@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span
-from ropsim.flow import ModalState, Origin, Trigger
+from ropsim.flow import Guard, ModalState, Origin, Trigger
 from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location
 
@@ -56,6 +56,7 @@ class MachineState:
         saved: modal states saved, the last one on top.
         commanded: pose commanded last, or None.
         triggers: those of the next move.
+        guard: that of the next move, or None.
         visits: (procedure, instruction) and how often it was carried out.
         activations: procedures started so far, `main` not counted.
         steps: instructions carried out.
@@ -75,6 +76,7 @@ class MachineState:
     saved: tuple[ModalState, ...]
     commanded: Commanded | None
     triggers: tuple[Trigger, ...]
+    guard: Guard | None
     visits: tuple[tuple[tuple[int, int], int], ...]
     activations: int
     steps: int
@@ -98,6 +100,7 @@ class Registers:
     saved: list[ModalState] = field(default_factory=list)
     commanded: Commanded | None = None
     triggers: tuple[Trigger, ...] = ()
+    guard: Guard | None = None
     visits: dict[tuple[int, int], int] = field(default_factory=dict)
     activations: int = 0
     steps: int = 0
@@ -125,6 +128,7 @@ class Registers:
             tuple(self.saved),
             self.commanded,
             self.triggers,
+            self.guard,
             tuple(sorted(self.visits.items())),
             self.activations,
             self.steps,
@@ -138,7 +142,8 @@ class Registers:
         self.stack, self.callers, self.saved = list(state.stack), list(state.callers), list(state.saved)
         self.shared[:] = state.shared
         self.calls, self.call_serials = state.calls, state.call_serials
-        self.modal, self.commanded, self.triggers = state.modal, state.commanded, state.triggers
+        self.modal, self.commanded = state.modal, state.commanded
+        self.triggers, self.guard = state.triggers, state.guard
         self.visits = dict(state.visits)
         self.activations, self.steps = state.activations, state.steps
         self.is_synced, self.finished = state.is_synced, state.finished

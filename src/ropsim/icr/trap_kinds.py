@@ -61,9 +61,10 @@ POSE_UNKNOWN = define(
     _ERROR,
     "trap: the command pose is asked for before a move to a pose",
     """
-`here` (`CURPOSE`) is the pose that was commanded last. At the start, and after a move to joint coordinates
-or home, no pose has been commanded; and when a tool comes into force whose pose only the cell knows, it
-cannot be computed. Move to a pose first.
+`here` (`CURPOSE`) is the pose that was commanded last. At the start, after a move to joint coordinates or
+home, after an arc of an angle and after a move that a condition ends, no pose has been commanded; and when a
+tool comes into force whose pose only the cell knows, it cannot be computed. Move to a pose first, or keep the
+pose that the arm has: `store`.
 """,
 )
 

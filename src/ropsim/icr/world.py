@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from typing import Protocol
 
-from ropsim.flow import Instruction, MoveInstruction, OutputInstruction, WaitInstruction
+from ropsim.flow import Instruction, ModalState, MoveInstruction, OutputInstruction, WaitInstruction
+from ropsim.spatial import Pose
 
 
 class World(Protocol):
@@ -25,6 +26,14 @@ class World(Protocol):
         """Return the time since the start [s]."""
         ...
 
+    def met(self) -> bool:
+        """Return whether the condition of the guarded move that was carried out last ended it; else False."""
+        ...
+
+    def attained(self, modal: ModalState) -> Pose | None:
+        """Return the pose X_KT that the tool of a modal state has in its task frame; None if not known."""
+        ...
+
 
 class StillWorld:
     """A world without a robot: inputs never change, and time passes only by waiting.
@@ -36,6 +45,8 @@ class StillWorld:
     def __init__(self, inputs: Mapping[str, bool | int | float] | None = None) -> None:
         self._channels = dict(inputs or {})
         self._time = 0.0
+        self._met = False
+        self._reached: MoveInstruction | None = None
 
     def read(self, channel: str) -> bool | int | float:
         """Return the value given for a channel, or what the program has set it to."""
@@ -52,6 +63,24 @@ class StillWorld:
         """Return the time waited so far [s]."""
         return self._time
 
+    def met(self) -> bool:
+        """Return whether the condition of the last guarded move held when it was carried out."""
+        return self._met
+
+    def attained(self, modal: ModalState) -> Pose | None:
+        """Return the target of the last move, as if all guarded moves ended there; None where it is no pose.
+
+        None also for another tool than that of the move.
+        """
+        move = self._reached
+        if move is None or not isinstance(move.target, Pose) or move.angle is not None:
+            return None
+        if (move.modal.tool, move.modal.X_MT) != (modal.tool, modal.X_MT):
+            return None
+        if (move.modal.frame, move.modal.X_BK) == (modal.frame, modal.X_BK):
+            return move.target
+        return modal.X_BK.inverse() @ move.modal.X_BK @ move.target
+
     def carry_out(self, instruction: Instruction) -> None:
         """Set outputs, or let the duration of a wait pass; everything else takes no time here."""
         if isinstance(instruction, OutputInstruction):
@@ -59,5 +88,8 @@ class StillWorld:
         elif isinstance(instruction, MoveInstruction):
             for trigger in instruction.triggers:
                 self._channels[trigger.channel] = trigger.value
+            self._reached = instruction
+            if instruction.guard is not None:
+                self._met = instruction.guard.holds(self.read(instruction.guard.channel))
         elif isinstance(instruction, WaitInstruction):
             self._time += instruction.duration

@@ -150,7 +150,7 @@ def _defined(statement: syntax.Statement | None) -> Iterator[tuple[Name, Role]]:
             yield name, Role.PATTERN
         case syntax.VariableDeclaration(name=name) | syntax.For(name=name) | syntax.ForEach(name=name):
             yield name, Role.VARIABLE
-        case syntax.Assign(name=name, member=None):
+        case syntax.Assign(name=name, member=None) | syntax.Motion(store=Name() as name):
             yield name, Role.VARIABLE
         case syntax.Load(names=names):
             for name in names:

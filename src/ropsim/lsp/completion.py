@@ -151,6 +151,7 @@ def _behind_locations(lead: str) -> Iterator[Json]:
         yield from _words(words.MODIFIERS, _KEYWORD, "2")
         own = {name: word for name, word in words.MOTIONS.items() if name in language.BEHIND_TARGETS}
         yield from _words(own, _KEYWORD, "2")
+        yield _item("until", _KEYWORD, "until SIGNAL", "Ends the motion when the condition holds.", "2")
     elif _VERB.search(lead):
         yield _item("via", _KEYWORD, words.MOTIONS["via"].form, words.MOTIONS["via"].meaning, "3")
     if is_target or _LOCATION.search(lead):

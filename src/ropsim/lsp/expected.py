@@ -33,6 +33,7 @@ _AFTER = tuple(
         (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$", "loc"),
         (r"\b(?:above|blend|at)\s+$", "length"),
         (r"^\s*wait\s+$|\btimeout\s+$", "time"),
+        (r"\buntil\s+(?:not\s+)?$", "bool"),
         (r"\bspeed\s+$", "speed"),
         (r"\bacc\s+$", "accel"),
         (r"\b(?:rx|ry|rz|pitch|roll|yaw|angle)\s+$", "angle"),

@@ -46,7 +46,7 @@ STATEMENTS: dict[str, Word] = {
     "endif": Word("endif", "End of an `if`."),
     "repeat": Word("repeat [n] … endr", "Passes through the lines n times, without n for ever."),
     "endr": Word("endr", "End of a `repeat`."),
-    "until": Word("until c", "End of a `repeat` that stops when the condition holds after a pass."),
+    "until": Word("until c", "End of a `repeat`, or of a motion before its target, when c holds."),
     "while": Word("while c [do] … endw", "Passes through the lines as long as the condition holds."),
     "endw": Word("endw", "End of a `while`."),
     "for": Word("for i = a to b [step s] … endf", "Counts a variable, or with `for each` takes locations."),
@@ -91,6 +91,8 @@ LOCATIONS: dict[str, Word] = {
 MOTIONS: dict[str, Word] = {
     "via": Word("lin via a, … to target", "Points on the way of a motion; `mov` and `lin` pass them by."),
     "angle": Word("angle a", "How far an arc goes on its circle, instead of ending at its target."),
+    "store": Word("store NAME", "Keeps the pose that the arm has at the end of the motion."),
+    "timeout": Word("until condition timeout t", "Ends the motion after this time, condition or not."),
     "at": Word(
         "at d after start|before end do set OUTPUT on", "Sets an output on the way, after a way or time."
     ),

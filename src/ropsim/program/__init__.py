@@ -34,6 +34,7 @@ from ropsim.program.statements import Call as Call
 from ropsim.program.statements import Continue as Continue
 from ropsim.program.statements import For as For
 from ropsim.program.statements import Grip as Grip
+from ropsim.program.statements import Guard as Guard
 from ropsim.program.statements import If as If
 from ropsim.program.statements import Message as Message
 from ropsim.program.statements import Move as Move

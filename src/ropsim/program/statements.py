@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.core import Span
-from ropsim.flow import GripAction, MotionKind, Side
+from ropsim.flow import Comparison, GripAction, MotionKind, Side
 from ropsim.program.expressions import Expression
 
 Block = tuple["Statement", ...]
@@ -57,6 +57,23 @@ class Trigger:
 
 
 @dataclass(frozen=True, slots=True)
+class Guard:
+    """The condition on one signal that ends a motion before its target.
+
+    Attributes:
+        signal: what is looked at.
+        comparison: how it is compared.
+        value: BOOL or REAL with which it is compared; computed when the motion begins.
+        timeout: REAL, time after which the motion ends all the same [s]; None for none.
+    """
+
+    signal: str
+    comparison: Comparison
+    value: Expression
+    timeout: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Move:
     """A motion to a target, through points on the way.
 
@@ -69,6 +86,8 @@ class Move:
             arc, any number a curve.
         angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
         triggers: outputs that are set on the way.
+        guard: what ends the motion before its target.
+        store: variable for the pose that the arm has at the end; empty for none.
     """
 
     kind: MotionKind
@@ -78,6 +97,8 @@ class Move:
     via: tuple[Expression, ...] = ()
     angle: Expression | None = None
     triggers: tuple[Trigger, ...] = ()
+    guard: Guard | None = None
+    store: str = ""
 
 
 @dataclass(frozen=True, slots=True)

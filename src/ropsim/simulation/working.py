@@ -22,6 +22,7 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished, Machine, Program
+from ropsim.simulation.attained import attained_pose
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
 from ropsim.simulation.gripping import grip
@@ -52,7 +53,11 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         DivergedError: S701, the state has become NaN or infinite; it names the source line.
     """
     world = SimulatedWorld(
-        options.sensors or run.sensors, lambda: at.time, lambda: run.watch.reading(run), options.longest_wait
+        options.sensors or run.sensors,
+        lambda: at.time,
+        lambda: run.watch.reading(run),
+        options.longest_wait,
+        lambda modal: attained_pose(at, modal),
     )
     machine = Machine(program, world)
     serving = Serving()

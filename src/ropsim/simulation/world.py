@@ -4,7 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ropsim.controller import SensorInterface
+from ropsim.flow import ModalState
 from ropsim.simulation.polling import Polling
+from ropsim.spatial import Pose
 
 
 @dataclass(slots=True)
@@ -16,7 +18,9 @@ class SimulatedWorld:
         now: returns the simulated time of the station [s].
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
+        where: returns the pose that the tool in force has in the task frame in force, X_KT.
         came: whether the channel that was waited for last came to have its value.
+        guard_met: whether the condition of the guarded move that was carried out last ended it.
         polling: is told what the program looks at.
     """
 
@@ -24,7 +28,9 @@ class SimulatedWorld:
     now: Callable[[], float]
     look: Callable[[], None]
     longest_wait: float
+    where: Callable[[ModalState], Pose]
     came: bool = False
+    guard_met: bool = False
     polling: Polling = field(default_factory=Polling)
 
     def read(self, channel: str) -> bool | float:
@@ -43,3 +49,12 @@ class SimulatedWorld:
         """Return how the wait ended that the station has carried out."""
         del channel, value, timeout
         return self.came
+
+    def met(self) -> bool:
+        """Return how the guarded move ended that the station has carried out."""
+        return self.guard_met
+
+    def attained(self, modal: ModalState) -> Pose:
+        """Return the pose that the tool in force has in the task frame in force, X_KT."""
+        self.look()
+        return self.where(modal)

@@ -1,10 +1,13 @@
 import pytest
 
 from ropsim.flow import (
+    Comparison,
     GripAction,
     GripInstruction,
+    Guard,
     Instruction,
     MessageInstruction,
+    ModalState,
     MotionKind,
     MoveInstruction,
     OutputInstruction,
@@ -30,6 +33,7 @@ HEAD = """ICR 1.0 t
 SOURCE "t.task"
 {cap}IO DI part BOOL
 IO AI count INT
+IO AI force REAL
 IO DO lamp BOOL
 FRAMEDEF f 1.0 0.0 0.0 1.0 0.0 0.0 0.0
 FRAMEDEF g 0.0 2.0 0.0 1.0 0.0 0.0 0.0
@@ -48,6 +52,9 @@ def program(main: str, rest: str = "") -> Program:
         "MOVE.CIRC": "CIRC",
         "MOVE.SPL": "SPLINE",
         "TRIG": "TRIG",
+        "GUARD": "GUARD",
+        "MET": "GUARD",
+        "ATTAINED": "POSE",
         "HOME": "PTP",
         "ZONE": "ZONE",
         "MSG": "MSG",
@@ -229,6 +236,68 @@ def test_a_snapshot_keeps_the_triggers_of_the_next_move() -> None:
     assert len(resumed.triggers) == 2
 
 
+@pytest.mark.parametrize(
+    ("text", "guard"),
+    [
+        ("PUSH BOOL FALSE/PUSH REAL 2.5/GUARD is part", Guard("part", Comparison.IS, False, 2.5)),
+        ("PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part", Guard("part", Comparison.IS, True)),
+        ("PUSH REAL 15.0/PUSH REAL -1.0/GUARD above force", Guard("force", Comparison.ABOVE, 15.0)),
+        ("PUSH INT 3/PUSH REAL 0.0/GUARD below count", Guard("count", Comparison.BELOW, 3.0)),
+    ],
+)
+def test_a_guard_belongs_to_the_next_move_only(text: str, guard: Guard) -> None:
+    first, second, _ = flow(f"{text}/{TARGET}/MOVE.LIN/HOME/HALT")
+    assert isinstance(first, MoveInstruction)
+    assert isinstance(second, MoveInstruction)
+    assert (first.guard, second.guard) == (guard, None)
+    assert first.guard is not None
+    assert type(first.guard.value) is type(guard.value)
+
+
+@pytest.mark.parametrize(
+    ("guard", "inputs", "met"),
+    [
+        ("PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part", {"part": True}, True),
+        ("PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part", {"part": False}, False),
+        ("PUSH BOOL FALSE/PUSH REAL 0.0/GUARD is part", {"part": False}, True),
+        ("PUSH REAL 15.0/PUSH REAL 0.0/GUARD above force", {"force": 15.0}, False),
+        ("PUSH REAL 15.0/PUSH REAL 0.0/GUARD above force", {"force": 15.5}, True),
+        ("PUSH REAL 15.0/PUSH REAL 0.0/GUARD below force", {"force": 15.0}, False),
+        ("PUSH REAL 15.0/PUSH REAL 0.0/GUARD below force", {"force": 14.5}, True),
+    ],
+)
+def test_a_program_is_told_whether_the_condition_came_true(
+    guard: str, inputs: dict[str, bool | float], met: bool
+) -> None:
+    (*_, message, _) = flow(f"{guard}/{TARGET}/MOVE.LIN/MET/FMT/MSG/HALT", "", **inputs)
+    assert isinstance(message, MessageInstruction)
+    assert message.text == ("true" if met else "false")
+
+
+def test_where_a_guarded_move_ends_is_asked_not_assumed() -> None:
+    guarded = f"PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part/{TARGET}/MOVE.LIN"
+    assert trap(f"{guarded}/CURPOSE/POP/HALT") == "I465"
+    *_, last, _ = flow(f"{guarded}/ATTAINED/MOVE.LIN/HALT")
+    assert places(last) == ([], 0.1)
+
+
+def test_the_attained_pose_is_seen_in_the_frame_in_force_for_the_tool_in_force() -> None:
+    *_, last, _ = flow(f"FRAME f/{TARGET}/MOVE.LIN/FRAME -/ATTAINED/MOVE.LIN/HALT")
+    assert places(last) == ([], 1.1)
+    assert trap(f"{TARGET}/MOVE.LIN/TOOL jaws/ATTAINED/POP/HALT") == "I465"
+    assert trap("HOME/ATTAINED/POP/HALT") == "I465"
+    assert trap("ATTAINED/POP/HALT") == "I465"
+
+
+def test_a_snapshot_keeps_the_guard_of_the_next_move() -> None:
+    text = f"PUSH BOOL TRUE/PUSH REAL 0.0/GUARD is part/IN part/POP/{TARGET}/MOVE.LIN/HALT"
+    machine = Machine(program(text), StillWorld())
+    assert isinstance(machine.advance(), SyncInstruction)
+    resumed = Machine.resume(program(text), StillWorld(), machine.snapshot()).advance()
+    assert isinstance(resumed, MoveInstruction)
+    assert resumed.guard == Guard("part", Comparison.IS, value=True)
+
+
 def test_a_via_zone_passes_by_until_another_zone_is_said() -> None:
     steps = ["HOME", "ZONE.VIA", "HOME", "PUSH REAL 0.02", "ZONE.DIST", "HOME", "ZONE.VIA", "HOME"]
     moves = flow("/".join([*steps, "ZONE.FINE", "HOME", "HALT"]))[:-1]
@@ -306,6 +375,14 @@ class Recorder:
         self.asked.append("time")
         return 2.5
 
+    def met(self) -> bool:
+        self.asked.append("met")
+        return True
+
+    def attained(self, modal: ModalState) -> Pose:
+        self.asked.append(f"attained {modal.tool}")
+        return Pose()
+
 
 @pytest.mark.parametrize(
     ("code", "asked"),
@@ -314,6 +391,8 @@ class Recorder:
         ("TIME/POP", "time"),
         ("PUSH BOOL TRUE/PUSH REAL 1.5/WAIT.IN part/POP", "wait part True 1.5"),
         ("PUSH BOOL FALSE/PUSH REAL 0.0/WAIT.IN part/POP", "wait part False None"),
+        ("MET/POP", "met"),
+        ("ATTAINED/POP", "attained "),
     ],
 )
 def test_the_world_is_asked_only_after_a_synchronisation(code: str, asked: str) -> None:

@@ -160,6 +160,7 @@ def test_a_path_needs_its_points_and_an_angle_in_range(path: str, code: str) -> 
     assert code in codes(changed("  MOVE.LIN\n", f"  {path}\n"))
 
 
+GUARD = "PUSH REAL 1.0\n  PUSH REAL 0.0\n  GUARD above force\n  "
 TRIGGER = "  PUSH BOOL TRUE\n  PUSH REAL 0.1\n  TRIG.DIST after valve\n"
 
 
@@ -193,6 +194,26 @@ def test_a_trigger_is_followed_by_a_move_on_every_way() -> None:
     for way, found in (("  HOME\n", set()), ("  NOP\n", {"I417", "I429"}), ("  HALT\n", {"I429"})):
         text = changed("  HOME\n", TRIGGER + branch.format(way))
         assert set(codes(text.replace("PTP ZONE", "PTP TRIG ZONE"))) == found
+
+
+@pytest.mark.parametrize(
+    ("guard", "code"),
+    [
+        ("PUSH REAL 1.0\n  PUSH REAL 1.0\n  GUARD is part", "I415"),
+        ("PUSH BOOL TRUE\n  PUSH REAL 1.0\n  GUARD above part", "I414"),
+        ("PUSH REAL 1.0\n  PUSH REAL 1.0\n  GUARD is force", "I414"),
+        ("PUSH REAL 1.0\n  PUSH REAL 1.0\n  GUARD below forc", "I413"),
+        (GUARD + GUARD, "I429"),
+        (GUARD + "HALT", "I429"),
+        (GUARD, ""),
+        (GUARD + TRIGGER.strip(), ""),
+    ],
+)
+def test_a_guard_compares_one_channel_and_is_the_only_one_of_its_move(guard: str, code: str) -> None:
+    text = changed("  HOME\n", f"  {guard.strip()}\n  HOME\n")
+    names = "GUARD IO JNT LIN PTP TRIG ZONE" if "TRIG" in guard else "GUARD IO JNT LIN PTP ZONE"
+    found = set(codes(text.replace("IO JNT LIN PTP ZONE", names)))
+    assert code in found if code else not found
 
 
 @pytest.mark.parametrize(

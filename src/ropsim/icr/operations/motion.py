@@ -77,10 +77,16 @@ def _moved(
 def _told(
     registers: Registers, site: Site, kind: MotionKind, target: Pose | tuple[float, ...] | None
 ) -> MoveInstruction:
-    """Return a move with all that has been said about the next one."""
+    """Return a move with all that has been said about the next one.
+
+    Where a guarded move ends is not commanded.
+    """
     triggers, registers.triggers = registers.triggers, ()
+    guard, registers.guard = registers.guard, None
+    if guard is not None:
+        registers.commanded = None
     origin = registers.origin(site.key, site.span)
-    return MoveInstruction(kind, target, registers.modal, origin, triggers=triggers)
+    return MoveInstruction(kind, target, registers.modal, origin, triggers=triggers, guard=guard)
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:
@@ -137,7 +143,7 @@ def _seen_now(registers: Registers) -> Location:
     other way to move them leaves no pose commanded. A location in a task frame of its own is still in that.
     """
     if registers.commanded is None:
-        raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", "move to a pose before")
+        raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", _UNKNOWN)
     target, then = registers.commanded
     now = registers.modal
     if tag_of(target) is None and (then.frame != now.frame or then.X_BK != now.X_BK):
@@ -154,6 +160,7 @@ def _seen_now(registers: Registers) -> Location:
     return target
 
 
+_UNKNOWN = "move to a pose before, or keep the one that the arm has: `store`"
 _SIDES = {"before": Side.BEFORE_END, "after": Side.AFTER_START}
 
 MOTION: dict[str, Operation] = {

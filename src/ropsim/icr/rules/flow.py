@@ -10,7 +10,7 @@ from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
 
 _JUMPS = {"JMP", "JF", "JT"}
-_PREFIXES = {"TRIG.DIST", "TRIG.TIME"}
+_PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD"}
 _LOSING = {"HALT", "RET", "CALL", "STOP", "SYNC", "OUT", "WAIT.T", "WAIT.IN", "MSG", "GRIP"}
 """What cannot stand between a prefix and its move: they end the procedure, or go to the robot before it."""
 
@@ -21,12 +21,12 @@ class _State(NamedTuple):
     Attributes:
         stack: types on the stack.
         depth: number of saved modal states.
-        prefix: instruction that waits for the next move; empty for none.
+        prefixes: instructions that wait for the next move.
     """
 
     stack: Stack
     depth: int
-    prefix: str = ""
+    prefixes: frozenset[str] = frozenset()
 
 
 def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
@@ -102,24 +102,31 @@ def _after(program: Program, procedure: Procedure, step: Step, before: _State) -
         depth += 1
     elif step.mnemonic == "MODAL.RESTORE":
         depth -= 1
-    prefix = before.prefix
+    prefixes = before.prefixes
+    if step.mnemonic == "GUARD" and "GUARD" in prefixes:
+        return Fault(kinds.PREFIX_LOST, "`GUARD` stands twice before a move", "a move ends by one condition")
     if step.mnemonic in _PREFIXES:
-        prefix = prefix or step.mnemonic
-    elif prefix and step.mnemonic in _LOSING:
-        message = f"`{step.mnemonic}` stands between `{prefix}` and its move"
-        return Fault(kinds.PREFIX_LOST, message, f"put `{prefix}` right before a move")
+        prefixes |= {step.mnemonic}
+    elif prefixes and step.mnemonic in _LOSING:
+        waiting = _listed(prefixes)
+        message = f"`{step.mnemonic}` stands between {waiting} and its move"
+        return Fault(kinds.PREFIX_LOST, message, f"put {waiting} right before a move")
     elif OPCODES[step.mnemonic].is_move:
-        prefix = ""
+        prefixes = frozenset()
     if depth < 0:
         return Fault(kinds.MODAL_UNBALANCED, "`MODAL.RESTORE` without `MODAL.SAVE` before it")
     if step.mnemonic == "RET" and depth:
         message = f"`RET` in `{procedure.name}` with {depth} saved modal states, allowed: none"
         return Fault(kinds.MODAL_UNBALANCED, message, "put `MODAL.RESTORE` before `RET`")
     stack = effect(program, procedure, step, before.stack)
-    return stack if isinstance(stack, Fault) else _State(stack, depth, prefix)
+    return stack if isinstance(stack, Fault) else _State(stack, depth, prefixes)
 
 
 def _shown(state: _State) -> str:
     types = " ".join(one.value for one in state.stack)
-    waiting = f", `{state.prefix}` without its move" if state.prefix else ""
+    waiting = f", {_listed(state.prefixes)} without its move" if state.prefixes else ""
     return f"stack [{types}], {state.depth} saved modal states{waiting}"
+
+
+def _listed(prefixes: frozenset[str]) -> str:
+    return " and ".join(f"`{one}`" for one in sorted(prefixes))

@@ -129,6 +129,12 @@ def _check_use(
     if step.mnemonic == "WAIT.IN" and channel and channel.type is not Type.BOOL:
         message = f"`WAIT.IN` needs a channel of type BOOL, `{channel.name}` is {channel.type.value}"
         yield kinds.OPERAND_WRONG.at(place, message)
+    if step.mnemonic == "GUARD" and channel and (step.operands[0] == "is") != (channel.type is Type.BOOL):
+        wanted = "of type BOOL" if step.operands[0] == "is" else "that is a number"
+        message = (
+            f"`GUARD {step.operands[0]}` needs a channel {wanted}, `{channel.name}` is {channel.type.value}"
+        )
+        yield kinds.OPERAND_WRONG.at(place, message)
     before = procedure.code[index - 1] if index else None
     if before and before.mnemonic == "PUSH" and before.operands:
         constant = before.operands[0]

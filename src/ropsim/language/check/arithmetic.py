@@ -5,7 +5,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import Expression, ValueType
+from ropsim.program import Expression, SignalValue, ValueType
 
 _NAMES = {"+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod"}
 _COMPARE = {"=": "eq", "<>": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
@@ -44,8 +44,18 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         return Value(_equal(a, b, node.op), BOOL)
     _number(body, left, node.left, node.op)
     _number(body, right, node.right, node.op)
-    a, b, _ = alike(body, node.op, left, right, node)
+    if _is_measured(left, right) or _is_measured(right, left):
+        a, b = convert.real(left), convert.real(right)
+    else:
+        a, b, _ = alike(body, node.op, left, right, node)
     return Value(fold.binary(_COMPARE[node.op], a, b, ValueType.BOOL), BOOL)
+
+
+def _is_measured(signal: Value, quantity: Value) -> bool:
+    """Return whether an analog signal is compared with a quantity: it has no unit, so SI units count."""
+    kind = known(quantity.type)
+    is_quantity = isinstance(kind, Type) and kind.value is ValueType.REAL and not quantity.is_bare
+    return isinstance(signal.expression, SignalValue) and is_quantity
 
 
 def alike(

@@ -94,6 +94,9 @@ def _statement(statement: syntax.Statement | None, found: Uses, signatures: Mapp
             for bound in (statement.first, statement.last, statement.step):
                 _read(bound, found)
             found.written.add(statement.name.text)
+        case syntax.Motion(store=nodes.Name(text=name)):
+            _fields(statement, found, signatures)
+            found.written.add(name)
         case _:
             _fields(statement, found, signatures)
 

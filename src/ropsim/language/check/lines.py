@@ -8,6 +8,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
+from ropsim.language.syntax.nodes import Name
 from ropsim.program import Block, If
 
 _DECLARATIONS = (
@@ -30,6 +31,8 @@ def poison_targets(body: Body, node: syntax.Statement | None) -> None:
     match node:
         case syntax.Assign(name=name) | syntax.For(name=name):
             body.poison(name.text)
+        case syntax.Motion(store=Name(text=name)):
+            body.poison(name)
         case syntax.ForEach(name=name):
             body.poison(name.text)
         case syntax.Load(names=names):

@@ -2,12 +2,24 @@
 
 from ropsim.flow import MotionKind, Side
 from ropsim.icr import external_part
-from ropsim.language.check import actions, convert, fold, settings, values
+from ropsim.language.check import actions, assignments, convert, fold, guards, settings, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, TIME, AnyType, Type, article, known
+from ropsim.language.check.types import (
+    ANGLE,
+    JOINTS,
+    LENGTH,
+    POSE,
+    TIME,
+    AnyType,
+    Type,
+    Unknown,
+    article,
+    bind,
+    known,
+)
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.syntax.nodes import Node
+from ropsim.language.syntax.nodes import Name, Node
 from ropsim.program import (
     Block,
     Constant,
@@ -39,7 +51,26 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     settings.check_effect(body, node, chosen)
     triggers = tuple(_trigger(body, one) for one in node.triggers)
     angle = _angle(body, node)
-    return (Move(_KINDS[node.word], target, chosen, body.statement_span, via, angle, triggers),)
+    ends = guards.guard(body, node)
+    store = _store(body, node.store) if node.store is not None else ""
+    span = body.statement_span
+    return (Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, store),)
+
+
+def _store(body: Body, name: Name) -> str:
+    """Return the variable that keeps the pose of the arm.
+
+    Raises:
+        RejectedError: it cannot be assigned, or keeps something else.
+    """
+    variable = assignments.target(body, name, POSE)
+    kind = known(variable.type)
+    if isinstance(kind, Type) and kind != POSE:
+        message = f"`store` keeps a location, `{name.text}` is {article(kind)}"
+        body.fail(kinds.WRONG_TYPE, name, message, "use a variable of its own")
+    if isinstance(kind, Unknown):
+        bind(kind, POSE)
+    return variable.name
 
 
 def _trigger(body: Body, node: syntax.Trigger) -> Trigger:

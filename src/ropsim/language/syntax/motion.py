@@ -1,5 +1,7 @@
 """Lines that move the arm, work the gripper or change how the next moves are made."""
 
+from dataclasses import dataclass
+
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
@@ -19,7 +21,8 @@ from ropsim.language.syntax.statements import (
 from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS, VIA
 
 _QUANTITIES = ("speed", "acc", "blend")
-_MODIFIERS = (*_QUANTITIES, "angle", "fine", "tool")
+_MODIFIERS = (*_QUANTITIES, "fine", "tool")
+_ENDINGS = ("until", "timeout", "store")
 _ENDS = {"after": "start", "before": "end"}
 _CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
 
@@ -70,19 +73,47 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     target = expression(cursor)
     modifiers: list[Setting] = []
     triggers: list[Trigger] = []
+    ending = _Ending()
     while not cursor.at_end:
-        if cursor.word == "at":
-            triggers.append(_trigger(cursor))
-            continue
-        if cursor.word in NOT_YET_MODIFIERS:
-            cursor.not_yet(cursor.token, cursor.word)
-        if cursor.word == VIA:
+        word = cursor.word
+        if word in NOT_YET_MODIFIERS:
+            cursor.not_yet(cursor.token, word)
+        if word == VIA:
             cursor.fail("a modifier", "points on the way stand before the target: `via a to b`")
-        if cursor.word not in _MODIFIERS:
+        if word == "at":
+            triggers.append(_trigger(cursor))
+        elif word in _ENDINGS:
+            ending.read(cursor, word)
+        elif word == "angle":
+            modifiers.append(_quantity(cursor))
+        elif word in _MODIFIERS:
+            modifiers.append(_setting(cursor))
+        else:
             cursor.finish()
-        modifiers.append(_quantity(cursor) if cursor.word == "angle" else _setting(cursor))
     word = _CANONICAL.get(head.word, head.word)
-    return Motion(word, via, target, tuple(modifiers), tuple(triggers), head.start, cursor.end)
+    ends = ending.condition, ending.timeout, ending.store
+    return Motion(word, via, target, tuple(modifiers), tuple(triggers), *ends, head.start, cursor.end)
+
+
+@dataclass(slots=True)
+class _Ending:
+    """What a motion says about its end: `until condition`, `timeout t`, `store name`, each once."""
+
+    condition: Node | None = None
+    timeout: Node | None = None
+    store: Name | None = None
+
+    def read(self, cursor: Cursor, word: str) -> None:
+        given = {"until": self.condition, "timeout": self.timeout, "store": self.store}
+        if given[word] is not None:
+            cursor.fail("another modifier", f"`{word}` stands once in a motion")
+        cursor.advance()
+        if word == "until":
+            self.condition = expression(cursor)
+        elif word == "timeout":
+            self.timeout = total(cursor)
+        else:
+            self.store = cursor.name("the name of a variable")
 
 
 def _trigger(cursor: Cursor) -> Trigger:

@@ -103,7 +103,7 @@ RESERVED = HEADS | frozenset(
 VIA = "via"
 """Stands before the points on the way of a motion; elsewhere it may be a name."""
 
-MOTION_MODIFIERS = frozenset(["angle", "at"])
+MOTION_MODIFIERS = frozenset(["angle", "at", "store", "timeout"])
 """Words behind the target of a motion that hold for this motion only and for no other statement."""
 
 EXTERNAL = "external"
@@ -132,7 +132,7 @@ NOT_YET = frozenset(
 )
 """Statements of the language that this version refuses by name."""
 
-NOT_YET_MODIFIERS = frozenset(["until", "store", "time", "jtol", "force", "timeout"])
+NOT_YET_MODIFIERS = frozenset(["time", "jtol", "force"])
 """Words after a motion target that this version refuses by name."""
 
 OPENERS = {

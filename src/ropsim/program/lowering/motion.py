@@ -8,7 +8,7 @@ from ropsim.program import expressions as sir
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import unsound
 from ropsim.program.lowering.expressions import evaluate, static_type
-from ropsim.program.lowering.robot import lower_settings
+from ropsim.program.lowering.robot import lower_settings, lower_timeout
 from ropsim.program.scope import Scope
 
 _Prefix = tuple[str, str, str]
@@ -25,6 +25,8 @@ def lower_move(scope: Scope, move: st.Move) -> None:
     """
     single = move.kind in _SINGLE
     if single and move.via:
+        if move.guard is not None:
+            raise unsound("a motion through points has no condition that ends it", move.span)
         _through(scope, move)
         return
     saves = not move.settings.is_empty
@@ -33,12 +35,20 @@ def lower_move(scope: Scope, move: st.Move) -> None:
         lower_settings(scope, move.settings)
     if single:
         _evaluate(scope, move, move.target)
-        _prefix(scope, _operands(scope, move.triggers))
+        _prefix(scope, _operands(scope, move.triggers, move.guard))
         _single(scope, move, move.target)
     else:
         _curved(scope, move)
+    _store(scope, move)
     if saves:
         scope.emitter.emit("MODAL.RESTORE")
+
+
+def _store(scope: Scope, move: st.Move) -> None:
+    """Emit what keeps the pose that the arm has after a move; waits until it is there."""
+    if move.store:
+        scope.emitter.emit("ATTAINED")
+        scope.emitter.emit("STORE", move.store)
 
 
 def _through(scope: Scope, move: st.Move) -> None:
@@ -68,16 +78,24 @@ def _through(scope: Scope, move: st.Move) -> None:
         emit("ZONE.FINE")
     _prefix(scope, at_end)
     _single(scope, move, move.target)
+    _store(scope, move)
     emit("MODAL.RESTORE")
 
 
-def _operands(scope: Scope, triggers: tuple[st.Trigger, ...]) -> tuple[_Prefix, ...]:
-    """Emit code that leaves values and places of triggers on the stack, the first one on top.
+def _operands(
+    scope: Scope, triggers: tuple[st.Trigger, ...], guard: st.Guard | None = None
+) -> tuple[_Prefix, ...]:
+    """Emit code that leaves on the stack what triggers and guard need, the first one on top.
 
     Returns:
-        The instructions that take them from there.
+        The instructions that take it from there.
     """
     found = []
+    if guard is not None:
+        channel = scope.channel(guard.signal)
+        evaluate(scope, guard.value, channel.type)
+        lower_timeout(scope, guard.timeout)
+        found.append(("GUARD", guard.comparison.value, channel.name))
     for one in reversed(triggers):
         channel = scope.channel(one.signal)
         evaluate(scope, one.value, channel.type)
@@ -123,7 +141,7 @@ def _curved(scope: Scope, move: st.Move) -> None:
         _evaluate(scope, move, point)
     if move.angle is not None:
         evaluate(scope, move.angle, Type.REAL)
-    _prefix(scope, _operands(scope, move.triggers))
+    _prefix(scope, _operands(scope, move.triggers, move.guard))
     if move.kind == MotionKind.SPLINE:
         scope.emitter.emit("MOVE.SPL", len(move.via) + 1)
     else:

@@ -68,7 +68,7 @@ def lower_wait_until(scope: Scope, wait: st.WaitUntil) -> None:
     if simple:
         name, value = simple
         push(scope, Type.BOOL, value)
-        _timeout(scope, wait.timeout)
+        lower_timeout(scope, wait.timeout)
         scope.emitter.emit("WAIT.IN", name)
         if wait.timeout is None:
             scope.emitter.emit("POP")
@@ -131,8 +131,8 @@ def _plain_signal(scope: Scope, condition: sir.Expression) -> tuple[str, bool] |
             return None
 
 
-def _timeout(scope: Scope, timeout: sir.Expression | None) -> None:
-    """Emit the timeout of WAIT.IN [s], which takes 0 for "for ever": less than a tick becomes a tick."""
+def lower_timeout(scope: Scope, timeout: sir.Expression | None) -> None:
+    """Emit the timeout of WAIT.IN or GUARD [s], where 0 is none: less than a tick becomes a tick."""
     if timeout is None:
         push(scope, Type.REAL, 0.0)
         return

@@ -39,13 +39,19 @@ class Trigger:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """`mov`, `lin`, `circ` or `spline` to a target, through points on the way."""
+    """`mov`, `lin`, `circ` or `spline` to a target, through points on the way.
+
+    `condition` and `timeout` end it before, `store` is a variable for the pose at its end.
+    """
 
     word: str
     via: tuple[Node, ...]
     target: Node
     modifiers: tuple[Setting, ...]
     triggers: tuple[Trigger, ...]
+    condition: Node | None
+    timeout: Node | None
+    store: Name | None
     start: int
     end: int
 
