@@ -14,6 +14,7 @@ from ropsim.core import RopsimError
 from ropsim.model import (
     ControllerModel,
     JointType,
+    OrientationMode,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -27,6 +28,7 @@ from ropsim.spatial import Array, Pose, frozen, record
 _GAIN = NUMBER.within(0.0, 1e6)
 _SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
+_MOST_AHEAD = 1000  # moves
 _NARROWEST = 1e-9  # [rad | m], least window of a fine stop
 _WIDEST = 0.1  # [rad | m]
 _GRAVITY_ROUNDING = 1e-12  # [m/s²], of a rotation about the vertical
@@ -186,6 +188,12 @@ def _controller(
         path=_path(table, controller.path, units),
         in_position=_per_joint(table, "in_position", windows, controller.in_position, model),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
+        settle_time=table.number("settle_time", _SETTLE, controller.settle_time),
+        look_ahead=table.integer("look_ahead", 0, _MOST_AHEAD, controller.look_ahead),
+        via_zone=table.number("via_zone", units.position.within(0.0, 1.0), controller.via_zone),
+        orientation=OrientationMode(
+            table.choice("orientation", [one.value for one in OrientationMode], controller.orientation.value)
+        ),
         origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )
 

@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, trace
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward_batch
 from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, leave
 from ropsim.spatial import Array, record
@@ -82,7 +83,7 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
     if before.joints is None or behind.joints is None:
         return Stop.NO_WAY
     one, other = _Way(chain, before, before.joints), _Way(chain, behind, behind.joints)
-    halves, zone = (_HALF * one.length, _HALF * other.length), before.move.modal.zone
+    halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
     if zone < _LEAST:
         return Stop.TOO_SMALL
     if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
@@ -103,6 +104,12 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                 return Stop.UNREACHABLE
             return Rounding(flown, s_leave, s_enter, between, traced[0])
     return Overlap(flown, s_leave, s_enter)
+
+
+def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
+    """Return the zone of a move [m]: its own, or that of via points where it only passes by."""
+    modal = move.modal
+    return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
 
 
 class _Way:

@@ -19,7 +19,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
 from ropsim.model import ControllerModel, RobotModel, Tool
-from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, OrientationMode, ToolLimits
+from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, ToolLimits
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -41,7 +41,6 @@ class StandardPathPlanner:
         frames: task frames of the cell that stand still, X_BK by name.
         default_tool: tool in force where a program names none; empty for none.
         home: joint coordinates of a target without coordinates [rad | m], shape (n,).
-        orientation: how the tool turns on lines.
         moving: task frames that the external axes of the robot move, by name.
         others: names of the stations that move other task frames, by the name of the frame.
         kinds: tool paths that it makes, by the word of the instruction.
@@ -53,7 +52,6 @@ class StandardPathPlanner:
     frames: Mapping[str, Pose]
     default_tool: str
     home: Array
-    orientation: OrientationMode = OrientationMode.FIXED_AXIS
     moving: Mapping[str, MovingFrame] = field(default_factory=dict)
     others: Mapping[str, str] = field(default_factory=dict)
     kinds: Mapping[str, ToolPathMaker] = field(default_factory=lambda: TOOL_PATHS)
@@ -133,7 +131,7 @@ class StandardPathPlanner:
                 return goal
             X_BT = self._tool_pose_at(goal, X_MT)
         via = tuple(X_BK @ X_KT for X_KT in move.via)
-        request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.orientation)
+        request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.controller.orientation)
         make = self.kinds[move.kind]
         path = guarded(make, lambda: make(request), (object,), move)
         if isinstance(path, Refusal):

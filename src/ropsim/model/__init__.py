@@ -105,6 +105,7 @@ from ropsim.model.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism_check import check_mechanism as check_mechanism
 from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
+from ropsim.model.orientation_mode import OrientationMode as OrientationMode
 from ropsim.model.outlines import arc as arc
 from ropsim.model.outlines import around as around
 from ropsim.model.outlines import circle as circle

@@ -4,6 +4,7 @@ from dataclasses import dataclass, fields
 from enum import Enum
 
 from ropsim.flow import ParameterOrigin
+from ropsim.model.orientation_mode import OrientationMode
 from ropsim.spatial import Array, frozen, record
 
 
@@ -139,6 +140,8 @@ class ControllerModel:
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
         look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
+        via_zone: distance at which via points are passed where the program gives no zone [m].
+        orientation: how the tool turns on its paths.
         origins: where the gains come from.
     """
 
@@ -151,6 +154,8 @@ class ControllerModel:
     settle_time: float = 0.004
     speed_override: float = 1.0
     look_ahead: int = 10
+    via_zone: float = 0.01
+    orientation: OrientationMode = OrientationMode.FIXED_AXIS
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

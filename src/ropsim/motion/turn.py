@@ -1,21 +1,14 @@
 """How the tool turns on a straight line: about one fixed axis, or as Paul's drive transform."""
 
 import math
-from enum import Enum
 
 import numpy as np
 
+from ropsim.model import OrientationMode as OrientationMode
 from ropsim.spatial import Array, Pose, frozen, quaternion, record
 
 _STRAIGHT = 1e-12  # a smaller sine of an angle says that two vectors are in line
 _APPROACH = frozen([0.0, 0.0, 1.0])
-
-
-class OrientationMode(Enum):
-    """Which of the ways from one orientation to another the tool takes."""
-
-    FIXED_AXIS = "fixed axis"
-    DRIVE_TRANSFORM = "drive transform"
 
 
 @record

@@ -10,6 +10,7 @@ import numpy as np
 from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance
 from ropsim.flow import JointReference
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.station_run import StationRun
 from ropsim.spatial import Array
 
@@ -48,6 +49,8 @@ class Follower:
         plan: its motion.
         clock: where it is.
         limits: how quickly the override may act.
+        lookout: looks at the condition of the move that is made; None where it has none.
+        ended: whether a condition has ended the move; the motion is braked then.
         passed: places to which it has come [control ticks of motion time], each with its tick.
     """
 
@@ -56,6 +59,8 @@ class Follower:
     plan: MotionPlan
     clock: ClockState = field(default_factory=ClockState)
     limits: ClockLimits = field(init=False)
+    lookout: Lookout | None = None
+    ended: bool = False
     passed: list[tuple[float, int]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -72,11 +77,12 @@ class Follower:
     def until(self, place: int) -> Iterator[None]:
         """Follow the plan to a control tick of motion time; yields after each slice.
 
-        Ends early where the run has been stopped, once the arm stands.
+        Ends early, once the arm stands, where the run has been stopped or a condition has ended the move.
         """
         while self.clock.place < place:
-            if self.run.stopped and self.is_held:
-                self.at.cut_short = True
+            self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
+            if (self.run.stopped or self.ended) and (self.is_held or self.clock.place == 0.0):
+                self.at.cut_short |= self.run.stopped
                 return
             self._slice(place)
             yield
@@ -89,8 +95,9 @@ class Follower:
 
     def _slice(self, place: int) -> None:
         run, at = self.run, self.at
-        override = 0.0 if run.stopped else run.override(at.due)
-        longest = run.slice(at)
+        override = 0.0 if run.stopped or self.ended else run.override(at.due)
+        every = at.station.controller.rates.interpolation_ticks
+        longest = min(run.slice(at), every) if self.lookout else run.slice(at)
         period = self.plan.period
         rows = PlanRows(self.plan)
         if override == 1.0 and self.clock == ClockState(self.clock.place) and self.clock.place.is_integer():
@@ -100,7 +107,7 @@ class Follower:
             self.passed.append((self.clock.place, at.tick))
             return
         walked: list[JointReference] = []
-        for _ in range(min(longest, at.station.controller.rates.interpolation_ticks)):
+        for _ in range(min(longest, every)):
             self.clock, row = advance(self.clock, rows, 1, override, self.limits, period)
             walked.append(row)
             self.passed.append((self.clock.place, at.tick + len(walked)))

@@ -14,14 +14,16 @@ from ropsim.flow import (
 )
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.following import Follower
+from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.move_span import MoveSpan, PathSpan
 from ropsim.simulation.settle import settle
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.stretch import Stretch, why_it_ends
+from ropsim.simulation.world import SimulatedWorld
 
 
-def move(run: CellRun, at: StationRun, stretch: Stretch) -> Iterator[None]:
+def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) -> Iterator[None]:
     """Plan the moves of a stretch and follow them; those that cannot be planned are skipped.
 
     What lies behind a skipped move is planned anew from where the arm stands.
@@ -32,7 +34,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch) -> Iterator[None]:
         planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command), at.payload)
         if planned is not None:
             messages = {number - done: text for number, text in stretch.messages}
-            yield from _follow(run, at, planned, messages)
+            yield from _follow(run, at, planned, messages, world)
             done += len(planned.moves)
         if refusal is not None:
             _skip(run, at, moves[done], refusal.diagnostics)
@@ -46,7 +48,11 @@ def _skip(run: CellRun, at: StationRun, move: MoveInstruction, why: tuple[Diagno
 
 
 def _follow(
-    run: CellRun, at: StationRun, planned: MotionPlan, messages: dict[int, MessageInstruction]
+    run: CellRun,
+    at: StationRun,
+    planned: MotionPlan,
+    messages: dict[int, MessageInstruction],
+    world: SimulatedWorld,
 ) -> Iterator[None]:
     """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
@@ -58,6 +64,7 @@ def _follow(
         put_in_force(run, at, one.move)
         since, ordinal = at.tick, len(at.moves)
         at.track("move", ordinal)
+        follower.lookout = Lookout(one.move.guard, world, at.time) if one.move.guard else None
         yield from _to(run, at, follower, one)
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
@@ -85,7 +92,7 @@ def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> I
     """Follow the plan to the end of a move; what is to be set on its way is set."""
     for trigger in one.triggers:
         yield from follower.until(trigger.tick)
-        if at.cut_short:
+        if at.cut_short or follower.ended:
             return
         channel, value = trigger.trigger.channel, trigger.trigger.value
         run.set_output(at, channel, value)

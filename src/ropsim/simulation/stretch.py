@@ -36,8 +36,8 @@ class Stretch:
 def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
     """Return the stretch that begins with a move; the interpreter runs ahead to its end.
 
-    A stretch ends with a move without a zone, and before anything that needs the arm to stand: an output, a
-    gripper, a wait, an input that is read, the end of the program.
+    A stretch ends with a move without a zone or with a condition that ends it, and before anything that needs
+    the arm to stand: an output, a gripper, a wait, an input that is read, the end of the program.
 
     Args:
         first: the move.
@@ -47,12 +47,18 @@ def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
     messages: list[tuple[int, MessageInstruction]] = []
     while True:
         step = advance()
-        if isinstance(step, MessageInstruction) and moves[-1].modal.zone > 0.0:
+        flows = _flows(moves[-1])
+        if isinstance(step, MessageInstruction) and flows:
             messages.append((len(moves), step))
-        elif isinstance(step, MoveInstruction) and moves[-1].modal.zone > 0.0:
+        elif isinstance(step, MoveInstruction) and flows:
             moves.append(step)
         else:
             return Stretch(tuple(moves), tuple(messages), step)
+
+
+def _flows(move: MoveInstruction) -> bool:
+    """Return whether the next move may begin before a move has ended."""
+    return move.guard is None and (move.modal.zone > 0.0 or move.modal.passes)
 
 
 def why_it_ends(stretch: Stretch) -> str:

@@ -69,7 +69,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         at.polled = world.polling.look(machine, step)
         stretch = gather(step, machine.advance) if isinstance(step, MoveInstruction) else None
         with _blamed(step):
-            yield from move(run, at, stretch) if stretch else _carry_out(run, at, step, world)
+            yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
             yield
             last, step = step, stretch.next if stretch else machine.advance()
     if at.in_vain or at.dismissed:

@@ -1,0 +1,38 @@
+"""Guarded moves: a condition on a channel is looked at while the arm moves."""
+
+from dataclasses import dataclass
+
+from ropsim.flow import Comparison, Guard
+from ropsim.simulation.world import SimulatedWorld
+
+
+@dataclass(frozen=True, slots=True)
+class Lookout:
+    """Looks at the condition of a guarded move.
+
+    Attributes:
+        guard: the condition.
+        world: reads the channel.
+        since: when the move began [s].
+    """
+
+    guard: Guard
+    world: SimulatedWorld
+    since: float
+
+    def ends(self) -> bool:
+        """Return whether the move ends now: its condition is true, or its time is over; the world is told."""
+        guard = self.guard
+        self.world.guard_met = _is_met(guard, self.world.read(guard.channel))
+        late = guard.timeout is not None and self.world.now() - self.since >= guard.timeout
+        return self.world.guard_met or late
+
+
+def _is_met(guard: Guard, value: bool | float) -> bool:  # noqa: FBT001 - a signal's value
+    match guard.comparison:
+        case Comparison.IS:
+            return value == guard.value
+        case Comparison.ABOVE:
+            return float(value) > float(guard.value)
+        case Comparison.BELOW:
+            return float(value) < float(guard.value)
