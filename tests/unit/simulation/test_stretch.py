@@ -1,0 +1,90 @@
+"""Stretches: which moves are known together, and why the arm has to stand at their end."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from ropsim.flow import (
+    AwaitInstruction,
+    GripAction,
+    GripInstruction,
+    MessageInstruction,
+    ModalState,
+    MoveInstruction,
+    OutputInstruction,
+    SyncInstruction,
+    WaitInstruction,
+)
+from ropsim.icr import Finished
+from ropsim.simulation.stretch import Step, Stretch, gather, why_it_ends
+from support.motion import FINE, lin, ptp
+
+ZONE = ModalState(zone=0.01)
+END = Finished(None, 0)
+HELLO = MessageInstruction("hello", FINE)
+FIRST, SECOND, THIRD = ptp(None, ZONE), lin(None, ZONE), ptp((0.0,) * 6, ZONE)
+
+STANDING: dict[str, tuple[Step, str]] = {
+    "the end": (END, "the program ends"),
+    "a gripper that closes": (GripInstruction(GripAction.CLOSE, "", FINE), "the gripper closes next"),
+    "a gripper that opens": (GripInstruction(GripAction.OPEN, "", FINE), "the gripper opens next"),
+    "an output": (OutputInstruction("lamp", 1.0, FINE), "output `lamp` is set next"),
+    "a wait": (WaitInstruction(0.5, FINE), "the program waits next"),
+    "a wait for a signal": (AwaitInstruction(FINE, channel="go"), "the program waits for `go` next"),
+    "what needs the arm": (SyncInstruction(FINE), "looks at signals, the time or the arm next"),
+}
+
+
+def stretch_of(*steps: Step) -> tuple[Stretch, list[Step]]:
+    """Return the stretch that begins with the first of these steps, and the steps that it has not taken."""
+    left = list(steps)
+    first = left.pop(0)
+    assert isinstance(first, MoveInstruction)
+    return gather(first, lambda: left.pop(0)), left
+
+
+def test_a_move_without_a_zone_is_a_stretch_by_itself() -> None:
+    stretch, left = stretch_of(ptp(None), FIRST, END)
+    assert (stretch.moves, stretch.next) == ((ptp(None),), FIRST)
+    assert left == [END]
+
+
+def test_moves_with_a_zone_go_on_up_to_the_first_without() -> None:
+    stretch, left = stretch_of(FIRST, SECOND, lin(None), THIRD, END)
+    assert stretch.moves == (FIRST, SECOND, lin(None))
+    assert stretch.next == THIRD
+    assert left == [END]
+
+
+@pytest.mark.parametrize("what", STANDING)
+def test_a_stretch_ends_before_what_needs_the_arm_to_stand(what: str) -> None:
+    step, why = STANDING[what]
+    stretch, left = stretch_of(FIRST, SECOND, step, THIRD)
+    assert stretch.moves == (FIRST, SECOND)
+    assert stretch.next == step
+    assert left == [THIRD]
+    assert why in why_it_ends(stretch)
+
+
+def test_messages_do_not_stop_the_arm_and_belong_to_the_move_behind_them() -> None:
+    stretch, _ = stretch_of(FIRST, HELLO, SECOND, HELLO, HELLO, ptp(None), END)
+    assert stretch.moves == (FIRST, SECOND, ptp(None))
+    assert stretch.messages == ((1, HELLO), (2, HELLO), (2, HELLO))
+
+
+def test_a_message_behind_a_fine_move_is_said_when_the_arm_stands() -> None:
+    stretch, _ = stretch_of(ptp(None), HELLO, FIRST)
+    assert stretch.messages == ()
+    assert stretch.next == HELLO
+
+
+def test_the_interpreter_is_asked_for_no_more_than_the_step_behind_the_stretch() -> None:
+    def program() -> Iterator[Step]:
+        yield SECOND
+        yield END
+        raise AssertionError("asked too far")
+
+    steps = program()
+    assert len(gather(FIRST, lambda: next(steps)).moves) == 2
+
+
