@@ -81,6 +81,8 @@ def test_lin_is_straight_and_keeps_its_speed_or_is_refused_on_its_line(
     assert offsets.max() < ON_LINE
     steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0, prepend=begin.position[None]), axis=1)
     assert steps.max() / 1e-3 <= CHAIN.controller.path.speed * (1.0 + 1e-4)
+    assert (np.abs(move.reference.qd) / PUMA.max_speeds).max() <= WITHIN
+    assert (np.abs(move.reference.qdd) / PUMA.max_accelerations).max() <= WITHIN
 
 
 @settings(max_examples=60, derandomize=True)
@@ -131,6 +133,9 @@ def test_stretches_run_on_without_steps_and_end_at_the_last_target_that_can_be_r
     assert (
         np.abs(np.diff(qd, axis=0) / 1e-3 - (qdd[1:] + qdd[:-1]) / 2.0).max(initial=0.0) <= bend / 1e-3 + 1e-6
     )
+    limits = PUMA.max_speeds, PUMA.max_accelerations, PUMA.max_jerks
+    for values, limit in zip((qd, qdd, np.diff(qdd, axis=0) / 1e-3), limits, strict=True):
+        assert (np.abs(values) / limit).max(initial=0.0) <= WITHIN
     for one in planned.moves:
         assert 0.0 <= one.zone <= max(one.move.modal.zone * (1.0 + 1e-6), 0.0) + 1e-12
 

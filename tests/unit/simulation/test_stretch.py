@@ -86,5 +86,3 @@ def test_the_interpreter_is_asked_for_no_more_than_the_step_behind_the_stretch()
 
     steps = program()
     assert len(gather(FIRST, lambda: next(steps)).moves) == 2
-
-
