@@ -1,6 +1,6 @@
 """Moves of a run: plan a stretch, follow it, settle at its end."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ropsim.controller import MotionPlan, MotionState, PlannedMove, plan, stopped_by
 from ropsim.core import Diagnostic
@@ -33,12 +33,20 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     while done < len(moves) and not at.is_over:
         planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command), at.payload)
         if planned is not None:
-            messages = {number - done: text for number, text in stretch.messages}
-            yield from _follow(run, at, planned, messages, world)
+            texts = [stretch.said_before(done + number) for number in range(len(planned.moves))]
+            yield from _follow(run, at, planned, texts, world)
             done += len(planned.moves)
-        if refusal is not None:
+        if refusal is not None and not at.cut_short:
+            _say(run, at, stretch.said_before(done))
             _skip(run, at, moves[done], refusal.diagnostics)
             done += 1
+    if done == len(moves) and not at.cut_short:
+        _say(run, at, stretch.said_before(done))
+
+
+def _say(run: CellRun, at: StationRun, texts: Sequence[MessageInstruction]) -> None:
+    for text in texts:
+        run.note(at, at.tick, MessageEvent(*at.when(at.tick), text.origin, text=text.text))
 
 
 def _skip(run: CellRun, at: StationRun, move: MoveInstruction, why: tuple[Diagnostic, ...]) -> None:
@@ -51,16 +59,14 @@ def _follow(
     run: CellRun,
     at: StationRun,
     planned: MotionPlan,
-    messages: dict[int, MessageInstruction],
+    texts: Sequence[Sequence[MessageInstruction]],
     world: SimulatedWorld,
 ) -> Iterator[None]:
     """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
     follower = Follower(run, at, planned)
     for number, one in enumerate(planned.moves):
-        if number in messages:
-            text = messages[number]
-            run.note(at, at.tick, MessageEvent(*at.when(at.tick), text.origin, text=text.text))
+        _say(run, at, texts[number])
         put_in_force(run, at, one.move)
         since, ordinal = at.tick, len(at.moves)
         at.track("move", ordinal)

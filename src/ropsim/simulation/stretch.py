@@ -24,13 +24,18 @@ class Stretch:
 
     Attributes:
         moves: one or more, in order.
-        messages: texts for the operator, each with the number of the move that begins when it is shown.
+        messages: texts for the operator, each with the number of the move that begins when it is shown; behind
+            the last move it is the number of moves.
         next: what the program does then.
     """
 
     moves: tuple[MoveInstruction, ...]
     messages: tuple[tuple[int, MessageInstruction], ...]
     next: Step
+
+    def said_before(self, number: int) -> tuple[MessageInstruction, ...]:
+        """Return what is said when a move begins; for the number of moves, when the last one has ended."""
+        return tuple(text for before, text in self.messages if before == number)
 
 
 def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
@@ -76,4 +81,4 @@ def why_it_ends(stretch: Stretch) -> str:
         case AwaitInstruction(channel=channel):
             return f"the program waits for `{channel}` next"
         case _:
-            return "the program looks at signals, the time or the arm next"
+            return "the program ends, or looks at signals, the time or the arm next"
