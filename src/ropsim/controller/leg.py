@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from ropsim.controller.entities import Refusal
+from ropsim.controller.entities import JointInterpolator, Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.path_faults import (
@@ -65,9 +65,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         return planned
     joints: JointPath | None = planned.joints
     found: tuple[Diagnostic, ...] = ()
-    maker: object = planner
     if planned.tool is not None:
-        maker = chain.joint_interpolator
         wrong = unusable_tool_path(planned.tool, move)
         if wrong:
             return wrong
@@ -75,11 +73,12 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         if isinstance(traced, Refusal):
             return traced
         joints, found = traced
+    elif joints is not None:
+        wrong = unusable_path(planner, joints, q_start, move)
+        if wrong:
+            return wrong
     if joints is None:
         return Leg(move, planned, None, q_start, planned.findings)
-    wrong = unusable_path(maker, joints, q_start, move)
-    if wrong:
-        return wrong
     q_end = frozen(joints.joints(np.array([joints.length])).q[0])
     return Leg(move, planned, joints, q_end, planned.findings + found)
 
@@ -107,8 +106,13 @@ def trace(
         else:
             entity = chain.joint_interpolator
             joints = guarded(entity, partial(entity.refine, samples), (object,), move)
-            if isinstance(joints, Refusal) or density == MOST_DENSITY or _is_smooth(chain, samples):
-                return joints if isinstance(joints, Refusal) else (joints, samples.findings)
+            if isinstance(joints, Refusal):
+                return joints
+            wrong = unusable_path(entity, joints, q_start, move)
+            if wrong:
+                return wrong
+            if density == MOST_DENSITY or _is_smooth(entity, samples):
+                return joints, samples.findings
         density *= 2
 
 
@@ -128,10 +132,11 @@ def _samples(
     return unusable_samples(inverse, samples, q_start, move) or samples
 
 
-def _is_smooth(chain: MotionChain, samples: JointSamples) -> bool:
+def _is_smooth(entity: JointInterpolator, samples: JointSamples) -> bool:
+    """Return whether the path through every second sample passes the others."""
     rows = len(samples.q)
     if rows < 5 or rows % 2 == 0:
         return False
-    coarse = chain.joint_interpolator.refine(JointSamples(samples.length, samples.q[::2]))
+    coarse = entity.refine(JointSamples(samples.length, samples.q[::2]))
     between: Array = np.arange(1.0, rows - 1.0, 2.0) * (samples.length / (rows - 1))
     return float(np.abs(coarse.joints(between).q - samples.q[1:-1:2]).max()) <= _SMOOTH

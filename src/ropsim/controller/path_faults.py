@@ -81,7 +81,7 @@ def unusable_tool_path(path: ToolPath, move: MoveInstruction) -> Refusal | None:
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
-    """Return why a path of the joints cannot be followed, None where it can.
+    """Return why a path of the joints cannot be followed, None where it can; that of our own is not looked at.
 
     Args:
         entity: who returned it.
@@ -89,7 +89,10 @@ def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveIns
         q_start: where the arm stands, shape (n,).
         move: what it is for.
     """
-    wrong = _unusable_length(entity, path.length, move)
+    if is_our_own(entity):
+        return None
+    length = guarded(entity, lambda: float(path.length), (float,), move)
+    wrong = length if isinstance(length, Refusal) else _unusable_length(entity, length, move)
     if wrong:
         return wrong
     places = np.linspace(0.0, path.length, _LOOKS)

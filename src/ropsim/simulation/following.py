@@ -77,12 +77,14 @@ class Follower:
     def until(self, place: int) -> Iterator[None]:
         """Follow the plan to a control tick of motion time; yields after each slice.
 
-        Ends early, once the arm stands, where the run has been stopped or a condition has ended the move.
+        Ends early, once the arm stands, where the run has been stopped or a condition has ended the move, and
+        where the arm is still slowed by the override when the longest simulated time has passed.
         """
         while self.clock.place < place:
             self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
-            if (self.run.stopped or self.ended) and (self.is_held or self.clock.place == 0.0):
-                self.at.cut_short |= self.run.stopped
+            over = self.run.stopped or (self.at.is_over and self.run.override(self.at.due) < 1.0)
+            if (over or self.ended) and (self.is_held or self.clock.place == 0.0):
+                self.at.cut_short |= over
                 return
             self._slice(place)
             yield
@@ -95,7 +97,9 @@ class Follower:
 
     def _slice(self, place: int) -> None:
         run, at = self.run, self.at
-        override = 0.0 if run.stopped or self.ended else run.override(at.due)
+        override = run.override(at.due)
+        if run.stopped or self.ended or (at.is_over and override < 1.0):
+            override = 0.0
         every = at.station.controller.rates.interpolation_ticks
         longest = min(run.slice(at), every) if self.lookout else run.slice(at)
         period = self.plan.period

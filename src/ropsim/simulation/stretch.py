@@ -24,8 +24,8 @@ class Stretch:
 
     Attributes:
         moves: one or more, in order.
-        messages: texts for the operator, each with the number of the move that begins when it is shown; behind
-            the last move it is the number of moves.
+        messages: texts for the operator, each with the number of the move that begins when it is shown;
+            behind the last move it is the number of moves.
         next: what the program does then.
     """
 

@@ -68,6 +68,10 @@ class RunView(Protocol):
         """Let an input have a value from a tick on that the program has not looked at yet."""
         ...
 
+    def set_override(self, tick: int, value: float) -> None:
+        """Let the speed override be a value from 0 (hold) to 1 from a tick on to which nobody has come."""
+        ...
+
     def stop(self) -> None:
         """End the run here; what was recorded stays."""
         ...

@@ -12,18 +12,34 @@ from ropsim.controller import (
     InverseTransform,
     LawInput,
     LawTraits,
+    MotionPlan,
     PathPlanner,
+    PathRequest,
+    PlannedPath,
     Refusal,
     Sample,
-    SplineJointInterpolator,
     StandardInterpolator,
+    StandardJointInterpolator,
+    StandardPathPlanner,
+    plan_move,
 )
-from ropsim.flow import JointReference, JointSamples, MoveEvent, MoveInstruction, PoseSetpoints, Recording
+from ropsim.flow import (
+    JointSamples,
+    ModalState,
+    MoveEvent,
+    MoveInstruction,
+    PoseSetpoints,
+    Recording,
+)
+from ropsim.kinematics import forward, forward_batch
 from ropsim.model import Cell, Signal, Tool
-from ropsim.motion import JointTrajectory, LineTrajectory
-from ropsim.simulation import RunOptions, run
+from ropsim.motion import JointPath, JointPoints, Line, ToolPath, ToolPoints, numeric_points
+from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
+
+START = (0.2, 1.1, -2.9, -0.4, -0.9, 0.3)
+GOAL: Array = np.array([0.5, 0.1, 0.9])
 
 PROGRAM = """\
 program replace_me
@@ -72,7 +88,7 @@ class SlowPlanner:
 
     inner: PathPlanner
 
-    def plan(self, move: MoveInstruction, q_start: Array) -> JointTrajectory | LineTrajectory | Refusal:
+    def plan(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:
         speed = move.modal.path_speed
         modal = replace(move.modal, path_speed=speed / 2 if speed else None)
         return self.inner.plan(replace(move, modal=modal), q_start)
@@ -92,23 +108,21 @@ class CountingInterpolator(StandardInterpolator):
 
     asked = 0
 
-    def sample(
-        self, trajectory: JointTrajectory | LineTrajectory, period: float
-    ) -> JointSamples | PoseSetpoints:
+    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
         type(self).asked += 1
-        return super().sample(trajectory, period)
+        return super().sample(path, density)
 
 
 def test_another_interpolator(cell: Cell, program: icr.Program, standard: Recording) -> None:
     chain = replace(chain_of(cell), interpolator=CountingInterpolator())
     again = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
-    assert CountingInterpolator.asked == 3
+    assert CountingInterpolator.asked == 1  # one of the three moves is a line
     np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
 
 
 @dataclass(frozen=True)
-class CoarseInverse:
-    """Solves like another one, then forgets every digit below a hundredth of a degree."""
+class BentInverse:
+    """Solves like another one, then bends the way of joint 1 by a ten-thousandth of a radian."""
 
     inner: InverseTransform
 
@@ -116,32 +130,49 @@ class CoarseInverse:
         self, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
     ) -> JointSamples | Refusal:
         samples = self.inner.solve(setpoints, q_start, move)
-        return samples if isinstance(samples, Refusal) else replace(samples, q=np.round(samples.q, 4))
+        if isinstance(samples, Refusal):
+            return samples
+        q = samples.q.copy()
+        q[:, 0] += 1e-4 * np.sin(np.linspace(0.0, np.pi, len(q))) ** 4
+        return replace(samples, q=q)
 
 
 def test_another_inverse_transform_shows_in_the_line(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
     chain = chain_of(cell)
-    other = replace(chain, inverse=CoarseInverse(chain.inverse))
-    coarse = run(cell, {"robot": program}, RunOptions(chains={"robot": other}))
-    off = np.abs(coarse.channels["q_ref"].values[:500] - standard.channels["q_ref"].values[:500])
-    assert 1e-6 < off.max() < 1e-3
+    other = replace(chain, inverse=BentInverse(chain.inverse))
+    bent = run(cell, {"robot": program}, RunOptions(chains={"robot": other}))
+    rows = len(standard.time) // 2
+    off = np.abs(bent.channels["q_ref"].values[:rows] - standard.channels["q_ref"].values[:rows])
+    assert off[:, 0].max() == pytest.approx(1e-4, rel=1e-2)
+    assert off[:, 1:].max() < 1e-9
+
+
+@dataclass(frozen=True)
+class Staircase:
+    """The path that jumps from sample to sample: the crude form of joint interpolation."""
+
+    length: float
+    q: Array
+
+    def joints(self, s: Array) -> JointPoints:
+        rows = np.rint(s / self.length * (len(self.q) - 1)).astype(int)
+        nothing = np.zeros((len(s), self.q.shape[1]))
+        return JointPoints(self.q[rows], np.ones_like(nothing), nothing)
 
 
 class StepInterpolator:
-    """Holds every sample: the crude form of joint interpolation."""
+    """Holds every sample."""
 
-    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
-        del q_start
-        q = np.repeat(samples.q, ticks_per_sample, axis=0)
-        return JointReference(q, np.zeros_like(q), np.zeros_like(q))
+    def refine(self, samples: JointSamples) -> JointPath:
+        return Staircase(samples.length, samples.q)
 
 
 def test_another_joint_interpolator_shows_in_the_following_error(
     cell: Cell, program: icr.Program, standard: Recording
 ) -> None:
-    assert isinstance(chain_of(cell).joint_interpolator, SplineJointInterpolator)
+    assert isinstance(chain_of(cell).joint_interpolator, StandardJointInterpolator)
     chain = replace(chain_of(cell), joint_interpolator=StepInterpolator())
     crude = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     worst = [np.abs(one.channels["q_error"].values).max() for one in (crude, standard)]
@@ -204,7 +235,7 @@ class BrokenPlanner:
     ("answer", "told"),
     [
         (ValueError("no map"), "`BrokenPlanner` raised ValueError: no map (test_replaceable_parts.py, line"),
-        (None, "`BrokenPlanner` returned a `NoneType` instead of a JointTrajectory or LineTrajectory"),
+        (None, "`BrokenPlanner` returned a `NoneType` instead of a PlannedPath"),
     ],
 )
 def test_a_planner_that_fails_is_told_at_every_line_and_the_program_goes_on(
@@ -219,26 +250,140 @@ def test_a_planner_that_fails_is_told_at_every_line_and_the_program_goes_on(
 
 
 class BrokenJointInterpolator:
-    """Returns references of the right kind that no arm can follow."""
+    """Returns paths of the right kind that no arm can follow."""
 
     def __init__(self, columns: int, value: float) -> None:
         self.columns, self.value = columns, value
 
-    def refine(self, samples: JointSamples, q_start: Array, ticks_per_sample: int) -> JointReference:
-        del samples, q_start
-        q = np.full((ticks_per_sample, self.columns), self.value)
-        return JointReference(q, np.zeros_like(q), np.zeros_like(q))
+    def refine(self, samples: JointSamples) -> JointPath:
+        return Staircase(samples.length, np.full((5, self.columns), self.value))
 
 
 @pytest.mark.parametrize(
     ("columns", "value", "told"),
-    [(5, 0.0, "`q` of shape (4, 5) instead of (4, 6)"), (6, np.nan, "numbers that are not finite")],
+    [
+        (5, 0.0, "`q` of shape (9, 5) instead of (9, 6)"),
+        (6, np.nan, "numbers that are not finite"),
+        (6, 3.0, "begins"),
+    ],
 )
-def test_a_reference_that_no_arm_can_follow_is_refused(
+def test_a_path_that_no_arm_can_follow_is_refused(
     cell: Cell, program: icr.Program, columns: int, value: float, told: str
 ) -> None:
     chain = replace(chain_of(cell), joint_interpolator=BrokenJointInterpolator(columns, value))
     recording = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     found = [one for one in recording.findings if one.code == "C603"]
-    assert found
+    assert len(found) == 1
+    assert "`BrokenJointInterpolator` returned" in found[0].message
+    assert told in found[0].message
+
+
+@dataclass(frozen=True)
+class Wave:
+    """A line with a wave across it; a path of a user's own, given by its poses alone."""
+
+    line: Line
+    height: float
+
+    @property
+    def length(self) -> float:
+        return self.line.length
+
+    def matrices(self, s: Array) -> Array:
+        matrices = self.line.tool(s).matrices
+        matrices[:, 2, 3] += self.height * np.sin(np.pi * s / self.length) ** 4
+        return matrices
+
+    def tool(self, s: Array) -> ToolPoints:
+        return numeric_points(self.matrices, s, self.length)
+
+    def positions(self, s: Array) -> Array:
+        return self.matrices(s)[:, :3, 3]
+
+    def distance(self, points: Array) -> Array:
+        way = self.positions(np.linspace(0.0, self.length, 2001))
+        return np.array([np.linalg.norm(way - point, axis=1).min() for point in points])
+
+
+def wave(request: PathRequest) -> Wave:
+    """Return the path of a move of the kind WAVE."""
+    return Wave(Line(request.X_start, request.X_end, request.orientation), 0.02)
+
+
+def with_kind(cell: Cell, make: Any) -> RunOptions:
+    """Return options whose planner makes its straight lines in another way."""
+    chain = chain_of(cell)
+    assert isinstance(chain.planner, StandardPathPlanner)
+    planner = replace(chain.planner, kinds={**chain.planner.kinds, "LIN": make, "WAVE": make})
+    return RunOptions(Fidelity.KINEMATIC, chains={"robot": replace(chain, planner=planner)})
+
+
+def test_a_kind_of_path_is_a_function_and_an_entry_in_the_table_of_the_planner(
+    cell: Cell, program: icr.Program
+) -> None:
+    chain = with_kind(cell, wave).chains["robot"]
+    start = cell.first.start
+    first = plan_move(chain, MoveInstruction("PTP", forward(cell.first.robot, START), ModalState()), start)
+    assert isinstance(first, MotionPlan)
+    goal = replace(forward(cell.first.robot, START), position=GOAL)
+    done = plan_move(chain, MoveInstruction("WAVE", goal, ModalState()), first.q_end)
+    assert isinstance(done, MotionPlan)
+    assert isinstance(done.pieces[0].path, Wave)
+    places = forward_batch(cell.first.robot, done.reference.q)[:, :3, 3]
+    assert 0.01 < done.pieces[0].path.line.distance(places).max() < 0.02
+    assert done.pieces[0].path.distance(places).max() < 1e-3  # half of the way between 2,001 places
+    unknown = plan_move(chain_of(cell), MoveInstruction("WAVE", goal, ModalState()), first.q_end)
+    assert isinstance(unknown, Refusal)
+    assert unknown.diagnostics[0].code == "M561"
+    assert "this controller makes PTP, CIRC, LIN, SPLINE" in unknown.diagnostics[0].message
+
+
+def test_a_run_follows_a_path_of_ones_own_and_measures_its_error_from_it(
+    cell: Cell, program: icr.Program
+) -> None:
+    recording = run(cell, {"robot": program}, with_kind(cell, wave))
+    assert [str(one) for one in recording.findings if one.is_error] == []
+    event = recording.events_of(MoveEvent)[1]
+    assert event.path_error_max is not None
+    assert event.path_error_max < 1e-4  # the distance is that from 2,001 places of the way
+    during = (recording.time > event.time) & (recording.time < event.time + event.duration)
+    heights = recording.channels["command_position"].values[during, 2]
+    assert np.ptp(heights) == pytest.approx(0.02, abs=1e-4)
+
+
+def broken(request: PathRequest) -> Any:
+    raise ValueError(f"no way to {request.X_end.position[0]:g}")
+
+
+def number(request: PathRequest) -> Any:
+    return len(request.via)
+
+
+@dataclass(frozen=True)
+class Nowhere(Wave):
+    """A path whose poses are no numbers."""
+
+    def matrices(self, s: Array) -> Array:
+        return super().matrices(s) * np.nan
+
+
+def nowhere(request: PathRequest) -> Nowhere:
+    return Nowhere(Line(request.X_start, request.X_end, request.orientation), 0.02)
+
+
+@pytest.mark.parametrize(
+    ("make", "told"),
+    [
+        (broken, "`broken` raised ValueError: no way to 0.5 (test_replaceable_parts.py, line"),
+        (nowhere, "`Nowhere` returned `matrices` with numbers that are not finite"),
+        (number, "`int` raised AttributeError"),
+    ],
+)
+def test_a_kind_of_path_that_fails_is_told_at_its_line(
+    cell: Cell, program: icr.Program, make: Any, told: str
+) -> None:
+    recording = run(cell, {"robot": program}, with_kind(cell, make))
+    found = [one for one in recording.findings if one.code == "C603"]
+    assert len(found) == 1
+    assert found[0].span is not None
     assert told in found[0].message

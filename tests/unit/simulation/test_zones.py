@@ -1,7 +1,8 @@
-"""Runs with zones: what is recorded of corners, of lines in force, of messages, of moves that are left out."""
+"""Runs with zones: what is recorded of corners, lines in force, messages and moves that are left out."""
 
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -83,7 +84,7 @@ def test_the_line_in_force_changes_in_the_middle_of_the_corner() -> None:
 def test_moves_of_a_stretch_follow_each_other_without_a_gap_and_only_the_last_settles() -> None:
     moves = recorded(SQUARE, Fidelity.DYNAMIC).events_of(MoveEvent)[1:]
     assert [event.settle > 0.0 for event in moves] == [False, False, True]
-    for before, behind in zip(moves[:-1], moves[1:], strict=True):
+    for before, behind in pairwise(moves):
         assert behind.time == pytest.approx(before.time + before.duration, abs=1e-9)
 
 
@@ -154,7 +155,7 @@ def test_a_zone_on_the_last_move_of_a_program_is_a_hint() -> None:
 def test_a_move_that_is_left_out_ends_the_stretch_before_it_and_begins_one_behind_it() -> None:
     lines = (*SQUARE[:2], "lin (5000, 0, 300) blend 30 mm", *SQUARE[2:])
     recording = recorded(lines)
-    assert [event.origin.span.line for event in recording.events_of(SkipEvent) if event.origin.span] == [5]
+    assert [event.line for event in recording.events_of(SkipEvent)] == [5]
     assert [event.flown for event in recording.events_of(MoveEvent)] == pytest.approx([0.0, 0.0, 0.03, 0.0])
     attained = recording.channels["command_position"].values
     assert np.abs(attained[-1] - np.array([0.5, 0.2, 0.1])).max() < 1e-9
