@@ -81,7 +81,7 @@ def unusable_tool_path(path: ToolPath, move: MoveInstruction) -> Refusal | None:
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:
-    """Return why a path of the joints cannot be followed, None where it can; that of our own is not looked at.
+    """Return why a path of the joints cannot be followed, None where it can; our own is not looked at.
 
     Args:
         entity: who returned it.
