@@ -5,19 +5,22 @@ import re
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from measuring import Measure, processor_seconds
 
 import ropsim
 from ropsim import codegen
 from ropsim.codegen import Engine, SourceFunction
-from ropsim.controller import Refusal, plan_move
+from ropsim.controller import MotionState, Refusal, plan, plan_move
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.dynamics.arm_functions import forward_code
-from ropsim.flow import JointReference
+from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction
+from ropsim.kinematics import forward
 from ropsim.model import Payload
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.servo.servo import Servo
@@ -160,7 +163,7 @@ def test_planning_of_the_whole_program(benchmark: Any) -> None:
     cell, codes = project.runnable(project.programs())
     moves = ropsim.icr.run(codes["robot"]).moves
 
-    def plan() -> int:
+    def one_by_one() -> int:
         chain, q, ticks = chain_of(cell), cell.first.start, 0
         for move in moves:
             planned = plan_move(chain, move, q)
@@ -168,9 +171,37 @@ def test_planning_of_the_whole_program(benchmark: Any) -> None:
             q, ticks = planned.q_end, ticks + planned.reference.ticks
         return ticks
 
-    ticks, time_ = measure(plan)
+    ticks, time_ = measure(one_by_one)
     measure.figure("ms per move", 1e3 * time_.best / len(moves))
     measure.figure("times real time", ticks / 1000 / time_.best)
+
+
+@pytest.mark.parametrize("kind", [MotionKind.PTP, MotionKind.LIN])
+def test_planning_of_a_stretch(benchmark: Any, kind: MotionKind) -> None:
+    """Twenty moves of 0.1 m, each at a right angle to the one before, with a zone of 20 mm."""
+    measure = Measure(benchmark)
+    project = ropsim.open(CELL)
+    cell, _ = project.runnable(project.programs())
+    chain, start = chain_of(cell), MotionState.at_rest(cell.first.start)
+    ways = np.cumsum([(0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (-0.1, 0.0, 0.0), (0.0, -0.1, 0.0)] * 5, axis=0)
+    first = forward(cell.first.robot, cell.first.start) @ chain.tool_pose(ModalState())
+    zone = ModalState(zone=0.02)
+    moves = [
+        MoveInstruction(
+            kind, replace(first, position=first.position + np.array([0.0, 0.0, -0.1]) + way), zone
+        )
+        for way in ways
+    ]
+
+    def planned() -> float:
+        done, refusal = plan(chain, moves, start)
+        assert refusal is None
+        assert done is not None
+        return done.duration
+
+    duration, time_ = measure(planned)
+    measure.figure("ms per move", 1e3 * time_.best / len(moves))
+    measure.figure("times real time", duration / time_.best)
 
 
 def demo(report: Path, environment: dict[str, str]) -> None:
