@@ -1,13 +1,16 @@
 """Stretches: which moves are known together, and why the arm has to stand at their end."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
 from ropsim.flow import (
     AwaitInstruction,
+    Comparison,
     GripAction,
     GripInstruction,
+    Guard,
     MessageInstruction,
     ModalState,
     MoveInstruction,
@@ -54,6 +57,20 @@ def test_moves_with_a_zone_go_on_up_to_the_first_without() -> None:
     assert stretch.moves == (FIRST, SECOND, lin(None))
     assert stretch.next == THIRD
     assert left == [END]
+
+
+def test_a_move_that_a_condition_may_end_is_the_last_of_its_stretch() -> None:
+    guarded = replace(SECOND, guard=Guard("part", Comparison.IS, True))
+    stretch, left = stretch_of(FIRST, guarded, THIRD, END)
+    assert stretch.moves == (FIRST, guarded)
+    assert stretch.next == THIRD
+    assert left == [END]
+
+
+def test_moves_to_points_on_the_way_go_on_without_a_zone_of_their_own() -> None:
+    passing = lin(None, ModalState(passes=True))
+    stretch, _ = stretch_of(passing, lin(None), END)
+    assert stretch.moves == (passing, lin(None))
 
 
 @pytest.mark.parametrize("what", STANDING)
