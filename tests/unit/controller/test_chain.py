@@ -100,7 +100,8 @@ def test_tcp_of_a_tool_stays_on_the_straight_line_and_turns_to_the_goal() -> Non
 def test_a_planner_with_the_drive_transform_swings_the_tool_in_a_plane() -> None:
     planner = CHAIN.planner
     assert isinstance(planner, StandardPathPlanner)
-    chain = replace(CHAIN, planner=replace(planner, orientation=OrientationMode.DRIVE_TRANSFORM))
+    swinging = replace(planner.controller, orientation=OrientationMode.DRIVE_TRANSFORM)
+    chain = replace(CHAIN, planner=replace(planner, controller=swinging))
     start = interface_pose(START)
     goal = Pose(start.position, (start @ _turn(0.4)).orientation)
     move = planned(lin(goal), START, chain)
