@@ -41,6 +41,7 @@ DEPENDS = {
     "RET": ("results", ""),
     "MKJ": ("REAL … n times", "JOINTS"),
     "MKEXT": ("POSE REAL … n times", "POSE"),
+    "TURNS": ("POSE INT … n times", "POSE"),
     "MOVE.SPL": ("POSE … n times", ""),
     "GUARD": ("T REAL", ""),
     "TRIG.DIST": ("T REAL", ""),

@@ -62,6 +62,8 @@ MAX_CODE = 12
 def operand(kind: OperandKind) -> st.SearchStrategy[Operand]:
     if kind is OperandKind.CONSTANT:
         return constants
+    if kind is OperandKind.POSTURE:
+        return st.from_regex(r"\A[a-z][a-z0-9_]*(-[a-z][a-z0-9_]*){0,2}\Z")
     if kind in WORDS:
         return st.sampled_from(WORDS[kind])
     if kind in {OperandKind.FRAME, OperandKind.TOOL}:

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.core import Span
-from ropsim.flow import Comparison, GripAction, ModalState, MotionKind, Side
+from ropsim.flow import Comparison, GripAction, ModalState, MotionKind, PostureRequest, Side
 from ropsim.program import (
     Assign,
     AssignComponent,
@@ -23,6 +23,7 @@ from ropsim.program import (
     Home,
     If,
     InFrame,
+    InPosture,
     Local,
     MakeExternal,
     MakePose,
@@ -114,6 +115,15 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
     | binary(POSE, ["compose"], POSE)
     | unary(POSE, ["invert"], POSE)
     | st.builds(InFrame, st.deferred(lambda: expressions[POSE]), st.sampled_from(["plate", ""]))
+    | st.builds(
+        InPosture,
+        st.deferred(lambda: expressions[POSE]),
+        st.builds(
+            PostureRequest,
+            st.sampled_from([(), ("left",), ("right", "up")]),
+            st.lists(st.integers(-2, 2), max_size=3).map(tuple),
+        ),
+    )
     | st.builds(
         MakeExternal,
         st.deferred(lambda: expressions[POSE]),

@@ -4,11 +4,13 @@ from dataclasses import fields
 from enum import Enum
 
 from ropsim.core import Span
+from ropsim.flow import PostureRequest
 from ropsim.program import (
     Binary,
     Component,
     Constant,
     Guard,
+    InPosture,
     MakeExternal,
     MakeJoints,
     MakePose,
@@ -76,6 +78,10 @@ def _text(value: object) -> str:
         case MakeVector() | MakeZyx() | MakePose() | MakeExternal() | MakeJoints():
             parts = [_text(getattr(value, f.name)) for f in fields(value) if f.name != "type"]
             text = f"{type(value).__name__.lower()}[{', '.join(parts)}]"
+        case PostureRequest():
+            text = f"{'-'.join(value.words) or 'any'} turns {list(value.turns)}"
+        case InPosture():
+            text = f"in_posture[{_text(value.operand)}, {_text(value.request)}]"
         case Trigger() | Guard():
             given = [(f.name, getattr(value, f.name)) for f in fields(value)]
             text = "(" + " ".join(f"{n}={_text(v)}" for n, v in given if v is not None) + ")"

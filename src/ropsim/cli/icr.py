@@ -112,6 +112,10 @@ def _path_words(move: MoveInstruction) -> Iterator[str]:
     for one in move.triggers:
         place = f"{one.time:g} s" if one.distance is None else f"{1e3 * one.distance:g} mm"
         yield f"at {place} {one.side.value} set {one.channel} = {one.value}"
+    if move.posture is not None and move.posture.words:
+        yield f"config ({', '.join(move.posture.words)})"
+    if move.posture is not None and move.posture.turns:
+        yield f"turns ({', '.join(map(str, move.posture.turns))})"
     if move.guard is not None:
         limit = "" if move.guard.timeout is None else f" timeout {move.guard.timeout:g} s"
         yield f"until {move.guard.channel} {move.guard.comparison.value} {move.guard.value}{limit}"

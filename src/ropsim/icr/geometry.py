@@ -5,7 +5,18 @@ from collections.abc import Callable
 
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.handlers import Datum, Handler
-from ropsim.icr.location import Location, composed, external_part, in_frame, located, pose_part, tag_of
+from ropsim.icr.location import (
+    Location,
+    composed,
+    external_part,
+    in_frame,
+    in_posture,
+    located,
+    pose_part,
+    posture_of,
+    tag_of,
+    with_turns,
+)
 from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.types import Type
 from ropsim.spatial import quaternion
@@ -34,7 +45,8 @@ def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None
 
 def _make_external(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
     location = stack[-count - 1]
-    stack[-count - 1 :] = [located(pose_part(location), tuple(stack[-count:]), tag_of(location))]
+    values = tuple(stack[-count:])
+    stack[-count - 1 :] = [located(pose_part(location), values, posture_of(location), tag_of(location))]
 
 
 def _orientation(w: float, x: float, y: float, z: float) -> Datum:
@@ -128,6 +140,9 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
         stack[-1] = _listed(_components(value, kind))
         if kind is Type.POSE and external_part(value):
             stack[-1] += f" external {_listed(external_part(value))}"
+        if kind is Type.POSE and (request := posture_of(value)) is not None:
+            stack[-1] += f" config ({', '.join(request.words)})" if request.words else ""
+            stack[-1] += f" turns ({', '.join(map(str, request.turns))})" if request.turns else ""
         if kind is Type.POSE and (tag := tag_of(value)) is not None:
             stack[-1] += f" in {tag.name}"
 
@@ -147,6 +162,8 @@ GEOMETRY: dict[str, Handler] = {
     "MKEXT": _make_external,
     "COMPOSE": _make(2, _compose),
     "INFRAME": in_frame,
+    "POSTURE": in_posture,
+    "TURNS": with_turns,
     "REFRAME": _make(2, _reframe),
     "INV": _make(1, lambda a: _finite("INV", quaternion.invert(pose_part(a)))),
     "GETPOS": _make(1, lambda pose: pose[:3]),

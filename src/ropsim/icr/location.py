@@ -1,16 +1,20 @@
 """POSE values as locations: a pose, and what goes along wherever the location is passed and kept.
 
 A POSE on the stack is a tuple of seven numbers, in the task frame in force when it is moved to. Behind them
-stand values of external axes, where it has some, and the tag of a task frame of its own, where it has one.
+stand values of external axes, where it has some, what it asks of the posture of the arm, where it asks for
+one, and the tag of a task frame of its own, where it has one.
 """
 
+from dataclasses import replace
 from typing import NamedTuple
 
+from ropsim.flow import PostureRequest
 from ropsim.icr.handlers import Datum
 from ropsim.spatial import Pose, PoseTuple, quaternion
 
 Location = tuple[Datum, ...]
-"""(x, y, z, qw, qx, qy, qz) [m, 1], up to `MAX_EXTERNAL` values of external axes [rad | m], up to one tag."""
+"""(x, y, z, qw, qx, qy, qz) [m, 1], up to `MAX_EXTERNAL` values of external axes [rad | m], then a request
+and a tag, where it has them."""
 
 
 class FrameTag(NamedTuple):
@@ -33,7 +37,15 @@ def pose_part(location: Location) -> PoseTuple:
 
 def external_part(location: Location) -> tuple[float, ...]:
     """Return the values of external axes that a location carries [rad | m]; empty where it has none."""
-    return location[7:] if tag_of(location) is None else location[7:-1]
+    end = len(location)
+    while isinstance(location[end - 1], FrameTag | PostureRequest):
+        end -= 1
+    return location[7:end]
+
+
+def posture_of(location: Location) -> PostureRequest | None:
+    """Return what a location asks of the posture of the arm, None where it leaves that open."""
+    return next((part for part in location[-2:] if isinstance(part, PostureRequest)), None)
 
 
 def tag_of(location: Location) -> FrameTag | None:
@@ -42,25 +54,46 @@ def tag_of(location: Location) -> FrameTag | None:
     return last if isinstance(last, FrameTag) else None
 
 
-def located(pose: PoseTuple, external: tuple[float, ...], tag: FrameTag | None) -> Location:
+def located(
+    pose: PoseTuple, external: tuple[float, ...], posture: PostureRequest | None, tag: FrameTag | None
+) -> Location:
     """Return a location of its parts."""
-    return (*pose, *external) if tag is None else (*pose, *external, tag)
+    return (*pose, *external, *(part for part in (posture, tag) if part is not None))
 
 
 def composed(left: Location, right: Location) -> Location:
     """Return X_AC of X_AB and X_BC.
 
     It carries the values of external axes of `left`, where that has none those of `right`, and so with the
-    task frame: a location keeps its own whether it is moved in its tool frame (it is `left`) or brought into
-    another frame (`right`).
+    posture and the task frame: a location keeps its own whether it is moved in its tool frame (it is `left`)
+    or brought into another frame (`right`).
     """
-    if len(left) == len(right) == 7:
-        return quaternion.compose(pose_part(left), pose_part(right))
     pose = quaternion.compose(pose_part(left), pose_part(right))
+    if len(left) == len(right) == 7:
+        return pose
     external = external_part(left) or external_part(right)
-    return located(pose, external, tag_of(left) or tag_of(right))
+    return located(pose, external, posture_of(left) or posture_of(right), tag_of(left) or tag_of(right))
 
 
 def in_frame(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
     """INFRAME; the operand is the tag, None for the task frame in force."""
-    stack[-1] = located(pose_part(stack[-1]), external_part(stack[-1]), operand)
+    whole = stack[-1]
+    stack[-1] = located(pose_part(whole), external_part(whole), posture_of(whole), operand)
+
+
+def in_posture(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
+    """POSTURE; the operand is the words of the posture with dashes between."""
+    request = posture_of(stack[-1]) or PostureRequest()
+    stack[-1] = _asking(stack[-1], replace(request, words=tuple(operand.split("-"))))
+
+
+def with_turns(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
+    """TURNS; the operand is the number of axes."""
+    turns = tuple(stack[-count:])
+    del stack[-count:]
+    request = posture_of(stack[-1]) or PostureRequest()
+    stack[-1] = _asking(stack[-1], replace(request, turns=turns))
+
+
+def _asking(location: Location, request: PostureRequest) -> Location:
+    return located(pose_part(location), external_part(location), request, tag_of(location))

@@ -5,6 +5,7 @@ A code is class · 256 + number. Codes are frozen once released and never used a
 08 conditions and poses of the arm.
 """
 
+import re
 from dataclasses import dataclass
 from enum import Enum
 
@@ -28,7 +29,11 @@ class OperandKind(Enum):
     CATEGORY = "category"
     SIDE = "side"
     COMPARISON = "comparison"
+    POSTURE = "posture"
 
+
+POSTURE = re.compile(r"[a-z][a-z0-9_]*(?:-[a-z][a-z0-9_]*)*\Z")
+"""Words of a posture with dashes between, as postures are named."""
 
 WORDS = {
     OperandKind.ACTION: ("open", "close"),
@@ -164,6 +169,8 @@ _TABLE = """
 0412 GETC      index    *   R  -     component i of a POSE, VEC, ORI or JOINTS: x y z, rx ry rz (fixed XYZ)
 0413 SETC      index    *   *  -     [value real -> value with component i replaced]
 0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes]
+0415 POSTURE   posture  P   P  CONFIG [pose -> pose to be reached in a posture]; words of it with - between
+0416 TURNS     count    *   P  CONFIG [pose k1 .. kn -> pose with the turns of the first n axes]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]

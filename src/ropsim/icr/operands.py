@@ -1,7 +1,7 @@
 """Operands of instructions in ICR text."""
 
 from ropsim.icr.literals import read_constant, read_int, written
-from ropsim.icr.opcodes import WORDS, Opcode, OperandKind
+from ropsim.icr.opcodes import POSTURE, WORDS, Opcode, OperandKind
 from ropsim.icr.program import Operand
 from ropsim.icr.tokens import Token, is_name, named, shown
 from ropsim.icr.types import Constant
@@ -30,6 +30,8 @@ def _read(kind: OperandKind, word: Token) -> Operand | None:
         return read_int(word)
     if kind in WORDS:
         return word.text if word.text in WORDS[kind] and not word.is_quoted else None
+    if kind is OperandKind.POSTURE:
+        return word.text if POSTURE.match(word.text) and not word.is_quoted else None
     if kind in _OPTIONAL and word.text == "-" and not word.is_quoted:
         return ""
     return word.text if is_name(word) else None
@@ -43,4 +45,4 @@ def written_operand(kind: OperandKind, operand: Operand, labels: dict[int, str])
         return labels[operand] if kind is OperandKind.LABEL else str(operand)
     if kind in _OPTIONAL and not operand:
         return "-"
-    return operand if kind in WORDS else named(operand)
+    return operand if kind in WORDS or kind is OperandKind.POSTURE else named(operand)

@@ -53,6 +53,8 @@ def _by_operand(program: Program, procedure: Procedure, step: Step) -> tuple[Sta
         return (Type.REAL,) * int(operand), (Type.JOINTS,)
     if step.mnemonic == "MKEXT":
         return (Type.POSE, *(Type.REAL,) * int(operand)), (Type.POSE,)
+    if step.mnemonic == "TURNS":
+        return (Type.POSE, *(Type.INT,) * int(operand)), (Type.POSE,)
     if step.mnemonic == "MOVE.SPL":
         return (Type.POSE,) * int(operand), ()
     name = str(operand)

@@ -46,6 +46,8 @@ class Environment:
         axes: what each axis of the robot is measured as, `angle` or `length`; empty where nobody knows, then
             a bare joint coordinate is an angle.
         external: the same for each external axis of the robot.
+        postures: the words that a posture of the arm may have, for each of its parts; empty where they have
+            no names, None where nobody knows the arm.
     """
 
     frames: Mapping[str, PoseTuple] = field(default_factory=dict)
@@ -63,6 +65,7 @@ class Environment:
     located: Mapping[str, str] = field(default_factory=dict)
     others_tools: frozenset[str] = frozenset()
     told: Mapping[str, str] = field(default_factory=dict)
+    postures: tuple[tuple[str, ...], ...] | None = None
 
 
 NO_SIGNATURES = Environment()

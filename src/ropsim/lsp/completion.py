@@ -11,7 +11,7 @@ from ropsim.lsp.expected import LITERALS, expected, in_call, may_give, type_of
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Workshop
-from ropsim.workbench import CheckedText
+from ropsim.workbench import CheckedText, environment_of
 
 _KINDS = {
     Role.TASK: 3,
@@ -51,6 +51,7 @@ _PLACES = tuple(
         (r"(?:\bin|@|\bframe)\s*$", "frame"),
         (r"\d\s*$", "unit"),
         (r"[A-Za-z_]\w*\.$", "member"),
+        (r"\bconfig\s*\([^()]*$", "posture"),
         (r"\([^()]*;[^()]*$", "turn"),
     )
 )
@@ -88,6 +89,9 @@ def completions(
     known = {one.name: one for one in names.of_cell(around)}
     known |= {one.name: one for one in names.of_text(workshop.outline(document), position.line)}
     checked = workshop.checked(document, documents)
+    if place == "posture":
+        parts = environment_of(around.cell, around.station).postures or ()
+        return [_item(word, _LITERAL, "posture", "") for part in parts for word in part]
     return list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
 
 

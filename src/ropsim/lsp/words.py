@@ -119,6 +119,8 @@ TURNS: dict[str, Word] = {
     "like": Word("like location", "The orientation of another location."),
     "pitch": Word("pitch a", "0 is level, 90° straight down."),
     "roll": Word("roll a", "Turn about the approach direction."),
+    "config": Word("config (left, up)", "In which posture the arm reaches the location."),
+    "turns": Word("turns (0, -1)", "In which whole turn the axes are there, from the first one on."),
     "yaw": Word("yaw a", "Takes the place of the point's azimuth."),
 }
 

@@ -10,6 +10,7 @@ from ropsim.program.expressions import Constant as Constant
 from ropsim.program.expressions import Expression as Expression
 from ropsim.program.expressions import Home as Home
 from ropsim.program.expressions import InFrame as InFrame
+from ropsim.program.expressions import InPosture as InPosture
 from ropsim.program.expressions import MakeExternal as MakeExternal
 from ropsim.program.expressions import MakeJoints as MakeJoints
 from ropsim.program.expressions import MakePose as MakePose

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from ropsim.flow import PostureRequest
 from ropsim.program.types import ValueType
 
 
@@ -119,6 +120,15 @@ class CommandPose:
 
 
 @dataclass(frozen=True, slots=True)
+class InPosture:
+    """A POSE that is to be reached in a posture, and with turns of the axes."""
+
+    operand: "Expression"
+    request: PostureRequest
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
 class InFrame:
     """A POSE whose numbers are given in a frame of its own, in whatever frame the program works.
 
@@ -151,6 +161,7 @@ Expression = (
     | MakeExternal
     | MakeJoints
     | CommandPose
+    | InPosture
     | InFrame
     | Home
 )

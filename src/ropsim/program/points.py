@@ -8,7 +8,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import IMPOSSIBLE_PATH
-from ropsim.program.expressions import Constant, Expression, InFrame
+from ropsim.program.expressions import Constant, Expression, InFrame, InPosture
 from ropsim.program.program import Program
 from ropsim.program.types import ValueType
 
@@ -86,6 +86,8 @@ def _place(location: Expression) -> _Place | None:
     """Return where a location is, None where only a run tells."""
     frame = location.frame if isinstance(location, InFrame) else ""
     inner = location.operand if isinstance(location, InFrame) else location
+    if isinstance(inner, InPosture):
+        inner = inner.operand
     if isinstance(inner, Constant) and inner.type is ValueType.POSE and isinstance(inner.value, tuple):
         x, y, z = inner.value[:3]
         return _Place(frame, (x, y, z))

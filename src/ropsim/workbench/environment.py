@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping
 
-from ropsim.kinematics import frame_poses
+from ropsim.kinematics import frame_poses, solver_of
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import WORLD, Cell, JointType, Station, in_base
+from ropsim.model import WORLD, Cell, JointType, RobotModel, Station, in_base
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose, PoseTuple
 
@@ -47,6 +47,17 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         located=cell.located,
         told={name: device.name for device in cell.devices.values() for name in device.tells},
         others_tools=frozenset(cell.tools) - set(at.tools),
+        postures=_postures(at.robot),
+    )
+
+
+def _postures(robot: RobotModel) -> tuple[tuple[str, ...], ...]:
+    """Return the words that a posture of an arm may have, for each of its parts; empty for none."""
+    if not robot.has_arm:
+        return ()
+    return tuple(
+        tuple(dict.fromkeys(words))
+        for words in zip(*(one.words for one in solver_of(robot).postures), strict=True)
     )
 
 

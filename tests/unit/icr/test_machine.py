@@ -11,6 +11,7 @@ from ropsim.flow import (
     MotionKind,
     MoveInstruction,
     OutputInstruction,
+    PostureRequest,
     Side,
     SyncInstruction,
     Trigger,
@@ -52,6 +53,8 @@ def program(main: str, rest: str = "") -> Program:
         "MOVE.CIRC": "CIRC",
         "MOVE.SPL": "SPLINE",
         "TRIG": "TRIG",
+        "POSTURE": "CONFIG",
+        "TURNS": "CONFIG",
         "GUARD": "GUARD",
         "MET": "GUARD",
         "ATTAINED": "POSE",
@@ -193,6 +196,48 @@ def test_a_via_point_has_the_external_values_of_the_target_or_none() -> None:
         assert arc.external == (0.8,)
     assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2)}/MOVE.CIRC/HALT") == "I461"
     assert trap(f"{pose(0.1, 'EXT', 0.8)}/{pose(0.2, 'EXT', 0.9)}/MOVE.SPL 2/HALT") == "I461"
+
+
+def test_a_posture_and_turns_go_wherever_the_pose_goes() -> None:
+    left = f"{pose(0.1)}/POSTURE left-up/PUSH INT 0/PUSH INT -1/TURNS 2"
+    wanted = PostureRequest(("left", "up"), (0, -1))
+    step = "PUSH POSE 0.0 0.0 0.1 1.0 0.0 0.0 0.0"
+    for text in (
+        left,
+        f"{left}/{step}/COMPOSE",
+        f"{step}/{left}/COMPOSE",
+        f"{left}/PUSH REAL 0.5/SETC 2",
+        f"{left}/INFRAME g",
+        f"{left}/PUSH REAL 0.5/MKEXT 1",
+        f"{pose(0.1, 'EXT', 0.5)}/PUSH INT 0/PUSH INT -1/TURNS 2/INFRAME g/POSTURE left-up",
+        f"{left}/MOVE.LIN/CURPOSE",
+        f"{pose(0.3)}/{left}/MOVE.CIRC/CURPOSE",
+    ):
+        *_, move, _ = flow(f"{text}/MOVE.PTP/HALT")
+        assert isinstance(move, MoveInstruction)
+        assert move.posture == wanted, text
+
+
+def test_of_two_postures_that_of_the_left_pose_counts_and_an_inverse_has_none() -> None:
+    both = f"{pose(0.1)}/POSTURE left/{pose(0.2)}/POSTURE right"
+    (move, inverse, _) = flow(f"{both}/COMPOSE/DUP/MOVE.PTP/INV/MOVE.PTP/HALT")
+    assert isinstance(move, MoveInstruction)
+    assert isinstance(inverse, MoveInstruction)
+    assert (move.posture, inverse.posture) == (PostureRequest(("left",)), None)
+
+
+def test_a_pose_shows_what_it_asks_of_the_arm() -> None:
+    text = f"{pose(0.1)}/POSTURE left-up/PUSH INT -1/TURNS 1/PUSH REAL 0.8/MKEXT 1/INFRAME g/FMT/MSG/HALT"
+    (message, _) = flow(text)
+    assert isinstance(message, MessageInstruction)
+    assert message.text.endswith(" external (0.8) config (left, up) turns (-1) in g")
+
+
+def test_a_via_point_has_the_posture_of_the_target_or_none() -> None:
+    left, right = (f"{pose(x)}/POSTURE {word}" for x, word in ((0.1, "left"), (0.2, "right")))
+    assert trap(f"{left}/{right}/MOVE.CIRC/HALT") == "I461"
+    assert trap(f"{left}/{pose(0.2)}/MOVE.CIRC/HALT") == "I461"
+    assert trap(f"{pose(0.1)}/{right}/MOVE.CIRC/HALT") == ""
 
 
 TRIGGERS = (

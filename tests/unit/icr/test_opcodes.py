@@ -33,6 +33,7 @@ def test_capabilities_are_those_that_the_diagnostic_page_names() -> None:
     assert names == {
         "CIRC",
         "CLOCK",
+        "CONFIG",
         "EXT",
         "GRIP",
         "GUARD",

@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import pytest
 
-from ropsim.icr import Constant, IoChannel, Procedure, Program, Step, Type, assemble, verify
+from ropsim.icr import AssemblyError, Constant, IoChannel, Procedure, Program, Step, Type, assemble, verify
 
 VALID = """ICR 1.0 t
 REQUIRE AXES 2
@@ -152,6 +152,8 @@ def test_a_rule_refuses_what_breaks_it(old: str, new: str, code: str) -> None:
         ("MOVE.CIRC", "I416"),
         ("PUSH REAL 0.5\n  MOVE.SPL 2", "I415"),
         ("MOVE.SPL 0", "I414"),
+        ("TURNS 33\n  MOVE.LIN", "I414"),
+        ("PUSH REAL 1.0\n  TURNS 1\n  MOVE.LIN", "I415"),
         ("MOVE.SPL 1001", "I414"),
         ("DUP\n  PUSH REAL -1.0\n  MOVE.CIRC.A", "I426"),
     ],
@@ -228,6 +230,23 @@ def test_a_guard_compares_one_channel_and_is_the_only_one_of_its_move(guard: str
 def test_a_trigger_sets_an_output_at_a_place_in_range(trigger: str, code: str) -> None:
     text = changed("  HOME\n", f"  {trigger}\n  HOME\n")
     assert codes(text.replace("PTP ZONE", "PTP TRIG ZONE")) == [code]
+
+
+@pytest.mark.parametrize("posture", ["", "left-", "-up", "Left", "left up", 3])
+def test_a_posture_is_words_with_dashes_between(posture: str | int) -> None:
+    program = assemble(VALID)
+    main = program.procedures[0]
+    at = next(k for k, step in enumerate(main.code) if step.mnemonic == "MOVE.LIN")
+    code = (*main.code[:at], Step("POSTURE", (posture,)), *main.code[at:])
+    made = replace(main, code=code, lines=(0,) * len(code), places=())
+    found = verify(replace(program, procedures=(made, *program.procedures[1:])))
+    assert "I414" in [one.code for one in found]
+
+
+@pytest.mark.parametrize("written", ["left-", '"left"', "Left", ""])
+def test_a_posture_that_is_written_otherwise_is_not_read(written: str) -> None:
+    with pytest.raises(AssemblyError):
+        assemble(changed("  MOVE.LIN\n", f"  POSTURE {written}\n  MOVE.LIN\n"))
 
 
 def test_a_diagnostic_marks_the_instruction_in_the_text() -> None:

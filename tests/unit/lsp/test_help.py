@@ -82,6 +82,7 @@ def test_a_task_is_offered_with_its_signature_and_its_comment() -> None:
         ("circ via corner to corner above 3 mm |", "angle"),
         ("circ via corner to corner angle 90 |", "deg"),
         ("lin corner |", "at"),
+        ("mov (1, 2, 3; |", "config"),
         ("lin corner |", "until"),
         ("lin corner |", "store"),
         ("signal lamp = output 1\nlin corner until |", "lamp"),
@@ -278,3 +279,9 @@ def test_hover_over_a_location_tells_where_its_external_axes_stand(tmp_path: Pat
     told = hover(uri_of(folder / "programs" / "x.task"), HEAD + "mov sto|ck")
     assert "(800, 0, 500) mm" in told
     assert told.endswith("external axes: E1 800 mm")
+
+
+def test_the_postures_offered_are_those_of_the_robot(program: str) -> None:
+    line = HEAD + "mov (1, 2, 3; config (left, |"
+    assert set(labels(program, line)) == {"left", "right", "up", "down", "noflip", "flip"}
+    assert labels(BARE, line) == []

@@ -15,7 +15,7 @@ from ropsim.flow import (
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.geometry import check_same_frame
 from ropsim.icr.handlers import Datum
-from ropsim.icr.location import Location, composed, external_part, pose_part, tag_of
+from ropsim.icr.location import Location, composed, external_part, pose_part, posture_of, tag_of
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Commanded, Finished, Registers
@@ -71,7 +71,8 @@ def _moved(
     move = _told(registers, site, kind, X_KT)
     tag = tag_of(target)
     modal = move.modal if tag is None else replace(move.modal, frame=tag.name, X_BK=tag.X_BK)
-    return replace(move, modal=modal, external=external_part(target), via=tuple(X_KV))
+    external, posture = external_part(target), posture_of(target)
+    return replace(move, modal=modal, external=external, via=tuple(X_KV), posture=posture)
 
 
 def _told(
@@ -90,16 +91,21 @@ def _told(
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:
-    """Trap where a point on the way has a frame or values of external axes other than the target.
+    """Trap where a point on the way has a frame, values of external axes or a posture other than the target.
 
     Raises:
-        TrapError: it has; the axes and the frame of a path are those of its end.
+        TrapError: it has; those of a path are those of its end.
     """
     check_same_frame(name, point, target)
-    if external_part(point) and external_part(point) != external_part(target):
-        message = f"`{name}` is given a via point with values of external axes other than those of its target"
-        hint = "give values to the target only: external axes go there evenly on the whole way"
-        raise TrapError(kinds.RANGE, message, hint)
+    for what, one, wanted in (
+        ("values of external axes", external_part(point), external_part(target)),
+        ("a posture", posture_of(point), posture_of(target)),
+    ):
+        if one and one != wanted:
+            message = f"`{name}` is given a via point with {what} other than its target"
+            raise TrapError(
+                kinds.RANGE, message, "give them to the target only: they are those of the whole path"
+            )
 
 
 def _home(registers: Registers, _world: World, site: Site) -> Instruction:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, Span, did_you_mean, near
 from ropsim.icr import diagnostics as kinds
-from ropsim.icr.opcodes import OPCODES, WORDS, OperandKind
+from ropsim.icr.opcodes import OPCODES, POSTURE, WORDS, OperandKind
 from ropsim.icr.program import Operand, Procedure, Program, Step, text_place
 from ropsim.icr.types import MAX_EXTERNAL, Constant, Type, has_form, reals, rotation
 
@@ -16,7 +16,7 @@ MAX_NUMBER = 65535
 MAX_POINTS = 1000
 """Poses that one curve may lead through: more do not fit on a stack that every rule can look at."""
 _MAX_INDEX = {OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
-_MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS}
+_MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS, "TURNS": MAX_AXES}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
 _POSITIVE = _SPEEDS | {"MOVE.CIRC.A"}
@@ -52,6 +52,10 @@ def check_operands(program: Program, procedure: Procedure) -> Iterator[Diagnosti
             for kind, operand in zip(opcode.operands, step.operands, strict=True):
                 if kind is OperandKind.CONSTANT:
                     yield from _check_pushed(operand, place)
+                elif kind is OperandKind.POSTURE:
+                    if not isinstance(operand, str) or not POSTURE.match(operand):
+                        message = f"`POSTURE` has operand {operand!r}, allowed are words with - between"
+                        yield kinds.OPERAND_WRONG.at(place, message)
                 elif kind in names:
                     yield from _check_name(step, kind, operand, names[kind], place)
                 else:

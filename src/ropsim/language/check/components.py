@@ -61,7 +61,7 @@ def _turn(q: quaternion.Quaternion) -> Expression:
 
 def position_of(expression: Expression) -> Expression:
     """Return the VEC of a POSE."""
-    expression = fold.without_frame(expression)
+    expression = fold.numbers_of(expression)
     value = fold.pose_of(expression)
     if value is not None:
         return Constant(value[:3], ValueType.VEC)
@@ -70,7 +70,7 @@ def position_of(expression: Expression) -> Expression:
 
 def orientation_of(expression: Expression) -> Expression:
     """Return the ORI of a POSE."""
-    expression = fold.without_frame(expression)
+    expression = fold.numbers_of(expression)
     value = fold.pose_of(expression)
     if value is not None:
         return Constant(value[3:], ValueType.ORI)

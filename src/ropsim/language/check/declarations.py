@@ -18,7 +18,7 @@ from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
-from ropsim.program import InFrame, SignalUse, ValueType
+from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 
@@ -181,9 +181,9 @@ def _symbol(body: Body, node: _SymbolNode) -> Symbol:
 
 
 def _fixed(body: Body, value: Value, node: nodes.Node, what: str) -> Value:
-    numbers = convert.constant(body, fold.without_frame(value.expression), node, what)
-    moving = value.expression.frame if isinstance(value.expression, InFrame) else ""
-    return Value(fold.in_frame(numbers, moving), value.type, value.is_bare, value.X_KF)
+    inner, posture, moving = fold.opened(value.expression)
+    numbers = convert.constant(body, inner, node, what)
+    return Value(fold.closed(numbers, posture, moving), value.type, value.is_bare, value.X_KF)
 
 
 def _variable_type(body: Body, node: syntax.VariableDeclaration) -> AnyType:
@@ -204,7 +204,8 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
             body.fail(kinds.OUT_OF_RANGE, count, f"a count of a grid must be 1 to 10000, found {number:g}")
         counts[k] = int(number)
     first = values.expect(body, node.origin, POSE, "the first location")
-    numbers = convert.constant(body, fold.without_frame(first), node.origin, "the first location")
+    inner, posture, moving = fold.opened(first)
+    numbers = convert.constant(body, inner, node.origin, "the first location")
     origin = fold.location_of(numbers)
     assert origin is not None
     checked = values.check(body, node.origin)
@@ -218,8 +219,7 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
     order = node.order.text if node.order is not None else "row"
     size = (counts[0], counts[1], counts[2])
-    moving = first.frame if isinstance(first, InFrame) else ""
-    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving)
+    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving, posture)
 
 
 def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:

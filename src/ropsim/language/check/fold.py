@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from ropsim.flow import PostureRequest
 from ropsim.icr import Location, composed, pose_part
 from ropsim.program import (
     Binary,
@@ -10,6 +11,7 @@ from ropsim.program import (
     Constant,
     Expression,
     InFrame,
+    InPosture,
     MakeExternal,
     MakePose,
     MakeVector,
@@ -188,7 +190,36 @@ def make_pose(position: Expression, orientation: Expression) -> Expression:
 def in_frame(operand: Expression, frame: str) -> Expression:
     """Return a POSE whose numbers are those of `operand` in a frame of its own; without a name, in none."""
     operand = without_frame(operand)
-    return operand if isinstance(operand, Constant) and not frame else InFrame(operand, frame)
+    is_known = isinstance(numbers_of(operand), Constant)
+    return operand if is_known and not frame else InFrame(operand, frame)
+
+
+def in_posture(operand: Expression, request: PostureRequest | None) -> Expression:
+    """Return a POSE that asks for a posture; None leaves it as it is."""
+    if request is None:
+        return operand
+    if isinstance(operand, InFrame):
+        return InFrame(in_posture(operand.operand, request), operand.frame)
+    return InPosture(operand.operand if isinstance(operand, InPosture) else operand, request)
+
+
+def opened(operand: Expression) -> tuple[Expression, PostureRequest | None, str]:
+    """Return a POSE without posture and frame of its own, as far as these are known, and them."""
+    frame = operand.frame if isinstance(operand, InFrame) else ""
+    inner = without_frame(operand)
+    if isinstance(inner, InPosture):
+        return inner.operand, inner.request, frame
+    return inner, None, frame
+
+
+def numbers_of(operand: Expression) -> Expression:
+    """Return the numbers of a POSE alone, and its values of external axes."""
+    return opened(operand)[0]
+
+
+def closed(numbers: Expression, request: PostureRequest | None, frame: str) -> Expression:
+    """Return a POSE of what `opened` told about one."""
+    return in_frame(in_posture(numbers, request), frame)
 
 
 def without_frame(operand: Expression) -> Expression:
@@ -202,6 +233,10 @@ def compose(left: Expression, right: Expression) -> Expression:
         return InFrame(compose(left.operand, without_frame(right)), left.frame)
     if isinstance(right, InFrame):
         return InFrame(compose(left, right.operand), right.frame)
+    if isinstance(left, InPosture):
+        return InPosture(compose(left.operand, numbers_of(right)), left.request)
+    if isinstance(right, InPosture):
+        return InPosture(compose(left, right.operand), right.request)
     a, b = location_of(left), location_of(right)
     if a == IDENTITY:
         return right
@@ -216,7 +251,7 @@ def reframe(change: PoseTuple, location: Expression) -> Expression:
     """Return X_AC from X_AB and X_BC; a location in a frame that moves stays as it is, where it is given."""
     if isinstance(location, InFrame) or change == IDENTITY:
         return location
-    if isinstance(location, Constant):
+    if isinstance(numbers_of(location), Constant):
         return compose(pose(change), location)
     return Binary("reframe", pose(change), location, ValueType.POSE)
 
@@ -225,6 +260,8 @@ def external(location: Expression, values: tuple[Expression, ...]) -> Expression
     """Return a POSE with REAL values of external axes in place of those that it may have."""
     if isinstance(location, InFrame):
         return InFrame(external(location.operand, values), location.frame)
+    if isinstance(location, InPosture):
+        return InPosture(external(location.operand, values), location.request)
     pose_now, numbers = pose_of(location), [number_of(e) for e in values]
     if pose_now is None or None in numbers:
         return MakeExternal(location, values)
@@ -233,7 +270,7 @@ def external(location: Expression, values: tuple[Expression, ...]) -> Expression
 
 def component(operand: Expression, index: int) -> Expression:
     """Return component `index` (x y z, then rx ry rz) of a POSE."""
-    operand = without_frame(operand)
+    operand = numbers_of(operand)
     value = pose_of(operand)
     if value is None:
         return Component(operand, index)

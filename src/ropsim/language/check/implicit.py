@@ -183,7 +183,8 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
             return node.values
         case nodes.Tuple():
             turned = [part for turn in node.turns for part in (*turn.values, turn.like)]
-            return *(item.value for item in node.items), *turned
+            counted = node.posture.turns if node.posture is not None else ()
+            return *(item.value for item in node.items), *turned, *counted
         case _:
             return ()
 

@@ -188,6 +188,7 @@ class _Nest:
         pose = fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
         values = tuple(map(fold.real, self.pattern.external))
         location = fold.external(pose, values) if values else pose
+        location = fold.in_posture(location, self.pattern.posture)
         return fold.in_frame(location, self.pattern.moving) if self.pattern.moving else location
 
     def _int(self, counter: str) -> Expression:

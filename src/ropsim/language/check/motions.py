@@ -1,6 +1,6 @@
 """Motions: the target, the points on the way, and what holds for this motion only."""
 
-from ropsim.flow import MotionKind, Side
+from ropsim.flow import MotionKind, PostureRequest, Side
 from ropsim.icr import external_part
 from ropsim.language.check import actions, assignments, convert, fold, guards, settings, values
 from ropsim.language.check.body import Body
@@ -22,9 +22,7 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name, Node
 from ropsim.program import (
     Block,
-    Constant,
     Expression,
-    InFrame,
     MakeExternal,
     Move,
     Trigger,
@@ -38,6 +36,10 @@ _KINDS = {
     "spline": MotionKind.SPLINE,
 }
 _CURVED = ("circ", "spline")
+_OWN = (
+    ("values of external axes", "the axes go there evenly on the whole way"),
+    ("posture and turns", "they hold for the whole way"),
+)
 
 
 def motion(body: Body, node: syntax.Motion) -> Block:
@@ -46,7 +48,7 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     via = tuple(_point(body, node, one, f"a via point of `{node.word}`") for one in node.via)
     if node.word in _CURVED:
         for point, expression in zip(node.via, via, strict=True):
-            _refuse_external(body, node, point, expression, target)
+            _refuse_own(body, node, point, expression, target)
     chosen = settings.gather(body, tuple(one for one in node.modifiers if one.word != "angle"))
     settings.check_effect(body, node, chosen)
     triggers = tuple(_trigger(body, one) for one in node.triggers)
@@ -114,31 +116,26 @@ def _refuse_coordinate(body: Body, place: Node, kind: AnyType) -> None:
         )
 
 
-def _refuse_external(
-    body: Body, node: syntax.Motion, place: Node, point: Expression, target: Expression
-) -> None:
-    """Report a via point of an arc or curve that is written with other external values than the target.
+def _refuse_own(body: Body, node: syntax.Motion, place: Node, point: Expression, target: Expression) -> None:
+    """Report a via point of an arc or curve with external values or a posture other than those of the target.
 
     Raises:
-        RejectedError: it is.
+        RejectedError: it is written with such.
     """
-    found = _external(point)
-    if found and found != _external(target):
-        body.fail(
-            kinds.WRONG_TYPE,
-            place,
-            f"a via point of `{node.word}` has no values of external axes of its own",
-            "give them to the target: the axes go there evenly on the whole way",
-        )
+    at_end = _owned(target)
+    for (what, hint), found, wanted in zip(_OWN, _owned(point), at_end, strict=True):
+        if found and found != wanted:
+            message = f"a via point of `{node.word}` has no {what} of its own"
+            body.fail(kinds.WRONG_TYPE, place, message, f"give them to the target: {hint}")
 
 
-def _external(location: Expression) -> tuple[Expression | float, ...]:
-    """Return the values of external axes that a location is seen to have."""
-    inner = location.operand if isinstance(location, InFrame) else location
+def _owned(location: Expression) -> tuple[tuple[Expression | float, ...], PostureRequest | None]:
+    """Return the values of external axes and the posture that a location is seen to have."""
+    inner, posture, _ = fold.opened(location)
     if isinstance(inner, MakeExternal):
-        return inner.values
-    value = fold.location_of(inner) if isinstance(inner, Constant) else None
-    return external_part(value) if value is not None else ()
+        return inner.values, posture
+    value = fold.location_of(inner)
+    return external_part(value) if value is not None else (), posture
 
 
 def _angle(body: Body, node: syntax.Motion) -> Expression | None:

@@ -1,7 +1,7 @@
 """Locations: tuples with their orientations, and the operators that move and re-base them."""
 
 from ropsim.icr import MAX_EXTERNAL
-from ropsim.language.check import components, convert, fold, turns, values
+from ropsim.language.check import components, convert, fold, postures, turns, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
 from ropsim.language.findings import types as kinds
@@ -24,6 +24,8 @@ def location(body: Body, node: nodes.Tuple) -> Value:
     """
     X_CT = _pose(body, node, Constant(components.DOWN, ValueType.ORI))
     X_KT = fold.compose(fold.pose(body.X_KC), X_CT)
+    if node.posture is not None:
+        X_KT = fold.in_posture(X_KT, postures.request(body, node.posture))
     return Value(fold.in_frame(X_KT, body.moving) if body.moving else X_KT, POSE, X_KF=body.X_KC)
 
 
@@ -33,9 +35,14 @@ def transform(body: Body, node: nodes.Node) -> Expression:
     Raises:
         RejectedError: the node is not such a tuple.
     """
-    if isinstance(node, nodes.Tuple):
-        return _pose(body, node, components.UPRIGHT)
-    return values.expect(body, node, POSE, "the pose")
+    if not isinstance(node, nodes.Tuple):
+        return values.expect(body, node, POSE, "the pose")
+    if node.posture is not None:
+        hint = "locations have them: leave them out here"
+        body.fail(
+            kinds.WRONG_TYPE, node.posture, "a step, a frame and a tool have no posture and no turns", hint
+        )
+    return _pose(body, node, components.UPRIGHT)
 
 
 def shift(body: Body, node: nodes.Node, what: str) -> Expression:
@@ -44,7 +51,7 @@ def shift(body: Body, node: nodes.Node, what: str) -> Expression:
     Raises:
         RejectedError: the node is not such a tuple.
     """
-    if not isinstance(node, nodes.Tuple) or len(node.items) != 3 or node.turns:
+    if not isinstance(node, nodes.Tuple) or len(node.items) != 3 or node.turns or node.posture:
         body.fail(kinds.WRONG_TYPE, node, f"{what} is three lengths in parentheses", "write `(dx, dy, dz)`")
     return _position(body, node)
 

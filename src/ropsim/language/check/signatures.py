@@ -102,7 +102,9 @@ def _explicit(
 def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expression:
     what = f"the default of `{name}`"
     try:
-        return convert.constant(body, values.expect(body, node, kind, what), node, what)
+        inner, posture, moving = fold.opened(values.expect(body, node, kind, what))
+        number = convert.constant(body, inner, node, what)
+        return fold.closed(number, posture, moving) if posture or moving else number
     except RejectedError:
         return fold.real(0.0)  # the finding stands; calls without this argument are not reported as well
 

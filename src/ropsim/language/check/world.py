@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from ropsim.flow import PostureRequest
 from ropsim.language.check.types import AnyType, Type, Value
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.environment import Environment
@@ -54,6 +55,7 @@ class Pattern:
         order: `row` (a row is filled first), `column` or `snake`.
         external: values of external axes that all locations have [rad | m]; empty for none.
         moving: name of the frame that moves in which it is given, empty for none.
+        posture: in which all locations are to be reached, None for any.
     """
 
     counts: tuple[int, int, int]
@@ -62,6 +64,7 @@ class Pattern:
     order: str
     external: tuple[float, ...] = ()
     moving: str = ""
+    posture: PostureRequest | None = None
 
 
 @dataclass(frozen=True, slots=True)

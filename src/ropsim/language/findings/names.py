@@ -186,3 +186,14 @@ loc corner = (50, 0, 0) in fixture       # right
 ```
 """,
 )
+UNKNOWN_POSTURE = define(
+    "N216",
+    "unknown-posture",
+    Severity.ERROR,
+    "a word that is none of the postures of the arm",
+    """
+`config (…)` takes words of the arm's postures, for any of its parts: an arm with a spherical wrist is `left`
+or `right`, `up` or `down`, `noflip` or `flip`. `ropsim robot ik` shows the names of the postures of a robot.
+A part of which nothing is said is left to the planner.
+""",
+)

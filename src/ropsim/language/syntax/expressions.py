@@ -17,6 +17,7 @@ from ropsim.language.syntax.nodes import (
     Name,
     Node,
     Number,
+    Posture,
     Rebase,
     State,
     Text,
@@ -235,12 +236,13 @@ def parenthesis(cursor: Cursor) -> Node:
         while cursor.accept(","):
             items.append(item(cursor))
     turns: tuple[Turn, ...] = ()
+    posture = None
     if cursor.accept(";"):
-        turns = _turns(cursor)
+        turns, posture = _terms(cursor)
     cursor.close_parenthesis()
-    if len(items) == 1 and not turns and items[0].name is None:
+    if len(items) == 1 and not turns and posture is None and items[0].name is None:
         return items[0].value
-    return Tuple(tuple(items), turns, start, cursor.end)
+    return Tuple(tuple(items), turns, posture, start, cursor.end)
 
 
 def item(cursor: Cursor) -> Item:
@@ -252,25 +254,52 @@ def item(cursor: Cursor) -> Item:
     return Item(None, expression(cursor))
 
 
-def _turns(cursor: Cursor) -> tuple[Turn, ...]:
-    turns = [_turn(cursor)]
+def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
+    """Read the orientation of a location, and in which posture it is to be reached."""
+    start = cursor.start
+    turns: list[Turn] = []
+    words: tuple[Name, ...] = ()
+    numbers: tuple[Node, ...] = ()
+    while True:
+        word = cursor.word
+        if (word == "config" and words) or (word == "turns" and numbers):
+            cursor.fail("another term", f"`{word}` stands once in a location")
+        if word == "config":
+            words = _config(cursor)
+        elif word == "turns":
+            cursor.advance()
+            cursor.open_parenthesis()
+            numbers = listed(cursor)
+            cursor.close_parenthesis()
+        else:
+            turns.append(_turn(cursor))
+        if not cursor.accept(","):
+            break
+    posture = Posture(words, numbers, start, cursor.end) if words or numbers else None
+    return tuple(turns), posture
+
+
+def _config(cursor: Cursor) -> tuple[Name, ...]:
+    cursor.advance()
+    cursor.open_parenthesis()
+    words = [cursor.name("a word of a posture, such as `up`")]
     while cursor.accept(","):
-        turns.append(_turn(cursor))
-    return tuple(turns)
+        words.append(cursor.name("a word of a posture, such as `up`"))
+    cursor.close_parenthesis()
+    return tuple(words)
 
 
 def _turn(cursor: Cursor) -> Turn:
     token = cursor.token
     word = token.word
-    if word in ("config", "turns"):
-        cursor.not_yet(token, word)
     if word == "like":
         cursor.advance()
         pose = postfix(cursor)
         return Turn(word, "", (), pose, token.start, cursor.end)
     if word not in _TURN_COUNTS:
-        hint = did_you_mean(token.text, [*_TURN_COUNTS, "like"]) if token.kind == "word" else ""
-        cursor.fail("an orientation (`" + "`, `".join([*_TURN_COUNTS, "like"]) + "`)", hint)
+        allowed = [*_TURN_COUNTS, "like", "config", "turns"]
+        hint = did_you_mean(token.text, allowed) if token.kind == "word" else ""
+        cursor.fail("an orientation (`" + "`, `".join(allowed) + "`)", hint)
     cursor.advance()
     axes = ""
     if word == "euler":

@@ -131,11 +131,22 @@ class Turn:
 
 
 @dataclass(frozen=True, slots=True)
+class Posture:
+    """`config (word, …)` and `turns (n, …)` of a location."""
+
+    words: tuple[Name, ...]
+    turns: tuple["Node", ...]
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
 class Tuple:
     """A parenthesis with several members or an orientation: a location, a vector or an argument list."""
 
     items: tuple[Item, ...]
     turns: tuple[Turn, ...]
+    posture: Posture | None
     start: int
     end: int
 

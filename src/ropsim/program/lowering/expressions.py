@@ -97,12 +97,25 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
             _make(scope, expression)
         case sir.CommandPose():
             emit("CURPOSE")
+        case sir.InPosture():
+            _posture(scope, expression)
         case sir.InFrame(operand=operand, frame=frame):
             evaluate(scope, operand, Type.POSE)
             emit("INFRAME", scope.frame(frame) if frame else "")
         case sir.Home():
             raise unsound("the home position is a target of PTP moves only")
     return static_type(scope, expression)
+
+
+def _posture(scope: Scope, expression: sir.InPosture) -> None:
+    evaluate(scope, expression.operand, Type.POSE)
+    words, turns = expression.request.words, expression.request.turns
+    if words:
+        scope.emitter.emit("POSTURE", "-".join(words))
+    for turn in turns:
+        push(scope, Type.INT, turn)
+    if turns:
+        scope.emitter.emit("TURNS", len(turns))
 
 
 def _make(
