@@ -1,5 +1,7 @@
 """ICR 1.0, the neutral robot program: text form, verifier and stack machine."""
 
+from ropsim.icr.dry_run import DryRun as DryRun
+from ropsim.icr.dry_run import run as run
 from ropsim.icr.errors import AssemblyError as AssemblyError
 from ropsim.icr.errors import UnverifiedError as UnverifiedError
 from ropsim.icr.location import Location as Location
@@ -25,8 +27,6 @@ from ropsim.icr.reader import read_text as read_text
 from ropsim.icr.rules.calls import unassigned as unassigned
 from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState
-from ropsim.icr.trace import Trace as Trace
-from ropsim.icr.trace import run as run
 from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE
 from ropsim.icr.trap_kinds import TRAP_TIMED_OUT as TRAP_TIMED_OUT
 from ropsim.icr.types import MAX_EXTERNAL as MAX_EXTERNAL

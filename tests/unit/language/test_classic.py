@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.flow import GripAction, MoveInstruction
-from ropsim.icr import Trace, run
+from ropsim.icr import DryRun, run
 from ropsim.language import Compiled, compile
 from ropsim.program import ValueType
 from ropsim.spatial import Pose
@@ -24,7 +24,7 @@ def printed() -> Compiled:
 
 
 @pytest.fixture(scope="module")
-def trace(printed: Compiled) -> Trace:
+def trace(printed: Compiled) -> DryRun:
     assert printed.icr is not None
     return run(printed.icr)
 
@@ -40,23 +40,23 @@ def test_printed_program_has_no_finding(printed: Compiled) -> None:
     assert printed.ok
 
 
-def test_printed_program_makes_72_moves_36_closes_and_36_opens(trace: Trace) -> None:
+def test_printed_program_makes_72_moves_36_closes_and_36_opens(trace: DryRun) -> None:
     actions = [g.action for g in trace.grips]
     assert len(trace.moves) == 72
     assert actions == [GripAction.CLOSE, GripAction.OPEN] * 36
 
 
-def test_printed_program_grips_a_grid_with_x_reset_each_row_and_y_kept(trace: Trace) -> None:
+def test_printed_program_grips_a_grid_with_x_reset_each_row_and_y_kept(trace: DryRun) -> None:
     expected = [(0.13 + 0.001 * i, 0.05 + 0.001 * j, 0.08) for j in range(6) for i in range(6)]
     for found, wanted in zip(positions(trace.moves[0::2]), expected, strict=True):
         assert found == pytest.approx(wanted, abs=ROUNDING)
 
 
-def test_printed_program_releases_all_parts_at_location_two(trace: Trace) -> None:
+def test_printed_program_releases_all_parts_at_location_two(trace: DryRun) -> None:
     assert set(positions(trace.moves[1::2])) == {(0.06, 0.03, 0.02)}
 
 
-def test_three_numbers_point_the_tool_straight_down(trace: Trace) -> None:
+def test_three_numbers_point_the_tool_straight_down(trace: DryRun) -> None:
     for move in trace.moves:
         assert isinstance(move.target, Pose)
         assert move.target.rotation()[:, 2] == pytest.approx([0.0, 0.0, -1.0])
@@ -73,7 +73,7 @@ def test_implicit_parameters_are_locations_then_scalars_in_alphabetical_order(pr
     ]
 
 
-def test_every_move_knows_its_line(trace: Trace) -> None:
+def test_every_move_knows_its_line(trace: DryRun) -> None:
     spans = [m.origin.span for m in trace.moves[:2]]
     assert [s.line for s in spans if s is not None] == [3, 9]
 

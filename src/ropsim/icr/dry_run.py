@@ -1,4 +1,4 @@
-"""A run without a robot: everything that a program would tell one."""
+"""A dry run: without a robot, everything that a program would tell one."""
 
 from dataclasses import dataclass
 
@@ -21,12 +21,12 @@ from ropsim.icr.verifier import verify
 from ropsim.icr.world import StillWorld, World
 
 MAX_INSTRUCTIONS = 100_000
-"""Robot instructions and synchronisations after which a trace ends (about 100 MB)."""
+"""Robot instructions and synchronisations after which a dry run ends (about 100 MB)."""
 
 
 @dataclass(frozen=True, slots=True)
-class Trace:
-    """What a run hands out.
+class DryRun:
+    """What a run without a robot hands out.
 
     Attributes:
         instructions: robot instructions in program order, without synchronisations.
@@ -61,7 +61,7 @@ class Trace:
         return tuple(one.text for one in self.instructions if isinstance(one, MessageInstruction))
 
 
-def run(program: Program, world: World | None = None, budget: int = BUDGET) -> Trace:
+def run(program: Program, world: World | None = None, budget: int = BUDGET) -> DryRun:
     """Verify a program and run it to its end.
 
     Args:
@@ -83,7 +83,7 @@ def run(program: Program, world: World | None = None, budget: int = BUDGET) -> T
     for _ in range(MAX_INSTRUCTIONS):
         outcome = machine.advance()
         if isinstance(outcome, Finished):
-            return Trace(tuple(instructions), outcome.trap, outcome.steps, outcome.stop)
+            return DryRun(tuple(instructions), outcome.trap, outcome.steps, outcome.stop)
         place = outcome.origin.span
         if isinstance(world, StillWorld):
             world.carry_out(outcome)
@@ -91,4 +91,4 @@ def run(program: Program, world: World | None = None, budget: int = BUDGET) -> T
             instructions.append(outcome)
     message = f"more than {MAX_INSTRUCTIONS} robot instructions and synchronisations"
     trap = kinds.BUDGET.at(place, message, hint="look for a loop without end near this line")
-    return Trace(tuple(instructions), trap, machine.snapshot().steps)
+    return DryRun(tuple(instructions), trap, machine.snapshot().steps)
