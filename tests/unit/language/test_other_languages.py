@@ -17,9 +17,15 @@ REPLACED = {
 }
 SAID = {
     "MoveAbsJ": "`mov joints(…)`",
-    "MoveC": "not yet in this version",
-    "movec": "not yet in this version",
-    "SCIRC": "not yet in this version",
+    "MoveC": "`circ via a to b`",
+    "movec": "`circ via a to b`",
+    "SCIRC": "`circ via a to b`",
+    "TriggIO": "`lin p at 3 mm after start do set NAME on`",
+    "TriggL": "`lin p at 3 mm after start do set NAME on`",
+    "TriggJ": "`lin p at 3 mm after start do set NAME on`",
+    "TRIGGER": "`lin p at 3 mm after start do set NAME on`",
+    "SearchL": "`lin p until NAME store q`",
+    "SearchJ": "`lin p until NAME store q`",
     "SetDO": "`set NAME on`",
     "SetGO": "`set NAME on`",
     "SetAO": "`set NAME = value`",

@@ -37,8 +37,8 @@ _KINDS = {
 }
 _CURVED = ("circ", "spline")
 _OWN = (
-    ("values of external axes", "the axes go there evenly on the whole way"),
-    ("posture and turns", "they hold for the whole way"),
+    ("values of external axes", "they are those of the whole path"),
+    ("posture and turns", "they are those of the whole path"),
 )
 
 

@@ -5,7 +5,9 @@ from collections.abc import Mapping
 _LIN = "did you mean `lin`?"
 _MOV = "did you mean `mov`?"
 _JOINTS = "joint coordinates are a target of `mov`: write `mov joints(…)`"
-_CIRCLE = "circular moves are not yet in this version: see `ropsim explain L109`"
+_CIRCLE = "a circular move names its point on the way first: write `circ via a to b`"
+_TRIGGER = "outputs are set on the way of a motion: write `lin p at 3 mm after start do set NAME on`"
+_SEARCH = "a motion ends by a condition: write `lin p until NAME store q`"
 _SET = "outputs are set by name: write `set NAME on`, `set NAME off` or `set NAME = value`"
 _RESET = "outputs are set by name: write `set NAME off`"
 _WAIT_UNTIL = "inputs are read by name: write `wait until NAME`"
@@ -21,6 +23,12 @@ HINTS: Mapping[str, str] = {
     "moveabsj": _JOINTS,
     "movec": _CIRCLE,
     "scirc": _CIRCLE,
+    "triggio": _TRIGGER,
+    "triggl": _TRIGGER,
+    "triggj": _TRIGGER,
+    "trigger": _TRIGGER,
+    "searchl": _SEARCH,
+    "searchj": _SEARCH,
     "setdo": _SET,
     "setgo": _SET,
     "setao": _SET,
