@@ -48,9 +48,32 @@ mov q in base
 mov here above 50
 print dist(corner, q)
 """
+_ON_THE_WAY = b"""program moving
+units mm, deg, s
+signal glue = output 1
+signal ready = input 2
+signal force_z = analog input 3
+loc a = (300, 0, 100; down, config (left, up), turns (0, -1))
+loc b = (350, 80, 100)
+loc c = (400, 0, 100)
+task Bead(p: loc, m: loc, q: loc)
+  lin p fine at 3 after start do set glue on at 0.2 s before end do set glue off
+  circ via m to q blend 5 angle 270
+  spline via p, m, q to p above 30 speed 50
+endp
+Bead a, b, c
+mov via a above 50, joints(0, 90, -180, 0, -45, 0), home to b speed 50 %
+lin via b, c to a fine at 5 mm before end do set glue = not ready
+lin c until ready store touch timeout 2 speed 5
+lin touch rel (0, 0, -5) until force_z > 15 N
+q = a
+q.y = q.y + 5
+mov q until not (ready is off) store q
+"""
 _TASKS = (
     *(path.read_bytes() for path in sorted(_ROOT.glob("examples/*/programs/*.task"))),
     _ON_FIXTURE,
+    _ON_THE_WAY,
 )
 _VALUES = (
     *(b"nan", b"-inf", b"1e308", b"0xffffffffffffffffff", b'"text"', b"[]", b"{}", b"true", b"[[1]]"),
