@@ -14,6 +14,7 @@ from ropsim.flow import GripAction
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import GRIPPER_STATE
 from ropsim.program.expressions import Constant
+from ropsim.program.move import Move, Settings
 from ropsim.program.program import Contract, Program, Task
 from ropsim.program.walk import walk
 
@@ -54,7 +55,7 @@ def _tools(program: Program) -> set[str]:
     blocks = (program.main, *(task.body for task in program.tasks))
     statements = [statement for block in blocks for statement in walk(block)]
     named = {program.tool} | {one.tool for one in statements if isinstance(one, st.Grip)}
-    changed = {one.settings.tool or "" for one in statements if isinstance(one, st.Set | st.With | st.Move)}
+    changed = {one.settings.tool or "" for one in statements if isinstance(one, st.Set | st.With | Move)}
     return (named | changed) - {""}
 
 
@@ -133,7 +134,7 @@ class _Check:
         self.block(statement.body, inner)
         return inner
 
-    def tool(self, settings: st.Settings, flow: _Flow) -> None:
+    def tool(self, settings: Settings, flow: _Flow) -> None:
         if settings.tool is not None and self.has_tools and flow.now is not None:
             flow.now = _Gripper.UNKNOWN
 

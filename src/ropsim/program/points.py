@@ -9,6 +9,7 @@ from ropsim.flow import MotionKind
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import IMPOSSIBLE_PATH
 from ropsim.program.expressions import Constant, Expression, InFrame, InPosture
+from ropsim.program.move import Move
 from ropsim.program.program import Program
 from ropsim.program.types import ValueType
 
@@ -48,7 +49,7 @@ class _Check:
     def statement(self, statement: st.Statement, place: _Place | None) -> _Place | None:
         """Return the place after a statement; what steers the flow leaves none that is known for certain."""
         match statement:
-            case st.Move():
+            case Move():
                 return self.move(statement, place)
             case st.With(settings=settings, body=body):
                 is_other = settings.tool is not None
@@ -67,7 +68,7 @@ class _Check:
                 return None
         return place
 
-    def move(self, move: st.Move, start: _Place | None) -> _Place | None:
+    def move(self, move: Move, start: _Place | None) -> _Place | None:
         is_other = move.settings.tool is not None
         places = [None if is_other else start, *map(_place, (*move.via, move.target))]
         if move.kind == MotionKind.CIRC and len(places) == 3:

@@ -1,4 +1,4 @@
-"""Lines that move the arm, work the gripper or change how the next moves are made."""
+"""Lines that move the arm, work the gripper or copy a location."""
 
 from dataclasses import dataclass
 
@@ -6,22 +6,20 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Literal, Name, Node
+from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.setting import QUANTITIES, quantity, set_statement, setting
 from ropsim.language.syntax.statements import (
     Gripper,
     Load,
     Motion,
-    SetMode,
     SetSignal,
     Setting,
     Statement,
     Trigger,
-    With,
 )
 from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS, VIA
 
-_QUANTITIES = ("speed", "acc", "blend")
-_MODIFIERS = (*_QUANTITIES, "fine", "tool")
+_MODIFIERS = (*QUANTITIES, "fine", "tool")
 _ENDINGS = ("until", "timeout", "store")
 _ENDS = {"after": "start", "before": "end"}
 _CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
@@ -85,9 +83,9 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
         elif word in _ENDINGS:
             ending.read(cursor, word)
         elif word == "angle":
-            modifiers.append(_quantity(cursor))
+            modifiers.append(quantity(cursor))
         elif word in _MODIFIERS:
-            modifiers.append(_setting(cursor))
+            modifiers.append(setting(cursor))
         else:
             cursor.finish()
     word = _CANONICAL.get(head.word, head.word)
@@ -166,48 +164,3 @@ def load(cursor: Cursor, head: Token) -> Statement:
         cursor.fail("3, 5 or 6 names", f"{len(names)} given up to `{closing.text}`")
     cursor.expect(",")
     return Load(tuple(names), expression(cursor), head.start, cursor.end)
-
-
-def set_statement(cursor: Cursor, head: Token) -> Statement:
-    """Read `set speed|acc|blend|frame|tool …` or `set output on|off|= value`."""
-    following = cursor.look(1).word
-    if cursor.word in (*_QUANTITIES, "frame", "tool", "fine") and following not in ("on", "off", "=", ":="):
-        setting = _setting(cursor)
-        return SetMode(setting, head.start, cursor.end)
-    name = cursor.name("`speed`, `acc`, `blend`, `fine`, `frame`, `tool` or the name of an output")
-    if cursor.accept("=") or cursor.accept(":="):
-        return SetSignal(name, expression(cursor), head.start, cursor.end)
-    state = cursor.token
-    if state.word not in ("on", "off"):
-        cursor.fail("`on`, `off` or `=`")
-    cursor.advance()
-    return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
-
-
-def with_statement(cursor: Cursor, head: Token) -> Statement:
-    """Read `with setting {, setting}`."""
-    settings = [_setting(cursor)]
-    while cursor.accept(","):
-        settings.append(_setting(cursor))
-    return With(tuple(settings), head.start, cursor.end)
-
-
-def _quantity(cursor: Cursor) -> Setting:
-    token = cursor.advance()
-    value = total(cursor)
-    return Setting(token.word, value, None, token.start, cursor.end)
-
-
-def _setting(cursor: Cursor) -> Setting:
-    token = cursor.token
-    word = token.word
-    if word in _QUANTITIES:
-        return _quantity(cursor)
-    if word == "fine":
-        cursor.advance()
-        return Setting(word, None, None, token.start, cursor.end)
-    if word in ("frame", "tool"):
-        cursor.advance()
-        name: Name = cursor.name(f"the name of a {word}")
-        return Setting(word, None, name, token.start, cursor.end)
-    cursor.fail("`frame`, `tool`, `speed`, `acc`, `blend` or `fine`")

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
-from ropsim.language.syntax import declarations, flow, motion
+from ropsim.language.syntax import declarations, flow, motion, setting
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
@@ -136,8 +136,8 @@ _STATEMENTS: dict[str, Callable[[Cursor, Token], Statement]] = {
     "open": motion.gripper,
     "close": motion.gripper,
     "load": motion.load,
-    "set": motion.set_statement,
-    "with": motion.with_statement,
+    "set": setting.set_statement,
+    "with": setting.with_statement,
     "wait": wait,
     "if": if_statement,
     "elseif": flow.elseif,

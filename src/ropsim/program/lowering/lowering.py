@@ -11,6 +11,7 @@ from ropsim.program.diagnostics import unsound, without_value
 from ropsim.program.lowering import flow, robot
 from ropsim.program.lowering.expressions import evaluate, push, zero
 from ropsim.program.lowering.motion import lower_move
+from ropsim.program.move import Move
 from ropsim.program.program import Local, Program, Task
 from ropsim.program.scope import Scope, Used
 from ropsim.spatial import PoseTuple, quaternion
@@ -222,7 +223,7 @@ def _stop(scope: Scope, statement: st.Stop) -> None:
 
 
 _STATEMENTS: dict[type, Callable[..., None]] = {
-    st.Move: lower_move,
+    Move: lower_move,
     st.Grip: robot.lower_grip,
     st.Output: robot.lower_output,
     st.Wait: robot.lower_wait,

@@ -5,10 +5,10 @@ from dataclasses import replace
 from ropsim.flow import MotionKind, Side
 from ropsim.icr import Type
 from ropsim.program import expressions as sir
-from ropsim.program import statements as st
 from ropsim.program.diagnostics import unsound
 from ropsim.program.lowering.expressions import evaluate, static_type
 from ropsim.program.lowering.robot import lower_settings, lower_timeout
+from ropsim.program.move import Guard, Move, Trigger
 from ropsim.program.scope import Scope
 
 _Prefix = tuple[str, str, str]
@@ -18,7 +18,7 @@ _SIDES = {Side.BEFORE_END: "before", Side.AFTER_START: "after"}
 _SINGLE = (MotionKind.PTP, MotionKind.LIN)
 
 
-def lower_move(scope: Scope, move: st.Move) -> None:
+def lower_move(scope: Scope, move: Move) -> None:
     """Emit a move; its own settings are taken back after it.
 
     All points and places of triggers are evaluated before the first motion: `here` is where the arm is then.
@@ -44,14 +44,14 @@ def lower_move(scope: Scope, move: st.Move) -> None:
         scope.emitter.emit("MODAL.RESTORE")
 
 
-def _store(scope: Scope, move: st.Move) -> None:
+def _store(scope: Scope, move: Move) -> None:
     """Emit what keeps the pose that the arm has after a move; waits until it is there."""
     if move.store:
         scope.emitter.emit("ATTAINED")
         scope.emitter.emit("STORE", move.store)
 
 
-def _through(scope: Scope, move: st.Move) -> None:
+def _through(scope: Scope, move: Move) -> None:
     """Emit a move to each point on the way, which passes it by, and one to the target.
 
     A zone of the move's own is that of all points; a fine stop is one at the target only. Triggers after the
@@ -82,9 +82,7 @@ def _through(scope: Scope, move: st.Move) -> None:
     emit("MODAL.RESTORE")
 
 
-def _operands(
-    scope: Scope, triggers: tuple[st.Trigger, ...], guard: st.Guard | None = None
-) -> tuple[_Prefix, ...]:
+def _operands(scope: Scope, triggers: tuple[Trigger, ...], guard: Guard | None = None) -> tuple[_Prefix, ...]:
     """Emit code that leaves on the stack what triggers and guard need, the first one on top.
 
     Returns:
@@ -113,7 +111,7 @@ def _prefix(scope: Scope, prefixes: tuple[_Prefix, ...]) -> None:
         scope.emitter.emit(mnemonic, *operands)
 
 
-def _evaluate(scope: Scope, move: st.Move, point: sir.Expression) -> None:
+def _evaluate(scope: Scope, move: Move, point: sir.Expression) -> None:
     """Emit code that leaves a target on the stack; home is no value."""
     if static_type(scope, point) is Type.POSE:
         evaluate(scope, point, Type.POSE)
@@ -123,7 +121,7 @@ def _evaluate(scope: Scope, move: st.Move, point: sir.Expression) -> None:
         evaluate(scope, point, Type.JOINTS)
 
 
-def _single(scope: Scope, move: st.Move, point: sir.Expression) -> None:
+def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
     """Emit the motion to a target on the stack."""
     if isinstance(point, sir.Home):
         scope.emitter.emit("HOME")
@@ -133,7 +131,7 @@ def _single(scope: Scope, move: st.Move, point: sir.Expression) -> None:
         scope.emitter.emit("MOVE.PTP.J")
 
 
-def _curved(scope: Scope, move: st.Move) -> None:
+def _curved(scope: Scope, move: Move) -> None:
     """Emit an arc or a smooth curve."""
     if move.kind == MotionKind.CIRC and len(move.via) != 1:
         raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)

@@ -5,6 +5,7 @@ from ropsim.program import expressions as sir
 from ropsim.program import statements as st
 from ropsim.program.emitter import Label
 from ropsim.program.lowering.expressions import evaluate, push, static_type
+from ropsim.program.move import Settings
 from ropsim.program.scope import Scope
 
 POLL_PERIOD = 0.004
@@ -18,7 +19,7 @@ _SETTINGS = (
 )
 
 
-def lower_settings(scope: Scope, settings: st.Settings) -> None:
+def lower_settings(scope: Scope, settings: Settings) -> None:
     """Emit the modal instructions of settings."""
     if settings.tool is not None:
         use_tool(scope, settings.tool)

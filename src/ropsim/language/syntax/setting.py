@@ -1,0 +1,56 @@
+"""Lines that change how the next moves are made, and lines that set outputs."""
+
+from ropsim.language.syntax.cursor import Cursor
+from ropsim.language.syntax.expressions import expression, total
+from ropsim.language.syntax.lexer import Token
+from ropsim.language.syntax.nodes import Literal, Name
+from ropsim.language.syntax.statements import SetMode, SetSignal, Setting, Statement, With
+
+QUANTITIES = ("speed", "acc", "blend")
+"""Settings that are a word and a value."""
+
+
+def set_statement(cursor: Cursor, head: Token) -> Statement:
+    """Read `set speed|acc|blend|frame|tool …` or `set output on|off|= value`."""
+    following = cursor.look(1).word
+    if cursor.word in (*QUANTITIES, "frame", "tool", "fine") and following not in ("on", "off", "=", ":="):
+        return SetMode(setting(cursor), head.start, cursor.end)
+    name = cursor.name("`speed`, `acc`, `blend`, `fine`, `frame`, `tool` or the name of an output")
+    if cursor.accept("=") or cursor.accept(":="):
+        return SetSignal(name, expression(cursor), head.start, cursor.end)
+    state = cursor.token
+    if state.word not in ("on", "off"):
+        cursor.fail("`on`, `off` or `=`")
+    cursor.advance()
+    return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
+
+
+def with_statement(cursor: Cursor, head: Token) -> Statement:
+    """Read `with setting {, setting}`."""
+    settings = [setting(cursor)]
+    while cursor.accept(","):
+        settings.append(setting(cursor))
+    return With(tuple(settings), head.start, cursor.end)
+
+
+def quantity(cursor: Cursor) -> Setting:
+    """Read `word value`."""
+    token = cursor.advance()
+    value = total(cursor)
+    return Setting(token.word, value, None, token.start, cursor.end)
+
+
+def setting(cursor: Cursor) -> Setting:
+    """Read `speed|acc|blend value`, `fine`, `tool name` or `frame name`."""
+    token = cursor.token
+    word = token.word
+    if word in QUANTITIES:
+        return quantity(cursor)
+    if word == "fine":
+        cursor.advance()
+        return Setting(word, None, None, token.start, cursor.end)
+    if word in ("frame", "tool"):
+        cursor.advance()
+        name: Name = cursor.name(f"the name of a {word}")
+        return Setting(word, None, name, token.start, cursor.end)
+    cursor.fail("`frame`, `tool`, `speed`, `acc`, `blend` or `fine`")

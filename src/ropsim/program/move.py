@@ -1,0 +1,99 @@
+"""A motion of the structured program: target, way, settings, outputs on the way and the end."""
+
+from dataclasses import dataclass
+
+from ropsim.core import Span
+from ropsim.flow import Comparison, MotionKind, Side
+from ropsim.program.expressions import Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Modal values to set; None leaves a value as it is.
+
+    Attributes:
+        tool: name of a tool.
+        path_speed: REAL [m/s].
+        ptp_speed: REAL share, (0, 1].
+        orientation_speed: REAL [rad/s].
+        path_acceleration: REAL [m/s²].
+        ptp_acceleration: REAL share, (0, 1].
+        zone: REAL [m]; a constant 0 means fine.
+    """
+
+    tool: str | None = None
+    path_speed: Expression | None = None
+    ptp_speed: Expression | None = None
+    orientation_speed: Expression | None = None
+    path_acceleration: Expression | None = None
+    ptp_acceleration: Expression | None = None
+    zone: Expression | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing is set."""
+        return self == Settings()
+
+
+@dataclass(frozen=True, slots=True)
+class Trigger:
+    """An output that is set at a place of a motion.
+
+    Attributes:
+        signal: the output.
+        value: what it is set to.
+        side: end of the motion from which is counted.
+        distance: REAL, way of the TCP from there [m]; None where a time is given.
+        time: REAL, time from there [s]; None where a distance is given.
+    """
+
+    signal: str
+    value: Expression
+    side: Side
+    distance: Expression | None = None
+    time: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """The condition on one signal that ends a motion before its target.
+
+    Attributes:
+        signal: what is looked at.
+        comparison: how it is compared.
+        value: BOOL or REAL with which it is compared; computed when the motion begins.
+        timeout: REAL, time after which the motion ends all the same [s]; None for none.
+    """
+
+    signal: str
+    comparison: Comparison
+    value: Expression
+    timeout: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A motion to a target, through points on the way.
+
+    Attributes:
+        kind: how the TCP travels.
+        target: POSE in the frame in force or, of PTP, JOINTS.
+        settings: hold for this move only.
+        span: of the statement.
+        via: points on the way. PTP and LIN go from each to the next one and pass them by; one point makes an
+            arc, any number a curve.
+        angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
+        triggers: outputs that are set on the way.
+        guard: what ends the motion before its target.
+        store: variable for the pose that the arm has at the end; empty for none.
+    """
+
+    kind: MotionKind
+    target: Expression
+    settings: Settings
+    span: Span
+    via: tuple[Expression, ...] = ()
+    angle: Expression | None = None
+    triggers: tuple[Trigger, ...] = ()
+    guard: Guard | None = None
+    store: str = ""
