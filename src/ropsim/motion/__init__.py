@@ -1,5 +1,6 @@
 """Paths and time laws: jerk-limited profiles, ways of tool and joints, what limits make of them; findings."""
 
+from ropsim.model import OrientationMode as OrientationMode
 from ropsim.motion.diagnostics import BAD_MOTION_VALUE as BAD_MOTION_VALUE
 from ropsim.motion.diagnostics import FRAME_OF_OTHERS as FRAME_OF_OTHERS
 from ropsim.motion.diagnostics import JOINT_OUT_OF_RANGE as JOINT_OUT_OF_RANGE
@@ -21,7 +22,10 @@ from ropsim.motion.limits.joint_bounds import Quantity as Quantity
 from ropsim.motion.limits.keep import keep_limits as keep_limits
 from ropsim.motion.limits.kept import Beyond as Beyond
 from ropsim.motion.limits.kept import Kept as Kept
+from ropsim.motion.limits.kept import Motion as Motion
 from ropsim.motion.limits.kept import Slowed as Slowed
+from ropsim.motion.limits.motion_time import MotionTime as MotionTime
+from ropsim.motion.limits.time_optimal import time_optimal as time_optimal
 from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
@@ -69,7 +73,6 @@ from ropsim.motion.synchronised import SynchronisedJoints as SynchronisedJoints
 from ropsim.motion.time_law import LawRows as LawRows
 from ropsim.motion.time_law import TimeLaw as TimeLaw
 from ropsim.motion.time_law import plan_time_law as plan_time_law
-from ropsim.motion.turn import OrientationMode as OrientationMode
 from ropsim.motion.turn import Turn as Turn
 from ropsim.motion.turn import plan_turn as plan_turn
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS

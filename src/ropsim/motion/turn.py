@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ropsim.model import OrientationMode as OrientationMode
+from ropsim.model import OrientationMode
 from ropsim.spatial import Array, Pose, frozen, quaternion, record
 
 _STRAIGHT = 1e-12  # a smaller sine of an angle says that two vectors are in line

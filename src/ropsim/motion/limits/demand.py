@@ -11,10 +11,14 @@ from ropsim.spatial import Array
 
 LEAST_RATE = 1e-4
 """A path that must be gone slower than by this share of its plan cannot be gone."""
+SLACK = 5e-10
+"""Share by which bounds are planned wider, so that a plan that is on them is left as it is."""
 _CREEP = 0.02
 """Share of the speed of joints at which dry friction is as in motion and nothing else counts."""
 _PASSES = 12
-_SAME = 1e-4
+_SAME = 1e-3
+_MOST_AHEAD = 0.6
+"""Greatest share of a change that the next one is taken to be; half of it against viscous friction alone."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,7 +46,7 @@ class Demand:
     def fastest(self, caps: Array, near: Array, steps: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
 
-        Where torque counts, they are found again with the torques at the speeds found, until they are the same.
+        Where torque counts, they are found again with the torques at the speeds found, until these stay.
 
         Args:
             caps: bounds of x, shape (m,).
@@ -52,23 +56,27 @@ class Demand:
             spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
         q, d1, d2 = self.points.q, self.points.d1, self.points.d2
-        most = self.bounds.acceleration * share[:, None]
-        A, B, lower, upper = d1, d2, -most, most
+        most = self.bounds.acceleration * share[:, None] * (1.0 + SLACK)
+        A, B, lower, upper = np.ascontiguousarray(d1), np.ascontiguousarray(d2), -most, most
         result = np.empty(len(caps))
         if self.effort is None or self.bounds.effort is None:
             fastest(A, B, lower, upper, caps, steps, result)
             return result
-        used, n = spared[:, None], q.shape[1]
+        used, n = spared[:, None] * (1.0 + SLACK), q.shape[1]
         lower = np.hstack((lower, np.minimum(used * (-self.bounds.effort - self.still), 0.0)))
         upper = np.hstack((upper, np.maximum(used * (self.bounds.effort - self.still), 0.0)))
         A, B = np.hstack((A, self.inertia)), np.hstack((B, np.empty_like(q)))
+        changed = np.zeros(len(caps))
         for _ in range(_PASSES):
-            x = np.maximum(near, LEAST_RATE**2)[:, None]
+            near = np.maximum(near, LEAST_RATE**2)
+            x = near[:, None]
             B[:, n:] = (torques(self.effort, q, d1 * np.sqrt(x), d2 * x) - self.still) / x
             fastest(A, B, lower, upper, caps, steps, result)
             if np.abs(result - near).max() <= _SAME * result.max():
                 break
-            near = result.copy()
+            before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
+            share = np.clip(changed / np.where(before == 0.0, np.inf, before), 0.0, _MOST_AHEAD)
+            near = result * np.exp(changed * share / (1.0 - share))
         return result
 
 

@@ -8,8 +8,8 @@ NOTHING = 1e-12
 MOST_FALL = 0.75
 """Share of x by which it may fall from one place to the next, unless it must be 0 there.
 
-Where a torque row changes its side at once, such as where a joint turns back against dry friction, the fastest
-way up to there would come to rest behind it.
+Where a torque row changes its side at once, such as where a joint turns back against dry friction, the
+fastest way up to there would come to rest behind it.
 """
 MOST_STEPS = 60
 """Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
@@ -100,7 +100,8 @@ def _between(
                 continue
             if a < 0.0:
                 low, high = high, low
-            bottom, top, slope = low / a, high / a, -b / a
+            inverse = 1.0 / a
+            bottom, top, slope = low * inverse, high * inverse, -b * inverse
             if bottom + slope * x > least + rise * x:
                 least, rise = bottom, slope
             if top + slope * x < most + fall * x:

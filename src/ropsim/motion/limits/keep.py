@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.course import course_below, window_times
-from ropsim.motion.limits.demand import LEAST_RATE, Demand, demand
+from ropsim.motion.limits.demand import LEAST_RATE, SLACK, Demand, demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
@@ -21,7 +21,7 @@ from ropsim.spatial import Array
 LONGEST_DELAY = 600.0
 """A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
 _MOST_TICKS = 1e8
-_ATTEMPTS = 14
+_ATTEMPTS = 30
 
 
 def keep_limits(
@@ -72,13 +72,14 @@ def keep_limits(
 def _slowed(motion: Motion, asked: Demand, places: Array, period: float) -> Kept | Beyond:
     """Return the motion slowed, with what it asks of the joints at places on it."""
     needed, lasting = rates_needed(asked, places, period), window_times(asked, motion.duration)
-    caps, ways = np.minimum(needed[::2].min(axis=(0, 2)), 1.0), np.diff(places)
+    caps, ways = np.minimum(needed[::2].min(axis=(0, 2)) * (1.0 + SLACK), 1.0), np.diff(places)
     shares = all_of_it(len(places))
     x = caps**2
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         x = asked.fastest((caps * shares.rate) ** 2, x, ways, shares.acceleration, shares.torque)
-        sigma, clock = course_below(places, np.sqrt(x), lasting, shares.width)
+        rates = np.where(x < 1.0 - SLACK, np.sqrt(x), 1.0)
+        sigma, clock = course_below(places, rates, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, needed, int(np.argmin(x)))
         found = reference(motion, clock, asked, places, period)

@@ -23,7 +23,8 @@ def rounded(sigma: Array, rates: Array) -> tuple[Array, Array]:
     """Return a smooth course of rates that is nowhere above the given one.
 
     The lowest rate within ±1 of σ is taken, then the mean over ±2/3, and of that over ±1/3. A mean over ±1
-    of what is nowhere above the rates within ±1 is not above the rate. Where all rates within ±2 are 1, the
+    of what is nowhere above the rates within ±1 is not above the rate, but for what the second mean loses
+    between places, of second order in their distance. Where all rates within ±2 are 1, the
     result is 1 bit by bit.
 
     Args:

@@ -12,6 +12,7 @@ from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
 _FASTEST = 1e6
+_TINY = 1e-12
 
 
 def time_optimal(
@@ -41,11 +42,8 @@ def time_optimal(
     refusal = too_heavy(asked, np.asarray(np.arange(m) * step, dtype=np.float64))
     if refusal is not None:
         return refusal
-    with np.errstate(divide="ignore", invalid="ignore"):
-        by_speed = np.min(bounds.speed / np.abs(points.d1), axis=1)
-        by_acceleration = np.sqrt(np.min(bounds.acceleration / np.abs(points.d2), axis=1))
-    caps = np.minimum(np.nan_to_num(by_speed, nan=np.inf), _FASTEST) ** 2
+    caps = 1.0 / np.maximum(np.max(np.abs(points.d1) / bounds.speed, axis=1), 1.0 / _FASTEST) ** 2
     caps[0] = caps[-1] = 0.0
-    x = np.minimum(caps, np.minimum(np.nan_to_num(by_acceleration, nan=np.inf), _FASTEST) ** 2)
+    x = np.minimum(caps, 1.0 / np.maximum(np.max(np.abs(points.d2) / bounds.acceleration, axis=1), _TINY))
     everything = np.ones(m)
     return np.asarray(np.sqrt(asked.fastest(caps, x, np.full(m - 1, step), everything, everything)))

@@ -4,9 +4,9 @@ from dataclasses import field
 
 import numpy as np
 
+from ropsim.model import OrientationMode
 from ropsim.motion.paths.orientation import ToolTurn, tool_turn
 from ropsim.motion.paths.path import STANDS, STILL, ToolPoints
-from ropsim.motion.turn import OrientationMode
 from ropsim.spatial import Array, Pose, frozen, record
 
 

@@ -4,7 +4,8 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.motion.turn import OrientationMode, Turn, plan_turn
+from ropsim.model import OrientationMode
+from ropsim.motion.turn import Turn, plan_turn
 from ropsim.spatial import Array, Pose, frozen, record
 
 _ROUNDING = 1e-14  # [rad]; a turn between equal orientations is that of the rounding of their product

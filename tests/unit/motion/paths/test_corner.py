@@ -13,6 +13,7 @@ from ropsim.spatial import Array, Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
 CORNERS = import_module("ropsim.motion.paths.corner")
+SWING = CORNERS._swing
 ROUNDING = 1e-12
 WAY = 1e-12  # [m]; promise of the arc length, but where zones of 1 to 100 meet at more than 160°
 RNG = np.random.default_rng(20)
@@ -89,7 +90,7 @@ def test_the_swing_takes_the_least_time_under_a_bound_of_the_jerk(degrees: float
     def time(curve: Curve) -> float:
         s = np.linspace(0.0, curve.length, 801)
         d3 = np.linalg.norm(np.diff(curve.tool(s).d2[:, :3], axis=0), axis=1) / s[1]
-        return curve.length * float(d3.max()) ** (1.0 / 3.0)
+        return float(curve.length * float(d3.max()) ** (1.0 / 3.0))
 
     angle, best = math.radians(degrees), []
     for factor in (0.85, 0.9, 0.95, 1.05, 1.1, 1.15):

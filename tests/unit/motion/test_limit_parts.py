@@ -1,0 +1,95 @@
+"""Parts that the keeping of limits is made of: strains, rates that are needed, places, refusals."""
+
+import numpy as np
+import pytest
+
+from ropsim.motion import Beyond, JointBounds, JointPoints, keep_limits, time_optimal
+from ropsim.motion.limits.demand import demand
+from ropsim.motion.limits.grid import places_of
+from ropsim.motion.limits.need import rates_needed
+from ropsim.motion.limits.reference import strains
+from ropsim.spatial import Array
+from support.motions import Passing, Waves, body
+
+BOUNDS = JointBounds(np.array([2.0]), np.array([4.0]), np.array([100.0]), np.array([5.0]))
+
+
+def test_acceleration_that_does_not_begin_and_end_at_0_is_jerk_at_the_first_and_last_tick() -> None:
+    rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), np.array([[1.0], [1.0], [1.0], [3.0]]))
+    used = strains(rows, None, BOUNDS, 0.01)
+    assert used[2, :, 0] == pytest.approx([1.0, 0.0, 0.0, 3.0])
+
+
+def test_strains_are_shares_of_each_bound() -> None:
+    rows = JointPoints(np.zeros((1, 1)), np.array([[-1.0]]), np.array([[2.0]]))
+    used = strains(rows, np.array([[-4.0]]), BOUNDS, 0.1)
+    assert used[:, 0, 0] == pytest.approx([0.5, 0.5, 0.2, 0.8])
+
+
+def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_bounds() -> None:
+    """With torques of inertia, gravity and products of speeds, which all go by the square of the rate."""
+
+    def effort(q: Array, qd: Array, qdd: Array) -> Array:
+        return np.asarray(2.0 * qdd + np.sin(q) + 0.3 * qd**2)
+
+    motion = Waves(np.random.default_rng(1), 1, 2.0, 1.0, 1.0)
+    places = np.linspace(0.3, 1.7, 50)
+    points = motion.at(places)
+    needed = rates_needed(demand(points, BOUNDS, effort), places, 1e-3)
+    w = needed[:, :, :]
+    assert np.abs(points.d1) * w[0] == pytest.approx(np.full((50, 1), 2.0))
+    assert np.abs(points.d2) * w[1] ** 2 == pytest.approx(np.full((50, 1), 4.0))
+    torque = effort(points.q, points.d1 * w[3], points.d2 * w[3] ** 2)
+    assert np.abs(torque) == pytest.approx(np.full((50, 1), 5.0), rel=2e-3)  # creeping counts as standing
+
+
+def test_places_are_dense_where_a_joint_goes_far_within_less_than_a_tick() -> None:
+    motion = Passing(3.0, 1e-4)
+    bounds = JointBounds(np.array([2.0, 3.0]), np.array([10.0, 30.0]), np.array([100.0, 300.0]))
+    places = places_of(motion, bounds, 4e-3, np.array([0.0, 3.0]), np.ones(2))
+    way = np.abs(np.diff(motion.at(places).q, axis=0))
+    assert (way <= 1.5 * 4e-3 * bounds.speed * (1.0 + 1e-9)).all()
+    assert len(places) < 5000
+
+
+def test_a_torque_below_minus_the_bound_is_told_by_its_size() -> None:
+    motion = Passing(3.0, 0.5)
+    bounds = JointBounds(np.full(2, 0.1), np.full(2, 9.0), np.full(2, 99.0), np.full(2, 5.0))
+    found = keep_limits(motion, bounds, lambda q, _qd, qdd: qdd - 6.0 + 0.0 * q, 1e-3)
+    assert isinstance(found, Beyond)
+    assert (found.joint, found.value, found.limit) == (0, 6.0, 5.0)
+
+
+def test_a_joint_that_turns_back_against_dry_friction_does_not_stand_behind_the_turn() -> None:
+    """The torque of creeping jumps from +0.8 to -0.8 of 1 N m where joint 1 turns; joint 2 goes on."""
+    s = np.linspace(0.0, 3.0, 301)
+    points = JointPoints(
+        np.column_stack((np.sin(s), s)),
+        np.column_stack((np.cos(s), np.ones(301))),
+        np.column_stack((-np.sin(s), np.zeros(301))),
+    )
+    bounds = JointBounds(np.full(2, 5.0), np.full(2, 50.0), np.full(2, np.inf), np.array([1.0, 50.0]))
+
+    def effort(_q: Array, qd: Array, qdd: Array) -> Array:
+        return np.asarray(qdd + 0.8 * np.tanh(qd / 5e-3))
+
+    speeds = time_optimal(points, s[1], bounds, effort)
+    assert not isinstance(speeds, Beyond)
+    assert speeds[10:-10].min() > 0.05
+
+
+def test_demand_is_exact_at_the_speed_that_it_is_asked_for() -> None:
+    """One pass at the speeds that come out: no row is exceeded, and one of them is met."""
+    random = np.random.default_rng(3)
+    effort = body(random, 3)
+    s = np.linspace(0.0, 1.0, 201)
+    path = Waves(random, 3, 1.0, 0.5, 1.0).at(s)
+    bounds = JointBounds(np.full(3, 50.0), np.full(3, 1e3), np.full(3, np.inf), np.full(3, 25.0))
+    speeds = time_optimal(path, s[1], bounds, effort)
+    assert not isinstance(speeds, Beyond)
+    along = np.diff(speeds**2) / (2.0 * s[1])
+    qd = path.d1[:-1] * speeds[:-1, None]
+    qdd = path.d2[:-1] * speeds[:-1, None] ** 2 + path.d1[:-1] * along[:, None]
+    used = np.abs(effort(path.q[:-1], qd, qdd)) / 25.0
+    assert used[5:-5].max() <= 1.0 + 2e-2
+    assert np.median(used[5:-5].max(axis=1)) >= 1.0 - 2e-2
