@@ -14,6 +14,7 @@ from ropsim.controller.path_faults import (
     unusable_tool_path,
 )
 from ropsim.controller.planned_path import PlannedPath
+from ropsim.controller.posture_wish import other_posture
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JUMP_ON_LINE, JointPath, ToolPath
@@ -80,6 +81,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
     if joints is None:
         return Leg(move, planned, None, q_start, planned.findings)
     q_end = frozen(joints.joints(np.array([joints.length])).q[0])
+    found += other_posture(move, chain.robot, q_end)
     return Leg(move, planned, joints, q_end, planned.findings + found)
 
 

@@ -13,6 +13,7 @@ from ropsim.controller.move_check import check_joints, check_kind, check_values
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.planned_path import MoveLimits, PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
+from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
@@ -104,10 +105,14 @@ class StandardPathPlanner:
         branches = self._branches(move, X_BM, there)
         if isinstance(branches, Refusal):
             return branches
+        if move.posture is not None:
+            branches = wished(self.robot, branches, move.posture)
+            if not (self._range.excess(branches) == 0.0).all(axis=1).any():
+                return Refusal((no_such_posture(move, self.robot),))
         choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, branches, self._range),))
-        if not choice.keeps_posture:
+        if not choice.keeps_posture and move.posture is None:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
         return _with_line(so_far, q_start, choice.q)

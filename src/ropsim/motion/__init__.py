@@ -32,6 +32,8 @@ from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import NO_ARC as NO_ARC
 from ropsim.motion.line_diagnostics import NO_SPLINE as NO_SPLINE
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
+from ropsim.motion.line_diagnostics import OTHER_POSTURE as OTHER_POSTURE
+from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits
 from ropsim.motion.motion_limits import ToolLimits as ToolLimits
 from ropsim.motion.paths import STANDS as STANDS

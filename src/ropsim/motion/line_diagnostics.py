@@ -95,3 +95,30 @@ skipped.
 **How to mend it.** Leave out points that are the same as the one before them.
 """,
 )
+
+POSTURE_OUT_OF_REACH = define(
+    "M568",
+    "posture-out-of-reach",
+    Severity.ERROR,
+    "the target is not reached in the posture and with the turns that the program asks for",
+    """
+`config (…)` asks for a posture and `turns (…)` for whole turns of the axes. The arm reaches the target, but
+not in that way within its joint limits. The move is skipped.
+
+**How to mend it.** `ropsim robot ik` lists all postures of a pose with what exceeds which limit. Ask for one
+of those within the limits, or leave out the word or the turn that matters least.
+""",
+)
+
+OTHER_POSTURE = define(
+    "M569",
+    "path-ends-in-other-posture",
+    Severity.WARNING,
+    "a path of the tool ends in another posture, or with other turns, than the program asks for",
+    """
+On a line, an arc or a curve the arm keeps its posture, and its axes turn as the path wants it. The location
+at its end asks for another posture or other turns: the pose is reached, but not in that way.
+
+**How to mend it.** Take up the posture with `mov` before the path begins.
+""",
+)

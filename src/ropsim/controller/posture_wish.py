@@ -1,0 +1,86 @@
+"""Postures and turns that a program asks for: which branches have them."""
+
+import numpy as np
+
+from ropsim.controller.wording import passes
+from ropsim.core import Diagnostic
+from ropsim.flow import MoveInstruction, PostureRequest
+from ropsim.kinematics import Posture, posture, solver_of
+from ropsim.model import RobotModel
+from ropsim.motion import OTHER_POSTURE, POSTURE_OUT_OF_REACH
+from ropsim.spatial import Array
+
+_TURN = 2.0 * np.pi
+
+
+def wished(robot: RobotModel, branches: Array, request: PostureRequest) -> Array:
+    """Return the branches that have the posture asked for, with the turns asked for; the others become NaN.
+
+    Args:
+        robot: the arm.
+        branches: of a pose, rows as in the postures of the arm's solver, NaN where absent [rad | m], (b, n).
+        request: words of the posture, and turns of the axes of the arm from the first on.
+    """
+    found = branches.copy()
+    for row, name in enumerate(solver_of(robot).postures[: len(found)]):
+        if not _has_words(name, request):
+            found[row] = np.nan
+    for axis, turn in zip(_arm_axes(robot), request.turns, strict=False):
+        angle = found[:, axis]
+        found[:, axis] = angle - _TURN * np.floor((angle + np.pi) / _TURN) + _TURN * turn
+    return found
+
+
+def no_such_posture(move: MoveInstruction, robot: RobotModel) -> Diagnostic:
+    """Return M568 for a move whose target is not reached in the posture and with the turns asked for."""
+    return POSTURE_OUT_OF_REACH.at(
+        move.origin.span,
+        f"`{robot.name}` does not reach the target {_asked(move)} within its joint limits",
+        label=passes(move.origin),
+        hint="leave out the word or the turn that matters least, or move the target",
+        data={"pass": move.origin.visit},
+    )
+
+
+def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tuple[Diagnostic, ...]:
+    """Return M569 where a path of the tool ends otherwise than asked for, else nothing.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        q_end: joint coordinates at its end [rad | m], shape (n,).
+    """
+    request = move.posture
+    if request is None or _has(robot, q_end, request):
+        return ()
+    name = posture(robot, q_end)
+    finding = OTHER_POSTURE.at(
+        move.origin.span,
+        f"the path ends in posture {name}, not {_asked(move)}",
+        label=passes(move.origin),
+        hint="a path of the tool keeps its posture: take it up with `mov` before",
+        data={"pass": move.origin.visit},
+    )
+    return (finding,)
+
+
+def _has(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
+    turns = [int(np.floor((q[axis] + np.pi) / _TURN)) for axis in _arm_axes(robot)]
+    return _has_words(posture(robot, q), request) and all(
+        here == asked for here, asked in zip(turns, request.turns, strict=False)
+    )
+
+
+def _has_words(name: Posture, request: PostureRequest) -> bool:
+    return set(request.words) <= set(name.words)
+
+
+def _arm_axes(robot: RobotModel) -> list[int]:
+    return [axis for axis in range(robot.n) if axis not in robot.external]
+
+
+def _asked(move: MoveInstruction) -> str:
+    request = move.posture or PostureRequest()
+    words = [f"in posture {'-'.join(request.words)}"] if request.words else []
+    turns = [f"with turns {', '.join(map(str, request.turns))}"] if request.turns else []
+    return " ".join(words + turns)
