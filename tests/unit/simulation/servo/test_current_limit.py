@@ -63,8 +63,11 @@ def _run(robot: RobotModel, volts: npt.ArrayLike, rates: Rates | None = None) ->
     state = servo.initial_state(np.zeros(robot.n))
     recorder = servo.recorder(state)
     commands = np.repeat(np.array(volts, dtype=np.float64)[:, None], robot.n, axis=1)
-    reference = replace(standing(np.zeros(robot.n), len(commands)), q=commands)
-    servo.run(state, reference, NOTHING, recorder)
+    values = state.values.copy()
+    servo.layout.in_force(values)[0] = commands[0]
+    after = np.concatenate((commands[1:], commands[-1:]))
+    reference = replace(standing(np.zeros(robot.n), len(commands)), q=after)
+    servo.run(replace(state, values=values), reference, NOTHING, recorder)
     return recorder.channels()
 
 
@@ -201,6 +204,7 @@ def test_at_speed_the_integral_stands_still_beside_the_back_emf(volts: float, mo
     rest = servo.initial_state(np.zeros(1))
     values = rest.values.copy()
     values[servo.layout.qd], values[servo.layout.law] = 2.0, volts
+    servo.layout.in_force(values)[:2] = [[1e-4], [2.0]]
     start = replace(rest, values=values)
     reference = replace(standing(np.array([1e-4]), 1), qd=np.array([[2.0]]))
     after = servo.run(start, reference, NOTHING, servo.recorder(start))
