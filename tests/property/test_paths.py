@@ -12,23 +12,20 @@ from ropsim.motion import (
     ArcOrientation,
     CornerFault,
     Curve,
-    JointLine,
     Line,
     OrientationMode,
     SplineFault,
     ToolPath,
     ToolPoints,
     ToolSection,
-    Traced,
     arc,
     corner,
     enter,
-    joint_blend,
     leave,
     spline,
 )
 from ropsim.spatial import Array, Pose
-from support.paths import inner_places, joint_differences, tool_differences
+from support.paths import inner_places, tool_differences
 
 ROUNDING = 1e-11
 DIFFERENCES = 1e-7  # of derivatives times the way over which they change
@@ -142,29 +139,6 @@ def test_zones_end_where_the_distance_is_the_zone(
 @given(lines, st.floats(0.0, 0.4), st.floats(0.6, 1.0))
 def test_sections_are_lawful(line: Line, begin: float, end: float) -> None:
     assert_lawful(ToolSection(line, begin * line.length, end * line.length))
-
-
-@settings(max_examples=60, derandomize=True)
-@given(
-    st.lists(st.lists(st.floats(-2.0, 2.0), min_size=3, max_size=3), min_size=10, max_size=30),
-    st.floats(0.3, 0.9),
-    st.floats(0.01, 1.0),
-)
-def test_blends_of_the_joints_go_over_at_both_ends(
-    rows: list[list[float]], leave_at: float, c: float
-) -> None:
-    before = Traced(1.0, np.array(rows))
-    after = JointLine(np.array(rows[-1]), np.zeros(3))
-    blend = joint_blend(before, leave_at, c, after, 0.2, 0.4)
-    there, here = before.joints(np.array([leave_at])), blend.joints(np.array([0.0]))
-    size = 1.0 + np.abs(there.d2).max()
-    assert np.abs(here.q - there.q).max() < ROUNDING
-    assert np.abs(here.d1 - c * there.d1).max() < ROUNDING * size
-    assert np.abs(here.d2 - c * c * there.d2).max() < ROUNDING * size
-    d1, d2 = joint_differences(blend, inner_places(1.0), 1e-3)
-    size = 1.0 + np.abs(blend.coefficients).max()
-    assert np.abs(blend.joints(inner_places(1.0)).d1 - d1).max() < 1e-9 * size
-    assert np.abs(blend.joints(inner_places(1.0)).d2 - d2).max() < 1e-9 * size
 
 
 @settings(max_examples=150, derandomize=True)

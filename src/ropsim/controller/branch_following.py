@@ -6,7 +6,8 @@ from ropsim.kinematics import IkOptions, Limits, inverse, inverse_path
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, record
 
-JUMP = np.pi / 4.0  # [rad | m] in one interpolation period; no joint follows that, so it is another branch
+JUMP = np.pi / 4.0  # [rad | m] between two samples; that is another branch
+CLOSE = 0.1  # [rad | m]; steps up to this between two samples are of one branch beyond doubt
 _TURN = 2.0 * np.pi
 
 
@@ -32,13 +33,10 @@ class BranchFollower:
     Attributes:
         robot: the arm.
         revolute: 1 for turning joints, else 0, shape (n,).
-        swift: steps that joints can make in one period at their speed limits [rad | m], shape (n,); longer
-            ones are looked at closely.
     """
 
     robot: RobotModel
     revolute: Array
-    swift: Array
 
     def follow(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
         """Return the joint coordinates that continue `q_start` along a path.
@@ -49,13 +47,13 @@ class BranchFollower:
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).
             branches: of each pose; angles in (-π, π], NaN where absent [rad | m], shape (k, m, n).
-            q_start: joint coordinates one period before the first pose [rad | m], shape (n,).
+            q_start: joint coordinates at the start of the path [rad | m], shape (n,).
         """
         row = int(np.argmin(self._distances(branches[0], q_start)))
         q = branches[:, row]
         steps = np.diff(q, axis=0, prepend=q_start[None])
         steps -= self.revolute * (_TURN * np.round(steps / _TURN))
-        if (np.abs(steps) <= self.swift).all():  # false for NaN
+        if (np.abs(steps) <= CLOSE).all():  # false for NaN
             return Follow(self._turned(q, q_start + np.cumsum(steps, axis=0)))
         return self._follow_poses(matrices, branches, q_start)
 
@@ -66,7 +64,7 @@ class BranchFollower:
 
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).
-            q_start: joint coordinates one period before the first pose [rad | m], shape (n,).
+            q_start: joint coordinates at the start of the path [rad | m], shape (n,).
         """
         q = inverse_path(self.robot, matrices, q_start)
         steps = np.abs(np.diff(q, axis=0, prepend=q_start[None]))
@@ -82,7 +80,7 @@ class BranchFollower:
         before = q_start
         for k in range(len(matrices)):
             now = self._nearest(branches[k], before)
-            if not (np.abs(now - before) <= self.swift).all():
+            if not (np.abs(now - before) <= CLOSE).all():
                 now = self._nearest(self._free_joints_kept(matrices[k], before), before)
             if not np.abs(now - before).max() < JUMP:
                 return Follow(q[:k], complete=False, reachable=not np.isnan(branches[k]).all())

@@ -86,15 +86,16 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
     halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
     if zone < _LEAST:
         return Stop.TOO_SMALL
-    if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
+    tools = _tools(before, behind)
+    if tools:
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
         if zone < _LEAST:
             return Stop.STANDS
     s_leave = leave(one.positions, one.length, zone, halves[0])
     s_enter = enter(other.positions, other.length, zone, halves[1])
     flown = max(one.distance(s_leave, one.length), other.distance(s_enter, 0.0))
-    if before.tool is not None and behind.tool is not None and before.planned.X_MT == behind.planned.X_MT:
-        between = corner(before.tool, s_leave, behind.tool, s_enter)
+    if tools:
+        between = corner(tools[0], s_leave, tools[1], s_enter)
         if between is CornerFault.TURNS_BACK:
             return Stop.TURNS_BACK
         if not isinstance(between, CornerFault):
@@ -110,6 +111,13 @@ def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
     """Return the zone of a move [m]: its own, or that of via points where it only passes by."""
     modal = move.modal
     return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
+
+
+def _tools(before: Leg, behind: Leg) -> tuple[ToolPath, ToolPath] | None:
+    """Return the paths of the tool of two moves, where both have one and it is the same tool."""
+    if before.tool is None or behind.tool is None or before.planned.X_MT != behind.planned.X_MT:
+        return None
+    return before.tool, behind.tool
 
 
 class _Way:

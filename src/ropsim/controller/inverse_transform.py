@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import field
 
-import numpy as np
-
 from ropsim.controller.branch_following import BranchFollower
 from ropsim.controller.entities import Refusal
 from ropsim.controller.line_check import Line, end_findings, limit_refusals, lost
@@ -15,8 +13,6 @@ from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import Method, inverse_batch, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, record
-
-_CLOSE = 0.1  # [rad | m]; steps up to this between two samples are of one branch beyond doubt
 
 
 @record
@@ -58,7 +54,7 @@ class StandardInverseTransform:
         if isinstance(X_MT, Diagnostic):
             return Refusal((X_MT,))
         matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
-        follower = BranchFollower(self.robot, self._range.revolute, np.full(self.robot.n, _CLOSE))
+        follower = BranchFollower(self.robot, self._range.revolute)
         if solver_of(self.robot).method is Method.NUMERIC:
             found = follower.follow_numerically(matrices, q_start)
         else:

@@ -1,6 +1,7 @@
 """Joint limits of a motion: what the arm can do with its payload, and what is said where that binds."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
@@ -35,6 +36,7 @@ class ArmBounds:
     effort: Effort | None
 
 
+@lru_cache(maxsize=256)
 def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
     """Return what an arm can do; torque counts where masses and drives of all joints are known.
 

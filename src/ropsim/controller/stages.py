@@ -28,7 +28,7 @@ def joint_stage(path: JointPath, limits: JointMotionLimits) -> Stage:
     speed = _least(limits.speed, d1)
     if not d2.any():
         return Stage(path.length, speed, _least(limits.acceleration, d1), _least(limits.jerk, d1))
-    d3 = np.abs(np.diff(points.d2, axis=0)).max(axis=0) / (path.length / (len(_PLACES) - 1))
+    d3 = np.abs(_slopes(points.d2, path.length)).max(axis=0)
     return _bent(path.length, speed, (d1, d2, d3), limits.acceleration, limits.jerk, (_BENT, _ALONG))
 
 
@@ -47,8 +47,15 @@ def tool_stage(path: ToolPath, limits: ToolLimits) -> Stage:
     speed = _least(speeds, d1)
     if float((d2 * path.length).max()) <= 1e-9 * float(d1.max()):
         return Stage(path.length, speed, _least(accelerations, d1), _least(jerks, d1))
-    d3 = _sizes(np.diff(points.d2, axis=0)) / (path.length / (len(_PLACES) - 1))
+    d3 = _sizes(_slopes(points.d2, path.length))
     return _bent(path.length, speed, (d1, d2, d3), accelerations, jerks, (_TOOL_BENT, _TOOL_ALONG))
+
+
+def _slopes(rows: Array, length: float) -> Array:
+    """Return slopes of rows at `_PLACES` by the length: between them, and at both ends."""
+    between = np.diff(rows, axis=0) * ((len(_PLACES) - 1) / length)
+    start, end = 1.5 * between[0] - 0.5 * between[1], 1.5 * between[-1] - 0.5 * between[-2]
+    return np.vstack((start, between, end))
 
 
 def _bent(

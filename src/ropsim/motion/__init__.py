@@ -43,7 +43,6 @@ from ropsim.motion.paths import ArcFault as ArcFault
 from ropsim.motion.paths import ArcOrientation as ArcOrientation
 from ropsim.motion.paths import CornerFault as CornerFault
 from ropsim.motion.paths import Curve as Curve
-from ropsim.motion.paths import JointBlend as JointBlend
 from ropsim.motion.paths import JointLine as JointLine
 from ropsim.motion.paths import JointPath as JointPath
 from ropsim.motion.paths import JointPoints as JointPoints
@@ -60,7 +59,6 @@ from ropsim.motion.paths import TurnPoints as TurnPoints
 from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
-from ropsim.motion.paths import joint_blend as joint_blend
 from ropsim.motion.paths import leave as leave
 from ropsim.motion.paths import numeric_points as numeric_points
 from ropsim.motion.paths import spline as spline

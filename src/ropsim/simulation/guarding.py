@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ropsim.flow import Comparison, Guard
+from ropsim.flow import Guard
 from ropsim.simulation.world import SimulatedWorld
 
 
@@ -23,16 +23,6 @@ class Lookout:
     def ends(self) -> bool:
         """Return whether the move ends now: its condition is true, or its time is over; the world is told."""
         guard = self.guard
-        self.world.guard_met = _is_met(guard, self.world.read(guard.channel))
+        self.world.guard_met = guard.holds(self.world.read(guard.channel))
         late = guard.timeout is not None and self.world.now() - self.since >= guard.timeout
         return self.world.guard_met or late
-
-
-def _is_met(guard: Guard, value: bool | float) -> bool:  # noqa: FBT001 - a signal's value
-    match guard.comparison:
-        case Comparison.IS:
-            return value == guard.value
-        case Comparison.ABOVE:
-            return float(value) > float(guard.value)
-        case Comparison.BELOW:
-            return float(value) < float(guard.value)

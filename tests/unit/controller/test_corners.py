@@ -7,8 +7,9 @@ import pytest
 
 from ropsim.controller.corners import Corner, Overlap, Rounding, Stop, corner_between
 from ropsim.controller.leg import Leg, leg_of
-from ropsim.flow import ModalState, MoveInstruction
+from ropsim.flow import ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch
+from ropsim.motion import ToolPath
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 
@@ -148,14 +149,14 @@ def test_a_controller_that_does_not_look_ahead_stops() -> None:
 
 def test_a_corner_that_the_arm_cannot_follow_is_a_stop() -> None:
     class Refusing:
-        """An interpolator that samples lines only from the start of a move."""
+        """An interpolator that samples nothing."""
 
-        def sample(self, path: object, density: int) -> object:
+        def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
             """Raise."""
             raise ValueError(path, density)
 
     before, behind = legs(lin(FIRST, ModalState(zone=0.02)), lin(SECOND))
-    chain = replace(CHAIN, interpolator=Refusing())  # type: ignore[arg-type]
+    chain = replace(CHAIN, interpolator=Refusing())
     assert corner_between(chain, before, behind) is Stop.UNREACHABLE
 
 

@@ -14,8 +14,10 @@ from ropsim.workbench import environment_of
 from support.cells import one_station
 
 PUMA = robots.load("puma560")
-AMPERES = 2.5
-"""Of joint 2: the quick move takes 4 A of it, the slow one 2 A."""
+AMPERES = 5.0
+"""Of joint 2: its planner keeps the move within it but for friction, which takes up to 2.6 A more."""
+COULOMB = 0.5
+"""Of joint 2, at the motor [N·m]: four times as much as it had when it was new."""
 TEXT = """\
 program p
 units mm, deg, s
@@ -27,7 +29,8 @@ mov (450, 0, 800)
 
 
 def _ran(kind: type[VoltageAmplifier] | type[CurrentLimitedAmplifier]) -> Recording:
-    limited = replace(PUMA.drives[1], amplifier=kind(40.0, AMPERES))
+    friction = replace(PUMA.drives[1].friction, coulomb_positive=COULOMB, coulomb_negative=-COULOMB)
+    limited = replace(PUMA.drives[1], amplifier=kind(40.0, AMPERES), friction=friction)
     robot: RobotModel = replace(PUMA, drives=(PUMA.drives[0], limited, *PUMA.drives[2:]))
     model = robots.default_controller("puma560")
     cell = one_station("c", robot, model, tools={"": Tool("")}, start=robot.home)
@@ -51,8 +54,8 @@ def _found(recording: Recording) -> list[tuple[str, int]]:
 
 
 def test_an_amplifier_without_a_limit_is_told_how_far_the_current_went(told: Recording) -> None:
-    assert _found(told) == [("S731", 6)]
-    assert np.abs(told.channels["current"].values[:, 1]).max() > 1.5 * AMPERES
+    assert _found(told) == [("M563", 6), ("S731", 6)]
+    assert np.abs(told.channels["current"].values[:, 1]).max() > 1.05 * AMPERES
 
 
 def test_an_amplifier_with_a_limit_is_told_how_long_the_current_was_there(held: Recording) -> None:
@@ -63,7 +66,7 @@ def test_an_amplifier_with_a_limit_is_told_how_long_the_current_was_there(held: 
 
 def test_with_less_torque_the_arm_falls_behind(told: Recording, held: Recording) -> None:
     worst = [np.abs(one.channels["q_error"].values[:, 1]).max() for one in (told, held)]
-    assert worst[1] > 5.0 * worst[0]
+    assert worst[1] > 1.05 * worst[0]
 
 
 def test_the_facts_name_the_limit(held: Recording) -> None:

@@ -8,8 +8,6 @@ from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.differences import numeric_points as numeric_points
-from ropsim.motion.paths.joint_blend import JointBlend as JointBlend
-from ropsim.motion.paths.joint_blend import joint_blend as joint_blend
 from ropsim.motion.paths.joint_line import JointLine as JointLine
 from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
