@@ -1,0 +1,79 @@
+"""Random stretches of moves for any arm, and what the reference of a plan asks of it, tick by tick."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropsim.controller import MotionChain, MotionPlan
+from ropsim.controller.kept_limits import arm_bounds
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.kinematics import forward_batch
+from ropsim.model import Payload, RobotModel
+from ropsim.spatial import Array, Pose
+from support.motion import references
+
+_MARGIN = 0.1  # of the range of a joint, on either side
+_KINDS = MotionKind.PTP, MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE
+_POINTS = {MotionKind.PTP: 1, MotionKind.LIN: 1, MotionKind.CIRC: 2, MotionKind.SPLINE: 3}
+
+
+@dataclass(frozen=True)
+class Walk:
+    """A stretch of moves.
+
+    Attributes:
+        q_start: joint coordinates at its start [rad | m], shape (n,).
+        moves: in order; all but the last with a zone.
+    """
+
+    q_start: Array
+    moves: tuple[MoveInstruction, ...]
+
+
+def random_walk(chain: MotionChain, random: np.random.Generator) -> Walk:
+    """Return two to seven moves of all kinds between poses that the arm can take, with zones of all sizes."""
+    robot = chain.robot
+    q = _between(robot, random.uniform(size=robot.n))
+    start, moves = q, []
+    for _ in range(random.integers(2, 8)):
+        kind = _KINDS[random.integers(len(_KINDS))]
+        reach = 0.5 if kind is MotionKind.PTP else 10.0 ** random.uniform(-3.0, -0.5)
+        points = [_near(robot, q, reach, random) for _ in range(_POINTS[kind])]
+        poses = [_pose(robot, one) for one in points]
+        zone = float(random.choice([0.0, 10.0 ** random.uniform(-5.0, -0.5)]))
+        speed = 10.0 ** random.uniform(-2.0, 0.5)
+        modal = ModalState(ptp_speed=random.uniform(0.05, 1.0), path_speed=speed, zone=zone)
+        external = tuple(float(points[-1][axis]) for axis in robot.external)
+        moves.append(MoveInstruction(kind, poses[-1], modal, external=external, via=tuple(poses[:-1])))
+        q = points[-1]
+    return Walk(start, tuple(moves))
+
+
+def shares(robot: RobotModel, plan: MotionPlan, payload: Payload) -> dict[str, float]:
+    """Return the largest shares of the limits of speed, acceleration, jerk and torque that a plan takes."""
+    q, qd, qdd = references(plan)
+    bounds = arm_bounds(robot, payload)
+    asked = {
+        "speed": (qd, robot.max_speeds),
+        "acceleration": (qdd, robot.max_accelerations),
+        "jerk": (np.diff(qdd, axis=0) / plan.period, robot.max_jerks),
+    }
+    if bounds.effort is not None and bounds.joints.effort is not None:
+        asked["torque"] = (bounds.effort(q, qd, qdd), bounds.joints.effort)
+    return {name: float((np.abs(values) / limit).max(initial=0.0)) for name, (values, limit) in asked.items()}
+
+
+def _between(robot: RobotModel, share: Array) -> Array:
+    low, high = (np.clip(limit, -np.pi, np.pi) for limit in (robot.lower_limits, robot.upper_limits))
+    q: Array = low + (_MARGIN + (1.0 - 2.0 * _MARGIN) * share) * (high - low)
+    return q
+
+
+def _near(robot: RobotModel, q: Array, reach: float, random: np.random.Generator) -> Array:
+    low, high = _between(robot, np.zeros(robot.n)), _between(robot, np.ones(robot.n))
+    near: Array = np.clip(q + random.uniform(-reach, reach, robot.n) * (high - low), low, high)
+    return near
+
+
+def _pose(robot: RobotModel, q: Array) -> Pose:
+    return Pose.from_matrix(forward_batch(robot, q[None])[0])
