@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, keep_limits, time_optimal
+from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, keep_limits, time_optimal
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.reference import strains
+from ropsim.motion.limits.strain import Going, strain
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 
@@ -16,14 +16,60 @@ BOUNDS = JointBounds(np.array([2.0]), np.array([4.0]), np.array([100.0]), np.arr
 
 def test_acceleration_that_does_not_begin_and_end_at_0_is_jerk_at_the_first_and_last_tick() -> None:
     rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), np.array([[1.0], [1.0], [1.0], [3.0]]))
-    used = strains(rows, None, BOUNDS, 0.01)
-    assert used[2, :, 0] == pytest.approx([1.0, 0.0, 0.0, 3.0])
+    used = strain(rows, None, BOUNDS, 0.01).used
+    assert used[2] == pytest.approx([1.0, 0.0, 0.0, 3.0])
 
 
 def test_strains_are_shares_of_each_bound() -> None:
     rows = JointPoints(np.zeros((1, 1)), np.array([[-1.0]]), np.array([[2.0]]))
-    used = strains(rows, np.array([[-4.0]]), BOUNDS, 0.1)
-    assert used[:, 0, 0] == pytest.approx([0.5, 0.5, 0.2, 0.8])
+    used = strain(rows, np.array([[-4.0]]), BOUNDS, 0.1).used
+    assert used[:, 0] == pytest.approx([0.5, 0.5, 0.2, 0.8])
+
+
+def test_the_joint_that_uses_most_counts() -> None:
+    rows = JointPoints(np.zeros((1, 2)), np.array([[1.0, -3.0]]), np.array([[-2.0, 1.0]]))
+    bounds = JointBounds(np.full(2, 2.0), np.full(2, 4.0), np.full(2, 100.0))
+    assert strain(rows, None, bounds, 0.1).used[:, 0] == pytest.approx([1.5, 0.5, 0.2, 0.0])
+
+
+def going(d1: Array, d2: Array, rates: Array, changes: Array, still: Array) -> Going:
+    """Return how a path of one joint is gone, with a tick in each second and a place at each."""
+    times = np.arange(float(len(d1)))
+    course = np.stack((times, rates, changes))
+    return Going(np.stack((d1, d2))[:, :, None], course, times, still)
+
+
+def test_jerk_of_the_path_is_a_lack_of_rate_and_that_of_the_course_one_of_width() -> None:
+    """The second half of the motion is a step of acceleration, once in the path, once in its course."""
+    steady, step, nothing = np.ones(4), np.array([0.0, 0.0, 20.0, 20.0]), np.zeros(4)
+    rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), 0.1 * step[:, None])  # jerk is 2 of 1
+    bounds = JointBounds(np.array([9.0]), np.array([9.0]), np.array([1.0]))
+    none = np.empty((4, 0))
+    of_path = strain(rows, None, bounds, 1.0, going(steady, step, steady, nothing, none)).lacks
+    assert of_path[0] == pytest.approx(np.log(2.0) / 3.0 * np.array([0.0, 0.0, 1.0, 1.0]))
+    assert not of_path[1:].any()
+    of_course = strain(rows, None, bounds, 1.0, going(steady, nothing, steady, step, none)).lacks
+    assert of_course[2] == pytest.approx(np.log(2.0) * np.array([0.0, 0.0, 1.0, 1.0]))
+    assert of_course[1] == pytest.approx(0.2 * of_course[2])
+    assert not of_course[[0, 3]].any()
+
+
+def test_of_a_torque_that_is_too_much_only_what_gravity_leaves_can_be_given_up() -> None:
+    rows = JointPoints(*np.zeros((3, 3, 1)))
+    still = np.array([[4.0], [3.0], [2.0]])
+    ones, nothing = np.ones(3), np.zeros(3)
+    held = going(ones, nothing, ones, nothing, still)
+    found = strain(rows, np.array([[0.0], [6.0], [0.0]]), BOUNDS, 1.0, held, 0.1)
+    assert found.peaks == pytest.approx([0.0, 0.0, 0.0, (6.0 - 3.0) / (5.0 - 3.0)])
+    assert found.lacks[3] == pytest.approx([0.0, np.log(1.5) + 0.1, np.log(1.5) + 0.1])
+    assert not found.is_kept
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_strains_that_are_no_numbers_are_told_with_their_tick(wrong: float) -> None:
+    rows = JointPoints(np.zeros((3, 1)), np.zeros((3, 1)), np.array([[0.0], [wrong], [0.0]]))
+    with pytest.raises(ProfileError, match="at tick 1, allowed are finite numbers"):
+        strain(rows, None, BOUNDS, 1.0)
 
 
 def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_bounds() -> None:

@@ -12,9 +12,10 @@ from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.reference import ROUNDING, load, reference, strains, tick_times
+from ropsim.motion.limits.reference import load, reference, tick_times
 from ropsim.motion.limits.refusal import too_heavy, too_slow
-from ropsim.motion.limits.shares import all_of_it, less
+from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
+from ropsim.motion.limits.strain import ROUNDING, strain
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
@@ -59,10 +60,10 @@ def keep_limits(
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
-    used = strains(rows, load(rows, bounds, effort), bounds, period)
-    if used.max() <= 1.0 + ROUNDING:
+    plain = strain(rows, load(rows, bounds, effort), bounds, period)
+    if plain.is_kept:
         return Kept(clock, (), rows)
-    speed, acceleration, jerk, _ = used.max(axis=2)
+    speed, acceleration, jerk, _ = plain.used
     estimate = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
     places = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
     asked = demand(motion.at(places), bounds, effort)
@@ -82,23 +83,23 @@ def _slowed(motion: Motion, asked: Demand, places: Array, period: float) -> Kept
         sigma, clock = course_below(places, rates, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, needed, int(np.argmin(x)))
-        found = reference(motion, clock, asked, places, period)
-        if found.worst <= 1.0 + ROUNDING:
+        found = reference(motion, clock, asked, places, period, more_than_lacks(attempt))
+        if found.strain.is_kept:
             return Kept(clock, _parts(clock, needed), found.rows)
-        best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
+        best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], asked, places, period)
-        shares, attempt = less(shares, found, places, sigma, attempt), attempt + 1
+        shares, attempt = less(shares, found.strain, sigma), attempt + 1
 
 
 def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, period: float) -> Kept | Beyond:
     """Return the motion with all rates brought down by what its worst control tick needs."""
     needed, extra = rates_needed(asked, places, period), ROUNDING
     while True:
-        found = reference(motion, clock, asked, places, period)
-        if found.worst <= 1.0 + ROUNDING:
+        found = reference(motion, clock, asked, places, period, 0.0)
+        if found.strain.is_kept:
             return Kept(clock, _parts(clock, needed), found.rows)
-        clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
+        clock, extra = clock.slower(1.0 / (min(found.strain.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, needed, int(np.argmin(needed.min(axis=(0, 2)))))
 

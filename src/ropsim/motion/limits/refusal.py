@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.motion.limits.demand import LEAST_RATE, Demand
 from ropsim.motion.limits.joint_bounds import Quantity
 from ropsim.motion.limits.kept import Beyond
-from ropsim.motion.limits.reference import ROUNDING
+from ropsim.motion.limits.strain import ROUNDING
 from ropsim.spatial import Array
 
 _POWERS = (1, 2, 3, 2)

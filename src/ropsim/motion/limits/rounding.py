@@ -41,23 +41,23 @@ def rounded(sigma: Array, rates: Array) -> tuple[Array, Array]:
 
 
 def greatest_nearby(sigma: Array, values: Array) -> Array:
-    """Return the greatest value within ±1 of each place, the places next to that included, shape (m,).
+    """Return the greatest value within ±1 of each place, the places next to that included, shape (…, m).
 
     Of each window the two longest runs of 2^k places that cover it are compared; those of all k are made by
     doubling.
 
     Args:
         sigma: rising, shape (m,).
-        values: shape (m,).
+        values: of one or more quantities, shape (…, m).
     """
     first = np.maximum(np.searchsorted(sigma, sigma - 1.0, "right") - 1, 0)
     last = np.minimum(np.searchsorted(sigma, sigma + 1.0, "left"), len(sigma) - 1)
     level = np.frexp(last - first + 1)[1] - 1
-    result, runs = np.empty(len(sigma)), values
+    result, runs = np.empty(values.shape), values
     for k in range(int(level.max()) + 1):
         here = np.flatnonzero(level == k)
-        result[here] = np.maximum(runs[first[here]], runs[last[here] - 2**k + 1])
-        runs = np.maximum(runs[: max(len(runs) - 2**k, 0)], runs[2**k :])
+        result[..., here] = np.maximum(runs[..., first[here]], runs[..., last[here] - 2**k + 1])
+        runs = np.maximum(runs[..., : max(runs.shape[-1] - 2**k, 0)], runs[..., 2**k :])
     return result
 
 

@@ -1,17 +1,16 @@
 """How much of the limits is planned with, place by place, so that what is followed keeps them all."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.motion.limits.grid import onto
-from ropsim.motion.limits.reference import ROUNDING, Reference
 from ropsim.motion.limits.rounding import greatest_nearby
+from ropsim.motion.limits.strain import Strain
 from ropsim.spatial import Array
 
-_MOST_AT_ONCE = 2.0
 _MORE = 0.01
-"""What is taken off beyond the excess, in the first round; each round takes more."""
+"""What is taken off beyond the excess, in the first round."""
 _WIDEST = 8.0
 
 
@@ -37,35 +36,27 @@ def all_of_it(m: int) -> Shares:
     return Shares(*(np.ones(m) for _ in range(4)))
 
 
-def less(shares: Shares, found: Reference, places: Array, sigma: Array, attempt: int) -> Shares:
+def less(shares: Shares, found: Strain, sigma: Array) -> Shares:
     """Return shares that are smaller around the control ticks at which a limit is exceeded.
-
-    Jerk has three causes: the path itself asks for a lower rate, changes of rate on a bent path for lower
-    accelerations, changes of acceleration along the path for wider windows.
 
     Args:
         shares: those that were planned with.
-        found: what came of them.
-        places: motion times [s], shape (m,).
+        found: what came of them, with lacks at the m places.
         sigma: places in windows, see `window_places`, shape (m,).
-        attempt: how many times this has been done.
     """
-    more = np.log1p(_MORE * (attempt + 1))
-    speed, acceleration, jerk, torque = (
-        np.where(over > 1.0 + ROUNDING, np.log(np.clip(over, 1.0, _MOST_AT_ONCE)) + more, 0.0)
-        for over in found.excess
-    )
-    path, bend, change = found.jerk_causes
-    rate = np.maximum(speed, path * jerk / 3.0).max(axis=1)
-    swing = np.maximum(acceleration, (bend + 0.2 * change) * jerk).max(axis=1)
-    wide = (change * jerk).max(axis=1)
-    by_rate, by_swing, by_torque, by_width = (
-        np.exp(greatest_nearby(sigma, onto(places, found.phi, each, 0.0)))
-        for each in (rate, swing, torque.max(axis=1), wide)
-    )
+    rate, swing, width, torque = np.exp(greatest_nearby(sigma, found.lacks))
     return Shares(
-        shares.acceleration / by_swing,
-        shares.torque / by_torque,
-        shares.rate / by_rate,
-        np.minimum(shares.width * by_width, _WIDEST),
+        shares.acceleration / swing,
+        shares.torque / torque,
+        shares.rate / rate,
+        np.minimum(shares.width * width, _WIDEST),
     )
+
+
+def more_than_lacks(attempt: int) -> float:
+    """Return what is taken off beyond the lacks, as a logarithm: each attempt takes more.
+
+    Args:
+        attempt: how many there were before.
+    """
+    return math.log1p(_MORE * (attempt + 1))

@@ -1,0 +1,102 @@
+"""What a motion uses of the limits at its control ticks, and what it must give up where it uses too much."""
+
+import math
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+_TINY = 1e-300
+_MOST_AT_ONCE = 2.0
+"""Greatest excess that is made good at once."""
+
+
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8, f8,"
+    " f8[:,::1], f8[::1], f8[:,::1])"
+)
+def strain_of(
+    qd: Array,
+    qdd: Array,
+    torque: Array,
+    path: Array,
+    course: Array,
+    places: Array,
+    still: Array,
+    limits: Array,
+    allowed: float,
+    more: float,
+    used: Array,
+    peaks: Array,
+    lacks: Array,
+) -> None:
+    """Compute strains and lacks of k control ticks of n joints; what is no number counts as infinite.
+
+    Jerk is the difference of accelerations of neighbouring ticks, at the later one of the two; joints rest
+    before the first and after the last tick. It has three causes: the path itself asks for a lower rate,
+    changes of rate on a bent path for lower accelerations, changes of acceleration along the path for wider
+    windows. Of a torque that is too much only what dry friction and gravity leave can be given up.
+
+    Args:
+        qd: speeds [rad/s | m/s], shape (k, n).
+        qdd: accelerations [rad/s² | m/s²], shape (k, n).
+        torque: [N m | N], shape (k, n), or (k, 0) where it does not count.
+        path: first and second derivatives by motion time, shape (2, k, n).
+        course: motion times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
+        places: motion times [s], rising, shape (m,).
+        still: torque of creeping at the places [N m | N], shape (m, n), or (m, 0).
+        limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, n).
+        allowed: what may be used of a limit, 1 and rounding.
+        more: added to the logarithm of each excess.
+        used: 0; becomes what the joint that uses most uses, 1 for all, in the order of `Quantity`, (4, k).
+        peaks: 0; becomes the greatest excess of each, shape (4,).
+        lacks: 0; becomes logarithms of what rate and acceleration are to be divided by, windows to be
+            multiplied with, and torque to be divided by, at the places on both sides of the ticks, (4, m).
+    """
+    way, last = 0, places.shape[0] - 2
+    for k in range(qd.shape[0]):
+        before = max(k - 1, 0)
+        while way < last and places[way + 1] <= course[0, k]:
+            way += 1
+        for j in range(qd.shape[1]):
+            jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[before, j])
+            if k == qd.shape[0] - 1:
+                jump = max(jump, abs(qdd[k, j]))
+            load = abs(torque[k, j]) if torque.shape[1] > 0 else 0.0
+            values = (abs(qd[k, j]), abs(qdd[k, j]), jump, load)
+            for kind in range(4):
+                value = values[kind]
+                share = value / limits[kind, j]
+                if not share < math.inf:
+                    share = math.inf
+                used[kind, k] = max(used[kind, k], share)
+                if share <= allowed:
+                    peaks[kind] = max(peaks[kind], share)
+                    continue
+                if kind == 3:
+                    past = (course[0, k] - places[way]) / (places[way + 1] - places[way])
+                    held = still[way, j] + past * (still[way + 1, j] - still[way, j])
+                    held = math.copysign(held, held * torque[k, j])
+                    share = (value - held) / max(limits[3, j] - held, _TINY)
+                peaks[kind] = max(peaks[kind], share)
+                lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
+                of_rate, of_swing = 0.0, 0.0
+                if kind == 2:
+                    by_path, bend, change = _causes(path, course, j, before, k)
+                    of_rate = by_path / 3.0 * lack
+                    of_swing = (bend + 0.2 * change) * lack
+                    lack *= change
+                for i in range(way, way + 2):
+                    lacks[kind, i] = max(lacks[kind, i], lack)
+                    lacks[0, i] = max(lacks[0, i], of_rate)
+                    lacks[1, i] = max(lacks[1, i], of_swing)
+
+
+def _causes(path: Array, course: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
+    """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
+    w, c = course[1, now], course[2, now]
+    faster = w * w - course[1, before] * course[1, before]
+    by_path = abs(path[1, now, j] - path[1, before, j]) * w * w
+    bend = abs(path[1, now, j] * faster) + abs((path[0, now, j] - path[0, before, j]) * c)
+    change = abs(path[0, now, j] * (c - course[2, before]))
+    whole = max(by_path + bend + change, _TINY)
+    return by_path / whole, bend / whole, change / whole
