@@ -19,6 +19,7 @@ from ropsim.model import (
     PathDefaults,
     Rates,
     RobotModel,
+    Synchronisation,
     axes_words,
     coupled_limits,
     gain_names,
@@ -193,6 +194,9 @@ def _controller(
         via_zone=table.number("via_zone", units.position.within(0.0, 1.0), controller.via_zone),
         orientation=OrientationMode(
             table.choice("orientation", [one.value for one in OrientationMode], controller.orientation.value)
+        ),
+        ptp=Synchronisation(
+            table.choice("ptp", [one.value for one in Synchronisation], controller.ptp.value)
         ),
         origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )

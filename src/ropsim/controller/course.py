@@ -11,6 +11,7 @@ from ropsim.motion import (
     JointPath,
     JointSection,
     Stage,
+    SynchronisedJoints,
     TimeLaw,
     ToolLimits,
     ToolPath,
@@ -95,7 +96,12 @@ def course_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead:
     runs: list[Run] = []
     overlap: Overlap | None = None
     for pieces, corner in _runs(legs, corners):
-        law = plan_time_law(_with_horizons(pieces, look_ahead))
+        alone = pieces[0].joints
+        law = (
+            alone.law
+            if isinstance(alone, SynchronisedJoints)
+            else plan_time_law(_with_horizons(pieces, look_ahead))
+        )
         before = runs[-1] if runs else None
         both = 0.0
         if before and overlap:

@@ -1,6 +1,7 @@
 """The path planner: turns a move instruction into a path, or says why there is none."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import field, replace
 
 import numpy as np
@@ -19,14 +20,22 @@ from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
-from ropsim.model import ControllerModel, RobotModel, Tool
-from ropsim.motion import ZERO_LENGTH, JointLine, JointMotionLimits, ToolLimits
+from ropsim.model import ControllerModel, RobotModel, Synchronisation, Tool
+from ropsim.motion import (
+    ZERO_LENGTH,
+    JointLine,
+    JointMotionLimits,
+    JointPath,
+    ProfileError,
+    SynchronisedJoints,
+    ToolLimits,
+)
 from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
 class StandardPathPlanner:
-    """Plans PTP moves as lines in joint space, all others by the table of tool paths.
+    """Plans PTP moves as ways in joint space, all others by the table of tool paths.
 
     A PTP move to a pose takes external axes to the values that it is given, and leaves them where they are
     without; a path of the tool always leaves them. The arm is solved with its base where they end.
@@ -96,7 +105,7 @@ class StandardPathPlanner:
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else _with_line(so_far, q_start, goal)
+            return goal if isinstance(goal, Refusal) else self._with_joints(so_far, q_start, goal)
         wrong = check_external(move, q_start, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
@@ -115,7 +124,18 @@ class StandardPathPlanner:
         if not choice.keeps_posture and move.posture is None:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
-        return _with_line(so_far, q_start, choice.q)
+        return self._with_joints(so_far, q_start, choice.q)
+
+    def _with_joints(self, so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
+        """Return the plan of a PTP move; without a path where no joint has a way to go."""
+        if float(np.abs(q_end - q_start).max()) <= ZERO_LENGTH:
+            return so_far
+        joints: JointPath = JointLine(q_start, q_end)
+        if self.controller.ptp is Synchronisation.TIME:
+            # limits beyond all numbers are left to the line: such a move takes too long
+            with suppress(ProfileError):
+                joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
+        return replace(so_far, joints=joints)
 
     def _plan_tool(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         X_MT = so_far.X_MT
@@ -183,10 +203,3 @@ class StandardPathPlanner:
             else modal.orientation_acceleration,
             path.orientation_jerk,
         )
-
-
-def _with_line(so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
-    """Return the plan of a PTP move; without a path where no joint has a way to go."""
-    if float(np.abs(q_end - q_start).max()) <= ZERO_LENGTH:
-        return so_far
-    return replace(so_far, joints=JointLine(q_start, q_end))

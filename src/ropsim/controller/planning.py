@@ -21,7 +21,7 @@ from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
-from ropsim.motion import Beyond, ToolLimits, keep_limits
+from ropsim.motion import Beyond, SynchronisedJoints, ToolLimits, keep_limits
 from ropsim.spatial import record
 
 NO_PAYLOAD = Payload()
@@ -124,6 +124,8 @@ def _time_alone(leg: Leg) -> float:
     limits = leg.planned.limits
     if leg.joints is None:
         return 0.0
+    if isinstance(leg.joints, SynchronisedJoints):
+        return leg.joints.length
     stage = tool_stage(leg.tool, limits.tool) if leg.tool else joint_stage(leg.joints, limits.joints)
     speed, acceleration, jerk = (
         max(bound, _SMALLEST) for bound in (stage.speed, stage.acceleration, stage.jerk)

@@ -127,6 +127,7 @@ from ropsim.model.station import Station as Station
 from ropsim.model.surroundings import FixedObject as FixedObject
 from ropsim.model.surroundings import Sink as Sink
 from ropsim.model.surroundings import SupportLimits as SupportLimits
+from ropsim.model.synchronisation import Synchronisation as Synchronisation
 from ropsim.model.tolerance import OVERRUN as OVERRUN
 from ropsim.model.tolerance import SPEED_OVERSHOOT as SPEED_OVERSHOOT
 from ropsim.model.tool import Fingers as Fingers

@@ -5,6 +5,7 @@ from enum import Enum
 
 from ropsim.flow import ParameterOrigin
 from ropsim.model.orientation_mode import OrientationMode
+from ropsim.model.synchronisation import Synchronisation
 from ropsim.spatial import Array, frozen, record
 
 
@@ -142,6 +143,7 @@ class ControllerModel:
         look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
         via_zone: distance at which via points are passed where the program gives no zone [m].
         orientation: how the tool turns on its paths.
+        ptp: how the joints go together on PTP moves.
         origins: where the gains come from.
     """
 
@@ -156,6 +158,7 @@ class ControllerModel:
     look_ahead: int = 10
     via_zone: float = 0.01
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
+    ptp: Synchronisation = Synchronisation.PHASE
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

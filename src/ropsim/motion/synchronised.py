@@ -10,6 +10,7 @@ from ropsim.motion.durations import ZERO_LENGTH
 from ropsim.motion.motion_limits import JointMotionLimits
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
+from ropsim.motion.time_law import TimeLaw
 from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, frozen, record
 
@@ -62,9 +63,10 @@ class SynchronisedJoints:
             object.__setattr__(self, name, value)
 
     @property
-    def own_rest(self) -> bool:
-        """Return True: the way starts and ends at rest by itself."""
-        return True
+    def law(self) -> TimeLaw:
+        """Return the time law that walks the way at speed 1: it starts and ends at rest by itself."""
+        segment = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, self.length, self.length])
+        return TimeLaw(segment[:, np.newaxis], np.array([self.length]))
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints, their speeds and accelerations at times s [s], shape (k,); ends are exact."""

@@ -171,6 +171,7 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
         "speed_override = 0.5\nstart = [0, 90, 0, 0, 0, 10]\n"
         "[controller]\ncontrol_hz = 500\nkp = [1, 2, 3, 4, 5, 6]\npath_speed = 150\n"
         "orientation_speed = 90\nin_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
+        'ptp = "time"\n'
     )
     cell = cell_of(text)
     controller, own = cell.first.controller, cell_of("").first.controller
@@ -185,6 +186,7 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert cascaded(controller).ke.tolist() == cascaded(own).ke.tolist()
     assert controller.origins[0].source.startswith("kp as in the cell file; the others from masses")
     assert controller.path.jerk == own.path.jerk
+    assert (controller.ptp.value, own.ptp.value) == ("time", "phase")
 
 
 def test_classic_settings_name_units_and_frame_of_old_files() -> None:
