@@ -10,11 +10,12 @@ from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
-from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.stages import joint_stage, tool_stage
+from ropsim.controller.stretch_legs import legs_of
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
@@ -49,15 +50,7 @@ def plan(
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
         it cannot be made, None where all can.
     """
-    legs: list[Leg] = []
-    q, refusal = state.q, None
-    for move in stretch:
-        leg = leg_of(chain, move, q)
-        if isinstance(leg, Refusal):
-            refusal = leg
-            break
-        legs.append(leg)
-        q = leg.q_end
+    legs, refusal = legs_of(chain, stretch, state.q)
     while legs:
         planned = _planned(chain, legs, state, payload)
         if isinstance(planned, MotionPlan):

@@ -90,6 +90,24 @@ def nearest_turns(branches: Array, q_near: Array, limits: JointRange) -> Array:
     return turned
 
 
+def turned_branches(branches: Array, limits: JointRange) -> Array:
+    """Return all branches within the limits, each also with single joints one turn further either way.
+
+    Args:
+        branches: joint coordinates [rad | m], NaN where absent, shape (b, n).
+        limits: of the joints.
+
+    Returns:
+        First the branches as they are, then the turned ones, shape (m, n).
+    """
+    steps = [
+        turn * row for row in np.diag(_TURN * (limits.revolute > 0.0)) for turn in (-1.0, 1.0) if row.any()
+    ]
+    rows = np.concatenate([branches, *(branches + step for step in steps)])
+    within: Array = rows[(limits.excess(rows) == 0.0).all(axis=1)]  # false for NaN
+    return within
+
+
 def choose(
     robot: RobotModel, branches: Array, q_start: Array, limits: JointRange, motion: JointMotionLimits
 ) -> Choice | None:

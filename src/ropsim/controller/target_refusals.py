@@ -17,7 +17,14 @@ from ropsim.kinematics import (
     solver_of,
 )
 from ropsim.model import RobotModel
-from ropsim.motion import JOINT_OUT_OF_RANGE, NO_ARM, OUT_OF_REACH, OUT_OF_TASK_SPACE, POSTURE_CHANGE
+from ropsim.motion import (
+    JOINT_OUT_OF_RANGE,
+    NO_ARM,
+    OUT_OF_REACH,
+    OUT_OF_TASK_SPACE,
+    POSTURE_CHANGE,
+    POSTURE_FOR_LATER,
+)
 from ropsim.spatial import Array, Pose
 
 
@@ -129,6 +136,35 @@ def posture_change(
         move.origin.span,
         f"the posture changes on the way: {changes}",
         hint="the posture of the start does not reach the target within the joint limits",
+    )
+    return (finding,)
+
+
+def posture_for_later(
+    move: MoveInstruction, robot: RobotModel, q_nearest: Array, q_end: Array, why: str
+) -> tuple[Diagnostic, ...]:
+    """Return M585 for a move that takes another posture than the nearest one; only at its first visit.
+
+    Args:
+        move: the instruction.
+        robot: the arm.
+        q_nearest: where it would have ended [rad | m], shape (n,).
+        q_end: where it ends [rad | m], shape (n,).
+        why: what would go ill behind it.
+    """
+    if move.origin.visit > 1:
+        return ()
+    nearest, taken = posture(robot, q_nearest), posture(robot, q_end)
+    joint = int(np.argmax(np.abs(q_end - q_nearest)))
+    axis = robot.axis_joints[joint]
+    here, there = (coordinate(axis, float(q[joint])) for q in (q_end, q_nearest))
+    turned = f"joint `{axis.name}` goes to {here} instead of {there}, which is nearest"
+    changed = f"posture {taken} is taken instead of {nearest}, which is nearest"
+    finding = POSTURE_FOR_LATER.at(
+        move.origin.span,
+        f"{turned if taken == nearest else changed}, for the sake of a later move",
+        notes=(f"otherwise in {why}",),
+        hint="where another posture is wanted, name it with `config`, or shift the later move",
     )
     return (finding,)
 

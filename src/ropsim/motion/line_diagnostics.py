@@ -122,3 +122,21 @@ at its end asks for another posture or other turns: the pose is reached, but not
 **How to mend it.** Take up the posture with `mov` before the path begins.
 """,
 )
+
+POSTURE_FOR_LATER = define(
+    "M585",
+    "posture-for-later-move",
+    Severity.HINT,
+    "a PTP move takes another posture than the nearest one, so that a later path can be followed",
+    """
+On a line, an arc or a curve the arm keeps the posture in which it begins. In the posture that is nearest to
+the start of this PTP move, a joint would meet its limit on a later path of the same stretch, would have to
+jump, or would slow the path down to less than a quarter of its speed. So the move takes another one, or
+other turns of a joint: that in which most moves can be made, then that which changes least of the posture and
+takes the least time. Only moves that are planned together are looked at: up to the next point at which the
+arm stops.
+
+**How to mend it.** Nothing has to be mended. Where the arm must not come in this posture, name one with
+`config` at the location, or shift the later move.
+""",
+)

@@ -1,0 +1,56 @@
+"""The legs of a stretch: each move from where the one before ends, in postures that serve those behind it."""
+
+from collections.abc import Sequence
+
+from ropsim.controller.entities import Refusal
+from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.posture_search import has_choice, search
+from ropsim.controller.posture_trouble import Trouble, trouble_of, trouble_of_refusal
+from ropsim.flow import MoveInstruction
+from ropsim.spatial import Array
+
+
+def legs_of(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], q_start: Array
+) -> tuple[list[Leg], Refusal | None]:
+    """Return the legs of a stretch up to the first move that cannot be made, and why it cannot.
+
+    Every move takes what the planner holds for the nearest posture. Where a path of the tool then meets a
+    joint limit or a singularity, or whirls the joints near one, other postures are tried for the PTP moves
+    before it; that one is taken in which most moves can be made.
+
+    Args:
+        chain: the entities.
+        stretch: moves in order.
+        q_start: command joint coordinates at their start [rad | m], shape (n,).
+    """
+    legs: list[Leg] = []
+    q, refusal = q_start, None
+    for move in stretch:
+        leg = leg_of(chain, move, q)
+        if isinstance(leg, Refusal):
+            refusal = leg
+            break
+        legs.append(leg)
+        q = leg.q_end
+    troubles = _troubles(chain, stretch, legs, refusal)
+    if not troubles:
+        return legs, refusal
+    best = search(chain, stretch, q_start, troubles)
+    return (legs, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
+
+
+def _troubles(
+    chain: MotionChain, stretch: Sequence[MoveInstruction], legs: Sequence[Leg], refusal: Refusal | None
+) -> list[Trouble]:
+    """Return what another posture might mend, in the order of the moves; nothing where there is no choice."""
+    first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
+    troubles = [
+        found
+        for number, leg in enumerate(legs[first:], first)
+        if leg.tool is not None and (found := trouble_of(chain.robot, leg, number))
+    ]
+    if refusal and first < len(legs):
+        troubles += trouble_of_refusal(stretch[len(legs)], refusal, len(legs))
+    return troubles

@@ -1,0 +1,177 @@
+"""Postures over a stretch: PTP moves take those in which the paths behind them can be followed."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from ropsim.controller import MotionState, Refusal, plan
+from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
+from ropsim.controller.posture_trouble import time_of, trouble_of
+from ropsim.controller.stretch_legs import legs_of
+from ropsim.flow import ModalState, MoveInstruction, PostureRequest
+from ropsim.kinematics import forward_batch, inverse, posture
+from ropsim.spatial import Array, Pose
+from support.motion import CHAIN, PUMA, START, interface_pose, lin, planned_stretch, ptp, references, shifted
+
+ZONE = ModalState(zone=0.005)
+AWKWARD = np.array([0.11932882730615058, 0.0046, -3.24438, 2.60876, -0.329, 4.15307])
+"""A pose whose nearest posture from `START` has joint 4 near its limit."""
+WAY = [(-0.0952, 0.0416, 0.0629), (-0.0009, -0.0431, 0.1361), (-0.127, 0.0975, 0.0252)]
+SAME = 1e-6  # [rad]; branches that differ by less are one
+WITHIN = 1.0 + 1e-9
+
+
+def moves(first: Pose, shifts: Sequence[tuple[float, float, float]]) -> list[MoveInstruction]:
+    """Return a PTP move to a pose and lines from there, in one stretch."""
+    lines = [lin(shifted(first, *shift), ZONE, 1) for shift in shifts]
+    return [ptp(first, ZONE, 1), *lines[:-1], replace(lines[-1], modal=ModalState())]
+
+
+def in_turn(stretch: Sequence[MoveInstruction], q: Array = START) -> tuple[list[Leg], Refusal | None]:
+    """Return the legs with the nearest postures."""
+    legs: list[Leg] = []
+    for move in stretch:
+        leg = leg_of(CHAIN, move, q)
+        if isinstance(leg, Refusal):
+            return legs, leg
+        legs.append(leg)
+        q = leg.q_end
+    return legs, None
+
+
+STRETCH = moves(interface_pose(AWKWARD), WAY)
+
+
+def test_a_posture_is_taken_in_which_the_third_line_does_not_meet_a_limit() -> None:
+    nearest, refusal = in_turn(STRETCH)
+    assert len(nearest) == 3
+    assert refusal is not None
+    assert refusal.diagnostics[0].code == "M503"
+    done = planned_stretch(STRETCH)
+    assert len(done.moves) == 4
+    assert posture(PUMA, done.moves[0].q_end) != posture(PUMA, nearest[0].q_end)
+    q = references(done)[0]
+    assert (q >= PUMA.lower_limits - SAME).all()
+    assert (q <= PUMA.upper_limits + SAME).all()
+    for one, move in zip(done.moves, STRETCH, strict=True):
+        assert one.move == move
+        assert isinstance(move.target, Pose)
+        assert np.abs(interface_pose(one.q_end).matrix() - move.target.matrix()).max() <= 1e-8  # of a sample
+
+
+def test_a_hint_on_the_line_says_what_would_have_happened() -> None:
+    (found,) = [one for one in planned_stretch(STRETCH).findings if one.code == "M585"]
+    assert found.span == STRETCH[0].origin.span
+    assert "which is nearest, for the sake of a later move" in found.message
+    assert found.notes[0].startswith("otherwise in line 14: joint `4` passes its limit of 170.0° at ")
+    again = [replace(move, origin=replace(move.origin, visit=2)) for move in STRETCH]
+    assert "M585" not in [one.code for one in planned_stretch(again).findings]
+
+
+def test_the_plan_is_the_same_every_time() -> None:
+    one, other = planned_stretch(STRETCH), planned_stretch(STRETCH)
+    assert one.reference.q.tobytes() == other.reference.q.tobytes()
+
+
+def test_without_a_choice_the_line_is_refused() -> None:
+    """The words of the program, or joint coordinates, say in which posture the arm is to be."""
+    nearest, refusal = in_turn(STRETCH)
+    named = replace(STRETCH[0], posture=PostureRequest(posture(PUMA, nearest[0].q_end).words))
+    in_joints = replace(STRETCH[0], target=tuple(nearest[0].q_end.tolist()))
+    for first in (named, in_joints):
+        done, why = plan(CHAIN, [first, *STRETCH[1:]], MotionState.at_rest(START))
+        assert why == refusal
+        assert done is not None
+        assert len(done.moves) == 3
+
+
+@pytest.mark.parametrize("last", [(-0.1, 0.15, 0.05), (9.0, 0.0, 0.0)])
+def test_where_no_other_posture_helps_the_nearest_ones_are_kept_to_the_bit(
+    last: tuple[float, float, float],
+) -> None:
+    stretch = moves(shifted(interface_pose(START), 0.0, 0.1, 0.0), [(0.0, 0.1, 0.1), last])
+    legs, refusal = in_turn(stretch)
+    found, why = legs_of(CHAIN, stretch, START)
+    assert why == refusal
+    assert [leg.q_end.tobytes() for leg in found] == [leg.q_end.tobytes() for leg in legs]
+    assert [leg.findings for leg in found] == [leg.findings for leg in legs]
+
+
+def test_a_wrist_is_turned_back_before_lines_that_turn_it_further() -> None:
+    q = np.array([0.2, 1.1, -2.9, -0.4, -0.9, 2.0])
+    first = interface_pose(q)
+    goals = [first @ _about_z(angle) for angle in (1.0, 2.0, 3.0)]  # to 5.0 rad, the limit is 4.64
+    stretch = [ptp(first, ZONE, 1), *(lin(goal, ZONE, 1) for goal in goals)]
+    assert len(in_turn(stretch, q - 0.01)[0]) == 3
+    done = planned_stretch(stretch, q - 0.01)
+    back = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 2.0 * np.pi])
+    assert done.moves[0].q_end == pytest.approx(q - back, abs=SAME)
+    (hint,) = [one for one in done.findings if one.code == "M585"]
+    assert hint.message.startswith("joint `6` goes to -245.4° instead of 114.6°, which is nearest")
+
+
+def test_no_other_choice_of_postures_is_better() -> None:
+    """Against all choices, one by one: moves made, whirling paths, changes of the posture, then time."""
+    random = np.random.default_rng(4)
+    looked = 0
+    while looked < 3:
+        stretch: list[MoveInstruction] = []
+        for _ in range(2):
+            pose = interface_pose(random.uniform(PUMA.lower_limits, PUMA.upper_limits))
+            stretch += [ptp(pose, ZONE, 1), lin(shifted(pose, *random.uniform(-0.15, 0.15, 3)), ZONE, 1)]
+        refusal = in_turn(stretch)[1]
+        if refusal is None or refusal.diagnostics[0].code != "M503":
+            continue
+        looked += 1
+        here, best = _rank(legs_of(CHAIN, stretch, START)[0], stretch), min(_ranks(stretch))
+        assert here[:3] == best[:3]
+        assert here[3] <= best[3] * WITHIN
+
+
+def _about_z(angle: float) -> Pose:
+    return Pose(np.zeros(3), np.array([np.cos(angle / 2.0), 0.0, 0.0, np.sin(angle / 2.0)]))
+
+
+def _rank(legs: Sequence[Leg], stretch: Sequence[MoveInstruction]) -> tuple[int, int, int, float]:
+    q, troubles, changes, time = START, 0, 0, 0.0
+    for leg, move in zip(legs, stretch, strict=False):
+        nearest = leg_of(CHAIN, move, q)
+        assert isinstance(nearest, Leg)
+        if float(np.abs(nearest.q_end - leg.q_end).max()) > SAME:
+            words = zip(posture(PUMA, nearest.q_end).words, posture(PUMA, leg.q_end).words, strict=True)
+            changes += 1 + sum(one != other for one, other in words)
+        troubles += leg.tool is not None and trouble_of(PUMA, leg, 0) is not None
+        time += time_of(PUMA, leg, q)
+        q = leg.q_end
+    return -len(legs), troubles, changes, time
+
+
+def _ranks(stretch: Sequence[MoveInstruction]) -> list[tuple[int, int, int, float]]:
+    """Return the ranks of all choices for a stretch of PTP, LIN, PTP, LIN."""
+    limits = JointRange.of(PUMA)
+    goals = []
+    for move in stretch[::2]:
+        assert isinstance(move.target, Pose)
+        branches = inverse(PUMA, move.target).branches
+        goals.append(turned_branches(nearest_turns(branches, np.zeros(6), limits), limits))
+    ranks = []
+    for chosen in product(*goals):
+        fixed = list(stretch)
+        fixed[::2] = [
+            replace(move, target=tuple(q.tolist())) for move, q in zip(stretch[::2], chosen, strict=True)
+        ]
+        ranks.append(_rank(in_turn(fixed)[0], stretch))
+    return ranks
+
+
+def test_all_turned_branches_reach_the_pose_within_the_limits() -> None:
+    limits = JointRange.of(PUMA)
+    pose = interface_pose(START)
+    found = turned_branches(nearest_turns(inverse(PUMA, pose).branches, START, limits), limits)
+    assert len(found) > len(inverse(PUMA, pose).solutions)
+    assert np.abs(forward_batch(PUMA, found) - pose.matrix()).max() <= 1e-8
+    assert (limits.excess(found) == 0.0).all()
