@@ -1,6 +1,7 @@
 """Checks at the door of the servo simulation, and the errors they raise."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -14,15 +15,12 @@ from ropsim.simulation.servo.diagnostics import (
     BAD_DRIVE,
     BAD_OPTIONS,
     BAD_REFERENCE,
-    DIVERGED,
     NO_DRIVES,
-    DivergedError,
     DriveDataError,
     NoDrivesError,
     OptionError,
     ServoArrayError,
 )
-from ropsim.simulation.servo.state import ServoState
 from ropsim.spatial import Array, real_numbers
 
 _FLOAT64 = np.dtype(np.float64)
@@ -53,16 +51,6 @@ def check_drives(robot: RobotModel) -> None:
         if found:
             message = f"{found[0]} of the drive of joint `{joint.name}` {found[1]}"
             raise DriveDataError(BAD_DRIVE.at(None, message, hint="look at the drive data of the model"))
-
-
-def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:
-    """Return the error of a state that is not finite."""
-    bad = np.flatnonzero(~np.isfinite(state.values))
-    joint = f" at joint `{robot.axis_joints[int(bad[0]) % robot.n].name}`" if len(bad) else ""
-    time = state.tick / control_hz
-    message = f"the state is not finite any more{joint} at or after {time:.6g} s; all numbers must be finite"
-    hint = "look for a NaN in reference, payload or gains, or raise `plant_steps`"
-    return DivergedError(DIVERGED.at(None, message, hint=hint, data={"time_s": time}))
 
 
 def check_option(name: str, value: int) -> None:
@@ -171,6 +159,21 @@ def check_vector(name: str, values: npt.ArrayLike, n: int) -> Array:
     if not np.isfinite(array).all():
         raise _not_finite(f"array `{name}`")
     return np.array(array)
+
+
+def check_output(values: npt.ArrayLike, n: int, tick: int, control_hz: int) -> Array:
+    """Return what a law in Python puts out at a control tick, n finite numbers.
+
+    Raises:
+        ServoArrayError: it has another shape or a number is not finite; the tick is named.
+    """
+    try:
+        return check_vector("u", values, n)
+    except ServoArrayError as error:
+        found, time = error.diagnostic, tick / control_hz
+        message = f"{found.message}; the law in Python put it out at {time:.6g} s (control tick {tick})"
+        data = {**found.data, "time_s": time, "tick": tick}
+        raise ServoArrayError(replace(found, message=message, data=data)) from error
 
 
 def check_reference(reference: JointReference, n: int) -> tuple[Array, Array, Array]:

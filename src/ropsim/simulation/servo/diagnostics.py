@@ -26,6 +26,10 @@ Either reference, payload or gains hold NaN, or the integration step is too long
 plant: a fixed-step Runge-Kutta integration is stable while step times fastest eigenvalue stays below about
 2.8. Very light links without motor inertia, very small inductances and very high gains make fast plants.
 
+The message names the first control tick at whose end a number was not finite, and of the numbers that were
+not finite there the one from which the others follow: what the joint controller put out, what it remembers,
+the reference, the drive, the arm.
+
 Raise `plant_steps` in the controller's rates, or look for a gain, a mass or an inductance that is off by a
 power of ten.
 """,

@@ -24,11 +24,13 @@ from ropsim.simulation.servo.checks import (
     check_drives,
     check_law,
     check_option,
+    check_output,
     check_rates,
     check_reference,
     check_vector,
-    diverged,
 )
+from ropsim.simulation.servo.diagnostics import DivergedError
+from ropsim.simulation.servo.divergence import diverged, first_fault
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.source import servo_functions
@@ -177,34 +179,47 @@ class Servo:
         Raises:
             ServoArrayError: the reference, or the output of a law in Python, does not fit the arm.
             LawError: the law reaches beyond its arrays, or in Python raises an exception.
-            DivergedError: the state has become NaN or infinite.
+            DivergedError: the state has become NaN or infinite; it names the tick at which that began.
         """
         rows = check_reference(reference, self.layout.n)
         ticks = len(rows[0])
         signals = check_aux(aux, ticks, self.law.traits.aux)
         self.bench.values[:] = state.values
         if self.python_law is None:
-            self._advance(state.tick, rows, signals, payload, recorder)
+            self._advance(state, rows, signals, payload, recorder)
         else:
-            self._follow_python_law(self.python_law, state.tick, rows, signals, payload, recorder)
-        after = ServoState(state.tick + ticks, self.bench.values.copy(), self.layout)
-        if not after.is_finite():
-            raise diverged(self.robot, after, self.control_hz)
-        return after
+            self._follow_python_law(self.python_law, state, rows, signals, payload, recorder)
+        return ServoState(state.tick + ticks, self.bench.values.copy(), self.layout)
 
     def _advance(
-        self, tick: int, reference: "_Rows", signals: Array, payload: Payload, recorder: Recorder
+        self, state: ServoState, reference: "_Rows", signals: Array, payload: Payload, recorder: Recorder
     ) -> None:
-        """Run one slice from a tick on."""
-        log, log_row = recorder.claim(tick, len(signals))
+        """Run one slice from a state on, which the bench holds."""
+        log, log_row = recorder.claim(state.tick, len(signals))
         call = self.bench.slices.get(payload) or self._slice(payload)
         try:
-            call(*reference, signals, log, tick, recorder.decimation, log_row)
+            call(*reference, signals, log, state.tick, recorder.decimation, log_row)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
-            after = ServoState(tick, self.bench.values.copy(), self.layout)
-            raise diverged(self.robot, after, self.control_hz) from error
+            raise self._diverged(state, reference, signals, call) from error
         except (IndexError, StoppedError) as error:
             raise failed(self.law, error) from error
+        if not np.isfinite(self.bench.values).all():
+            raise self._diverged(state, reference, signals, call)
+
+    def _diverged(
+        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled
+    ) -> DivergedError:
+        """Return the error of a slice at whose end the state was not finite: at the tick where that began."""
+        values, no_log = self.bench.values, np.empty((1, 1))
+        values[:] = state.values
+
+        def advance(k: int) -> None:
+            rows = (array[k : k + 1] for array in reference)
+            call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0)  # writes no row
+
+        ticks = first_fault(values, len(signals), advance)
+        after = ServoState(state.tick + ticks, values.copy(), self.layout)
+        return diverged(self.robot, after, self.control_hz)
 
     def _slice(self, payload: Payload) -> Compiled:
         """Return the slice with the constants of the plant, and tool and part as the law takes them."""
@@ -216,7 +231,7 @@ class Servo:
     def _follow_python_law(
         self,
         law: PythonLaw,
-        tick: int,
+        state: ServoState,
         reference: "_Rows",
         signals: Array,
         payload: Payload,
@@ -225,17 +240,19 @@ class Servo:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n, memory = self.robot.n, self.layout.memory(self.bench.values)
         for k in range(len(signals)):
-            ref, time = self.layout.in_force(self.bench.values).copy(), (tick + k) * self.period
-            now = LawInput(time, ref, self._measured(), payload, signals[k].copy())
+            before = ServoState(state.tick + k, self.bench.values.copy(), self.layout)
+            now = LawInput(
+                before.tick * self.period, before.reference, self._measured(), payload, signals[k].copy()
+            )
             try:
                 answer = law.step(now, memory)
             except RopsimError:
                 raise
             except Exception as error:  # whatever the code of a user raises is told
                 raise failed(self.law, error) from error
-            self.bench.parameters[0] = check_vector("u", answer, n)
+            self.bench.parameters[0] = check_output(answer, n, before.tick, self.control_hz)
             q, qd, qdd = (array[k : k + 1] for array in reference)
-            self._advance(tick + k, (q, qd, qdd), signals[k : k + 1], payload, recorder)
+            self._advance(before, (q, qd, qdd), signals[k : k + 1], payload, recorder)
 
     def _measured(self) -> Array:
         """Return coordinates, speeds and torques of the drives, shape (3, n)."""

@@ -303,9 +303,61 @@ def test_a_nan_in_the_reference_is_an_error_with_its_time(engine: Engine) -> Non
     reference = quintic(START, GOAL, 5)
     reference.q[2, 3] = np.nan
     state = servo.initial_state(START)
-    with pytest.raises(DivergedError, match="not finite") as caught:
+    with pytest.raises(DivergedError, match="reference of joint `4` is not finite") as caught:
         servo.run(state, reference, NOTHING, servo.recorder(state))
-    assert caught.value.diagnostic.code == "S701"
+    found = caught.value.diagnostic
+    assert (found.code, found.data["tick"], found.data["time_s"]) == ("S701", 3, 0.003)  # row 2 is due then
+
+
+NAN_AT_A_TICK = """\
+def law(par, state, ref, meas, load, aux, out):
+    for j in range(out.shape[0]):
+        out[j] = 0.0
+    if state[0, 0] == par[0, 0]:
+        out[3] = math.nan
+    state[0, 0] += 1.0
+"""
+
+
+@pytest.mark.parametrize("engine", list(Engine))
+@pytest.mark.parametrize("tick", [0, 1, 41, 99])
+def test_a_compiled_law_that_puts_out_nan_is_named_with_joint_and_tick(engine: Engine, tick: int) -> None:
+    traits = LawTraits(state_names=("ticks",))
+    law = CompiledLaw("nan_at_a_tick", NAN_AT_A_TICK, ("tick",), np.full((1, 6), 1.0 + tick), traits)
+    servo = Servo.build(*puma(), law=law, engine=engine)
+    start = servo.initial_state(START)
+    values = start.values.copy()
+    servo.layout.memory(values)[0] = 1.0  # at 0 laws are rehearsed
+    start = ServoState(0, values, servo.layout)
+    with pytest.raises(DivergedError, match="output of the joint controller of joint `4`") as caught:
+        servo.run(start, standing(START, 100), NOTHING, servo.recorder(start))
+    assert caught.value.diagnostic.data["tick"] == tick + 1  # at the end of that tick
+
+
+def test_a_slice_that_diverges_names_the_same_tick_however_it_is_cut() -> None:
+    coarse = Servo.build(puma()[0], with_rates(puma()[1], Rates(50, 4, 2)))
+    reference = quintic(START, GOAL, 400)
+    found = []
+    for cut in (1, 7, 400):
+        state = coarse.initial_state(START)
+        recorder = coarse.recorder(state)
+        with pytest.raises(DivergedError) as caught:  # noqa: PT012 - which slice fails is what is asked
+            for first in range(0, 400, cut):
+                state = coarse.run(state, reference.part(first, min(first + cut, 400)), NOTHING, recorder)
+        found.append(caught.value.diagnostic)
+    assert found[0] == found[1] == found[2]
+
+
+def test_a_law_in_python_that_returns_nan_is_named_with_its_tick() -> None:
+    class Poisoned:
+        traits = LawTraits()
+
+        def step(self, now: LawInput, _state: Array, /) -> Array:
+            return np.full(6, np.nan if now.time > 0.0165 else 0.0)
+
+    with pytest.raises(ServoArrayError, match=r"not finite.*at 0.017 s \(control tick 17\)") as caught:
+        _run(Servo.build(*puma(), law=Poisoned()), standing(START, 30))
+    assert caught.value.diagnostic.data["tick"] == 17
 
 
 def test_a_start_that_is_not_finite_is_refused(servo: Servo) -> None:

@@ -1,0 +1,73 @@
+"""What is said of a state that has become NaN or infinite: when that was, and what of it came first."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropsim.model import RobotModel
+from ropsim.simulation.servo.diagnostics import DIVERGED, DivergedError
+from ropsim.simulation.servo.state import ServoState, StateLayout
+from ropsim.spatial import Array
+
+
+def first_fault(values: Array, ticks: int, advance: Callable[[int], None]) -> int:
+    """Return after how many ticks a state vector is not finite any more; it is left as it is there.
+
+    A slice is one call, and a NaN shows at its end only; so it is gone through again, tick by tick. What is
+    not finite may become finite again (a counter that is set back), so every tick is looked at.
+
+    Args:
+        values: the state vector, shape (m,), as it was before the first tick; it is advanced.
+        ticks: of the slice.
+        advance: advances the vector by the tick of a number, from 0; an `ArithmeticError` or a `ValueError`
+            is a fault, too.
+    """
+    for k in range(ticks):
+        try:
+            advance(k)
+        except (ArithmeticError, ValueError):  # plain Python raises where compiled code gives NaN
+            return k + 1
+        if not np.isfinite(values).all():
+            return k + 1
+    return ticks
+
+
+def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:
+    """Return the error of a state at the first tick at which it is not finite.
+
+    Args:
+        robot: the arm.
+        state: there.
+        control_hz: control ticks per second.
+    """
+    time = state.tick / control_hz
+    what = _first(robot, state.layout, state.values)
+    when = f"{time:.6g} s (control tick {state.tick})"
+    message = f"{what} is not finite any more at {when}; all numbers must be finite"
+    hint = "look for a NaN in reference, payload, gains or a law of your own, or raise `plant_steps`"
+    return DivergedError(
+        DIVERGED.at(None, message, hint=hint, data={"time_s": time, "tick": state.tick, "what": what})
+    )
+
+
+def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:
+    """Return what of a state vector is not finite: what the others follow from comes first."""
+    every = tuple(range(layout.n))
+    places = [
+        ("output of the joint controller", every, layout.output),
+        *(("output of the joint controller", every, place) for place in _rows(layout.pending, layout.n)),
+        *(("memory of the joint controller", every, place) for place in _rows(layout.law, layout.n)),
+        *(("reference", every, place) for place in _rows(layout.reference, layout.n)),
+        *((f"`{field.name}` of the drive", field.axes, field.place) for field in layout.drives),
+        ("speed", every, layout.qd),
+        ("coordinate", every, layout.q),
+    ]
+    for name, axes, place in places:
+        bad = np.flatnonzero(~np.isfinite(values[place]))
+        if len(bad):
+            return f"the {name} of joint `{robot.axis_joints[axes[int(bad[0])]].name}`"
+    return "the state"
+
+
+def _rows(place: slice, n: int) -> list[slice]:
+    return [slice(first, first + n) for first in range(place.start, place.stop, n)]
