@@ -29,6 +29,23 @@ Usual reasons are gains that are far too low, a speed loop that oscillates, and 
 """,
 )
 
+GUARD_NOT_MET = define(
+    "S746",
+    "guard-not-met",
+    Severity.HINT,
+    "a motion came to its target without the condition that was to end it",
+    """
+`until` ends a motion where its condition comes true. Here the arm came to the end of the way and the
+condition never did, and the motion has no `timeout` that would say that this may be. The program goes on at
+the target as if it had found what it looked for.
+
+Where contact or a part is looked for, let the target lie beyond the place where it is expected, and look at
+the plot of the signal. A signal of the cell file needs `changes`, a device, a sensor or a key that makes it
+true. Where the condition need not come true, write `timeout` with a time after which the motion ends all the
+same.
+""",
+)
+
 NOTHING_GRASPED = define(
     "S721",
     "nothing-grasped",

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 
-from ropsim.flow import Guard
+from ropsim.core import Diagnostic
+from ropsim.flow import Comparison, Guard, MoveInstruction
+from ropsim.simulation.diagnostics import GUARD_NOT_MET
 from ropsim.simulation.world import SimulatedWorld
 
 
@@ -26,3 +28,26 @@ class Lookout:
         self.world.guard_met = guard.holds(self.world.read(guard.channel))
         late = guard.timeout is not None and self.world.now() - self.since >= guard.timeout
         return self.world.guard_met or late
+
+    def missed(self, move: MoveInstruction) -> Diagnostic | None:
+        """Return S746 where the arm has come to the target of a move and its condition has not come true.
+
+        A move with a timeout says itself that its condition need not come true.
+        """
+        if self.ends() or self.guard.timeout is not None:
+            return None
+        return GUARD_NOT_MET.at(
+            move.origin.span,
+            f"the motion came to its target, and `{self._condition}` never came true",
+            label=f"pass {move.origin.visit}",
+            hint="let the target lie beyond the place that is looked for, or write `timeout`",
+            data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.world.now()},
+        )
+
+    @property
+    def _condition(self) -> str:
+        guard = self.guard
+        if guard.comparison is Comparison.IS:
+            return f"{guard.channel} is {'on' if guard.value else 'off'}"
+        order = ">" if guard.comparison is Comparison.ABOVE else "<"
+        return f"{guard.channel} {order} {float(guard.value):.6g}"

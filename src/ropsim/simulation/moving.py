@@ -72,6 +72,8 @@ def _follow(
         at.track("move", ordinal)
         follower.lookout = Lookout(one.move.guard, world, at.time) if one.move.guard else None
         yield from _to(run, at, follower, one)
+        if follower.lookout and not (follower.ended or at.cut_short):
+            run.findings += filter(None, (follower.lookout.missed(one.move),))
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
             yield from settle(run, at, one.move)
