@@ -3,10 +3,12 @@
 import numpy as np
 
 from ropsim.flow import JointReference
-from ropsim.model import Payload
+from ropsim.model import Payload, RobotModel
+from ropsim.simulation.fields import fields
 from ropsim.simulation.past import Past
 from ropsim.simulation.plant import constant
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
+from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
 
 
@@ -14,17 +16,20 @@ class KinematicPlant:
     """Follows every reference exactly; records references and nothing else.
 
     Args:
+        robot: with the ranges of its joints.
         q: joint coordinates at time 0 [rad | m], shape (n,).
         record_ticks: control ticks between two recorded rows.
         most_rows: rows beyond which every second one is dropped.
     """
 
-    def __init__(self, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
+    def __init__(self, robot: RobotModel, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
+        self._robot = robot
         self._q = np.array(q)
         self._qd = np.zeros(len(q))
         self._tick = 0
         self._log = RowLog(2 * len(q), 0, record_ticks, most_rows)
         self._past = Past(0, self._q)
+        self._tally = Tally(fields((("overrun", "qd"),) * len(q), 0), 2 * len(q))
         self._log.begin(np.concatenate([q, np.zeros(len(q))]))
 
     @property
@@ -42,13 +47,21 @@ class KinematicPlant:
         """Return the control ticks between two recorded rows."""
         return self._log.decimation
 
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        return self._tally
+
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
         table, row = self._log.claim(self._tick, reference.ticks)
         kept = (self._tick + 1 + np.arange(reference.ticks)) % self._log.decimation == 0
         table[row : self._log.rows] = np.hstack((reference.q[kept], reference.qd[kept]))
-        self._past.enter(self._tick + 1, reference.q)
+        q, robot = reference.q, self._robot
+        beyond = np.maximum(np.maximum(q - robot.upper_limits, robot.lower_limits - q), 0.0)
+        self._tally.enter(self._tick + 1, np.hstack((beyond, reference.qd)))
+        self._past.enter(self._tick + 1, q)
         self._q, self._qd = np.array(reference.q[-1]), np.array(reference.qd[-1])
         self._tick += reference.ticks
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from ropsim.flow import JointReference
 from ropsim.model import Payload
+from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
 
 
@@ -25,6 +26,11 @@ class Plant(Protocol):
     @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
+        ...
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
         ...
 
     def follow(self, reference: JointReference, payload: Payload) -> None:

@@ -59,7 +59,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         mine = [event for event in run.events if event.station == name]
         events += _with_errors(mine, at, rows, own["path_error"].values)
         events += at.activations.events(name, at.hz)
-        judged += told_at(name, programs, verdicts(at.station.robot, time, own, source))
+        tally, lines = at.plant.tally, at.tracks["line"]
+        judged += told_at(name, programs, verdicts(at.station.robot, tally, at.hz, lines, source))
         judged += told_at(name, programs, settling_findings(mine, run.time, source))
     for at in run.stations.values():
         for body, course in at.fingers.items():

@@ -122,5 +122,5 @@ def _plant(
 ) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
         record_ticks = options.record_ticks(station.controller.rates.control_hz)
-        return KinematicPlant(station.q_start, record_ticks, options.most_rows)
+        return KinematicPlant(station.robot, station.q_start, record_ticks, options.most_rows)
     return ServoPlant(cell, station, load, options, sensors)

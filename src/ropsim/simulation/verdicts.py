@@ -1,6 +1,6 @@
-"""What a recording proves against the limits of the arm: torque, current, speed, range, voltage."""
+"""What a run proves against the limits of the arm: torque, current, speed, range, voltage."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -8,7 +8,6 @@ import numpy as np
 
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.dynamics import Limit, LimitSort, chain_of
-from ropsim.flow import Channel
 from ropsim.model import OVERRUN, SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
     COMMAND_SATURATED,
@@ -22,6 +21,10 @@ from ropsim.simulation.diagnostics import (
     SPEED_EXCEEDED,
     VOLTAGE_SATURATED,
 )
+from ropsim.simulation.servo.judged import drive_limits
+from ropsim.simulation.servo.log import recorded
+from ropsim.simulation.tally import Tally
+from ropsim.simulation.track import Track
 from ropsim.spatial import Array
 
 #: Time at the limit of an amplifier that is a finding [s].
@@ -34,6 +37,11 @@ _SPEED: _Shown = {JointType.REVOLUTE: (180 / np.pi, "°/s"), JointType.PRISMATIC
 _WAY: _Shown = {JointType.REVOLUTE: (180 / np.pi, "°"), JointType.PRISMATIC: (1e3, "mm")}
 _EFFORT: _Shown = {JointType.REVOLUTE: (1.0, "N·m"), JointType.PRISMATIC: (1.0, "N")}
 _TIME: _Shown = dict.fromkeys(JointType, (1.0, "s"))
+_UNITS = {
+    JointType.REVOLUTE: {"q": "rad", "tau": "N·m"},
+    JointType.PRISMATIC: {"q": "m", "tau": "N"},
+}
+"""What stands in the units of columns for those of coordinate and effort."""
 
 _DRIVE_LIMITS = {
     ("current", LimitSort.PEAK): CURRENT_EXCEEDED,
@@ -47,103 +55,88 @@ _ANY = {LimitSort.PEAK: DRIVE_EXCEEDED, LimitSort.LASTING: DRIVE_SATURATED}
 
 @dataclass(frozen=True, slots=True)
 class _Check:
-    """One kind of limit; `values` (k, n) and `limits` (n,) in SI units, `shown` as factor and unit."""
+    """One kind of limit.
+
+    Attributes:
+        kind: of the finding.
+        quantity: its name for people.
+        shown: factor and unit for people.
+        axes: joints that have the limit.
+        values: worst values [SI], shape (k,).
+        ticks: control ticks of these, shape (k,).
+        limits: [SI], shape (k,).
+    """
 
     kind: Kind
     quantity: str
     shown: _Shown
+    axes: tuple[int, ...]
     values: Array
+    ticks: Array
     limits: Array
 
 
-def verdicts(
-    robot: RobotModel, time: Array, channels: Mapping[str, Channel], source: str
-) -> tuple[Diagnostic, ...]:
+def verdicts(robot: RobotModel, tally: Tally, hz: int, lines: Track, source: str) -> tuple[Diagnostic, ...]:
     """Return one finding per joint and kind of limit that was broken, at the line of the worst moment.
+
+    Every control tick counts, whether the recording has a row of it or not.
 
     Args:
         robot: with the limits.
-        time: [s], shape (k,).
-        channels: as recorded.
-        source: name of the text that the channel `line` counts in.
+        tally: the worst of all control ticks.
+        hz: control ticks per second.
+        lines: source lines in force.
+        source: name of the text that they count in.
     """
-    lines = channels["line"].rows(time)
     found = []
-    for check in _checks(robot, time, channels):
-        rows = np.argmax(np.abs(check.values), axis=0)
-        for joint, row in enumerate(rows):
-            value = float(abs(check.values[row, joint]))
-            if value > check.limits[joint]:
-                found.append(_finding(robot, check, joint, value, float(time[row]), int(lines[row]), source))
+    for check in _checks(robot, tally, hz):
+        for at in np.flatnonzero(check.values > check.limits):
+            tick = int(check.ticks[at])
+            found.append(_finding(robot, check, int(at), tick / hz, int(lines.value(tick)), source))
     return tuple(found)
 
 
-def _checks(robot: RobotModel, time: Array, channels: Mapping[str, Channel]) -> list[_Check]:
-    q = channels["q"].values
-    beyond = np.maximum(np.maximum(q - robot.upper_limits, robot.lower_limits - q), 0.0)
+def _checks(robot: RobotModel, tally: Tally, hz: int) -> list[_Check]:
+    peaks = (
+        (SPEED_EXCEEDED, "speed", _SPEED, "qd", robot.max_speeds * (1 + SPEED_OVERSHOOT)),
+        (LIMIT_OVERRUN, "overrun", _WAY, "overrun", np.full(robot.n, OVERRUN)),
+        (FOLLOWING_ERROR, "following error", _WAY, "q_error", np.full(robot.n, FOLLOWING)),
+        (EFFORT_EXCEEDED, "torque", _EFFORT, "tau", robot.max_efforts),
+    )
     checks = [
-        _Check(
-            SPEED_EXCEEDED,
-            "speed",
-            _SPEED,
-            channels["qd"].values,
-            robot.max_speeds * (1 + SPEED_OVERSHOOT),
-        ),
-        _Check(LIMIT_OVERRUN, "overrun", _WAY, beyond, np.full(robot.n, OVERRUN)),
-        _Check(
-            FOLLOWING_ERROR,
-            "following error",
-            _WAY,
-            channels["q_error"].values,
-            np.full(robot.n, FOLLOWING),
-        ),
+        _Check(kind, quantity, shown, axes, *tally.worst(name), limits[list(axes)])
+        for kind, quantity, shown, name, limits in peaks
+        if (axes := tally.axes(name))
     ]
-    if "tau" not in channels:
+    if not tally.axes("tau"):
         return checks
-    checks.append(_Check(EFFORT_EXCEEDED, "torque", _EFFORT, channels["tau"].values, robot.max_efforts))
-    return [*checks, *(_drive_check(robot, limit, time, channels) for limit in _drive_limits(robot))]
+    of_drives = drive_limits(robot).items()
+    return [*checks, *(_drive_check(robot, limit, axes, tally, hz) for limit, axes in of_drives)]
 
 
-def _drive_limits(robot: RobotModel) -> dict[Limit, list[int]]:
-    """Return the limits that drives have, each with the joints whose drives have it."""
-    found: dict[Limit, list[int]] = {}
-    for k, chain in enumerate(chain_of(drive) for drive in robot.drives):
-        for limit in chain.amplifier.limits:
-            found.setdefault(limit, []).append(k)
-    return found
-
-
-def _drive_check(robot: RobotModel, limit: Limit, time: Array, channels: Mapping[str, Channel]) -> _Check:
-    """Return the check of a limit of drives; joints whose drives do not have it get no value and no limit."""
+def _drive_check(robot: RobotModel, limit: Limit, axes: list[int], tally: Tally, hz: int) -> _Check:
+    """Return the check of a limit of the drives of some joints."""
     kind = _DRIVE_LIMITS.get((limit.column, limit.sort), _ANY[limit.sort])
-    quantity = limit.column
-    shown: _Shown = dict.fromkeys(JointType, (1.0, channels[limit.column].unit))
-    axes = _drive_limits(robot)[limit]
-    values, limits = np.zeros((len(time), robot.n)), np.full(robot.n, np.inf)
-    bounds = np.array([getattr(robot.drives[k].amplifier, limit.number) for k in axes])
-    recorded = _of_axes(robot, channels[limit.column], axes)
+    places = [tally.axes(limit.column).index(axis) for axis in axes]  # others may have the quantity, too
     if limit.sort is LimitSort.PEAK:
-        values[:, axes], limits[axes] = recorded, bounds
-    else:
-        period = float(time[1] - time[0]) if len(time) > 1 else 0.0
-        full = np.abs(recorded) >= bounds * limit.near
-        # the time at the limit so far, kept only where it grows: its maximum is at the last such row
-        quantity, shown = f"time at full {limit.column}", _TIME
-        values[:, axes], limits[axes] = np.where(full, np.cumsum(full, axis=0) * period, 0.0), SATURATION_TIME
-    return _Check(kind, quantity, shown, values, limits)
+        values, ticks = (one[places] for one in tally.worst(limit.column))
+        bounds = np.array([getattr(robot.drives[axis].amplifier, limit.number) for axis in axes])
+        return _Check(kind, limit.column, _shown(robot, limit, axes[0]), tuple(axes), values, ticks, bounds)
+    counts, ticks = (one[places] for one in tally.at_limit(limit.column))
+    most = np.full(len(axes), SATURATION_TIME)
+    return _Check(kind, f"time at full {limit.column}", _TIME, tuple(axes), counts / hz, ticks, most)
 
 
-def _of_axes(robot: RobotModel, channel: Channel, axes: Sequence[int]) -> Array:
-    """Return the columns of some joints; others may have the quantity, too, but not the limit."""
-    names = channel.columns or tuple(joint.name for joint in robot.axis_joints)
-    return channel.values[:, [names.index(robot.axis_joints[k].name) for k in axes]]
+def _shown(robot: RobotModel, limit: Limit, axis: int) -> _Shown:
+    """Return the unit of a quantity of drives, as it is recorded."""
+    columns = recorded(chain_of(robot.drives[axis]))
+    (unit,) = {column.unit for column in columns if column.name == limit.column}
+    return {kind: (1.0, unit.format(**units)) for kind, units in _UNITS.items()}
 
 
-def _finding(
-    robot: RobotModel, check: _Check, joint: int, value: float, time: float, line: int, source: str
-) -> Diagnostic:
+def _finding(robot: RobotModel, check: _Check, at: int, time: float, line: int, source: str) -> Diagnostic:
+    joint, value, limit = check.axes[at], float(check.values[at]), float(check.limits[at])
     scale, unit = check.shown[robot.axis_joints[joint].measure]
-    limit = float(check.limits[joint])
     return check.kind.at(
         Span.whole_line(source, line) if line else None,
         f"{check.quantity} of joint `{robot.axis_joints[joint].name}` reached {value * scale:.4g} {unit}, "

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.dynamics import Column, DriveChain
-from ropsim.simulation.servo.state import Field, fields
+from ropsim.simulation.fields import Field, fields
 
 ARM_COLUMNS = (
     Column("q", "{q}", "attained joint coordinates"),

@@ -11,6 +11,7 @@ from ropsim.simulation.servo.checks import check_signals
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.tick_recorder import TickRecorder
+from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
 
 
@@ -56,6 +57,11 @@ class ServoPlant:
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         return self._recorder.record_ticks
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        return self._recorder.tally
 
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance by one control tick per row of `reference`, in one compiled call."""

@@ -1,13 +1,15 @@
-"""The log of a servo simulation: a growing table that the compiled slice writes into."""
+"""The log of a servo simulation: a growing table and a tally that the compiled slice writes into."""
 
 import numpy as np
 
 from ropsim.dynamics import structure_of
 from ropsim.model import RobotModel
 from ropsim.simulation.row_log import MOST_ROWS, RowLog
+from ropsim.simulation.servo.judged import judged
 from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.plant_code import observe
 from ropsim.simulation.servo.state import ServoState
+from ropsim.simulation.tally import Tally
 from ropsim.spatial import Array
 
 
@@ -15,7 +17,8 @@ class Recorder:
     """Collects a row at every control tick that is a multiple of the decimation, the start included.
 
     A row holds what is at the end of a tick: the state of arm and drives at time tick / control_hz and the
-    reference of the same instant, beside what the amplifiers put out until then.
+    reference of the same instant, beside what the amplifiers put out until then. What a run is judged by is
+    looked at on every control tick, however few have a row.
 
     Args:
         robot: the arm; it must have drives.
@@ -29,6 +32,7 @@ class Recorder:
     ) -> None:
         self._layout = LogLayout.of(structure_of(robot).drives)
         self._log = RowLog(self._layout.width, start.tick, decimation, most_rows)
+        self._tally = Tally(judged(self._layout), self._layout.width)
         if self._log.first_tick == start.tick:
             self._log.begin(self._first(robot, start))
 
@@ -36,6 +40,11 @@ class Recorder:
     def decimation(self) -> int:
         """Return the control ticks between two rows that are to be written."""
         return self._log.decimation
+
+    @property
+    def tally(self) -> Tally:
+        """Return the worst of all control ticks so far."""
+        return self._tally
 
     @property
     def record_ticks(self) -> int:

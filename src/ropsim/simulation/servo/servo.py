@@ -31,6 +31,7 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault
+from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.source import servo_functions
@@ -106,7 +107,7 @@ class Servo:
         kernel = _kernel(robot, inner, engine or default_engine(), law)
         layout = StateLayout.of(structure_of(robot).drives, inner.traits)
         rates = controller.rates
-        bench = _Bench.of(kernel, inner, layout, rates)
+        bench = _Bench.of(kernel, inner, layout, rates, robot)
         return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel, bench)
 
     @property
@@ -198,24 +199,24 @@ class Servo:
         log, log_row = recorder.claim(state.tick, len(signals))
         call = self.bench.slices.get(payload) or self._slice(payload)
         try:
-            call(*reference, signals, log, state.tick, recorder.decimation, log_row)
+            call(*reference, signals, log, state.tick, recorder.decimation, log_row, recorder.tally.table)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code gives NaN
-            raise self._diverged(state, reference, signals, call) from error
+            raise self._diverged(state, reference, signals, call, recorder) from error
         except (IndexError, StoppedError) as error:
             raise failed(self.law, error) from error
         if not np.isfinite(self.bench.values).all():
-            raise self._diverged(state, reference, signals, call)
+            raise self._diverged(state, reference, signals, call, recorder)
 
     def _diverged(
-        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled
+        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Recorder
     ) -> DivergedError:
         """Return the error of a slice at whose end the state was not finite: at the tick where that began."""
-        values, no_log = self.bench.values, np.empty((1, 1))
+        values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros_like(recorder.tally.table)
         values[:] = state.values
 
         def advance(k: int) -> None:
             rows = (array[k : k + 1] for array in reference)
-            call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0)  # writes no row
+            call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0, no_tally)  # no row
 
         ticks = first_fault(values, len(signals), advance)
         after = ServoState(state.tick + ticks, values.copy(), self.layout)
@@ -283,11 +284,15 @@ class _Bench:
     slices: dict[Payload, Compiled]
 
     @classmethod
-    def of(cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates) -> "_Bench":
+    def of(
+        cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates, robot: RobotModel
+    ) -> "_Bench":
         values, parameters = np.zeros(layout.size), np.array(law.parameters)
         state = (values, layout.in_force(values), layout.waiting(values), layout.memory(values))
-        room = (np.zeros((4, layout.n)), np.zeros((5, layout.integrated)))
-        made = bound(kernel, *state, parameters, *room, rates.plant_steps, 1.0 / rates.control_hz)
+        ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
+        room = (np.zeros((4, layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
+        given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
+        made = bound(kernel, *given)
         return cls(values, parameters, made, {})
 
 

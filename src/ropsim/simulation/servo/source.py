@@ -9,8 +9,9 @@ from ropsim.simulation.servo.state import StateLayout
 
 LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
-    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, f8, f8[::1],"
-    " f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8)"
+    "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
+    " f8[::1], i8, f8, f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8,"
+    " f8[:,::1])"
 )
 
 
@@ -24,23 +25,25 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
 
 
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
-    """Return `run_slice`: law, amplifiers, `plant_steps` classical Runge-Kutta steps and log for every tick.
+    """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The law is given what holds at the beginning of a tick: the reference in force and the measurement. At its
-    end the next row of the reference comes into force. A row of the log is what holds then, beside what the
-    amplifiers put out over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
-    it by rows; `frame` (4, n) and `stages` (5, m) are room to work in. What is the same in many calls comes
-    first.
+    The steps are those of the classical method. The law is given what holds at the beginning of a tick: the
+    reference in force and the measurement. At its end the next row of the reference comes into force. A row
+    of the log is what holds then, beside what the amplifiers put out over the tick. `values` is the state
+    vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and `now`
+    (w,) are room to work in. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the joints,
+    `full` (w,) is from where on values count as at their limits. What is the same in many calls comes first.
     """
     n = structure.n
     size = StateLayout.of(structure.drives, traits).integrated
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
+    q = log.field("q").first
     return f"""\
 def run_slice(
-    values, ref, pending, memory, par, frame, stages, plant_steps, period, constants, load,
-    q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row,
+    values, ref, pending, memory, par, frame, stages, now, ends, full, plant_steps, period, constants, load,
+    q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row, tally,
 ):
     x, u = values[:{size}], values[{size}:{size + n}]
     seen, out = frame[:3], frame[3]
@@ -73,12 +76,25 @@ def run_slice(
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
             ref[2, j] = qdd_ref[k, j]
+        observe(x, u, constants, now)
+        for j in range({n}):
+            now[{q_ref} + j] = ref[0, j]
+            now[{qd_ref} + j] = ref[1, j]
         if (tick + k + 1) % decimation == 0:
-            observe(x, u, constants, log[row])
-            for j in range({n}):
-                log[row, {q_ref} + j] = ref[0, j]
-                log[row, {qd_ref} + j] = ref[1, j]
+            for j in range({log.width}):
+                log[row, j] = now[j]
             row += 1
+        for j in range({n}):
+            now[{q} + j] = max(x[j] - ends[1, j], ends[0, j] - x[j], 0.0)
+            now[{q_ref} + j] -= x[j]
+        for j in range({log.width}):
+            size = abs(now[j])
+            if size > tally[0, j]:
+                tally[0, j] = size
+                tally[1, j] = tick + k + 1
+            if size >= full[j]:
+                tally[2, j] += 1.0
+                tally[3, j] = tick + k + 1
 """
 
 

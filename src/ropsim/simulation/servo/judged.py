@@ -1,0 +1,46 @@
+"""What of a servo simulation is judged at every control tick, and from which value on it is at its limit."""
+
+import numpy as np
+
+from ropsim.dynamics import Limit, LimitSort, chain_of, structure_of
+from ropsim.model import RobotModel
+from ropsim.simulation.fields import Field
+from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout
+from ropsim.spatial import Array
+
+
+def judged(log: LogLayout) -> tuple[Field, ...]:
+    """Return the fields of the tally; its table is as wide as a row of the log.
+
+    Quantities of arm and drives stand where they are in a row. The way beyond the range of a joint stands in
+    place of its coordinate, its following error in place of the reference.
+    """
+    q, q_ref = log.field("q"), log.field("q_ref")
+    references = {column.name for column in REFERENCE_COLUMNS}
+    others = tuple(field for field in log.fields if field.name != "q" and field.name not in references)
+    return (Field("overrun", q.axes, q.first), *others, Field("q_error", q_ref.axes, q_ref.first))
+
+
+def drive_limits(robot: RobotModel) -> dict[Limit, list[int]]:
+    """Return the limits that drives have, each with the joints whose drives have it."""
+    found: dict[Limit, list[int]] = {}
+    for k, chain in enumerate(chain_of(drive) for drive in robot.drives):
+        for limit in chain.amplifier.limits:
+            found.setdefault(limit, []).append(k)
+    return found
+
+
+def full_values(robot: RobotModel) -> Array:
+    """Return the magnitudes from which on values count as at their limits, shape (w,); infinite for none.
+
+    They stand where the quantities are in a row of the log.
+    """
+    log = LogLayout.of(structure_of(robot).drives)
+    values = np.full(log.width, np.inf)
+    for limit, axes in drive_limits(robot).items():
+        if limit.sort is LimitSort.LASTING:
+            field = log.field(limit.column)
+            for axis in axes:
+                bound = float(getattr(robot.drives[axis].amplifier, limit.number))
+                values[field.first + field.axes.index(axis)] = bound * limit.near
+    return values

@@ -1,0 +1,64 @@
+"""The worst of what a run is judged by, over all control ticks: how large it was, and when."""
+
+import numpy as np
+
+from ropsim.simulation.fields import Field
+from ropsim.spatial import Array
+
+
+class Tally:
+    """Running maxima; a recording that is thinner than the control ticks has no say in them.
+
+    Args:
+        fields: places of the judged quantities in a row of numbers.
+        width: numbers in that row.
+    """
+
+    def __init__(self, fields: tuple[Field, ...], width: int) -> None:
+        self._fields = {field.name: field for field in fields}
+        self._table = np.zeros((4, width))
+
+    @property
+    def table(self) -> Array:
+        """Return what who judges writes into, shape (4, width).
+
+        The rows are the largest magnitude so far, its control tick, the number of ticks at the limit, and the
+        last one of these.
+        """
+        return self._table
+
+    def axes(self, name: str) -> tuple[int, ...]:
+        """Return the joints that have a quantity; none where nobody has it."""
+        return self._fields[name].axes if name in self._fields else ()
+
+    def worst(self, name: str) -> tuple[Array, Array]:
+        """Return the largest magnitudes of a quantity and their ticks, shape (k,) each, k its axes."""
+        place = self._fields[name].place
+        return self._table[0, place], self._table[1, place]
+
+    def at_limit(self, name: str) -> tuple[Array, Array]:
+        """Return how many ticks a quantity was at its limit, and the last of them, shape (k,) each."""
+        place = self._fields[name].place
+        return self._table[2, place], self._table[3, place]
+
+    def enter(self, tick: int, rows: Array, full: Array | None = None) -> None:
+        """Enter the rows of the ticks from `tick` on.
+
+        Args:
+            tick: of the first row.
+            rows: values of the judged quantities, shape (ticks, width).
+            full: magnitudes from which on a value is at its limit, shape (width,); None for no limits.
+        """
+        if not len(rows):
+            return
+        sizes, columns = np.abs(rows), np.arange(rows.shape[1])
+        at = sizes.argmax(axis=0)
+        largest = sizes[at, columns]
+        grown = largest > self._table[0]
+        self._table[0, grown], self._table[1, grown] = largest[grown], (tick + at)[grown]
+        if full is not None:
+            there = sizes >= full
+            some = there.any(axis=0)
+            self._table[2] += there.sum(axis=0)
+            last = tick + len(rows) - 1 - there[::-1].argmax(axis=0)
+            self._table[3, some] = last[some]

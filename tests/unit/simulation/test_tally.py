@@ -1,0 +1,99 @@
+"""Every control tick is judged, however thin the recording is."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import robots
+from ropsim.flow import Recording
+from ropsim.model import Payload, Tool
+from ropsim.simulation import RunOptions, Servo, run
+from ropsim.simulation.servo.judged import full_values
+from ropsim.simulation.tally import Tally
+from ropsim.workbench import environment_of
+from support.cells import one_station
+from support.servo_cases import GOAL, START, part, puma, quintic
+
+NOTHING = Payload()
+TICKS = 60
+ROBOT = robots.load("puma560")
+CELL = one_station("c", ROBOT, robots.default_controller("puma560"), tools={"": Tool("")}, start=ROBOT.home)
+
+
+@pytest.fixture(scope="module")
+def servo() -> Servo:
+    return Servo.build(*puma())
+
+
+def tally_of(servo: Servo, decimation: int, *cuts: int) -> tuple[Tally, dict[str, np.ndarray]]:
+    """Return the tally of a fast move that is followed in slices, and what was recorded."""
+    state, reference = servo.initial_state(START), quintic(START, GOAL, TICKS)
+    recorder = servo.recorder(state, decimation)
+    for first, last in pairwise((0, *cuts, TICKS)):
+        state = servo.run(state, part(reference, first, last), NOTHING, recorder)
+    return recorder.tally, recorder.channels()
+
+
+def test_the_tally_is_that_of_a_recording_of_every_tick(servo: Servo) -> None:
+    tally, every = tally_of(servo, 1)
+    robot = servo.robot
+    rows = {name: every[name][1:] for name in ("qd", "tau", "current", "voltage")}
+    rows["q_error"] = (every["q_ref"] - every["q"])[1:]
+    rows["overrun"] = np.maximum(
+        np.maximum(every["q"] - robot.upper_limits, robot.lower_limits - every["q"]), 0.0
+    )[1:]
+    for name, values in rows.items():
+        worst, ticks = tally.worst(name)
+        np.testing.assert_array_equal(worst, np.abs(values).max(axis=0), err_msg=name)
+        there = worst > 0.0
+        np.testing.assert_array_equal(ticks[there], 1 + np.abs(values).argmax(axis=0)[there], err_msg=name)
+
+
+def test_time_at_a_limit_is_counted_in_ticks(servo: Servo) -> None:
+    tally, every = tally_of(servo, 1)
+    full = full_values(servo.robot)
+    most = np.unique(full[np.isfinite(full)])
+    assert most == pytest.approx([40.0])  # V, the only limit of these drives that may last
+    there = np.abs(every["voltage"][1:]) >= most
+    counts, last = tally.at_limit("voltage")
+    np.testing.assert_array_equal(counts, there.sum(axis=0))
+    assert counts.max() > 0
+    for joint in np.flatnonzero(counts):
+        assert last[joint] == 1 + np.flatnonzero(there[:, joint])[-1]
+
+
+@pytest.mark.parametrize("decimation", [1, 4, 25])
+def test_neither_rows_nor_slices_have_a_say_in_it(servo: Servo, decimation: int) -> None:
+    np.testing.assert_array_equal(tally_of(servo, decimation, 3, 17)[0].table, tally_of(servo, 1)[0].table)
+
+
+def swung(record_hz: int) -> Recording:
+    """A run of an arm that swings far and stops."""
+    compiled = ropsim.language.compile(
+        "program p\nunits mm, deg, s\nmov (500, -200, 300)\nmov (-200, 500, 100)", environment_of(CELL)
+    )
+    assert compiled.icr is not None
+    return run(CELL, {"robot": compiled.icr}, RunOptions(record_hz=record_hz))
+
+
+def test_a_thin_recording_finds_what_a_dense_one_finds(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("ropsim.simulation.verdicts.FOLLOWING", 1e-4)  # rad; this arm stays within 0.1 rad
+    dense, thin = swung(1000), swung(7)
+    assert len(thin.time) < 0.01 * len(dense.time)
+    assert "S735" in {found.code for found in dense.findings}
+    assert thin.findings == dense.findings
+
+
+def test_what_was_entered_by_arrays_is_what_was_entered_one_by_one() -> None:
+    rows = np.array([[0.0, 1.0], [-3.0, 1.0], [2.0, -0.5], [3.0, 1.0]])
+    full = np.array([np.inf, 1.0])
+    whole, single = Tally((), 2), Tally((), 2)
+    whole.enter(5, rows, full)
+    for number, row in enumerate(rows):
+        single.enter(5 + number, row[None], full)
+    np.testing.assert_array_equal(whole.table, single.table)
+    np.testing.assert_array_equal(whole.table, [[3.0, 1.0], [6.0, 5.0], [0.0, 3.0], [0.0, 8.0]])
