@@ -130,7 +130,7 @@ run (`.npz`), or a JSON list with times in seconds of simulated time, such as
 ```
 
 The file is missing, is no JSON, or an entry is none of these: a signal with a time and a value, an override
-from 0 to 1 with a time, or one stop with a time. Or the run can take values of signals only.
+from 0 to 1 with a time, or one stop with a time.
 """,
 )
 

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import read_bytes
-from ropsim.flow import Interventions, Recording
-from ropsim.records.diagnostics import INPUTS_UNREADABLE, InputsError
+from ropsim.flow import Interventions, OverrideChange, Recording
 from ropsim.records.file import read_recording
 from ropsim.records.plain_inputs import finite, inputs_from_plain, plain_from_inputs, share, unreadable
 
@@ -17,6 +16,9 @@ if TYPE_CHECKING:
 
 LARGEST = 5_000_000
 """Largest JSON text of inputs that is read [bytes]."""
+
+SLOWEST = 1e-3
+"""Least override for which a run is given more time."""
 
 
 def inputs_of(recording: Recording) -> Interventions:
@@ -39,22 +41,24 @@ def inputs_of(recording: Recording) -> Interventions:
 
 
 def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
-    """Return options of a run that takes recorded inputs again, and lasts longer for them.
+    """Return options of a run that is given the same as a live run was, and lasts longer for it.
 
-    A live run waits for a key as long as it takes; its inputs must find the program still waiting.
-
-    Raises:
-        InputsError: X878, there is more than changes of inputs, and left out that would make another run.
+    A live run waits for a key, and at a low override for a move, as long as it takes; what it was given must
+    find the program where it found it then.
     """
-    if given.overrides or given.stopped is not None:
-        message = "the recorded inputs change the override or stop, and a run takes values of signals only"
-        raise InputsError(INPUTS_UNREADABLE.at(None, message, hint="take the entries with `signal` alone"))
-    later = max((one.time for one in given.inputs), default=0.0)
+    times = [*(one.time for one in given.inputs), *(one.time for one in given.overrides)]
+    later, last = (
+        max([*times, given.stopped or 0.0]),
+        max(given.overrides, default=OverrideChange(0.0, 1.0)).value,
+    )
+    pace = max(last, SLOWEST) if last > 0.0 else 1.0
     return replace(
         options,
         inputs=given.inputs,
-        longest=options.longest + later,
-        longest_wait=options.longest_wait + later,
+        overrides=given.overrides,
+        stopped=given.stopped,
+        longest=options.longest / pace + later,
+        longest_wait=options.longest_wait / pace + later,
     )
 
 

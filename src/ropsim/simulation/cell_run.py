@@ -1,7 +1,7 @@
 """The running state of a cell: everything that changes while its stations work, against one clock."""
 
 import math
-from bisect import bisect_left, bisect_right
+from bisect import bisect_right
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -21,9 +21,6 @@ from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.track import Track
 from ropsim.simulation.watch import NobodyWatches, Watch
 from ropsim.spatial import Pose
-
-_LONGEST_SLICE = 100_000
-"""Control ticks that a station moves on at a time where nobody looks."""
 
 
 @dataclass(slots=True)
@@ -45,8 +42,9 @@ class CellRun:
         findings: what was found.
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
-        stopped: whether the run was ended by who watches.
+        stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
         overrides: changes of the speed override in order of time: tick of the cell's clock, value of 0 to 1.
+        asked: the last tick for which somebody has asked for the override.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and those that are still to come.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
@@ -66,8 +64,9 @@ class CellRun:
     findings: list[Diagnostic] = field(default_factory=list)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
-    stopped: bool = False
+    stop_tick: int | None = None
     overrides: list[tuple[int, float]] = field(default_factory=list)
+    asked: int = -1
     inputs: list[InputChange] = field(default_factory=list)
     supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
     clasps: dict[str, Clasp] = field(default_factory=dict)
@@ -162,28 +161,58 @@ class CellRun:
 
     def override(self, tick: int) -> float:
         """Return the speed override in force at a tick of the cell's clock, from 0 (hold) to 1."""
+        self.asked = max(self.asked, tick)
         number = bisect_right(self.overrides, (tick, math.inf))
         return self.overrides[number - 1][1] if number else 1.0
 
     def slice(self, at: StationRun) -> int:
         """Return for how many control ticks a station may move on before somebody looks or intervenes."""
         number = bisect_right(self.overrides, (at.due, math.inf))
-        longest = at.station.controller.rates.interpolation_ticks if self.watch.may_press else _LONGEST_SLICE
-        if number == len(self.overrides):
-            return longest
-        return min(longest, max(1, -((at.due - self.overrides[number][0]) // at.cell_ticks)))
+        ahead = [tick for tick, _ in self.overrides[number : number + 1]]
+        if self.stop_tick is not None and self.stop_tick > at.due:
+            ahead.append(self.stop_tick)
+        return min([at.stride, *(-((at.due - tick) // at.cell_ticks) for tick in ahead)])
 
-    def set_override(self, tick: int, value: float) -> None:
-        """Let the speed override have a value from a tick of the cell's clock on; drop later changes."""
-        del self.overrides[bisect_left(self.overrides, (tick, -math.inf)) :]
+    def set_override(self, value: float) -> int:
+        """Let the speed override have a value from the first tick on that is open; return that tick."""
+        tick = max(self._farthest, self.asked + 1)
+        self.override_from(tick, value)
+        return tick
+
+    def override_from(self, tick: int, value: float) -> None:
+        """Let the speed override have a value from a tick of the cell's clock on, not before the last change.
+
+        Nobody may have come beyond that tick, or have asked for the override there.
+        """
+        if self.overrides and self.overrides[-1][0] == tick:
+            del self.overrides[-1]
         self.overrides.append((tick, value))
         self.tracks.setdefault("override", Track([0], [1.0])).set(tick, value)
 
-    def stop(self) -> None:
-        """End the run: arms that stand stay where they are, those that move are braked on their paths."""
+    def stop(self) -> int:
+        """End the run at the first tick to which nobody has come; return that tick."""
+        tick = self._farthest + 1
+        if self.stop_tick is None:
+            self.stop_from(tick)
+        return tick
+
+    def stop_from(self, tick: int) -> None:
+        """End the run at a tick of the cell's clock to which nobody has come.
+
+        Arms that stand then stay where they are, those that move are braked on their paths.
+        """
         for station in self.stations.values():
-            station.last_tick = min(station.last_tick, station.tick)
-        self.stopped = True
+            station.last_tick = min(station.last_tick, -(-tick // station.cell_ticks))
+        self.stop_tick = tick
+
+    def is_stopped(self, tick: int) -> bool:
+        """Return whether the run has been ended by hand at a tick of the cell's clock."""
+        return self.stop_tick is not None and tick >= self.stop_tick
+
+    @property
+    def _farthest(self) -> int:
+        """Return the tick of the cell's clock to which the station at work has come that is farthest."""
+        return max((self.stations[name].due for name in self.at_work), default=self.tick)
 
     def note(self, at: StationRun, since: int, event: Event) -> None:
         """Enter an event of a station that began at its tick `since` and ends now."""

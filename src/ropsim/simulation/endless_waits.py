@@ -19,7 +19,8 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
     """Return whether every program at work waits for a channel and nothing can happen any more.
 
     That is so when none of the waits has a timeout, no channel has its value, no script of the cell changes
-    one of them later, no device has anything left to do, and nobody may press keys. A program that does
+    one of them later, no device has anything left to do, nobody may press keys, and no end by hand lies
+    ahead. A program that does
     nothing but look at channels in a loop, and has found the same twice, waits too. What a sensor interface
     of a user's own delivers cannot be foreseen. A serving program that is not needed any more ends by itself.
 
@@ -30,7 +31,7 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
     stations = [run.stations[name] for name in run.at_work]
     if not all(_waits(at) and is_needed(run, at) for at in stations):
         return False
-    if options.sensors is not None or run.watch.may_press:
+    if options.sensors is not None or run.watch.may_press or run.stop_tick is not None:
         return False
     if any(device.due != NEVER for device in run.devices.values()):
         return False

@@ -82,7 +82,7 @@ class Follower:
         """
         while self.clock.place < place:
             self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
-            over = self.run.stopped or (self.at.is_over and self.run.override(self.at.due) < 1.0)
+            over = self._is_over(self.run.override(self.at.due))
             if (over or self.ended) and (self.is_held or self.clock.place == 0.0):
                 self.at.cut_short |= over
                 return
@@ -95,10 +95,14 @@ class Follower:
         before, tick = self.passed[number]
         return tick + int(place - before) if number + 1 < len(self.passed) else tick
 
+    def _is_over(self, override: float) -> bool:
+        """Return whether the motion is to end before its end: by hand, or as it would last too long."""
+        return self.run.is_stopped(self.at.due) or (self.at.is_over and override < 1.0)
+
     def _slice(self, place: int) -> None:
         run, at = self.run, self.at
         override = run.override(at.due)
-        if run.stopped or self.ended or (at.is_over and override < 1.0):
+        if self.ended or self._is_over(override):
             override = 0.0
         every = at.station.controller.rates.interpolation_ticks
         longest = min(run.slice(at), every) if self.lookout else run.slice(at)

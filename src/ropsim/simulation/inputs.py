@@ -1,4 +1,4 @@
-"""Inputs that somebody gave to a run beside the signal changes of the cell: keys, or a record of them."""
+"""What somebody gave to a run beside the signal changes of the cell: keys, or a record of them."""
 
 import math
 from collections.abc import Iterable
@@ -9,6 +9,8 @@ from ropsim.core import Diagnostic, did_you_mean
 from ropsim.flow import InputChange, InputEvent
 from ropsim.model import Cell, Signal
 from ropsim.simulation.input_diagnostics import INPUT_NOT_USABLE
+from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.servo.checks import check_share, check_time
 from ropsim.simulation.track import Track
 
 
@@ -54,6 +56,19 @@ def signal_track(signal: Signal, control_hz: int) -> Track:
 def input_events(inputs: Iterable[InputChange]) -> list[InputEvent]:
     """Return one event per change."""
     return [InputEvent(one.time, signal=one.signal, value=one.value) for one in inputs]
+
+
+def check_interventions(options: RunOptions) -> None:
+    """Make sure that the override and the end by hand are such as a live run can be given.
+
+    Raises:
+        OptionError: S703, a time is none, or an override is not within 0 to 1.
+    """
+    for change in options.overrides:
+        check_time("time of an override", change.time)
+        check_share("override", change.value)
+    if options.stopped is not None:
+        check_time("stopped", options.stopped)
 
 
 def _reason(signal: Signal | None, change: InputChange) -> str:

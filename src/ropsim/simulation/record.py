@@ -14,6 +14,7 @@ from ropsim.flow import (
     InputChange,
     MotionKind,
     MoveEvent,
+    OverrideChange,
     Recording,
     RunFacts,
     SkipEvent,
@@ -68,6 +69,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     for name, device in run.devices.items():
         channels[channel_name("q", name)] = device_channel(device.device, device.course.rows(time))
     for name in sorted(run.tracks):
+        if name == "override" and not overrides_taken(run):
+            continue
         channels[name] = track_channel("", name, run.tracks[name], run.tick, run.hz)
     events.sort(key=lambda event: event.time)
     arrived = _arrivals(run)
@@ -116,6 +119,8 @@ def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, a
         record_hz=slowest.hz / slowest.plant.record_ticks,
         checked=(),  # collisions are not looked at
         inputs=tuple(inputs_taken(run)),
+        overrides=overrides_taken(run),
+        stopped=run.stop_tick / run.hz if run.stop_tick is not None and run.is_stopped(run.tick) else None,
         parts_left=tuple(run.parts.left),
         destinations=Destinations(arrived.wanted, arrived.wanted - len(arrived.findings)),
         stations=tuple(_station_facts(run, name, programs.get(name), options) for name in run.stations),
@@ -135,7 +140,7 @@ def _station_facts(run: CellRun, name: str, program: Program | None, options: Ru
 
 def _arrivals(run: CellRun) -> Arrivals:
     """Return what became of the parts with a destination; a run that did not come to its end says nothing."""
-    if any(at.cut_short or at.in_vain for at in run.stations.values()):
+    if run.is_stopped(run.tick) or any(at.cut_short or at.in_vain for at in run.stations.values()):
         return Arrivals(0, ())
     return arrivals(run.parts, run.scenery.parts, run.scenery.tools, run.moment(run.tick))
 
@@ -144,6 +149,11 @@ def inputs_taken(run: CellRun) -> list[InputChange]:
     """Return the changes of inputs that fell into the run, in order of time."""
     taken = (one for one in run.inputs if one.time <= run.time)
     return sorted(InputChange(float(one.time), one.signal, float(one.value)) for one in taken)
+
+
+def overrides_taken(run: CellRun) -> tuple[OverrideChange, ...]:
+    """Return the changes of the override that fell into the run, in order of time."""
+    return tuple(OverrideChange(tick / run.hz, value) for tick, value in run.overrides if tick <= run.tick)
 
 
 def path_errors(paths: list[PathSpan], ticks: Array, attained: Array) -> Array:

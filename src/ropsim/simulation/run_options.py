@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
-from ropsim.flow import Fidelity, InputChange
+from ropsim.flow import Fidelity, InputChange, OverrideChange
 from ropsim.simulation.row_log import MOST_ROWS
 from ropsim.simulation.watch import NobodyWatches, Watch
 
@@ -28,6 +28,8 @@ class RunOptions:
         laws: other joint controllers than those of the cell, by station.
         sensors: delivers the channels that the program reads; None takes the signals of the cell.
         inputs: changes of inputs beside those of the cell, as an earlier run was given them.
+        overrides: changes of the speed override, in order of time, as an earlier run was given them.
+        stopped: when the run is ended by hand, as an earlier one was [s]; None for its own end.
         longest_wait: simulated time after which a wait for a signal ends the program [s].
         most_rows: recorded rows beyond which every second one is dropped, so that memory stays bounded.
         watch: looks on, may hold the run up and give it inputs.
@@ -41,6 +43,8 @@ class RunOptions:
     laws: Mapping[str, CompiledLaw | PythonLaw] = field(default_factory=dict)
     sensors: SensorInterface | None = None
     inputs: tuple[InputChange, ...] = ()
+    overrides: tuple[OverrideChange, ...] = ()
+    stopped: float | None = None
     longest_wait: float = 600.0
     most_rows: int = MOST_ROWS
     watch: Watch = field(default_factory=NobodyWatches)

@@ -10,7 +10,7 @@ from ropsim.simulation.devices.course import Course, Piece
 from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.devices.table import DRIVINGS
 from ropsim.simulation.feeding import supplies_of
-from ropsim.simulation.inputs import signal_track, usable_inputs, with_inputs
+from ropsim.simulation.inputs import check_interventions, signal_track, usable_inputs, with_inputs
 from ropsim.simulation.kinematic_plant import KinematicPlant
 from ropsim.simulation.moment import Moment
 from ropsim.simulation.parts import initial_parts, payload
@@ -37,6 +37,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     check_option("most_rows", options.most_rows)
     check_time("longest", options.longest)
     check_time("longest_wait", options.longest_wait)
+    check_interventions(options)
     inputs, findings = usable_inputs(cell, options.inputs)
     cell = with_inputs(cell, inputs)
     hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))
@@ -52,7 +53,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     parts, _ = stood(
         parts, tuple(parts.seats), scenery, cell.supports, Moment(carriers, scenery.moving(carriers))
     )
-    return CellRun(
+    state = CellRun(
         cell=cell,
         stations=stations,
         devices=devices,
@@ -68,6 +69,11 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         inputs=list(inputs),
         supplies=supplies_of(cell),
     )
+    for change in sorted(options.overrides, key=lambda one: one.time):
+        state.override_from(tick_at(change.time, hz), change.value)
+    if options.stopped is not None:
+        state.stop_from(tick_at(options.stopped, hz))
+    return state
 
 
 def _device_run(cell: Cell, device: Device, hz: int) -> DeviceRun:
@@ -107,6 +113,8 @@ def _station_run(
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
     )
+    if options.watch.may_press:  # whatever is done acts within an interpolation tick
+        at.stride = station.controller.rates.interpolation_ticks
     for name, tool in station.tools.items():
         if tool.fingers:
             at.fingers[tool_body(name, station.name)] = Course([Piece(0.0, tool.fingers.opened, 0.0, 0.0)])

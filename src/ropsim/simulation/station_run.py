@@ -19,6 +19,9 @@ from ropsim.spatial import Array, Pose
 _SLICE = 1_000
 """Longest reference of an arm that stands still [control ticks]."""
 
+_STRIDE = 100_000
+"""Control ticks that a station moves on at a time where nobody looks."""
+
 
 @dataclass(slots=True)
 class StationRun:
@@ -34,6 +37,7 @@ class StationRun:
         payload: tool and grasped part as one body; one object as long as it does not change.
         last_tick: control tick at which standing still ends at the latest.
         cell_ticks: ticks of the cell's clock in one control tick.
+        stride: control ticks that it moves on at a time at the longest.
         tick: control ticks done.
         moves: moves done.
         paths: of the tool, as far as they have been followed.
@@ -45,7 +49,7 @@ class StationRun:
         polled: what it looks at again and again, where it does nothing else.
         in_vain: whether that will never come; the program is over then.
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
-        cut_short: whether standing still was ended by `last_tick`; the program is over then.
+        cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
     """
 
     station: Station
@@ -57,6 +61,7 @@ class StationRun:
     payload: Payload
     last_tick: int
     cell_ticks: int
+    stride: int = _STRIDE
     tick: int = 0
     moves: list[MoveSpan] = field(default_factory=list)
     paths: list[PathSpan] = field(default_factory=list)
@@ -135,12 +140,11 @@ class StationRun:
 
         However long that is, it takes the memory of `_SLICE` ticks only; it yields after so many.
         """
-        left = max(self.last_tick - self.tick, 0)
-        self.cut_short |= ticks > left
-        until = self.tick + min(ticks, left)
-        while self.tick < min(until, self.last_tick):  # who watches may end the run
-            self.rest(min(until - self.tick, _SLICE))
+        until = self.tick + ticks
+        while (left := min(until, self.last_tick) - self.tick) > 0:  # who watches may end the run
+            self.rest(min(left, self.stride, _SLICE))
             yield
+        self.cut_short |= self.tick < until
 
     def rest(self, ticks: int) -> None:
         """Hold the command position for a number of control ticks, whoever else waits meanwhile."""

@@ -68,12 +68,18 @@ class RunView(Protocol):
         """Let an input have a value from a tick on that the program has not looked at yet."""
         ...
 
-    def set_override(self, tick: int, value: float) -> None:
-        """Let the speed override be a value from 0 (hold) to 1 from a tick on to which nobody has come."""
+    def set_override(self, value: float) -> int:
+        """Let the speed override be a value from 0 (hold) to 1 from the next tick on; return that tick.
+
+        It is the first one to which nobody has come: within an interpolation tick after `tick`.
+        """
         ...
 
-    def stop(self) -> None:
-        """End the run here; what was recorded stays."""
+    def stop(self) -> int:
+        """End the run at the next tick, which is returned; what was recorded stays.
+
+        Arms that move are braked on their paths.
+        """
         ...
 
 

@@ -61,6 +61,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     )
     machine = Machine(program, world)
     serving = Serving()
+    yield from _while_held(run, at)
     step = last = machine.advance()
     while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
         if not is_needed(run, at) and serving.comes_round(machine, step):
@@ -71,15 +72,23 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         with _blamed(step):
             yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
             yield
+            yield from _while_held(run, at)
             last, step = step, stretch.next if stretch else machine.advance()
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
-    if run.stopped:
+    if run.is_stopped(at.due) and (at.cut_short or not isinstance(step, Finished)):
         run.findings.append(_stopped(last))
     elif at.cut_short or not isinstance(step, Finished):
         run.findings.append(_too_long(last, options))
     elif step.trap is not None:
         run.findings.append(step.trap)
+
+
+def _while_held(run: CellRun, at: StationRun) -> Iterator[None]:
+    """Stand as long as the override is 0: a program that is held begins nothing."""
+    while run.override(at.due) == 0.0 and not at.is_over:
+        at.polled = None
+        yield from at.stand(at.station.controller.rates.interpolation_ticks)
 
 
 def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld) -> Iterator[None]:

@@ -2,7 +2,6 @@
 
 import json
 import os
-from dataclasses import replace
 from math import inf, nan
 from pathlib import Path
 
@@ -13,7 +12,7 @@ from hypothesis import strategies as st
 
 from ropsim.cli.main import main
 from ropsim.flow import Interventions, OverrideChange, Recording, RunFacts
-from ropsim.records import InputsError, RecordingFileError, inputs_text, write_recording
+from ropsim.records import InputsError, RecordingFileError, inputs_text, read_recording, write_recording
 from ropsim.records.inputs import inputs_of, read_inputs, with_inputs
 from ropsim.records.plain_inputs import inputs_from_plain
 from ropsim.simulation import Fidelity, InputChange, RunOptions
@@ -102,11 +101,12 @@ def test_times_and_values_of_a_recording_that_are_none_are_told(facts: RunFacts,
     assert caught.value.diagnostic.code == "X878"
 
 
-@pytest.mark.parametrize("given_", [replace(ALL, stopped=None), Interventions(INPUTS, (), 2.55)])
-def test_what_a_run_cannot_take_is_refused_and_not_left_out(given_: Interventions) -> None:
-    with pytest.raises(InputsError, match="values of signals only") as caught:
-        with_inputs(RunOptions(), given_)
-    assert caught.value.diagnostic.code == "X878"
+def test_a_run_is_given_all_and_the_time_that_it_needs() -> None:
+    options = with_inputs(RunOptions(longest=100.0, longest_wait=10.0), ALL)
+    assert (options.inputs, options.overrides, options.stopped) == (INPUTS, ALL.overrides, 2.55)
+    held = Interventions((), (OverrideChange(50.0, 0.1),), 70.0)
+    slow = with_inputs(RunOptions(longest=100.0, longest_wait=10.0), held)
+    assert (slow.longest, slow.longest_wait) == (1070.0, 170.0)
 
 
 def test_a_recording_gives_the_inputs_that_its_run_was_given(tmp_path: Path) -> None:
@@ -128,13 +128,18 @@ def test_the_command_runs_with_them_and_makes_the_same_recording(tmp_path: Path)
     assert first.read_bytes() == second.read_bytes()
 
 
-def test_the_command_refuses_what_its_run_cannot_take(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_follows_the_override_and_ends_where_the_inputs_say(tmp_path: Path) -> None:
     folder = project(tmp_path, KEYS)
-    (tmp_path / "keys.json").write_bytes(inputs_text(ALL))
-    assert main(["run", str(folder), "--kinematic", "--inputs", str(tmp_path / "keys.json")]) == 1
-    assert "X878" in capsys.readouterr().err
+    given_ = Interventions(INPUTS, (OverrideChange(0.5, 0.25), OverrideChange(1.5, 0.0)), 2.75)
+    (tmp_path / "keys.json").write_bytes(inputs_text(given_))
+    first, second = tmp_path / "first.npz", tmp_path / "second.npz"
+    run = ["run", str(folder), "--kinematic"]
+    assert main([*run, "--inputs", str(tmp_path / "keys.json"), "--record", str(first)]) == 0
+    recording = read_recording(first)
+    assert recording.facts.interventions == given_
+    assert recording.duration == pytest.approx(2.75, abs=0.01)
+    assert main([*run, "--inputs", str(first), "--record", str(second)]) == 0
+    assert first.read_bytes() == second.read_bytes()
 
 
 def test_the_command_does_not_write_over_the_inputs(

@@ -71,7 +71,7 @@ class Hand(NobodyWatches):
             if value is None:
                 run.stop()
             else:
-                run.set_override(run.tick, value)
+                run.set_override(value)
 
 
 def recorded(

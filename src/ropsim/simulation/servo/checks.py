@@ -75,6 +75,17 @@ def check_time(name: str, value: float) -> None:
         raise OptionError(BAD_OPTIONS.at(None, message, hint=f"set `{name}` to a number of seconds"))
 
 
+def check_share(name: str, value: float) -> None:
+    """Make sure that a share is a number from 0 to 1.
+
+    Raises:
+        OptionError: it is not.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 1.0:
+        message = f"`{name}` is `{value!r}`; allowed are numbers from 0 to 1"
+        raise OptionError(BAD_OPTIONS.at(None, message, hint=f"set `{name}` to a share, such as 0.5"))
+
+
 def check_rates(rates: Rates) -> None:
     """Make sure that the rates of a controller are whole numbers of at least 1.
 

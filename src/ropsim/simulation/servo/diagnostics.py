@@ -55,7 +55,8 @@ BAD_OPTIONS = define(
     """
 Control rate, plant steps, slice length, record decimation, rows per second and most rows are whole numbers of
 at least 1. The recording rate is the control rate divided by the decimation: 1000 Hz with a decimation of 4
-makes 250 rows per second. Longest times of a run and of a wait are seconds from 0 on.
+makes 250 rows per second. Longest times of a run and of a wait, times of overrides and of an end by
+hand are seconds from 0 on; an override is a share from 0 to 1.
 """,
 )
 
