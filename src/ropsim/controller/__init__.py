@@ -4,6 +4,7 @@ from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.chain import plan_move as plan_move
 from ropsim.controller.chain import standard_chain as standard_chain
 from ropsim.controller.clock_diagnostics import ClockError as ClockError
+from ropsim.controller.critical import critical_limits as critical_limits
 from ropsim.controller.entities import Interpolator as Interpolator
 from ropsim.controller.entities import InverseTransform as InverseTransform
 from ropsim.controller.entities import JointInterpolator as JointInterpolator

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.controller.planned_path import MoveLimits
 from ropsim.controller.trigger_ticks import PlannedTrigger
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, MoveInstruction
@@ -57,6 +58,8 @@ class PlannedMove:
         last: control tick of the plan at which it ends: the middle of its corner, or the end of the plan.
         zone: distance from its target at which the path goes on to the next move [m]; 0 where it stops.
         triggers: outputs that are set on its way, in order of time.
+        limits: what it must respect; None where nothing moves.
+        on_tool_path: whether it is on a path of the tool.
     """
 
     move: MoveInstruction
@@ -65,6 +68,8 @@ class PlannedMove:
     last: int
     zone: float
     triggers: tuple[PlannedTrigger, ...] = ()
+    limits: MoveLimits | None = None
+    on_tool_path: bool = False
 
 
 @record
@@ -78,6 +83,7 @@ class MotionPlan:
         reference: for the control ticks 1, 2, … of the plan.
         period: time of a control tick [s].
         findings: warnings and hints.
+        blends: its corners, each with the last control tick before it begins, and the last one in it.
     """
 
     moves: tuple[PlannedMove, ...]
@@ -86,6 +92,7 @@ class MotionPlan:
     reference: JointReference
     period: float
     findings: tuple[Diagnostic, ...]
+    blends: tuple[tuple[int, int], ...] = ()
 
     @property
     def ticks(self) -> int:

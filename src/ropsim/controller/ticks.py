@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ropsim.controller.blends import blend_ticks
 from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
@@ -67,9 +68,11 @@ def in_ticks(
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
         X_MT, move = leg.planned.X_MT, leg.move
         triggers, told = trigger_ticks(move, chain.robot, X_MT, q[first : last + 1], first, period)
-        moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers))
+        of_tool, limits = leg.tool is not None, leg.planned.limits
+        moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers, limits, of_tool))
         found += told
-    return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found))
+    blends = blend_ticks(course, pieces, phi, _SLACK * period)
+    return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found), blends)
 
 
 def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]:

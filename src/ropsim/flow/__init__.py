@@ -2,6 +2,8 @@
 
 from ropsim.flow.channel import Channel as Channel
 from ropsim.flow.channel import ChannelGroup as ChannelGroup
+from ropsim.flow.critical_limit import CriticalLimit as CriticalLimit
+from ropsim.flow.critical_limit import LimitQuantity as LimitQuantity
 from ropsim.flow.events import EVENTS as EVENTS
 from ropsim.flow.events import AwaitEvent as AwaitEvent
 from ropsim.flow.events import Event as Event

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from ropsim.core import Span
+from ropsim.flow.critical_limit import CriticalLimit
 from ropsim.flow.instructions import Origin
 
 
@@ -60,6 +61,8 @@ class MoveEvent(Event):
         settle: time after that until the arm was in position [s].
         zone: distance from the target at which the program lets the next move begin [m].
         flown: distance from the target at which the path went on to the next move [m]; 0 where it stopped.
+        blending: part of `travel` within its own zone or that of the move before [s].
+        critical: limit that sets its time; None where it reaches none, as in a zone.
         path_error_max: largest distance of the TCP from the commanded line [m]; None where the move has none.
     """
 
@@ -72,6 +75,8 @@ class MoveEvent(Event):
     settle: float = 0.0
     zone: float = 0.0
     flown: float = 0.0
+    blending: float = 0.0
+    critical: CriticalLimit | None = None
     path_error_max: float | None = None
 
 
@@ -91,12 +96,14 @@ class WaitEvent(Event):
 
     Attributes:
         pause: how long it asked for [s]; the event is shorter where the run was cut short.
+        looked: channels at which the program looks again and again, waiting so until they change.
     """
 
     kind: ClassVar[str] = "wait"
 
     _: KW_ONLY
     pause: float
+    looked: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -95,6 +95,13 @@ class Follower:
         before, tick = self.passed[number]
         return tick + int(place - before) if number + 1 < len(self.passed) else tick
 
+    def blended(self, since: int, end: int) -> int:
+        """Return for how many control ticks between two ticks the motion was within a zone."""
+        come = int(self.clock.place)
+        blends = [(first, min(last, come)) for first, last in self.plan.blends if first < come]
+        spans = [(self.tick_at(first), self.tick_at(last)) for first, last in blends]
+        return sum(max(0, min(last, end) - max(first, since)) for first, last in spans)
+
     def _is_over(self, override: float) -> bool:
         """Return whether the motion is to end before its end: by hand, or as it would last too long."""
         return self.run.is_stopped(self.at.due) or (self.at.is_over and override < 1.0)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from ropsim.controller import MotionPlan, MotionState, PlannedMove, plan, stopped_by
+from ropsim.controller import MotionPlan, MotionState, PlannedMove, critical_limits, plan, stopped_by
 from ropsim.core import Diagnostic
 from ropsim.flow import (
     MessageEvent,
@@ -65,6 +65,7 @@ def _follow(
     """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
     follower = Follower(run, at, planned)
+    critical = critical_limits(planned, at.chain.robot, at.payload)
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])
         put_in_force(run, at, one.move)
@@ -88,6 +89,8 @@ def _follow(
             settle=(at.tick - end) / at.hz,
             zone=float(one.move.modal.zone),
             flown=one.zone,
+            blending=follower.blended(since, end) / at.hz,
+            critical=critical[number],
         )
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")

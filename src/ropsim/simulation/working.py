@@ -99,7 +99,9 @@ def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: Simulated
         case WaitInstruction():
             since = at.tick
             yield from at.stand(round(step.duration * at.hz))
-            run.note(at, since, WaitEvent(*at.when(since), step.origin, pause=float(step.duration)))
+            looked = tuple(sorted(at.polled.reads)) if at.polled else ()
+            stood = WaitEvent(*at.when(since), step.origin, pause=float(step.duration), looked=looked)
+            run.note(at, since, stood)
         case OutputInstruction(channel=channel, value=value):
             run.set_output(at, channel, value)
             done = OutputEvent(*at.when(at.tick), step.origin, channel=channel, value=value)

@@ -1,5 +1,11 @@
 """What people see of a run: summary, terminal report, HTML report, diagnostics as text."""
 
+from ropsim.views.cycle import CriticalShare as CriticalShare
+from ropsim.views.cycle import CycleParts as CycleParts
+from ropsim.views.cycle import CycleTime as CycleTime
+from ropsim.views.cycle import LineCycle as LineCycle
+from ropsim.views.cycle import TaskCycle as TaskCycle
+from ropsim.views.cycle import summarize_cycle as summarize_cycle
 from ropsim.views.diagnostics import diagnostic_text as diagnostic_text
 from ropsim.views.diagnostics import diagnostics_text as diagnostics_text
 from ropsim.views.event_text import event_text as event_text

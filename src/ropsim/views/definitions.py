@@ -12,6 +12,11 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "A stop looks at positions only, not at speeds.",
         "waiting": "Time in which the program stood at a `wait`: for a time, a signal or a condition. "
         "The share is that of the cycle time of the station.",
+        "parts of the cycle time": "Motion and zones are the way of the moves, outside of and within the "
+        "zones around their ends; partners are waits for signals that the program of another station sets. "
+        "Whole control ticks, so their sum is the cycle time exactly.",
+        "at its limit for": "The limit of a joint, or of the tool on its path, that the planned moves of a "
+        "line reach for longest, as a share of their way; from 98 % of the limit it counts as reached.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "

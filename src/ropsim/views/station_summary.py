@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
@@ -22,6 +22,7 @@ from ropsim.flow import (
     waiting_of,
 )
 from ropsim.views.channels import station_views
+from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
@@ -48,6 +49,7 @@ class StationSummary:
         tasks: time per task.
         joints: extremes per joint.
         path: accuracy of the straight moves.
+        cycle: of what its cycle time consists.
     """
 
     facts: StationFacts
@@ -62,6 +64,7 @@ class StationSummary:
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
+    cycle: CycleTime = field(default_factory=CycleTime)
 
 
 class Figures(Protocol):
@@ -115,7 +118,10 @@ class Figures(Protocol):
 
 def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
     """Return the figures of each station of a run, in the order of the cell."""
-    return tuple(_station(_part(recording, facts), facts) for facts in recording.facts.stations)
+    return tuple(
+        replace(_station(_part(recording, facts), facts), cycle=summarize_cycle(recording, facts))
+        for facts in recording.facts.stations
+    )
 
 
 def end_of(events: Iterable[Event]) -> float:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from ropsim.core import Severity
 from ropsim.views.characters import clean, fit
+from ropsim.views.cycle_text import cycle_lines
 from ropsim.views.destinations import destinations_text
 from ropsim.views.device_summary import device_text
 from ropsim.views.findings import FindingGroup, passes_text
@@ -49,7 +50,8 @@ def _whole(summary: Summary, style: Style) -> list[list[str]]:
     """Return the sections of a run with one station."""
     time = [cycle_time_line(summary, summary, style), *effort_lines(summary, summary), *_cell_lines(summary)]
     joints = [*joint_lines(summary.joints, style), *(LEGEND if summary.joints else ())]
-    return [time, task_lines(summary.tasks, style), joints, path_lines(summary.path, style)]
+    cycles = [cycle_lines(one.cycle, style) for one in summary.stations]
+    return [time, task_lines(summary.tasks, style), *cycles, joints, path_lines(summary.path, style)]
 
 
 def _blocks(summary: Summary, style: Style) -> list[list[str]]:
@@ -63,6 +65,7 @@ def _blocks(summary: Summary, style: Style) -> list[list[str]]:
                 *effort_lines(one, summary),
             ],
             task_lines(one.tasks, style),
+            cycle_lines(one.cycle, style),
             joint_lines(one.joints, style),
             path_lines(one.path, style),
         ]

@@ -12,6 +12,7 @@ from ropsim.views.definitions import DEFINITIONS
 from ropsim.views.figures import seconds
 from ropsim.views.html.cards import key_figures, station_figures
 from ropsim.views.html.charts import active_lines, figures
+from ropsim.views.html.cycle import cycle_section
 from ropsim.views.html.findings import findings_section, skipped_section
 from ropsim.views.html.messages import messages_section
 from ropsim.views.html.replay import (
@@ -117,6 +118,7 @@ def _station(station: StationSummary, summary: Summary, sources: Mapping[str, So
     if station.tasks:
         tasks = task_table(station.tasks, station.cycle_time)
         parts.append(f"<section><h2>Tasks{of}</h2>\n{tasks}</section>\n")
+    parts.append(cycle_section(station.cycle, sources.get(facts.source), of))
     if station.path.moves:
         path = path_table(station.path, sources.get(facts.source))
         parts.append(f"<section><h2>Straight moves{of}</h2>\n{path}</section>\n")

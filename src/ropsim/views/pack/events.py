@@ -1,6 +1,6 @@
 """Events of a pack: what a page is told of everything that happened."""
 
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
 
 from ropsim.flow import Event
@@ -25,4 +25,6 @@ def packed_event(event: Event) -> dict[str, object]:
 
 
 def _plain(value: object) -> object:
+    if is_dataclass(value):
+        return {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
     return value.value if isinstance(value, Enum) else value

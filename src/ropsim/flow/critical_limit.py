@@ -1,0 +1,28 @@
+"""Which limit sets the time of a move."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class LimitQuantity(Enum):
+    """What a limit bounds."""
+
+    SPEED = "speed"
+    ACCELERATION = "acceleration"
+    JERK = "jerk"
+    TORQUE = "torque"
+
+
+@dataclass(frozen=True, slots=True)
+class CriticalLimit:
+    """The limit that a planned move is at for longest: the move is quicker only where this one is higher.
+
+    Attributes:
+        joint: name of the axis; empty for a limit of the tool on its path.
+        quantity: what is limited.
+        share: of the time of the move during which the limit is reached, in (0, 1].
+    """
+
+    joint: str
+    quantity: LimitQuantity
+    share: float

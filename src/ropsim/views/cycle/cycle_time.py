@@ -1,0 +1,56 @@
+"""The cycle time of a station in parts."""
+
+import math
+from collections import Counter
+from dataclasses import dataclass, field
+
+from ropsim.flow import Event, OutputEvent, Recording, StationFacts
+from ropsim.views.cycle.line_cycle import LineCycle, lines_of
+from ropsim.views.cycle.parts import CycleParts, Kind
+from ropsim.views.cycle.spent import Spent, spent, ticks_of
+from ropsim.views.cycle.task_cycle import TaskCycle, tasks_of
+
+_FINE_HZ = 1e6
+"""Ticks per second by which times are told apart where the control rate is not known [Hz]."""
+
+
+@dataclass(frozen=True, slots=True)
+class CycleTime:
+    """Of what the cycle time of a station consists.
+
+    The parts of the whole, those of all tasks and those of all lines sum to the cycle time, to the tick.
+
+    Attributes:
+        whole: all of it.
+        tasks: by task, the longest first.
+        lines: by source line, the longest first.
+    """
+
+    whole: CycleParts = field(default_factory=CycleParts)
+    tasks: tuple[TaskCycle, ...] = ()
+    lines: tuple[LineCycle, ...] = ()
+
+
+def summarize_cycle(recording: Recording, facts: StationFacts) -> CycleTime:
+    """Return of what the cycle time of a station consists.
+
+    Time between events, in which the program did nothing that is recorded, is `other` and of no line.
+
+    Args:
+        recording: of the whole run: what programs of other stations set tells waits for them.
+        facts: of the station.
+    """
+    alone = len(recording.facts.stations) == 1
+    own = [event for event in recording.events if alone or event.station == facts.name]
+    others = [event for event in recording.events if not alone and event.station != facts.name]
+    partners = {event.channel for event in others if isinstance(event, OutputEvent)}
+    hz = facts.control_hz if math.isfinite(facts.control_hz) and facts.control_hz > 0.0 else _FINE_HZ
+    found = list(spent(own, hz, partners))
+    last = max((ticks_of(event.end, hz) for event in own), default=0)
+    rest = last - sum(sum(one.ticks.values()) for one in found)
+    if rest:
+        found.append(Spent(Event(0.0), {Kind.OTHER: rest}))
+    ticks: Counter[Kind] = Counter()
+    for one in found:
+        ticks.update(one.ticks)
+    return CycleTime(CycleParts.of(ticks, hz), tasks_of(found, hz), lines_of(found, hz))

@@ -1,0 +1,81 @@
+"""What each source line of a program spent its time on, and which limit sets it."""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ropsim.flow import CriticalLimit, LimitQuantity, MoveEvent
+from ropsim.views.cycle.parts import CycleParts, Kind
+from ropsim.views.cycle.spent import Spent
+
+
+@dataclass(frozen=True, slots=True)
+class CriticalShare:
+    """The limit that sets the time of the moves of a line.
+
+    Attributes:
+        joint: name of the axis; empty for a limit of the tool on its path.
+        quantity: what is limited.
+        share: of the travel of all moves of the line during which this limit is reached, in (0, 1].
+    """
+
+    joint: str
+    quantity: LimitQuantity
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class LineCycle:
+    """The time of all passes of a source line.
+
+    Attributes:
+        line: its number, 0 for what no statement made.
+        passes: how many instructions took time there.
+        parts: of what its time consists.
+        zone: largest one that was flown at its targets [m]; 0 where all moves stop.
+        critical: limit that sets the time of its moves; None where they reach none.
+    """
+
+    line: int
+    passes: int
+    parts: CycleParts
+    zone: float
+    critical: CriticalShare | None
+
+
+def lines_of(all_spent: Iterable[Spent], hz: float) -> tuple[LineCycle, ...]:
+    """Return what each line spent its time on, the longest first.
+
+    Args:
+        all_spent: by the events of a station.
+        hz: control ticks per second.
+    """
+    by_line: dict[int, list[Spent]] = {}
+    for one in all_spent:
+        by_line.setdefault(one.event.line, []).append(one)
+    found = [_line(line, entries, hz) for line, entries in by_line.items()]
+    return tuple(sorted(found, key=lambda line: (-line.parts.total, line.line)))
+
+
+def _line(line: int, entries: list[Spent], hz: float) -> LineCycle:
+    ticks: Counter[Kind] = Counter()
+    for one in entries:
+        ticks.update(one.ticks)
+    moves = [one.event for one in entries if isinstance(one.event, MoveEvent)]
+    zone = max((move.flown for move in moves), default=0.0)
+    return LineCycle(line, len(entries), CycleParts.of(ticks, hz), zone, _critical(moves))
+
+
+def _critical(moves: list[MoveEvent]) -> CriticalShare | None:
+    """Return the limit that moves are at for longest, each counted by its time."""
+    times: dict[tuple[str, LimitQuantity], float] = {}
+    for move in moves:
+        limit: CriticalLimit | None = move.critical
+        if limit is not None:
+            known = times.get((limit.joint, limit.quantity), 0.0)
+            times[limit.joint, limit.quantity] = known + limit.share * move.travel
+    travel = sum(move.travel for move in moves)
+    if not times or not travel > 0.0:
+        return None
+    joint, quantity = longest = max(times, key=times.__getitem__)
+    return CriticalShare(joint, quantity, min(times[longest] / travel, 1.0))

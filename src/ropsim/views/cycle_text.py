@@ -1,0 +1,74 @@
+"""Of what the cycle time consists, as text for a terminal."""
+
+import math
+
+from ropsim.views.characters import clean, fit
+from ropsim.views.columns import Cell, columns_text
+from ropsim.views.cycle import CriticalShare, CycleParts, CycleTime
+from ropsim.views.figures import MILLIMETRES, UNKNOWN, percent, seconds, with_unit
+from ropsim.views.style import Style
+
+SHOWN_LINES = 6
+SHOWN_TASKS = 6
+_NAMES = 18
+
+
+def cycle_lines(cycle: CycleTime, style: Style) -> list[str]:
+    """Return the parts by task, and the lines that take longest, as two tables; nothing for no time."""
+    if not cycle.whole.total > 0.0:
+        return []
+    several = len(cycle.tasks) > 1
+    tasks = cycle.tasks if several else ()
+    title = ("time in s", "total", "motion", "zones", "settling", "gripper", "waits", "other")
+    rows = [_parts_row(task.name or "(none)", task.parts) for task in tasks[:SHOWN_TASKS]]
+    if len(tasks) > SHOWN_TASKS:
+        rows.append((Cell(f"… {len(tasks) - SHOWN_TASKS} more"), *(Cell("") for _ in title[1:])))
+    rows.append(_parts_row("all", cycle.whole))
+    return [*columns_text(title, rows, style), *_slowest(cycle, style)]
+
+
+def critical_text(critical: CriticalShare | None) -> str:
+    """Return which limit sets a time, and for how much of the way: `joint 1 speed 62 %`."""
+    if critical is None:
+        return UNKNOWN
+    whose = f"joint {clean(critical.joint)}" if critical.joint else "path"
+    return f"{whose} {critical.quantity.value} {percent(critical.share)}"
+
+
+def zone_text(zone: float) -> str:
+    """Return a zone, `stop` for none."""
+    return with_unit(zone, MILLIMETRES, 1) if zone > 0.0 else "stop"
+
+
+def _parts_row(name: str, parts: CycleParts) -> tuple[Cell, ...]:
+    times = (
+        parts.total,
+        parts.motion,
+        parts.blending,
+        parts.settling,
+        parts.gripper,
+        parts.waits,
+        parts.other,
+    )
+    return (Cell(fit(clean(name), _NAMES)), *(Cell(seconds(time)) for time in times))
+
+
+def _slowest(cycle: CycleTime, style: Style) -> list[str]:
+    """Return the lines that take longest, with the limit that sets the time of their moves."""
+    whole = cycle.whole.total
+    rows = [
+        (
+            Cell(f"line {line.line}"),
+            Cell(str(line.passes)),
+            Cell(seconds(line.parts.total)),
+            Cell(percent(line.parts.total / whole if whole > 0.0 else math.nan)),
+            Cell(zone_text(line.zone) if line.parts.motion + line.parts.blending > 0.0 else ""),
+            Cell(critical_text(line.critical) if line.parts.motion + line.parts.blending > 0.0 else ""),
+        )
+        for line in cycle.lines[:SHOWN_LINES]
+        if line.line
+    ]
+    if not rows:
+        return []
+    title = ("slowest lines", "times", "total s", "share", "zone", "at its limit for")
+    return ["", *columns_text(title, rows, style)]
