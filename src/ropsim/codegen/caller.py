@@ -9,6 +9,7 @@ from types import CodeType
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 Compiled = Callable[..., Any]
 REAL = -1
@@ -59,6 +60,7 @@ def calling(entry: Callable[..., int], takes: tuple[int, ...], laid: Laid = NOTH
         "with_care": partial(_blocks, takes),
         "start_of": (ctypes.c_char * 0).from_buffer,
         "addressof": ctypes.addressof,
+        "fixed": _fixed,
         "float64": _FLOAT64,
         "answers": _ANSWERS,
         "says": _ANSWERS + ctypes.sizeof(ctypes.c_void_p),
@@ -90,7 +92,7 @@ def _bound(entry: Callable[..., int], takes: tuple[int, ...], laid: Laid, *argum
 
 @lru_cache(maxsize=64)
 def _code(takes: tuple[int, ...]) -> CodeType:
-    """Return the code of `call`: arrays that can be written to are looked up at once, others with care."""
+    """Return the code of `call`: arrays without gaps are looked up at once, others are told with care."""
     names = [f"a{k}" for k in range(len(takes))]
     arrays = [name for name, axes in zip(names, takes, strict=True) if axes > 0]
     lines = [f"def call({', '.join(names)}):", "    try:"]
@@ -101,7 +103,8 @@ def _code(takes: tuple[int, ...]) -> CodeType:
         elif axes > 0:
             lengths = [f"{name}_{axis}" for axis in range(axes)]
             lines.append(f"        {', '.join(lengths)}, = {name}.shape")
-            whole += [f"addressof(start_of({name}))", *lengths]
+            place = f"addressof(start_of({name})) if {name}.flags.writeable else fixed({name})"
+            whole += [place, *lengths]
     same = " is ".join([*(f"{name}.dtype" for name in arrays), "float64"])
     lines += [f"        if not ({same}):", "            raise TypeError"] if arrays else []
     real = [name for name, axes in zip(names, takes, strict=True) if axes == REAL]
@@ -115,6 +118,19 @@ def _code(takes: tuple[int, ...]) -> CodeType:
         "        raise StoppedError(f'compiled code ended with status {status}')",
     ]
     return compile("\n".join(lines), "<call of compiled code>", "exec")
+
+
+def _fixed(array: npt.NDArray[np.float64]) -> int:
+    """Return the address of an array that cannot be written to; such arrays give no buffer away.
+
+    Raises:
+        TypeError: it has gaps.
+    """
+    tells = array.__array_interface__
+    if tells["strides"] is not None:
+        raise TypeError
+    address: int = tells["data"][0]
+    return address
 
 
 def _blocks(takes: tuple[int, ...], arguments: tuple[object, ...]) -> tuple[bytes, bytes]:

@@ -33,40 +33,35 @@ class StretchMotion:
         """
         runs = self.course.runs
         n = runs[0].pieces[0].joints.joints(np.zeros(1)).q.shape[1]
-        total = np.zeros((3, len(phi), n))
+        total = np.empty((3, len(phi), n))
         corner, before = np.zeros(n), 0
         for number, run in enumerate(runs):
             last = number == len(runs) - 1
             first = int(np.searchsorted(phi, run.start)) if number else 0
             until = len(phi) if last else int(np.searchsorted(phi, run.end))
             if until > first:
-                points = _walked(run, phi[first:until] - run.start)
-                total[0, first:until] += points.q
-                total[1, first:until] += points.d1
-                total[2, first:until] += points.d2
-                total[0, first : max(before, first)] -= corner
+                both = total[:, first : max(before, first)].copy()
+                both[0] -= corner
+                _walk(run, phi[first:until] - run.start, total[:, first:until])
+                total[:, first : max(before, first)] += both
             end = run.pieces[-1].joints
             corner, before = end.joints(np.array([end.length])).q[0], until
         return JointPoints(*total)
 
 
-def _walked(run: Run, times: Array) -> JointPoints:
+def _walk(run: Run, times: Array, out: Array) -> None:
+    """Write coordinates and derivatives by time at times since the start of a run, shapes (k,), (3, k, n).
+
+    q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a, with the speed v and the acceleration a along the path.
+    """
     rows = run.law.at(times)
+    v, a = rows.speeds[:, None], rows.accelerations[:, None]
     first, last = int(rows.pieces[0]), int(rows.pieces[-1])
     cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
-    parts = [
-        _timed(piece.joints.joints(rows.places[a:b]), rows.speeds[a:b], rows.accelerations[a:b])
-        for piece, a, b in zip(run.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True)
-        if b > a
-    ]
-    if len(parts) == 1:
-        return parts[0]
-    return JointPoints(
-        *(np.concatenate([getattr(part, name) for part in parts]) for name in ("q", "d1", "d2"))
-    )
-
-
-def _timed(points: JointPoints, speeds: Array, accelerations: Array) -> JointPoints:
-    """Return derivatives by time for those by place: q' = dq/ds·v, q'' = d²q/ds²·v² + dq/ds·a."""
-    v, a = speeds[:, None], accelerations[:, None]
-    return JointPoints(points.q, points.d1 * v, points.d2 * (v * v) + points.d1 * a)
+    for piece, begin, end in zip(run.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
+        if end > begin:
+            points = piece.joints.joints(rows.places[begin:end])
+            out[0, begin:end], out[1, begin:end], out[2, begin:end] = points.q, points.d1, points.d2
+    out[2] *= v * v
+    out[2] += out[1] * a
+    out[1] *= v

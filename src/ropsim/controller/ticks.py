@@ -60,7 +60,7 @@ def in_ticks(
     ticks = every * -(-rows // every)
     reference = _to_rest(kept.rows, legs[-1].q_end, ticks)
     phi = np.full(ticks, course.duration)
-    phi[:rows] = kept.clock.at(np.arange(1.0, rows + 1.0) * period)[0]
+    phi[:rows] = kept.phi[1:]
     pieces = tuple(_pieces(course, phi, period))
     lasts = [0, *_ticks_of(np.array(course.ends[:-1]), phi, period), ticks]
     q = np.concatenate((kept.rows.q[:1], reference.q))

@@ -62,6 +62,7 @@ def test_numbers_of_one_kind_keep_their_order_among_others() -> None:
         np.zeros((4, 3), dtype=np.float32),
         np.zeros(4),
         np.zeros((4, 6))[:, ::2],
+        np.broadcast_to(np.zeros(3), (4, 3)),
         [[1.0, 2.0]],
     ],
 )

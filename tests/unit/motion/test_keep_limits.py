@@ -58,6 +58,7 @@ def test_rows_are_the_motion_at_all_control_ticks() -> None:
     found = kept(keep_limits(MOTION, one(1.5, 8.0, 80.0), None, TICK))
     ticks = np.asarray(np.arange(len(found.rows.q)) * TICK, dtype=np.float64)
     assert ticks[-2] < found.clock.duration <= ticks[-1]
+    assert found.phi.tolist() == found.clock.at(ticks)[0].tolist()
     phi, rates, changes = found.clock.at(ticks)
     points = MOTION.at(phi)
     assert found.rows.q.tolist() == points.q.tolist()

@@ -92,8 +92,9 @@ def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_b
 def test_places_are_dense_where_a_joint_goes_far_within_less_than_a_tick() -> None:
     motion = Passing(3.0, 1e-4)
     bounds = JointBounds(np.array([2.0, 3.0]), np.array([10.0, 30.0]), np.array([100.0, 300.0]))
-    places = places_of(motion, bounds, 4e-3, np.array([0.0, 3.0]), np.ones(2))
-    way = np.abs(np.diff(motion.at(places).q, axis=0))
+    places, points = places_of(motion, bounds, 4e-3, np.array([0.0, 3.0]), np.ones(2))
+    way = np.abs(np.diff(points.q, axis=0))
+    assert (motion.at(places).q == points.q).all()
     assert (way <= 1.5 * 4e-3 * bounds.speed * (1.0 + 1e-9)).all()
     assert len(places) < 5000
 

@@ -18,8 +18,10 @@ _STEEP = 0.4
 """Greatest change of the logarithm of the speed that a joint allows, from place to place."""
 
 
-def places_of(motion: Motion, bounds: JointBounds, spacing: float, phi: Array, rates: Array) -> Array:
-    """Return motion times [s] from 0 to the end that are about one real time apart, shape (m,).
+def places_of(
+    motion: Motion, bounds: JointBounds, spacing: float, phi: Array, rates: Array
+) -> tuple[Array, JointPoints]:
+    """Return motion times [s] from 0 to the end, about one real time apart, (m,), and the motion there.
 
     Where joints must go a long way, or the speed that they allow changes steeply, ways are divided.
 
@@ -41,9 +43,9 @@ def places_of(motion: Motion, bounds: JointBounds, spacing: float, phi: Array, r
         parts = np.ceil(np.maximum(lasts / (_LONG * spacing), steep / _STEEP))
         parts[np.diff(places) < _LEAST_PART * spacing] = 1.0
         if not np.max(parts) > 1.0:
-            break
+            return places, points
         places = _divided(places, parts)
-    return places
+    return places, motion.at(places)
 
 
 def speed_caps(points: JointPoints, bounds: JointBounds) -> Array:

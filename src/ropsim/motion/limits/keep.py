@@ -54,19 +54,18 @@ def keep_limits(
         Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
     """
     _check(motion.duration, period, grid)
-    clock = unslowed(motion.duration)
-    phi = clock.at(tick_times(motion.duration, period))[0]
+    phi = np.minimum(tick_times(motion.duration, period), motion.duration)
     rows = motion.at(phi)
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
     plain = strain(rows, load(rows, bounds, effort), bounds, period)
     if plain.is_kept:
-        return Kept(clock, (), rows)
+        return Kept(unslowed(motion.duration), (), phi, rows)
     speed, acceleration, jerk, _ = plain.used
     estimate = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
-    places = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
-    asked = demand(motion.at(places), bounds, effort)
+    places, points = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
+    asked = demand(points, bounds, effort)
     return too_heavy(asked, places) or _slowed(motion, asked, places, period)
 
 
@@ -85,7 +84,7 @@ def _slowed(motion: Motion, asked: Demand, places: Array, period: float) -> Kept
             return too_slow(asked, places, needed, int(np.argmin(x)))
         found = reference(motion, clock, asked, places, period, more_than_lacks(attempt))
         if found.strain.is_kept:
-            return Kept(clock, _parts(clock, needed), found.rows)
+            return Kept(clock, _parts(clock, needed), found.phi, found.rows)
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], asked, places, period)
@@ -98,7 +97,7 @@ def _slower(motion: Motion, clock: MotionTime, asked: Demand, places: Array, per
     while True:
         found = reference(motion, clock, asked, places, period, 0.0)
         if found.strain.is_kept:
-            return Kept(clock, _parts(clock, needed), found.rows)
+            return Kept(clock, _parts(clock, needed), found.phi, found.rows)
         clock, extra = clock.slower(1.0 / (min(found.strain.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, needed, int(np.argmin(needed.min(axis=(0, 2)))))

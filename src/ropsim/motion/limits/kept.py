@@ -45,12 +45,13 @@ class Kept:
     Attributes:
         clock: motion time over real time.
         slowed: the parts that are slowed, in order; none where the plan is within the limits.
-        rows: coordinates, speeds and accelerations by real time at the control ticks 0, 1, 2 … until the
-            first one at or behind the end.
+        phi: motion times at the control ticks 0, 1, 2 … until the first one at or behind the end [s], (k,).
+        rows: coordinates, speeds and accelerations by real time there.
     """
 
     clock: MotionTime
     slowed: tuple[Slowed, ...]
+    phi: Array
     rows: JointPoints
 
 

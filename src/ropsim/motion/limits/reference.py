@@ -19,10 +19,12 @@ class Reference:
     """A slowed motion at k control ticks.
 
     Attributes:
+        phi: motion times [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time.
         strain: what they use of the limits.
     """
 
+    phi: Array
     rows: JointPoints
     strain: Strain
 
@@ -63,4 +65,4 @@ def reference(
     rows = JointPoints(points.q, points.d1 * w, accelerations)
     going = Going(np.stack((points.d1, points.d2)), course, places, demand.still)
     torque = load(rows, demand.bounds, demand.effort)
-    return Reference(rows, strain(rows, torque, demand.bounds, period, going, more))
+    return Reference(course[0], rows, strain(rows, torque, demand.bounds, period, going, more))
