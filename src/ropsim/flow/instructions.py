@@ -119,10 +119,17 @@ class MessageInstruction:
 
 @dataclass(frozen=True, slots=True)
 class SyncInstruction:
-    """Wait until everything queued before it has been carried out."""
+    """Wait until everything queued before it has been carried out.
+
+    Attributes:
+        modal: settings in force.
+        origin: where it stands in the program.
+        before: ICR instruction that comes next, such as `IN` or `HALT`; empty where it is not known.
+    """
 
     modal: ModalState
     origin: Origin = field(default_factory=Origin)
+    before: str = field(default="", kw_only=True)
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,6 +54,8 @@ def _code(
         elif step.mnemonic in OPERATIONS:
             place = source_place(program, procedure, index)
             operand = _operand(program, step)
+            if step.mnemonic == "SYNC":  # it tells what it is for
+                operand = procedure.code[index + 1].mnemonic
             site = Site(OPERATIONS[step.mnemonic], step.mnemonic, operand, (number, index), place)
             code.append((_leave, site))
         else:

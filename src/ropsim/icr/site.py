@@ -40,4 +40,4 @@ def barrier(registers: Registers, site: Site) -> SyncInstruction | None:
     registers.is_synced = True
     registers.pc -= 1
     registers.steps -= 1
-    return SyncInstruction(registers.modal, registers.origin(site.key, site.span))
+    return SyncInstruction(registers.modal, registers.origin(site.key, site.span), before=site.mnemonic)

@@ -11,11 +11,23 @@ from ropsim.flow import (
     MessageInstruction,
     MoveInstruction,
     OutputInstruction,
+    SyncInstruction,
     WaitInstruction,
 )
 from ropsim.icr import Finished
 
 Step = Instruction | Finished
+
+_NEEDED_FOR = {
+    "HALT": "the program ends",
+    "STOP": "the program ends",
+    "IN": "the program looks at a signal next",
+    "TIME": "the program looks at the time next",
+    "CURPOSE": "the program asks for the pose of the arm next",
+    "ATTAINED": "the program asks for the pose of the arm next",
+    "MET": "the program asks next how the move has ended",
+}
+"""Why the arm stands before an ICR instruction."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,5 +92,9 @@ def why_it_ends(stretch: Stretch) -> str:
             return "the program waits next"
         case AwaitInstruction(channel=channel):
             return f"the program waits for `{channel}` next"
+        case SyncInstruction(before=before) if before in _NEEDED_FOR:
+            return _NEEDED_FOR[before]
+        case MoveInstruction():
+            return "a condition ends the move"
         case _:
-            return "the program ends, or looks at signals, the time or the arm next"
+            return "the program waits here until the arm stands"

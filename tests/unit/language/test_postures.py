@@ -120,3 +120,14 @@ def test_the_words_of_a_robot_are_those_of_its_postures(name: str) -> None:
         assert all(word in part for word, part in zip(posture.words, parts, strict=True))
     flat = [word for part in parts for word in part]
     assert len(flat) == len(set(flat))
+
+
+@pytest.mark.parametrize("word", ["config (left, up)", "turns (0, -1)"])
+@pytest.mark.parametrize("before", ["", " above 150", " above 150 mm", " blend 3 mm"])
+def test_a_posture_behind_a_location_is_told_where_it_belongs(before: str, word: str) -> None:
+    found = only(UNITS + f"mov (300, -250, 40){before} {word}", ARM)
+    assert found.code == "L101"
+    name = word.split(maxsplit=1)[0]
+    assert found.message == f"`{name}` stands in a location, behind its `;`"
+    assert found.hint == f"write `(x, y, z; {word})`"
+    assert codes(UNITS + f"mov {found.hint.split('`')[1]}".replace("x, y, z", "300, -250, 40"), ARM) == []

@@ -34,7 +34,13 @@ STANDING: dict[str, tuple[Step, str]] = {
     "an output": (OutputInstruction("lamp", 1.0, FINE), "output `lamp` is set next"),
     "a wait": (WaitInstruction(0.5, FINE), "the program waits next"),
     "a wait for a signal": (AwaitInstruction(FINE, channel="go"), "the program waits for `go` next"),
-    "what needs the arm": (SyncInstruction(FINE), "looks at signals, the time or the arm next"),
+    "an end that needs the arm": (SyncInstruction(FINE, before="HALT"), "the program ends"),
+    "an order to stop": (SyncInstruction(FINE, before="STOP"), "the program ends"),
+    "a signal": (SyncInstruction(FINE, before="IN"), "the program looks at a signal next"),
+    "the time": (SyncInstruction(FINE, before="TIME"), "the program looks at the time next"),
+    "the pose": (SyncInstruction(FINE, before="ATTAINED"), "asks for the pose of the arm next"),
+    "how a move ended": (SyncInstruction(FINE, before="MET"), "asks next how the move has ended"),
+    "an order to wait": (SyncInstruction(FINE), "the program waits here until the arm stands"),
 }
 
 

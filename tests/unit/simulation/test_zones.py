@@ -149,7 +149,7 @@ def test_where_the_arm_has_to_stand_the_zone_is_a_hint_with_the_reason(line: str
 def test_a_zone_on_the_last_move_of_a_program_is_a_hint() -> None:
     recording = recorded((*SQUARE[:3], "lin (500, 200, 100) blend 30 mm"))
     assert codes(recording) == ["M560"]
-    assert "the program ends" in recording.findings[0].message
+    assert recording.findings[0].message.endswith("is not flown: the program ends")
 
 
 def test_a_move_that_is_left_out_ends_the_stretch_before_it_and_begins_one_behind_it() -> None:

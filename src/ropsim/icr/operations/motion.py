@@ -123,7 +123,7 @@ def _trigger(registers: Registers, _world: World, site: Site) -> None:
 
 
 def _sync(registers: Registers, _world: World, site: Site) -> Instruction:
-    return SyncInstruction(registers.modal, registers.origin(site.key, site.span))
+    return SyncInstruction(registers.modal, registers.origin(site.key, site.span), before=site.operand)
 
 
 def _stop(registers: Registers, _world: World, site: Site) -> Instruction | Finished:

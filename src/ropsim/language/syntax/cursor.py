@@ -12,6 +12,9 @@ from ropsim.language.syntax.words import NOT_YET_MODIFIERS, RESERVED
 MAX_OPERATORS = 100
 MAX_NESTING = 30
 
+_POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
+"""Terms of a location, which people look for behind it; each with an example."""
+
 _END = Token("end", "", "", 0, 0)
 
 
@@ -125,6 +128,10 @@ class Cursor:
             return
         token = self.token
         before = self.look(-1)
+        if token.word in _POSTURE_WORDS:
+            hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
+            message = f"`{token.word}` stands in a location, behind its `;`"
+            self.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
         if before.kind == "number" and token.kind == "word":
             hint = did_you_mean(token.text, UNITS) or "units are " + " ".join(UNITS)
             self.fault(kinds.UNEXPECTED, token.start, token.end, f"unknown unit `{token.text}`", hint)
