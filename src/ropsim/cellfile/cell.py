@@ -70,7 +70,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     axes = axes_of(stations)
     _note_names_of_axes(root, stations, axes)
     sinks = read_sinks(root.tables("sinks"), units)
-    signals = read_signals(root.named("signals"))
+    signals = read_signals(root.named("signals"), stations, units)
     devices = _read_devices(root, signals, stations, axes, units)
     mounts = mounts_of(stations, devices)
     taken = _bodies(stations, devices, mounts)

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.quantity import NUMBER, TIME, Quantity
+from ropsim.cellfile.quantity import NUMBER, TIME, Quantity, Units
+from ropsim.cellfile.sensors import read_sensor
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import Signal
 
@@ -11,12 +12,20 @@ _SWITCH = Quantity("", 1.0, 0.0, 1.0)
 _MOST_CHANNELS = 65_535
 
 
-def read_signals(tables: Mapping[str, TomlTable]) -> dict[str, Signal]:
-    """Return the channels by name."""
+def read_signals(
+    tables: Mapping[str, TomlTable], stations: Mapping[str, object], units: Units
+) -> dict[str, Signal]:
+    """Return the channels by name.
+
+    Args:
+        tables: of the signals, by name.
+        stations: of the cell, by name, at whose tools sensors are.
+        units: of the file.
+    """
     signals = {}
     taken: dict[tuple[bool, bool, int], str] = {}
     for name, table in tables.items():
-        signal = _signal(name, table)
+        signal = _signal(name, table, stations, units)
         signals[name] = signal
         place = (signal.is_input, signal.analog, signal.channel)
         if signal.channel and place in taken:
@@ -28,7 +37,7 @@ def read_signals(tables: Mapping[str, TomlTable]) -> dict[str, Signal]:
     return signals
 
 
-def _signal(name: str, table: TomlTable) -> Signal:
+def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: Units) -> Signal:
     is_input, is_output = "input" in table, "output" in table
     if is_input and is_output:
         message = f"`{name}` is both an input and an output"
@@ -45,8 +54,14 @@ def _signal(name: str, table: TomlTable) -> Signal:
         message = f"`{name}` is an output, only the program changes it"
         hint = "remove `changes`, or make it an input"
         table.findings.add(kinds.CHANGES_OF_OUTPUT, table.key_span("changes"), message, hint)
+    sensor = read_sensor(table.table("sensor"), stations, units) if "sensor" in table else None
+    other = next((key for key in ("output", "changes", "initial") if key in table), "")
+    if sensor is not None and other:
+        message = f"`{name}` is measured by a sensor, and has `{other}`"
+        hint = f"keep `sensor` or `{other}`"
+        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(other), message, hint)
     table.finish()
-    return Signal(name, is_input, analog, initial, changes, channel)
+    return Signal(name, is_input, analog, initial, changes, channel, sensor)
 
 
 def _level(table: TomlTable, steps: tuple[str | int, ...], value: object, quantity: Quantity) -> float:

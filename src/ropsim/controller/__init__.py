@@ -41,7 +41,10 @@ from ropsim.controller.planned_path import PlannedPath as PlannedPath
 from ropsim.controller.planning import plan as plan
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
-from ropsim.controller.sensor_interface import ScriptedSensors as ScriptedSensors
+from ropsim.controller.sensed_cell import ArmState as ArmState
+from ropsim.controller.sensed_cell import NothingSensed as NothingSensed
+from ropsim.controller.sensed_cell import SensedCell as SensedCell
+from ropsim.controller.sensor_interface import CellSensors as CellSensors
 from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.trigger_ticks import PlannedTrigger as PlannedTrigger
 from ropsim.controller.work_frames import WorkFrames as WorkFrames

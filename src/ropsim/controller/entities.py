@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from ropsim.controller.planned_path import PlannedPath
+from ropsim.controller.sensed_cell import SensedCell
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JointPath, ToolPath
@@ -85,6 +86,12 @@ class Sample:
 class SensorInterface(Protocol):
     """Delivers external signals to interpreter, planner, interpolator and controller."""
 
-    def read(self, channel: str, time: float) -> Sample:
-        """Return the reading of `channel` at simulated time `time` [s]."""
+    def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
+        """Return the reading of `channel` at a simulated time.
+
+        Args:
+            channel: name of an input or output.
+            time: [s].
+            cell: the arms and what stands around them, as they are then.
+        """
         ...

@@ -1,4 +1,4 @@
-"""The sensor interface of the simulation: inputs that follow a script, outputs as the program set them."""
+"""The sensor interface of the simulation: inputs by script, key or sensor, outputs as programs set them."""
 
 import math
 from bisect import bisect_right
@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ropsim.controller.entities import Sample
+from ropsim.controller.measuring import is_on, measure
+from ropsim.controller.sensed_cell import SensedCell
 from ropsim.model import Signal
 
 _NO_SAMPLE = Sample(value=False, valid=False, age=math.inf)
@@ -17,11 +19,12 @@ def with_change(signal: Signal, time: float, value: float) -> Signal:
     return replace(signal, changes=(*signal.changes[:place], (time, value), *signal.changes[place:]))
 
 
-class ScriptedSensors:
+class CellSensors:
     """Ideal channels: a reading is the value that holds at its time, without delay or noise.
 
     Args:
-        signals: inputs and outputs of the cell, by name; inputs follow their changes.
+        signals: inputs and outputs of the cell, by name; inputs follow their changes. One at which a sensor
+            is has what that measures until it is changed, by a key or a recorded input: then that holds.
     """
 
     __slots__ = ("_outputs", "_signals")
@@ -30,17 +33,25 @@ class ScriptedSensors:
         self._signals = dict(signals)
         self._outputs: dict[str, bool | float] = {}
 
-    def read(self, channel: str, time: float) -> Sample:
+    def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
         """Return the reading of `channel` at simulated time `time` [s].
 
         On/off channels deliver a bool, analog ones a float. An output delivers what was set last, its initial
         value before. A channel that neither the cell nor a program knows delivers an invalid sample.
+
+        Args:
+            channel: name of an input or output.
+            time: [s].
+            cell: what sensors see.
         """
         signal = self._signals.get(channel)
         if channel in self._outputs and not (signal and signal.is_input):
             value = self._outputs[channel]
         elif signal is not None:
             past = bisect_right(signal.changes, time, key=lambda change: change[0])
+            if signal.sensor is not None and not past:
+                found = measure(signal.sensor, cell)
+                return Sample(found if signal.analog else is_on(signal.sensor, found), valid=True, age=0.0)
             value = signal.changes[past - 1][1] if past else signal.initial
         else:
             return _NO_SAMPLE
@@ -48,9 +59,11 @@ class ScriptedSensors:
         return Sample(value=float(value) if analog else bool(value), valid=True, age=0.0)
 
     def changes_after(self, channel: str, time: float) -> bool:
-        """Return whether a script changes an input after a time [s]."""
+        """Return whether an input may change after a time [s], by its script or by what a sensor measures."""
         signal = self._signals.get(channel)
-        return signal is not None and signal.is_input and any(when > time for when, _ in signal.changes)
+        if signal is None or not signal.is_input:
+            return False
+        return signal.sensor is not None or any(when > time for when, _ in signal.changes)
 
     def change(self, channel: str, time: float, value: float) -> Signal:
         """Let an input have a value from a time on, until its next change, and return the input as it is now.

@@ -30,6 +30,7 @@ from ropsim.kinematics.limits import limit_violations as limit_violations
 from ropsim.kinematics.limits import turned_to_limits as turned_to_limits
 from ropsim.kinematics.path import inverse_path as inverse_path
 from ropsim.kinematics.posture import Posture as Posture
+from ropsim.kinematics.rays import nearest_along as nearest_along
 from ropsim.kinematics.recognition import classes_missed as classes_missed
 from ropsim.kinematics.recognition import solver_of as solver_of
 from ropsim.kinematics.result import IkOptions as IkOptions

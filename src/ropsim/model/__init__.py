@@ -120,6 +120,9 @@ from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.placements import pose_matrices as pose_matrices
 from ropsim.model.robot import RobotModel as RobotModel
 from ropsim.model.rod import rod as rod
+from ropsim.model.sensor import DistanceSensor as DistanceSensor
+from ropsim.model.sensor import ForceSensor as ForceSensor
+from ropsim.model.sensor import Sensor as Sensor
 from ropsim.model.signal import Signal as Signal
 from ropsim.model.spoken_bodies import lying_words as lying_words
 from ropsim.model.spoken_bodies import spoken_body as spoken_body

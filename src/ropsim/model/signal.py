@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from ropsim.model.sensor import Sensor
+
 
 @dataclass(frozen=True, slots=True)
 class Signal:
@@ -14,6 +16,7 @@ class Signal:
         initial: value at time 0.
         changes: later values of an input as (time [s], value), in order of time.
         channel: number at the controller's terminals, 0 where it is not known.
+        sensor: measures an input that nothing has changed yet; None where no sensor does.
     """
 
     name: str
@@ -22,3 +25,4 @@ class Signal:
     initial: float = 0.0
     changes: tuple[tuple[float, float], ...] = ()
     channel: int = 0
+    sensor: Sensor | None = None

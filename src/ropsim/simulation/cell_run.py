@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.controller import ScriptedSensors
+from ropsim.controller import CellSensors, NothingSensed, Sample
 from ropsim.core import Diagnostic
 from ropsim.flow import Event, InputChange, Placement
 from ropsim.model import Cell, Part, Tool
@@ -53,7 +53,7 @@ class CellRun:
     cell: Cell
     stations: Mapping[str, StationRun]
     devices: Mapping[str, DeviceRun]
-    sensors: ScriptedSensors
+    sensors: CellSensors
     scenery: Scenery
     parts: Placements
     hz: int
@@ -123,8 +123,16 @@ class CellRun:
 
     def is_on(self, signal: str, time: float) -> bool:
         """Return whether a signal is on at a time [s]; one that is not valid is off."""
-        sample = self.sensors.read(signal, time)
+        sample = self.sensors.read(signal, time, NothingSensed())
         return sample.valid and bool(sample.value)
+
+    def note_reading(self, channel: str, tick: int, sample: Sample) -> None:
+        """Enter into the recording what a sensor was found to measure at a tick of the cell's clock."""
+        signal = self.cell.signals.get(channel)
+        if signal and signal.sensor and sample.valid:
+            track = self.tracks.setdefault(f"signal.{channel}", Track([0], [signal.initial]))
+            if tick >= track.ticks[-1]:
+                track.set(tick, float(sample.value))
 
     def set_output(self, at: StationRun, channel: str, value: float) -> None:
         """Let a station set an output now."""

@@ -10,6 +10,7 @@ from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER
 from ropsim.simulation.diagnostics import WAITS_IN_VAIN
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.sensing import SensedRun
 from ropsim.simulation.serving import is_needed
 from ropsim.simulation.setters import device_note, program_setters
 from ropsim.simulation.station_run import StationRun
@@ -55,7 +56,7 @@ def _waits(at: StationRun) -> bool:
 def _stays(run: CellRun, at: StationRun) -> bool:
     """Return whether the channels stay as they are, and the one that is waited for has not come."""
     for channel in _channels(at):
-        sample = run.sensors.read(channel, at.time)
+        sample = run.sensors.read(channel, at.time, SensedRun(run, at))
         value = sample.value if sample.valid else False
         there = value == at.awaits.value if at.awaits else value != _reads(at)[channel]
         if there or run.sensors.changes_after(channel, at.time):

@@ -43,6 +43,11 @@ class KinematicPlant:
         return self._qd
 
     @property
+    def effort(self) -> Array:
+        """Return zeros: nothing drives an ideal arm, shape (n,)."""
+        return np.zeros(len(self._q))
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         return self._log.decimation

@@ -24,6 +24,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def effort(self) -> Array:
+        """Return the torques of the drives at the joints [N·m | N], shape (n,); 0 without drives."""
+        ...
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         ...

@@ -2,7 +2,7 @@
 
 import math
 
-from ropsim.controller import ScriptedSensors, SensorInterface, standard_chain
+from ropsim.controller import CellSensors, standard_chain
 from ropsim.flow import Fidelity
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
 from ropsim.simulation.cell_run import CellRun
@@ -18,6 +18,7 @@ from ropsim.simulation.placements import at_start
 from ropsim.simulation.plant import Plant
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.scenery import Scenery, scenery_of
+from ropsim.simulation.sensing import Senses
 from ropsim.simulation.servo.checks import check_option, check_time
 from ropsim.simulation.servo.plant import ServoPlant
 from ropsim.simulation.standing import stood
@@ -42,9 +43,10 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     cell = with_inputs(cell, inputs)
     hz = math.lcm(*(station.controller.rates.control_hz for station in cell.stations.values()))
     scenery, parts = scenery_of(cell), initial_parts(cell)
-    sensors = ScriptedSensors(cell.signals)
+    sensors = CellSensors(cell.signals)
+    senses = {name: Senses(options.sensors or sensors, name) for name in cell.stations}
     stations = {
-        name: _station_run(cell, station, hz, scenery, options, options.sensors or sensors)
+        name: _station_run(cell, station, hz, scenery, options, senses[name])
         for name, station in cell.stations.items()
     }
     devices = {name: _device_run(cell, device, hz) for name, device in cell.devices.items()}
@@ -53,7 +55,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     parts, _ = stood(
         parts, tuple(parts.seats), scenery, cell.supports, Moment(carriers, scenery.moving(carriers))
     )
-    state = CellRun(
+    run = CellRun(
         cell=cell,
         stations=stations,
         devices=devices,
@@ -70,10 +72,12 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         supplies=supplies_of(cell),
     )
     for change in sorted(options.overrides, key=lambda one: one.time):
-        state.override_from(tick_at(change.time, hz), change.value)
+        run.override_from(tick_at(change.time, hz), change.value)
     if options.stopped is not None:
-        state.stop_from(tick_at(options.stopped, hz))
-    return state
+        run.stop_from(tick_at(options.stopped, hz))
+    for one in senses.values():
+        one.run = run
+    return run
 
 
 def _device_run(cell: Cell, device: Device, hz: int) -> DeviceRun:
@@ -97,7 +101,7 @@ def _station_run(
     hz: int,
     scenery: Scenery,
     options: RunOptions,
-    sensors: SensorInterface,
+    senses: Senses,
 ) -> StationRun:
     mounted = station.tools.get(station.default_tool)
     load = payload({}, scenery.parts, mounted)
@@ -105,7 +109,7 @@ def _station_run(
     at = StationRun(
         station=station,
         chain=options.chains.get(station.name) or standard_chain(cell, station),
-        plant=_plant(cell, station, load, options, sensors),
+        plant=_plant(cell, station, load, options, senses),
         q_command=frozen(station.q_start),
         tool=mounted,
         tool_frames=ToolFrames.beginning_with(mounted.X_MT if mounted else Pose()),
@@ -125,10 +129,8 @@ def _station_run(
     return at
 
 
-def _plant(
-    cell: Cell, station: Station, load: Payload, options: RunOptions, sensors: SensorInterface
-) -> Plant:
+def _plant(cell: Cell, station: Station, load: Payload, options: RunOptions, senses: Senses) -> Plant:
     if options.fidelity is Fidelity.KINEMATIC:
         record_ticks = options.record_ticks(station.controller.rates.control_hz)
         return KinematicPlant(station.robot, station.q_start, record_ticks, options.most_rows)
-    return ServoPlant(cell, station, load, options, sensors)
+    return ServoPlant(cell, station, load, options, senses.read)

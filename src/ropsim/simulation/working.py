@@ -30,6 +30,7 @@ from ropsim.simulation.in_force import put_in_force
 from ropsim.simulation.input_diagnostics import STOPPED
 from ropsim.simulation.moving import move
 from ropsim.simulation.run_options import RunOptions
+from ropsim.simulation.sensing import Senses
 from ropsim.simulation.serving import Serving, is_needed
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.station_run import StationRun
@@ -53,7 +54,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         DivergedError: S701, the state has become NaN or infinite; it names the source line.
     """
     world = SimulatedWorld(
-        options.sensors or run.sensors,
+        Senses(options.sensors or run.sensors, at.station.name, run).read,
         lambda: at.time,
         lambda: run.watch.reading(run),
         options.longest_wait,

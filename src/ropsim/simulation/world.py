@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ropsim.controller import SensorInterface
+from ropsim.controller import Sample
 from ropsim.flow import ModalState
 from ropsim.simulation.polling import Polling
 from ropsim.spatial import Pose
@@ -14,7 +14,7 @@ class SimulatedWorld:
     """The interpreter's window on a run (`ropsim.icr.World`).
 
     Attributes:
-        sensors: delivers the channels.
+        channel: delivers a channel at a time [s].
         now: returns the simulated time of the station [s].
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
@@ -24,7 +24,7 @@ class SimulatedWorld:
         polling: is told what the program looks at.
     """
 
-    sensors: SensorInterface
+    channel: Callable[[str, float], Sample]
     now: Callable[[], float]
     look: Callable[[], None]
     longest_wait: float
@@ -36,7 +36,7 @@ class SimulatedWorld:
     def read(self, channel: str) -> bool | float:
         """Return the present value of a channel; one that is not valid reads as off."""
         self.look()
-        sample = self.sensors.read(channel, self.now())
+        sample = self.channel(channel, self.now())
         value = self.polling.reads[channel] = sample.value if sample.valid else False
         return value
 

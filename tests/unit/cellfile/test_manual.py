@@ -30,7 +30,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, stations, axis, devices, frames = (
+    first, external, stations, axis, devices, frames, sensing = (
         read_cell(SourceText("", one), "")[0] for one in EXAMPLES
     )
     assert first is not None
@@ -46,6 +46,8 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert list(devices.devices) == ["belt", "door", "table"]
     assert frames is not None
     assert frames.located == {"corner": "fixture"}
+    assert sensing is not None
+    assert all(signal.sensor is not None for signal in sensing.signals.values())
 
 
 def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:

@@ -18,6 +18,7 @@ from ropsim.controller import (
     PlannedPath,
     Refusal,
     Sample,
+    SensedCell,
     StandardInterpolator,
     StandardJointInterpolator,
     StandardPathPlanner,
@@ -201,7 +202,8 @@ def test_a_joint_controller_in_python(cell: Cell, program: icr.Program, standard
 class EarlySensor:
     """Says `go` three seconds earlier than the cell file does."""
 
-    def read(self, channel: str, time: float) -> Sample:
+    def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
+        del cell
         return Sample(value=channel == "go" and time >= 1.0, valid=True, age=0.0)
 
 

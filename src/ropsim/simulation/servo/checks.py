@@ -139,6 +139,13 @@ def check_signals(law: CompiledLaw, cell: Cell) -> None:
             hint = did_you_mean(name, cell.signals) or "look at the signals in cell.toml"
             message = f"law `{law.name}` reads signal `{name}`, which the cell does not have"
             raise LawError(LAW_DOES_NOT_FIT.at(None, message, hint=hint))
+        if cell.signals[name].sensor is not None:
+            hint = "let the law read an input that a script or a program changes"
+            message = (
+                f"law `{law.name}` reads signal `{name}` at every control tick, but a sensor measures it for "
+                "programs only, between slices"
+            )
+            raise LawError(LAW_DOES_NOT_FIT.at(None, message, hint=hint))
 
 
 def check_aux(aux: Array | None, ticks: int, names: tuple[str, ...]) -> Array:

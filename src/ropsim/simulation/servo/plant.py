@@ -1,8 +1,10 @@
 """The servo-driven arm as a plant: true drives and dynamics, in compiled slices."""
 
+from collections.abc import Callable
+
 import numpy as np
 
-from ropsim.controller import SensorInterface
+from ropsim.controller import Sample
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Payload, Station
 from ropsim.simulation.plant import constant
@@ -23,18 +25,23 @@ class ServoPlant:
         station: the arm and its controller.
         payload: body at the mechanical interface at time 0.
         options: the joint controller and how densely to record.
-        sensors: delivers the signals that the law reads.
+        read: delivers the signals that the law reads, by name at a time [s].
 
     Raises:
         LawError: C602, the law reads a signal that the cell does not have.
     """
 
     def __init__(
-        self, cell: Cell, station: Station, payload: Payload, options: RunOptions, sensors: SensorInterface
+        self,
+        cell: Cell,
+        station: Station,
+        payload: Payload,
+        options: RunOptions,
+        read: Callable[[str, float], Sample],
     ) -> None:
         robot, law = station.robot, options.laws.get(station.name)
         self._servo = Servo.build(robot, station.controller, law)
-        self._sensors = sensors
+        self._read = read
         if options.sensors is None:
             check_signals(self._servo.law, cell)
         self._state = self._servo.initial_state(station.q_start, payload)
@@ -52,6 +59,11 @@ class ServoPlant:
     def qd(self) -> Array:
         """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
         return self._state.qd
+
+    @property
+    def effort(self) -> Array:
+        """Return the torques of the drives at the joints [N·m | N], shape (n,)."""
+        return self._servo.efforts(self._state)
 
     @property
     def record_ticks(self) -> int:
@@ -90,11 +102,14 @@ class ServoPlant:
         self._recorder.forget(tick)
 
     def _signals(self, ticks: int) -> Array:
-        """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid."""
+        """Return what the law reads at the next ticks, shape (ticks, a); 0 where a signal is not valid.
+
+        All of a slice is read before it, when the arm is where it begins.
+        """
         names = self._servo.law.traits.aux
         values = np.zeros((ticks, len(names)))
         for column, name in enumerate(names):
             for k in range(ticks):
-                sample = self._sensors.read(name, (self._state.tick + k) * self._servo.period)
+                sample = self._read(name, (self._state.tick + k) * self._servo.period)
                 values[k, column] = float(sample.value) if sample.valid else 0.0
         return values

@@ -243,7 +243,11 @@ class Servo:
         for k in range(len(signals)):
             before = ServoState(state.tick + k, self.bench.values.copy(), self.layout)
             now = LawInput(
-                before.tick * self.period, before.reference, self._measured(), payload, signals[k].copy()
+                before.tick * self.period,
+                before.reference.copy(),
+                self._measured(before),
+                payload,
+                signals[k].copy(),
             )
             try:
                 answer = law.step(now, memory)
@@ -255,12 +259,15 @@ class Servo:
             q, qd, qdd = (array[k : k + 1] for array in reference)
             self._advance(before, (q, qd, qdd), signals[k : k + 1], payload, recorder)
 
-    def _measured(self) -> Array:
+    def _measured(self, state: ServoState) -> Array:
         """Return coordinates, speeds and torques of the drives, shape (3, n)."""
-        values, meas = self.bench.values, np.empty((3, self.robot.n))
-        meas[0], meas[1] = values[self.layout.q], values[self.layout.qd]
-        efforts(self.robot, values[: self.layout.integrated], values[self.layout.output], meas[2])
-        return meas
+        return np.array((state.q, state.qd, self.efforts(state)))
+
+    def efforts(self, state: ServoState) -> Array:
+        """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""
+        tau = np.empty(self.robot.n)
+        efforts(self.robot, state.values[: self.layout.integrated], state.output, tau)
+        return tau
 
 
 _Rows = tuple[Array, Array, Array]

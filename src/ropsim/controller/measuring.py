@@ -1,0 +1,57 @@
+"""Readings of the sensors that a cell file knows; each is a function of where the arm is."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ropsim.controller.sensed_cell import SensedCell
+from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.spatial import Pose
+
+
+def measure(sensor: Sensor, cell: SensedCell) -> float:
+    """Return what a sensor measures now: a distance [m] or a force [N].
+
+    Args:
+        sensor: at the tool of an arm.
+        cell: arms and surfaces as they are now.
+    """
+    return MEASURES[type(sensor)](sensor, cell)
+
+
+def is_on(sensor: Sensor, reading: float) -> bool:
+    """Return whether the switch is on that a sensor is at a digital signal.
+
+    Args:
+        sensor: of the signal.
+        reading: what it measures.
+    """
+    return reading < sensor.range if isinstance(sensor, DistanceSensor) else reading > 0.0
+
+
+def _distance(sensor: DistanceSensor, cell: SensedCell) -> float:
+    return min(_free(sensor.station, sensor.behind, sensor.range, cell), sensor.range)
+
+
+def _force(sensor: ForceSensor, cell: SensedCell) -> float:
+    return sensor.stiffness * max(-_free(sensor.station, sensor.travel, 0.0, cell), 0.0)
+
+
+def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
+    """Return how far the point of a tool is from a surface before it [m]; not less than `-behind`.
+
+    Args:
+        station: of the arm.
+        behind: from how far behind the point it is looked for [m].
+        most: how far before the point [m].
+        cell: arms and surfaces.
+    """
+    X_TS = Pose(np.array([0.0, 0.0, -behind]))
+    found = cell.distance(cell.arm(station).X_WT @ X_TS, behind + most, station)
+    return found - behind if found < math.inf else math.inf
+
+
+MEASURES: dict[type, Callable[[Any, SensedCell], float]] = {DistanceSensor: _distance, ForceSensor: _force}
+"""Kind of sensor -> what measures."""

@@ -1,0 +1,70 @@
+"""What sensors see of a cell: the state of its arms, and the surfaces around them."""
+
+from typing import Protocol
+
+from ropsim.model import Payload, RobotModel
+from ropsim.spatial import Array, Pose, record
+
+
+@record
+class ArmState:
+    """An arm as it is at one time.
+
+    Attributes:
+        station: its name.
+        time: [s].
+        robot: its model.
+        payload: tool and grasped part.
+        q: attained joint coordinates [rad | m], shape (n,).
+        qd: attained joint speeds [rad/s | m/s], shape (n,).
+        effort: torques of the drives at the joints, as the currents of the motors tell them [N·m | N], shape
+            (n,); 0 in a run without dynamics.
+        X_WT: pose of the tool in force in the world.
+    """
+
+    station: str
+    time: float
+    robot: RobotModel
+    payload: Payload
+    q: Array
+    qd: Array
+    effort: Array
+    X_WT: Pose
+
+
+class SensedCell(Protocol):
+    """The cell at the time of a reading; nothing of it is computed before it is asked for."""
+
+    def arm(self, station: str = "") -> ArmState:
+        """Return an arm by the name of its station; the empty name is that of the arm that reads.
+
+        Raises:
+            KeyError: the cell has no such station.
+        """
+        ...
+
+    def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
+        """Return the distance along a z axis to the nearest surface [m], infinite where none is so near.
+
+        Surfaces are those that parts can lie on, parts, and the floor z = 0; the arm itself, its tool and
+        what it holds are not seen.
+
+        Args:
+            X_WS: the frame from whose origin, along whose z axis it is measured.
+            most: beyond this nothing is looked for [m].
+            station: of the arm that is not seen; the empty name is that of the arm that reads.
+        """
+        ...
+
+
+class NothingSensed:
+    """The cell of channels that are read without a run: it has no arms, and nothing stands around."""
+
+    def arm(self, station: str = "") -> ArmState:
+        """Raise `KeyError`: there is none."""
+        raise KeyError(station)
+
+    def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
+        """Return infinity."""
+        del X_WS, most, station
+        return float("inf")

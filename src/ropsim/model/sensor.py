@@ -1,0 +1,44 @@
+"""Sensors at the tools of arms, whose readings follow from where the arm is and what stands around it."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class DistanceSensor:
+    """Measures the distance from the tool centre point to the nearest surface along the z axis of the tool.
+
+    It is the distance [m] where its signal is analog. Else it is a proximity switch: on where a surface is
+    within its range.
+
+    Attributes:
+        station: at whose tool it is; empty for the arm whose program reads it.
+        range: the most that it sees, and what it reads where it sees nothing [m].
+        behind: how far behind the tool centre point it looks from [m]; distances count from the point on, and
+            are negative, down to this, where the point is in something.
+    """
+
+    station: str
+    range: float
+    behind: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ForceSensor:
+    """Measures the force along the z axis of a tool whose springy tip is pressed into a surface.
+
+    The force is stiffness times depth [N], where its signal is analog; else it is a switch that is on while
+    the tip is touched. It acts on nothing: drives and arm do not feel it.
+
+    Attributes:
+        station: at whose tool it is; empty for the arm whose program reads it.
+        stiffness: of the tip and what it touches [N/m].
+        travel: of the tip: so deep it goes in at the most [m].
+    """
+
+    station: str
+    stiffness: float
+    travel: float
+
+
+Sensor = DistanceSensor | ForceSensor
+"""Every kind of sensor that a cell file knows."""

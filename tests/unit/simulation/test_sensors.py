@@ -1,0 +1,157 @@
+"""Sensors at the tool: what they read by the geometry of the cell, in waits and in moves."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.controller import ArmState, CompiledLaw, LawError, LawTraits, Sample, SensedCell
+from ropsim.dynamics import inverse_dynamics
+from ropsim.flow import InputChange, MessageEvent, MoveEvent, Recording
+from ropsim.kinematics import forward
+from ropsim.model import Box, Cell, DistanceSensor, FixedObject, ForceSensor, Part, Shape, Signal, Tool
+from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.spatial import Pose
+from ropsim.workbench import environment_of
+from support.cells import one_station
+
+ROBOT = robots.load("puma560")
+TABLE_TOP = 0.1
+"""Height of the table [m]."""
+TABLE = FixedObject(
+    "table", Pose(np.array([0.5, 0.0, TABLE_TOP / 2.0])), (Shape(Box((0.6, 1.0, TABLE_TOP))),)
+)
+SIGNALS = {
+    "height": Signal("height", is_input=True, analog=True, sensor=DistanceSensor("", 0.3)),
+    "near": Signal("near", is_input=True, sensor=DistanceSensor("robot", 0.05)),
+    "force": Signal("force", is_input=True, analog=True, sensor=ForceSensor("", 2e4, 0.01)),
+    "go": Signal("go", is_input=True, changes=((0.5, 1.0),)),
+}
+TICK = 4e-3
+"""Interpolation tick [s]."""
+ABOVE = "mov (500, 0, 300)"
+
+
+def cell_with(*parts: Part) -> Cell:
+    return one_station(
+        "c",
+        ROBOT,
+        robots.default_controller("puma560"),
+        tools={"": Tool("")},
+        start=ROBOT.home,
+        signals=SIGNALS,
+        objects=(TABLE,),
+        parts=parts,
+    )
+
+
+CELL = cell_with()
+
+
+def program(cell: Cell, *lines: str) -> icr.Program:
+    text = "\n".join(("program p", "units mm, deg, s", *lines))
+    compiled = ropsim.language.compile(text, environment_of(cell))
+    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
+    assert compiled.icr is not None
+    return compiled.icr
+
+
+def ideal(*lines: str, cell: Cell = CELL, inputs: tuple[InputChange, ...] = ()) -> Recording:
+    return run(cell, {"robot": program(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, inputs=inputs))
+
+
+def said(recording: Recording) -> list[str]:
+    return [event.text for event in recording.events_of(MessageEvent)]
+
+
+def end(recording: Recording) -> np.ndarray:
+    return forward(ROBOT, recording.rows("q")[-1]).position
+
+
+def test_the_distance_to_a_table_is_that_of_its_geometry() -> None:
+    recording = ideal(
+        ABOVE, "print height", "lin (500, 100, 250)", "print height", "mov (500, 0, 500)", "print height"
+    )
+    found = [float(text) for text in said(recording)]
+    assert found == pytest.approx([0.2, 0.15, 0.3], abs=1e-6)  # of the last one it sees nothing: its range
+    assert np.interp(recording.duration, *_track(recording, "signal.height")) == found[-1]
+
+
+def _track(recording: Recording, name: str) -> tuple[np.ndarray, np.ndarray]:
+    channel = recording.channels[name]
+    assert channel.times is not None
+    return channel.times, channel.values
+
+
+def test_a_part_on_the_table_is_nearer() -> None:
+    part = Part("box", np.array([0.05, 0.05, 0.04]), 0.2, Pose(np.array([0.5, 0.0, TABLE_TOP + 0.04])))
+    assert said(ideal(ABOVE, "print height", cell=cell_with(part))) == ["0.16"]
+
+
+@pytest.mark.parametrize(
+    ("condition", "height"),
+    [("height < 50 mm", TABLE_TOP + 0.05), ("near", TABLE_TOP + 0.05), ("force > 40 N", TABLE_TOP - 0.002)],
+)
+def test_a_guarded_move_ends_where_a_sensor_says_so(condition: str, height: float) -> None:
+    recording = ideal(ABOVE, f"lin (500, 0, 90) speed 20 mm/s until {condition}", "wait 0.1 s")
+    braking = 0.02 * 0.4
+    assert height - braking - 0.02 * TICK < end(recording)[2] <= height + 1e-9
+    assert recording.findings == ()
+
+
+def test_the_same_program_gives_the_same_bits() -> None:
+    lines = (ABOVE, "lin (500, 0, 90) speed 20 mm/s until near", "wait 0.1 s")
+    assert ideal(*lines) == ideal(*lines)
+
+
+def test_a_key_overrules_a_sensor_from_its_time_on() -> None:
+    move = "lin (500, 0, 200) speed 20 mm/s until near"
+    pressed = ideal(ABOVE, move, "wait 0.1 s", inputs=(InputChange(3.0, "near", 1.0),))
+    assert end(pressed)[2] > 0.25
+    assert [found.code for found in ideal(ABOVE, move).findings] == ["S746"]
+
+
+def test_other_inputs_follow_their_script() -> None:
+    assert ideal("wait until go").duration == pytest.approx(0.5, abs=1.5 * TICK)
+
+
+def test_a_wait_for_a_sensor_is_not_in_vain_while_it_may_change() -> None:
+    recording = ideal("wait until near timeout 1 s else print 1")
+    assert said(recording) == ["1"]
+
+
+def test_a_law_does_not_read_what_is_measured_between_slices_only() -> None:
+    source = "def law(par, state, ref, meas, load, aux, out):\n    out[0] = aux[0]\n"
+    law = CompiledLaw("force_law", source, ("p",), np.zeros((1, 6)), LawTraits(aux=("force",)))
+    with pytest.raises(LawError, match="`force_law` reads signal `force`"):
+        run(CELL, {"robot": program(CELL, ABOVE)}, RunOptions(laws={"robot": law}))
+
+
+@dataclass
+class Wrench:
+    """A sensor of a user: the torque that joint 2 has beside what the model of the arm explains at rest."""
+
+    seen: list[ArmState] = field(default_factory=list)
+
+    def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
+        arm = cell.arm()
+        self.seen.append(arm)
+        zeros = np.zeros(arm.robot.n)
+        modelled = inverse_dynamics(arm.robot, arm.q, zeros, zeros, payload=arm.payload)
+        del channel, time
+        return Sample(float((arm.effort - modelled)[1]), valid=True, age=0.0)
+
+
+def test_an_interface_of_a_user_is_given_the_state_of_the_arm() -> None:
+    sensors = Wrench()
+    code = program(CELL, ABOVE, "wait 1 s", "print force", "lin (500, 0, 250) until force > 1000 N")
+    recording = run(CELL, {"robot": code}, RunOptions(sensors=sensors))
+    assert recording.events_of(MoveEvent)[1].travel > 0.0
+    first = sensors.seen[0]
+    assert first.station == "robot"
+    assert first.X_WT.position == pytest.approx(forward(ROBOT, first.q).position, abs=1e-12)
+    assert abs(float(said(recording)[0])) < 10.0  # [N·m]; what is left is dry friction
+    assert np.abs(first.effort[1]) > 15.0
+    assert max(np.abs(arm.qd).max() for arm in sensors.seen) > 0.05
