@@ -70,6 +70,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         wrong = unusable_tool_path(planned.tool, move)
         if wrong:
             return wrong
+    if planned.tool is not None and joints is None:
         traced = trace(chain, planned.tool, q_start, move)
         if isinstance(traced, Refusal):
             return traced

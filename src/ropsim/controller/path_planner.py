@@ -17,10 +17,11 @@ from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
+from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
-from ropsim.model import ControllerModel, RobotModel, Synchronisation, Tool
+from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
     ZERO_LENGTH,
     JointLine,
@@ -161,7 +162,12 @@ class StandardPathPlanner:
         path = guarded(make, lambda: make(request), (object,), move)
         if isinstance(path, Refusal):
             return path
-        return Refusal(path) if isinstance(path, tuple) else replace(so_far, tool=path)
+        if isinstance(path, tuple):
+            return Refusal(path)
+        led = self.controller.orientation is OrientationMode.WRIST_ANGLES and move.kind in LED_KINDS
+        if led and path is not None:
+            return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
+        return replace(so_far, tool=path)
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
         return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT

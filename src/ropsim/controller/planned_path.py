@@ -23,7 +23,8 @@ class PlannedPath:
     """The path of a move.
 
     Attributes:
-        joints: the path, where it is one of the joints.
+        joints: the path, where it is one of the joints; beside a path of the tool the joints that lead it,
+            where the planner says so and inverse kinematics has no choice.
         tool: the path in the base frame, where it is one of the tool. Where both are None, nothing moves.
         limits: bounds of its speed, acceleration and jerk.
         X_MT: the tool that is meant.

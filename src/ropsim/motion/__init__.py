@@ -31,6 +31,7 @@ from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import NO_ARC as NO_ARC
 from ropsim.motion.line_diagnostics import NO_SPLINE as NO_SPLINE
+from ropsim.motion.line_diagnostics import NO_WRIST_ANGLES as NO_WRIST_ANGLES
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
 from ropsim.motion.line_diagnostics import OTHER_POSTURE as OTHER_POSTURE
 from ropsim.motion.line_diagnostics import POSTURE_FOR_LATER as POSTURE_FOR_LATER

@@ -140,3 +140,20 @@ arm stops.
 `config` at the location, or shift the later move.
 """,
 )
+
+NO_WRIST_ANGLES = define(
+    "M586",
+    "no-wrist-angles",
+    Severity.ERROR,
+    "the angles of the wrist cannot lead the tool along a line or an arc",
+    """
+A controller with `orientation = "wrist angles"` turns the last three joints evenly from their angles at the
+start to those at the end, while the first three keep the TCP on its way. That needs six turning joints of
+which the last three meet in one point; shoulder and elbow must be at the end as they are at the start, and
+the first three joints must reach every place between with the angles that the wrist has there. The move is
+skipped.
+
+**How to mend it.** Use `mov` where the path does not matter, or give the controller
+`orientation = "fixed axis"`.
+""",
+)
