@@ -16,7 +16,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.posture_choice import JointRange, nearest_turns, turned_branches
-from ropsim.controller.posture_trouble import Trouble, time_of, trouble_of
+from ropsim.controller.posture_trouble import Trouble, is_narrow, time_of, trouble_of
 from ropsim.controller.target_refusals import posture_for_later
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
@@ -42,6 +42,7 @@ class Way:
         troubles: how many of its paths whirl the joints.
         changes: for each PTP move that does not end in the nearest branch 1, and 1 for each word of the
             posture that differs.
+        narrow: how many of its paths of the tool lead near to a joint limit.
         time: that the moves take, without changes of speed on paths of the tool [s].
     """
 
@@ -50,12 +51,13 @@ class Way:
     refusal: Refusal | None = None
     troubles: int = 0
     changes: int = 0
+    narrow: int = 0
     time: float = 0.0
 
     @property
-    def rank(self) -> tuple[int, int, int, float]:
-        """Return what is least for the best way: minus the moves made, troubles, changes, time."""
-        return -len(self.legs), self.troubles, self.changes, self.time
+    def rank(self) -> tuple[int, int, int, int, float]:
+        """Return what is least for the best way: minus the moves made, troubles, changes, narrow, time."""
+        return -len(self.legs), self.troubles, self.changes, self.narrow, self.time
 
 
 def has_choice(move: MoveInstruction) -> bool:
@@ -69,7 +71,7 @@ def search(
     """Return the best way through a stretch.
 
     That is the one on which most moves can be made, then fewest paths whirl the joints, then least is changed
-    of the nearest postures, then the time is least.
+    of the nearest postures, then fewest paths lead near to a joint limit, then the time is least.
 
     Args:
         chain: the entities.
@@ -79,7 +81,7 @@ def search(
     """
     limits = JointRange.of(chain.robot)
     bounds = [*(number for number, move in enumerate(stretch) if has_choice(move)), len(stretch)]
-    ways, ended, tried = [_onward(chain, Way(q_start), stretch[: bounds[0]])], list[Way](), 0
+    ways, ended, tried = [_onward(chain, limits, Way(q_start), stretch[: bounds[0]])], list[Way](), 0
     for number, behind in pairwise(bounds):
         starts = list[_Start]()
         for way in ways:
@@ -94,7 +96,7 @@ def search(
             there = _taken(chain, starts, q_end, _reason(troubles, number))
             if there is None:
                 continue
-            way = _onward(chain, there, stretch[number + 1 : behind])
+            way = _onward(chain, limits, there, stretch[number + 1 : behind])
             tried += len(way.legs) - number
             (ended if way.refusal else ways).append(way)
     return min(ways or ended, key=lambda way: way.rank)
@@ -155,7 +157,7 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: str)
                 continue
             leg, changes = other, changes + _change(chain.robot, leg.q_end, q_end)
         time = way.time + time_of(chain.robot, leg, way.q)
-        found = Way(leg.q_end, (*way.legs, leg), None, way.troubles, changes, time)
+        found = Way(leg.q_end, (*way.legs, leg), None, way.troubles, changes, way.narrow, time)
         if best is None or found.rank < best.rank:
             best = found
     return best
@@ -178,9 +180,10 @@ def _reason(troubles: Sequence[Trouble], number: int) -> str:
     return next((one.words for one in troubles if one.number > number), troubles[-1].words)
 
 
-def _onward(chain: MotionChain, way: Way, moves: Sequence[MoveInstruction]) -> Way:
+def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
     """Return the way with moves that have no choice, as far as they can be made."""
-    legs, q, troubles, time = list[Leg](), way.q, way.troubles, way.time
+    legs, q, time = list[Leg](), way.q, way.time
+    troubles, narrow = way.troubles, way.narrow
     refusal: Refusal | None = None
     for move in moves:
         leg = leg_of(chain, move, q)
@@ -188,8 +191,9 @@ def _onward(chain: MotionChain, way: Way, moves: Sequence[MoveInstruction]) -> W
             refusal = leg
             break
         time += time_of(chain.robot, leg, q)
-        if leg.tool is not None and trouble_of(chain.robot, leg, 0):
-            troubles += 1
+        if leg.tool is not None:
+            troubles += trouble_of(chain.robot, leg, 0) is not None
+            narrow += is_narrow(limits, leg)
         legs.append(leg)
         q = leg.q_end
-    return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, time)
+    return Way(q, (*way.legs, *legs), refusal, troubles, way.changes, narrow, time)

@@ -4,13 +4,18 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
+from ropsim.controller.posture_choice import JointRange
 from ropsim.flow import MoveInstruction
 from ropsim.model import RobotModel
-from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, durations
+from ropsim.motion import JOINT_LIMIT_ON_LINE, JUMP_ON_LINE, NO_WRIST_ANGLES, SynchronisedJoints, durations
 from ropsim.spatial import Array, record
 
 WHIRL = 0.25
-"""Share of its speed to which a path may be slowed by a joint before another posture is looked for."""
+"""Share to which a joint may slow a path down before another posture is looked for: of the speed that is
+asked of the tool or, where joints are slower all along, of that on half of the path."""
+
+NARROW = np.radians(5.0)
+"""Distance from a limit within which an axis that turns has little room [rad]."""
 
 _STEPS = 64
 """Parts of a path of which each is looked at by the way of the joints on it."""
@@ -39,13 +44,14 @@ def trouble_of(robot: RobotModel, leg: Leg, number: int) -> Trouble | None:
         number: of the move in the stretch.
     """
     own, needs = _times(robot, leg)
-    shares = own / np.maximum(needs.max(axis=1), own)
+    times = np.maximum(needs.max(axis=1), own)
+    shares = np.maximum(own, np.median(times)) / np.maximum(times, _TINY)
     part = int(np.argmin(shares))
     if not shares[part] < WHIRL:
         return None
     joint = robot.axis_joints[int(np.argmax(needs[part]))]
-    words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} of its speed"
-    return Trouble(number, f"{_place(leg.move)}{words} after {part / _STEPS:.0%} of it")
+    words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
+    return Trouble(number, _place(leg.move) + words)
 
 
 def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Trouble]:
@@ -56,12 +62,26 @@ def trouble_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> 
         refusal: of it.
         number: of the move in the stretch.
     """
-    codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code}
+    codes = {JOINT_LIMIT_ON_LINE.code, JUMP_ON_LINE.code, NO_WRIST_ANGLES.code}
     return [
         Trouble(number, f"{_place(move)}{found.message}")
         for found in refusal.diagnostics[:1]
         if found.code in codes
     ]
+
+
+def is_narrow(limits: JointRange, leg: Leg) -> bool:
+    """Return whether an axis that turns comes near to a limit on the path of a move.
+
+    Args:
+        limits: of the joints.
+        leg: the move.
+    """
+    if leg.joints is None:
+        return False
+    q = leg.joints.joints(np.linspace(0.0, leg.joints.length, _STEPS + 1)).q
+    room = np.minimum(q - limits.lower, limits.upper - q)[:, limits.revolute > 0.0]
+    return bool((room < NARROW).any())
 
 
 def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
@@ -74,6 +94,8 @@ def time_of(robot: RobotModel, leg: Leg, q_start: Array) -> float:
     """
     if leg.joints is None:
         return 0.0
+    if isinstance(leg.joints, SynchronisedJoints):
+        return leg.joints.length
     if leg.tool is None:
         return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
     own, needs = _times(robot, leg)

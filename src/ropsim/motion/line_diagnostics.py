@@ -131,10 +131,10 @@ POSTURE_FOR_LATER = define(
     """
 On a line, an arc or a curve the arm keeps the posture in which it begins. In the posture that is nearest to
 the start of this PTP move, a joint would meet its limit on a later path of the same stretch, would have to
-jump, or would slow the path down to less than a quarter of its speed. So the move takes another one, or
-other turns of a joint: that in which most moves can be made, then that which changes least of the posture and
-takes the least time. Only moves that are planned together are looked at: up to the next point at which the
-arm stops.
+jump, or would slow a part of the path down to less than a quarter. So the move takes another one, or
+other turns of a joint: that in which most moves can be made, then that which changes least of the posture,
+then that with room to the joint limits and the least time. Only moves that are planned together are looked
+at: up to the next point at which the arm stops.
 
 **How to mend it.** Nothing has to be mended. Where the arm must not come in this posture, name one with
 `config` at the location, or shift the later move.
