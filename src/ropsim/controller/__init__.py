@@ -4,6 +4,7 @@ from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.chain import plan_move as plan_move
 from ropsim.controller.chain import standard_chain as standard_chain
 from ropsim.controller.clock_diagnostics import ClockError as ClockError
+from ropsim.controller.coordination import Coordination as Coordination
 from ropsim.controller.critical import critical_limits as critical_limits
 from ropsim.controller.entities import Interpolator as Interpolator
 from ropsim.controller.entities import InverseTransform as InverseTransform
@@ -35,6 +36,7 @@ from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_plan import MotionPlan as MotionPlan
 from ropsim.controller.motion_plan import MotionState as MotionState
 from ropsim.controller.motion_plan import PlannedMove as PlannedMove
+from ropsim.controller.moving_frames import MovingFrame as MovingFrame
 from ropsim.controller.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.controller.planned_path import MoveLimits as MoveLimits
 from ropsim.controller.planned_path import PlannedPath as PlannedPath

@@ -38,7 +38,7 @@ class BranchFollower:
     robot: RobotModel
     revolute: Array
 
-    def follow(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
+    def follow(self, matrices: Array, branches: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start` along a path.
 
         Away from singularities every branch keeps its row in `branches`, so one row number gives the whole
@@ -48,6 +48,8 @@ class BranchFollower:
             matrices: X_BM along the path, shape (k, 4, 4).
             branches: of each pose; angles in (-π, π], NaN where absent [rad | m], shape (k, m, n).
             q_start: joint coordinates at the start of the path [rad | m], shape (n,).
+            held: coordinates of the axes of which those of the external ones count, shape (n,) where they
+                stand, or (k, n) with a row for each pose.
         """
         row = int(np.argmin(self._distances(branches[0], q_start)))
         q = branches[:, row]
@@ -55,9 +57,9 @@ class BranchFollower:
         steps -= self.revolute * (_TURN * np.round(steps / _TURN))
         if (np.abs(steps) <= CLOSE).all():  # false for NaN
             return Follow(self._turned(q, q_start + np.cumsum(steps, axis=0)))
-        return self._follow_poses(matrices, branches, q_start)
+        return self._follow_poses(matrices, branches, q_start, held)
 
-    def follow_numerically(self, matrices: Array, q_start: Array) -> Follow:
+    def follow_numerically(self, matrices: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start`, each found from the one before it.
 
         For arms without closed form, whose branches have no names and may be missed.
@@ -65,39 +67,50 @@ class BranchFollower:
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).
             q_start: joint coordinates at the start of the path [rad | m], shape (n,).
+            held: as for `follow`.
         """
-        q = inverse_path(self.robot, matrices, q_start)
+        rows = np.broadcast_to(held, (len(matrices), len(q_start)))
+        q = inverse_path(self.robot, matrices, q_start, rows)
         steps = np.abs(np.diff(q, axis=0, prepend=q_start[None]))
         broken = np.flatnonzero(~(steps.max(axis=1) < JUMP))  # true for NaN
         if len(broken) == 0:
             return Follow(q)
         k = int(broken[0])
-        found = inverse(self.robot, Pose.from_matrix(matrices[k]), IkOptions(Limits.IGNORE, near=q_start))
+        near = self._with_external(q_start, rows[k])
+        found = inverse(self.robot, Pose.from_matrix(matrices[k]), IkOptions(Limits.IGNORE, near=near))
         return Follow(q[:k], complete=False, reachable=found.shortfall is None)
 
-    def _follow_poses(self, matrices: Array, branches: Array, q_start: Array) -> Follow:
+    def _follow_poses(self, matrices: Array, branches: Array, q_start: Array, held: Array) -> Follow:
         q = np.empty((len(matrices), len(q_start)))
+        rows = np.broadcast_to(held, q.shape)
         before = q_start
         for k in range(len(matrices)):
             now = self._nearest(branches[k], before)
             if not (np.abs(now - before) <= CLOSE).all():
-                now = self._nearest(self._free_joints_kept(matrices[k], before), before)
+                now = self._nearest(self._free_joints_kept(matrices[k], before, rows[k]), before)
             if not np.abs(now - before).max() < JUMP:
                 return Follow(q[:k], complete=False, reachable=not np.isnan(branches[k]).all())
             q[k] = before = now
         return Follow(q)
 
-    def _free_joints_kept(self, X_BM: Array, q_before: Array) -> Array:
+    def _free_joints_kept(self, X_BM: Array, q_before: Array, held: Array) -> Array:
         """Return all branches for X_BM; joints that a singular pose leaves free stay where they are.
 
         The batch sets them to 0. A line that only touches a singularity keeps them and goes on.
         """
-        options = IkOptions(Limits.IGNORE, near=q_before)
+        options = IkOptions(Limits.IGNORE, near=self._with_external(q_before, held))
         return inverse(self.robot, Pose.from_matrix(X_BM), options).branches
 
     def _nearest(self, candidates: Array, q: Array) -> Array:
         """Return the branch nearest to `q`, turned by whole turns towards it; NaN where there is none."""
         return self._turned(candidates[int(np.argmin(self._distances(candidates, q)))], q)
+
+    def _with_external(self, q: Array, held: Array) -> Array:
+        """Return joint coordinates with the external axes where they are held, shape (n,) each."""
+        which = list(self.robot.external)
+        found = q.copy()
+        found[which] = held[which]
+        return found
 
     def _turned(self, q: Array, q_near: Array) -> Array:
         turned: Array = q + self.revolute * (_TURN * np.round((q_near - q) / _TURN))

@@ -4,8 +4,10 @@ from enum import Enum
 
 import numpy as np
 
+from ropsim.controller.coordination import Coordination, coordination_round
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, trace
+from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward_batch
@@ -38,8 +40,9 @@ class Rounding:
         zone: distance of the TCP from the corner at which the path leaves and enters [m].
         leave: place on the path before, in its unit.
         enter: place on the path behind, in its unit.
-        tool: the way between.
+        tool: the way between, in the base frame or that of the coordination.
         joints: the same in joint space.
+        coordination: external axes that go along; None where they stand on both sides.
     """
 
     zone: float
@@ -47,6 +50,7 @@ class Rounding:
     enter: float
     tool: ToolPath
     joints: JointPath
+    coordination: Coordination | None
 
 
 @record
@@ -70,8 +74,9 @@ Corner = Rounding | Overlap
 def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Stop:
     """Return the corner between two moves, or why the arm must stop there.
 
-    Two paths of one tool are joined by a path of the tool. Where a path in joint space takes part, or the
-    tool changes, the motions overlap: nobody has said on which way the tool goes there.
+    Two paths of one tool are joined by a path of the tool, seen from a frame in which both are given. Where
+    there is none, a path in joint space takes part, or the tool changes, the motions overlap: nobody has said
+    on which way the tool goes there.
 
     Args:
         chain: the entities.
@@ -82,28 +87,31 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
         return Stop.NO_LOOK_AHEAD
     if before.joints is None or behind.joints is None:
         return Stop.NO_WAY
-    one, other = _Way(chain, before, before.joints), _Way(chain, behind, behind.joints)
+    meeting = meeting_of(before, behind)
+    one = _Way(chain, before, before.joints, meeting.before if meeting else _in_base(before))
+    other = _Way(chain, behind, behind.joints, meeting.behind if meeting else _in_base(behind))
     halves, zone = (_HALF * one.length, _HALF * other.length), commanded_zone(chain, before.move)
     if zone < _LEAST:
         return Stop.TOO_SMALL
-    tools = _tools(before, behind)
-    if tools:
+    if meeting:
         zone = min(zone, one.distance(halves[0], one.length), other.distance(halves[1], 0.0))
         if zone < _LEAST:
             return Stop.STANDS
     s_leave = leave(one.positions, one.length, zone, halves[0])
     s_enter = enter(other.positions, other.length, zone, halves[1])
     flown = max(one.distance(s_leave, one.length), other.distance(s_enter, 0.0))
-    if tools:
-        between = corner(tools[0], s_leave, tools[1], s_enter)
+    if meeting:
+        between = corner(meeting.before, s_leave, meeting.behind, s_enter)
         if between is CornerFault.TURNS_BACK:
             return Stop.TURNS_BACK
         if not isinstance(between, CornerFault):
             q = before.joints.joints(np.array([s_leave])).q[0]
-            traced = trace(chain, between, q, before.move)
+            axes = meeting.axes
+            along = coordination_round(between.length, axes[0], s_leave, axes[1], s_enter) if axes else None
+            traced = trace(chain, between, q, before.move, along)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
-            return Rounding(flown, s_leave, s_enter, between, traced[0])
+            return Rounding(flown, s_leave, s_enter, between, traced[0], along)
     return Overlap(flown, s_leave, s_enter)
 
 
@@ -113,26 +121,26 @@ def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
     return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
 
 
-def _tools(before: Leg, behind: Leg) -> tuple[ToolPath, ToolPath] | None:
-    """Return the paths of the tool of two moves, where both have one and it is the same tool."""
-    if before.tool is None or behind.tool is None or before.planned.X_MT != behind.planned.X_MT:
-        return None
-    return before.tool, behind.tool
+def _in_base(leg: Leg) -> ToolPath | None:
+    """Return the path of the tool of a move where it has one in the base frame."""
+    coordination = leg.planned.coordination
+    return None if coordination and coordination.frame else leg.tool
 
 
 class _Way:
-    """Positions of the TCP along the path of a move."""
+    """Positions of the TCP along the path of a move, in the frame of its path of the tool if it has one."""
 
-    def __init__(self, chain: MotionChain, leg: Leg, joints: JointPath) -> None:
+    def __init__(self, chain: MotionChain, leg: Leg, joints: JointPath, tool: ToolPath | None) -> None:
         self._robot = chain.robot
         self._leg = leg
         self._joints = joints
+        self._tool = tool
         self.length = joints.length
 
     def positions(self, places: Array) -> Array:
-        """Return TCP positions in the base frame [m] at places (k,), shape (k, 3)."""
-        if self._leg.tool is not None:
-            return self._leg.tool.positions(places)
+        """Return TCP positions [m] at places, (k,) to (k, 3); in the base frame where joints tell them."""
+        if self._tool is not None:
+            return self._tool.positions(places)
         matrices = forward_batch(self._robot, self._joints.joints(places).q)
         return np.asarray((matrices @ self._leg.planned.X_MT.matrix())[:, :3, 3])
 

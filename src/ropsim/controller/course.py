@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.stages import joint_stage, tool_stage
+from ropsim.controller.stages import along_with, joint_stage, tool_stage
 from ropsim.motion import (
     JointPath,
     JointSection,
@@ -31,10 +32,11 @@ class Piece:
     Attributes:
         leg: number of the move that it belongs to; a corner belongs to the move before it.
         joints: its path in joint space.
-        tool: its path of the tool; None where it has none.
+        tool: its path of the tool, in the base frame or that of the coordination; None where it has none.
         X_MT: the tool.
         stage: bounds along it.
         corner: that it leads round; None for a part of the path of a move.
+        coordination: external axes that go along with the path of the tool; None where they stand.
     """
 
     leg: int
@@ -43,6 +45,7 @@ class Piece:
     X_MT: Pose
     stage: Stage
     corner: Rounding | None = None
+    coordination: Coordination | None = None
 
 
 @record
@@ -167,14 +170,17 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     whole = first == 0.0 and last == leg.joints.length
     joints = leg.joints if whole else JointSection(leg.joints, first, last)
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
-    limits = leg.planned.limits
-    stage = joint_stage(joints, limits.joints) if tool is None else tool_stage(tool, limits.tool)
-    return Piece(number, joints, tool, leg.planned.X_MT, stage)
+    limits, coordination = leg.planned.limits, leg.planned.coordination
+    if tool is None:
+        return Piece(number, joints, None, leg.planned.X_MT, joint_stage(joints, limits.joints))
+    if coordination and not whole:
+        coordination = coordination.part(first, last)
+    stage = along_with(tool_stage(tool, limits.tool), coordination)
+    return Piece(number, joints, tool, leg.planned.X_MT, stage, coordination=coordination)
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
     one, other = before.planned.limits.tool, behind.planned.limits.tool
     least = ToolLimits(*(min(getattr(one, name), getattr(other, name)) for name in ToolLimits.__slots__))
-    return Piece(
-        number, corner.joints, corner.tool, before.planned.X_MT, tool_stage(corner.tool, least), corner
-    )
+    stage, X_MT = along_with(tool_stage(corner.tool, least), corner.coordination), before.planned.X_MT
+    return Piece(number, corner.joints, corner.tool, X_MT, stage, corner, corner.coordination)

@@ -41,7 +41,7 @@ class StandardInverseTransform:
         """Return joint samples that continue `q_start` without a jump, or say where it is impossible.
 
         Args:
-            setpoints: X_BT along the path, k rows.
+            setpoints: X_BT along the path, k rows, with the external axes where those move.
             q_start: joint coordinates at the start [rad | m], shape (n,).
             move: the instruction; names the tool, and its source line stands in the refusals.
 
@@ -55,14 +55,15 @@ class StandardInverseTransform:
             return Refusal((X_MT,))
         matrices = setpoints.matrices @ X_MT.inverse().matrix()  # X_BM, (k, 4, 4)
         follower = BranchFollower(self.robot, self._range.revolute)
+        line = Line(move, setpoints, q_start, self.robot)
+        held = line.held
         if solver_of(self.robot).method is Method.NUMERIC:
-            found = follower.follow_numerically(matrices, q_start)
+            found = follower.follow_numerically(matrices, q_start, held)
         else:
-            found = follower.follow(matrices, inverse_batch(self.robot, matrices, q_start), q_start)
-        line = Line(move, setpoints, q_start)
+            found = follower.follow(matrices, inverse_batch(self.robot, matrices, held), q_start, held)
         refusals = limit_refusals(line, found.q, self._range)
         if not refusals and not found.complete:
-            refusals = (lost(line, found, self.robot, matrices),)
+            refusals = (lost(line, found, matrices),)
         if refusals:
             return Refusal(refusals)
         return JointSamples(setpoints.length, found.q, end_findings(line, found.q[-1]))

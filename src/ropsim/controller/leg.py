@@ -1,9 +1,11 @@
 """A leg: one move with its path in joint space."""
 
+import math
 from functools import partial
 
 import numpy as np
 
+from ropsim.controller.coordination import Coordination
 from ropsim.controller.entities import JointInterpolator, Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
@@ -71,7 +73,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
         if wrong:
             return wrong
     if planned.tool is not None and joints is None:
-        traced = trace(chain, planned.tool, q_start, move)
+        traced = trace(chain, planned.tool, q_start, move, planned.coordination)
         if isinstance(traced, Refusal):
             return traced
         joints, found = traced
@@ -87,7 +89,11 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
 
 
 def trace(
-    chain: MotionChain, path: ToolPath, q_start: Array, move: MoveInstruction
+    chain: MotionChain,
+    path: ToolPath,
+    q_start: Array,
+    move: MoveInstruction,
+    coordination: Coordination | None = None,
 ) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
     """Return the path of the joints that leads the tool along a path, and what is found on it.
 
@@ -96,13 +102,23 @@ def trace(
 
     Args:
         chain: the entities.
-        path: of the tool in the base frame.
+        path: of the tool in the base frame, or in that of the coordination.
         q_start: joint coordinates at its start [rad | m], shape (n,).
         move: the instruction.
+        coordination: external axes that go along; None where they stand.
     """
     density = 1
     while True:
-        samples = _samples(chain, path, q_start, move, density)
+        setpoints = _setpoints(chain, path, move, density)
+        if isinstance(setpoints, Refusal):
+            return setpoints
+        if coordination:
+            coarseness = coordination.coarseness(len(setpoints.matrices) - 1)
+            if coarseness > 1.0 and density < MOST_DENSITY:
+                density = min(MOST_DENSITY, density * 2 ** math.ceil(math.log2(coarseness)))
+                continue
+            setpoints = coordination.in_base(setpoints)
+        samples = _samples(chain, setpoints, q_start, move)
         if isinstance(samples, Refusal):
             if density == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
                 return samples
@@ -119,16 +135,20 @@ def trace(
         density *= 2
 
 
-def _samples(
-    chain: MotionChain, path: ToolPath, q_start: Array, move: MoveInstruction, density: int
-) -> JointSamples | Refusal:
-    interpolator, inverse = chain.interpolator, chain.inverse
+def _setpoints(
+    chain: MotionChain, path: ToolPath, move: MoveInstruction, density: int
+) -> PoseSetpoints | Refusal:
+    interpolator = chain.interpolator
     setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
     if isinstance(setpoints, Refusal):
         return setpoints
-    wrong = unusable_setpoints(interpolator, setpoints, move)
-    if wrong:
-        return wrong
+    return unusable_setpoints(interpolator, setpoints, move) or setpoints
+
+
+def _samples(
+    chain: MotionChain, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
+) -> JointSamples | Refusal:
+    inverse = chain.inverse
     samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
     if isinstance(samples, Refusal):
         return samples

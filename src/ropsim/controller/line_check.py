@@ -30,33 +30,47 @@ class Line:
         move: its instruction.
         setpoints: X_BT along the path.
         q_start: joint coordinates at the start [rad | m], shape (n,).
+        robot: the arm with its external axes.
     """
 
     move: MoveInstruction
     setpoints: PoseSetpoints
     q_start: Array
+    robot: RobotModel
+
+    @property
+    def held(self) -> Array:
+        """Return coordinates whose external ones are those of the setpoints, shape (k, n).
+
+        Where external axes stand it is the start alone, shape (n,).
+        """
+        if self.setpoints.external is None:
+            return self.q_start
+        rows = np.tile(self.q_start, (len(self.setpoints.matrices), 1))
+        rows[:, list(self.robot.external)] = self.setpoints.external
+        return rows
 
     def share(self, row: int) -> float:
         """Return which share of the way lies behind setpoint `row`."""
         return min(row / (len(self.setpoints.matrices) - 1), 1.0)
 
 
-def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagnostic:
+def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
     """Return M501 or M530 where the line leaves the reach of the arm, or M505 where joints would jump.
 
     Args:
         line: the line.
         found: how far it can be followed.
-        robot: the arm.
         matrices: X_BM at its setpoints, shape (k, 4, 4).
     """
-    row = len(found.q)
+    row, robot = len(found.q), line.robot
     share = line.share(row)
     data = {"share": share, "pass": line.move.origin.visit}
     span, label = line.move.origin.span, passes(line.move.origin)
     q = found.q[-1] if row else line.q_start
     if not found.reachable:
-        options = IkOptions(near=line.q_start)
+        here = line.held if line.setpoints.external is None else line.held[row]
+        options = IkOptions(near=here)
         shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
         beside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
         left = "the poses that this arm can take" if beside else "the reach of the arm"
@@ -68,7 +82,7 @@ def lost(line: Line, found: Follow, robot: RobotModel, matrices: Array) -> Diagn
             label=label,
             notes=(
                 *((shortfall_words(shortfall),) if shortfall else ()),
-                *external_notes(robot, line.q_start),
+                *external_notes(robot, here),
             ),
             hint="shift the line, or use PTP where the path does not matter",
             data=data,

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.planned_path import MoveLimits
 from ropsim.controller.trigger_ticks import PlannedTrigger
 from ropsim.core import Diagnostic
@@ -35,16 +36,18 @@ class PlannedPiece:
     """A part of a plan: of the path of a move, or the way round a corner.
 
     Attributes:
-        path: of the tool in the base frame; None for one in joint space.
+        path: of the tool, in the base frame or that which is moved; None for one in joint space.
         X_MT: the tool.
         first: last control tick of the plan before it begins.
         last: last control tick on it.
+        frame: that external axes move meanwhile and in which the path is given; None for the base frame.
     """
 
     path: ToolPath | None
     X_MT: Pose
     first: int
     last: int
+    frame: MovingFrame | None = None
 
 
 @record

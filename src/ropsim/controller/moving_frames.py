@@ -1,7 +1,11 @@
 """Task frames that external axes move: where they are depends on the coordinates of these axes."""
 
+from collections.abc import Iterable
+
+import numpy as np
+
 from ropsim.kinematics import frames_batch
-from ropsim.model import Cell, RobotModel, Station, external_links, link_name
+from ropsim.model import Cell, RobotModel, Station, external_links, joint_tree, link_name
 from ropsim.spatial import Array, Pose, record
 
 
@@ -22,6 +26,26 @@ class MovingFrame:
     def pose(self, q: Array) -> Pose:
         """Return X_BK with the axes at q [rad | m], shape (n,); only the external ones count."""
         return Pose.from_matrix(frames_batch(self.robot, q[None])[0, self.link]) @ self.X_LK
+
+    def matrices(self, Q: Array) -> Array:
+        """Return X_BK of many rows of coordinates Q (k, n), shape (k, 4, 4)."""
+        return np.asarray(frames_batch(self.robot, Q)[:, self.link] @ self.X_LK.matrix())
+
+    def positions(self, Q: Array, positions: Array) -> Array:
+        """Return positions as they are seen from the frame [m], shape (k, 3).
+
+        Args:
+            Q: coordinates of the axes at the same times [rad | m], shape (k, n).
+            positions: in the base frame [m], shape (k, 3).
+        """
+        X_BK = self.matrices(Q)
+        offsets = positions - X_BK[:, :3, 3]
+        return np.asarray((offsets[:, None] @ X_BK[:, :3, :3])[:, 0])
+
+    def is_moved_by(self, axes: Iterable[int]) -> bool:
+        """Return whether one of some axes of the robot moves the frame."""
+        tree = joint_tree(self.robot)
+        return bool(tree.T[list(tree.way(self.link))][:, list(axes)].any())
 
 
 def moving_frames(cell: Cell, station: Station) -> dict[str, MovingFrame]:

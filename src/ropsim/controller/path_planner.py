@@ -6,18 +6,20 @@ from dataclasses import field, replace
 
 import numpy as np
 
+from ropsim.controller.coordination import coordination_along, moved_axes
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.external_check import check_external, with_external
 from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
 from ropsim.controller.moving_frames import MovingFrame
+from ropsim.controller.path_faults import unusable_tool_path
 from ropsim.controller.planned_path import MoveLimits, PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
-from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner
+from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner, no_wrist_angles
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
@@ -28,6 +30,7 @@ from ropsim.motion import (
     JointMotionLimits,
     JointPath,
     ProfileError,
+    Standing,
     SynchronisedJoints,
     ToolLimits,
 )
@@ -38,8 +41,9 @@ from ropsim.spatial import Array, Pose, frozen, record
 class StandardPathPlanner:
     """Plans PTP moves as ways in joint space, all others by the table of tool paths.
 
-    A PTP move to a pose takes external axes to the values that it is given, and leaves them where they are
-    without; a path of the tool always leaves them. The arm is solved with its base where they end.
+    A move takes external axes to the values that its target gives, and leaves them where they are without;
+    they begin and end together with the arm. On a path of the tool they move evenly with its place; where
+    they move the task frame in force, the path is one in that frame. The target is solved where they end.
 
     Every move is validated and its target brought into the base frame; what cannot be planned is refused
     with all its reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
@@ -107,7 +111,7 @@ class StandardPathPlanner:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
             return goal if isinstance(goal, Refusal) else self._with_joints(so_far, q_start, goal)
-        wrong = check_external(move, q_start, self.robot, self._range)
+        wrong = check_external(move, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
         there = with_external(move, q_start, self.robot)
@@ -139,25 +143,20 @@ class StandardPathPlanner:
         return replace(so_far, joints=joints)
 
     def _plan_tool(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
-        X_MT = so_far.X_MT
-        X_BK = self._work.frame_pose(move.modal, q_start)
-        if isinstance(move.target, Pose):
-            wrong = check_external(move, q_start, self.robot, self._range)
-            if wrong:
-                return Refusal(wrong)
-            X_BT = X_BK @ move.target
-            branches = self._branches(move, X_BT @ X_MT.inverse(), q_start)
-            if isinstance(branches, Refusal):
-                return branches
-            if not (self._range.excess(branches) == 0.0).all(axis=1).any():
-                return Refusal((out_of_range(move, branches, self._range),))
+        goal = self._tool_goal(move, q_start, so_far.X_MT)
+        if isinstance(goal, Refusal):
+            return goal
+        q_there, X_BT = goal
+        axes = moved_axes(self.robot, q_start, q_there)
+        frame = self._work.carried(move.modal, axes)
+        X_start = self._tool_pose_at(q_start, so_far.X_MT)
+        if frame:  # all is seen from the frame, which is elsewhere at the end
+            X_start, via = frame.pose(q_start).inverse() @ X_start, move.via
+            X_end = move.target if isinstance(move.target, Pose) else frame.pose(q_there).inverse() @ X_BT
         else:
-            goal = self._joint_goal(move)
-            if isinstance(goal, Refusal):
-                return goal
-            X_BT = self._tool_pose_at(goal, X_MT)
-        via = tuple(X_BK @ X_KT for X_KT in move.via)
-        request = PathRequest(move, self._tool_pose_at(q_start, X_MT), via, X_BT, self.controller.orientation)
+            X_BK = self._work.frame_pose(move.modal, q_start)
+            X_end, via = X_BT, tuple(X_BK @ X_KT for X_KT in move.via)
+        request = PathRequest(move, X_start, via, X_end, self.controller.orientation)
         make = self.kinds[move.kind]
         path = guarded(make, lambda: make(request), (object,), move)
         if isinstance(path, Refusal):
@@ -165,9 +164,40 @@ class StandardPathPlanner:
         if isinstance(path, tuple):
             return Refusal(path)
         led = self.controller.orientation is OrientationMode.WRIST_ANGLES and move.kind in LED_KINDS
+        if led and axes:
+            return Refusal((no_wrist_angles(move, "external axes move with it"),))
         if led and path is not None:
             return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
-        return replace(so_far, tool=path)
+        if not axes:
+            return replace(so_far, tool=path)
+        path = Standing(X_end) if path is None else path
+        wrong = unusable_tool_path(path, move)
+        if wrong:
+            return wrong
+        share = self.controller.speed_override
+        coordination = coordination_along(path, self.robot, q_start, q_there, frame, share)
+        return replace(so_far, tool=path, coordination=coordination)
+
+    def _tool_goal(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> tuple[Array, Pose] | Refusal:
+        """Return where a path of the tool ends: joint coordinates whose external ones count, and X_BT."""
+        if not isinstance(move.target, Pose):
+            goal = self._joint_goal(move)
+            return goal if isinstance(goal, Refusal) else (goal, self._tool_pose_at(goal, X_MT))
+        wrong = check_external(move, self.robot, self._range)
+        if wrong:
+            return Refusal(wrong)
+        there = with_external(move, q_start, self.robot)
+        moves = bool(moved_axes(self.robot, q_start, there))
+        there = there if moves else q_start
+        X_BT = self._work.frame_pose(move.modal, there) @ move.target
+        if moves and move.angle is not None:
+            return there, X_BT  # the target tells where the arc lies; the axes do not end there
+        branches = self._branches(move, X_BT @ X_MT.inverse(), there)
+        if isinstance(branches, Refusal):
+            return branches
+        if not (self._range.excess(branches) == 0.0).all(axis=1).any():
+            return Refusal((out_of_range(move, branches, self._range),))
+        return there, X_BT
 
     def _tool_pose_at(self, q: Array, X_MT: Pose) -> Pose:
         return Pose.from_matrix(forward_batch(self.robot, q[None])[0]) @ X_MT

@@ -1,5 +1,6 @@
 """What the path planner makes of a move: a path and the bounds that hold on it."""
 
+from ropsim.controller.coordination import Coordination
 from ropsim.core import Diagnostic
 from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath
 from ropsim.spatial import Pose, record
@@ -25,10 +26,12 @@ class PlannedPath:
     Attributes:
         joints: the path, where it is one of the joints; beside a path of the tool the joints that lead it,
             where the planner says so and inverse kinematics has no choice.
-        tool: the path in the base frame, where it is one of the tool. Where both are None, nothing moves.
+        tool: the path, where it is one of the tool: in the base frame, or in that of the coordination. Where
+            both are None, nothing moves.
         limits: bounds of its speed, acceleration and jerk.
         X_MT: the tool that is meant.
         findings: what the planner has to say about it.
+        coordination: external axes that go along with a path of the tool; None where they stand.
     """
 
     joints: JointPath | None
@@ -36,3 +39,4 @@ class PlannedPath:
     limits: MoveLimits
     X_MT: Pose
     findings: tuple[Diagnostic, ...] = ()
+    coordination: Coordination | None = None

@@ -14,7 +14,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
-from ropsim.controller.stages import joint_stage, tool_stage
+from ropsim.controller.stages import along_with, joint_stage, tool_stage
 from ropsim.controller.stretch_legs import legs_of
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
@@ -119,7 +119,9 @@ def _time_alone(leg: Leg) -> float:
         return 0.0
     if isinstance(leg.joints, SynchronisedJoints):
         return leg.joints.length
-    stage = tool_stage(leg.tool, limits.tool) if leg.tool else joint_stage(leg.joints, limits.joints)
+    stage = joint_stage(leg.joints, limits.joints)
+    if leg.tool:
+        stage = along_with(tool_stage(leg.tool, limits.tool), leg.planned.coordination)
     speed, acceleration, jerk = (
         max(bound, _SMALLEST) for bound in (stage.speed, stage.acceleration, stage.jerk)
     )

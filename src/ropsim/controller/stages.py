@@ -1,7 +1,10 @@
 """Bounds of speed, acceleration and jerk along a piece of a stretch."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from ropsim.controller.coordination import Coordination
 from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath
 from ropsim.spatial import Array
 
@@ -49,6 +52,24 @@ def tool_stage(path: ToolPath, limits: ToolLimits) -> Stage:
         return Stage(path.length, speed, _least(accelerations, d1), _least(jerks, d1))
     d3 = _sizes(_slopes(points.d2, path.length))
     return _bent(path.length, speed, (d1, d2, d3), accelerations, jerks, (_TOOL_BENT, _TOOL_ALONG))
+
+
+def along_with(stage: Stage, coordination: Coordination | None) -> Stage:
+    """Return the bounds of a path of the tool on which external axes go along, theirs too.
+
+    Args:
+        stage: of the path.
+        coordination: the axes; None where they stand.
+    """
+    if coordination is None:
+        return stage
+    axes = joint_stage(coordination.axes, coordination.limits)
+    return replace(
+        stage,
+        speed=min(stage.speed, axes.speed),
+        acceleration=min(stage.acceleration, axes.acceleration),
+        jerk=min(stage.jerk, axes.jerk),
+    )
 
 
 def _slopes(rows: Array, length: float) -> Array:

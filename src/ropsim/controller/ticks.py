@@ -10,7 +10,7 @@ from ropsim.controller.course import Course
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
-from ropsim.controller.trigger_ticks import trigger_ticks
+from ropsim.controller.trigger_ticks import Flown, trigger_ticks
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference
 from ropsim.motion import JointPoints, Kept
@@ -66,8 +66,9 @@ def in_ticks(
     q = np.concatenate((kept.rows.q[:1], reference.q))
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
-        X_MT, move = leg.planned.X_MT, leg.move
-        triggers, told = trigger_ticks(move, chain.robot, X_MT, q[first : last + 1], first, period)
+        X_MT, move, along = leg.planned.X_MT, leg.move, leg.planned.coordination
+        flown = Flown(chain.robot, X_MT, q[first : last + 1], along.frame if along else None)
+        triggers, told = trigger_ticks(move, flown, first, period)
         of_tool, limits = leg.tool is not None, leg.planned.limits
         moves.append(PlannedMove(move, X_MT, leg.q_end, last, zone, triggers, limits, of_tool))
         found += told
@@ -88,7 +89,8 @@ def _pieces(course: Course, phi: Array, period: float) -> Iterator[PlannedPiece]
         if behind is None:
             last[-1] = len(phi)
         for piece, a, b in zip(run.pieces, first, last, strict=True):
-            yield PlannedPiece(piece.tool, piece.X_MT, a, b)
+            frame = piece.coordination.frame if piece.coordination else None
+            yield PlannedPiece(piece.tool, piece.X_MT, a, b, frame)
 
 
 def _ticks_of(times: Array, phi: Array, period: float) -> list[int]:

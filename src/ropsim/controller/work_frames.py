@@ -1,6 +1,6 @@
 """Work frames: which tool and which task frame a move is meant in."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from ropsim.controller.moving_frames import MovingFrame
@@ -64,6 +64,16 @@ class WorkFrames:
         """
         moving = self.moving.get(modal.frame)
         return moving.pose(q) if moving else self.frames.get(modal.frame, modal.X_BK)
+
+    def carried(self, modal: ModalState, axes: Sequence[int]) -> MovingFrame | None:
+        """Return the task frame in force where one of some external axes moves it, else None.
+
+        Args:
+            modal: the modal state of the move.
+            axes: numbers of the axes that move.
+        """
+        moving = self.moving.get(modal.frame)
+        return moving if moving and moving.is_moved_by(axes) else None
 
     def out_of_hand(self, modal: ModalState, span: Span | None) -> tuple[Diagnostic, ...]:
         """Return M519 where another station moves the task frame in force, else nothing."""

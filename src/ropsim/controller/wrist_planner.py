@@ -45,17 +45,19 @@ class WristPlanner:
         """
         q_end = self._end(move, way, q_start, so_far.X_MT)
         if isinstance(q_end, str):
-            return Refusal((_none(move, q_end),))
+            return Refusal((no_wrist_angles(move, q_end),))
         lead = wrist_lead(
             self.robot, so_far.X_MT, lambda shares: way.positions(shares * way.length), q_start, q_end
         )
         if lead.share < 1.0:
             where = f"beyond {lead.share:.0%} of the way the other joints cannot keep the TCP on it"
-            return Refusal((_none(move, where),))
+            return Refusal((no_wrist_angles(move, where),))
         if float(np.abs(lead.q[-1] - q_end).max()) > SAME_JOINTS:
-            return Refusal((_none(move, "shoulder or elbow would not end as they are at its start"),))
+            return Refusal(
+                (no_wrist_angles(move, "shoulder or elbow would not end as they are at its start"),)
+            )
         places = np.linspace(0.0, way.length, len(lead.q))
-        line = Line(move, PoseSetpoints(way.length, way.tool(places).matrices), q_start)
+        line = Line(move, PoseSetpoints(way.length, way.tool(places).matrices), q_start, self.robot)
         refusals = limit_refusals(line, lead.q, self.limits)
         if refusals:
             return Refusal(refusals)
@@ -88,7 +90,8 @@ class WristPlanner:
         return nearest
 
 
-def _none(move: MoveInstruction, why: str) -> Diagnostic:
+def no_wrist_angles(move: MoveInstruction, why: str) -> Diagnostic:
+    """Return the error of a move whose tool the angles of the wrist cannot lead, with the reason."""
     return NO_WRIST_ANGLES.at(
         move.origin.span,
         f"the tool cannot be led by the angles of the wrist: {why}",

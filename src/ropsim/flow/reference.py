@@ -6,15 +6,18 @@ from ropsim.spatial import Array, record
 
 @record
 class PoseSetpoints:
-    """Command poses of the tool in the base frame at equally spaced places of a path.
+    """Command poses of the tool at equally spaced places of a path.
 
     Attributes:
         length: of the path, in its own unit [m | rad].
-        matrices: X_BT, shape (k, 4, 4); row 0 is the start of the path, the last row its end.
+        matrices: shape (k, 4, 4); row 0 is the start of the path, the last row its end. X_BT for the inverse
+            transform; an interpolator gives them in the reference frame of the path.
+        external: where the external axes are at these places [rad | m], shape (k, m); None where they stand.
     """
 
     length: float
     matrices: Array
+    external: Array | None = None
 
 
 @record

@@ -1,4 +1,4 @@
-"""External axes in inverse kinematics: they stand still, and the arm is solved in its moved base."""
+"""External axes in inverse kinematics: where they are is given, and the arm is solved in its moved base."""
 
 from dataclasses import replace
 
@@ -16,15 +16,17 @@ def in_arm_base(robot: RobotModel, held: HeldArm, q: Array, T: Array) -> Array:
     Args:
         robot: with external axes.
         held: its arm.
-        q: coordinates of the axes, those of the external ones count [rad | m], shape (n,).
+        q: coordinates of the axes, those of the external ones count [rad | m], shape (n,) for all poses or
+            (k, n) for each of them.
         T: poses in the base frame of the robot, shape (k, 4, 4).
     """
     if held.carrier == BASE_LINK:
         return T
-    X_BC = frames_batch(robot, q[np.newaxis])[0, held.carrier]
-    R, p = X_BC[:3, :3], X_BC[:3, 3]
-    X_CB = np.eye(4)
-    X_CB[:3, :3], X_CB[:3, 3] = R.T, -R.T @ p
+    X_BC = frames_batch(robot, np.atleast_2d(q))[:, held.carrier]
+    X_CB = np.zeros(X_BC.shape)
+    X_CB[:, :3, :3] = X_BC[:, :3, :3].swapaxes(1, 2)
+    X_CB[:, :3, 3:] = -X_CB[:, :3, :3] @ X_BC[:, :3, 3:]
+    X_CB[:, 3, 3] = 1.0
     return np.asarray(X_CB @ T)
 
 
@@ -33,10 +35,13 @@ def of_robot(held: HeldArm, q: Array, found: Array) -> Array:
 
     Args:
         held: the arm.
-        q: coordinates of all axes, those of the external ones are kept [rad | m], shape (n,).
+        q: coordinates of all axes, those of the external ones are kept [rad | m], shape (n,), or (k, n) with
+            a row for each of the k rows of `found`.
         found: of the arm, NaN rows stay NaN, shape (..., axes of the arm).
     """
-    whole = np.empty((*found.shape[:-1], len(q)))
+    if q.ndim == 2:
+        q = q.reshape(len(q), *(1,) * (found.ndim - 2), -1)
+    whole = np.empty((*found.shape[:-1], q.shape[-1]))
     whole[:] = np.where(np.isnan(found[..., :1]), np.nan, q)
     whole[..., list(held.axes)] = found
     return whole

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ropsim.codegen import Compiled, bound
 from ropsim.kinematics import selection_kernel
-from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows, turning_axes
+from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.forward import forward_batch
 from ropsim.kinematics.held import in_arm_base, of_robot, result_of_robot
@@ -55,8 +55,8 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
     Args:
         robot: arm with n axes.
         T: poses X_BM of the mechanical interface as homogeneous matrices, shape (k, 4, 4).
-        held: coordinates of the axes [rad | m], shape (n,), at whose external ones the arm is solved; None
-            for those of the home position.
+        held: coordinates of the axes [rad | m], shape (n,), or (k, n) with a row for each pose, at whose
+            external ones the arm is solved; None for those of the home position.
 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, b, n); row i has the posture
@@ -68,7 +68,7 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
         NotFiniteError: M552, `held` holds NaN or infinity.
     """
     if robot.external:
-        whole, q = held_arm(robot), _external(robot, held)
+        whole, q = held_arm(robot), _held_rows(robot, held)
         return of_robot(whole, q, inverse_batch(whole.arm, in_arm_base(robot, whole, q, pose_rows(T))))
     return solver_of(robot).branches(pose_rows(T), np.zeros(robot.n))
 
@@ -183,6 +183,16 @@ def _with_held_axes(robot: RobotModel, pose: Pose, options: IkOptions) -> IkResu
 def _external(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
     """Return the coordinates at which external axes are held, those of the others beside them, shape (n,)."""
     return robot.home if held is None else joint_vector(robot, held)
+
+
+def _held_rows(robot: RobotModel, held: npt.ArrayLike | None) -> Array:
+    """Return `_external` for all poses, shape (n,), or finite rows for each of them, shape (k, n)."""
+    if held is None or np.ndim(held) != 2:
+        return _external(robot, held)
+    rows = joint_rows(robot, held)
+    if not np.isfinite(rows).all():
+        raise NotFiniteError("Q")
+    return rows
 
 
 def _turns(variants: Array, counts: list[int]) -> tuple[Array, ...]:

@@ -2,7 +2,7 @@
 
 import numpy.typing as npt
 
-from ropsim.kinematics.arrays import chain_arrays, joint_vector, pose_rows
+from ropsim.kinematics.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.held import in_arm_base, of_robot
 from ropsim.kinematics.polish import continued
 from ropsim.kinematics.recognition import solver_of
@@ -10,26 +10,31 @@ from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array
 
 
-def inverse_path(robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike) -> Array:
+def inverse_path(
+    robot: RobotModel, T: npt.ArrayLike, q_start: npt.ArrayLike, held: npt.ArrayLike | None = None
+) -> Array:
     """Return joint coordinates along a path, each found numerically from the one before it; for any arm.
 
-    External axes stay where they are at the start.
+    External axes stay where they are at the start, or go where they are held at each pose.
 
     Args:
         robot: arm with n joints.
         T: poses X_BM along the path, one a small step from the other, shape (k, 4, 4).
         q_start: joint coordinates one step before the first pose [rad | m], shape (n,).
+        held: coordinates of the axes at each pose, of which those of the external ones count [rad | m], shape
+            (k, n); None for those of `q_start`.
 
     Returns:
         Joint coordinates [rad | m] without whole turns between them, shape (k, n); NaN from the first pose
         on that is not reached.
 
     Raises:
-        ArrayShapeError: M551, T or `q_start` has another shape.
+        ArrayShapeError: M551, T, `q_start` or `held` has another shape.
         NotFiniteError: M552, `q_start` holds NaN or infinity.
     """
     if robot.external:
         whole, q = held_arm(robot), joint_vector(robot, q_start)
-        poses = in_arm_base(robot, whole, q, pose_rows(T))
-        return of_robot(whole, q, inverse_path(whole.arm, poses, q[list(whole.axes)]))
+        rows = q if held is None else joint_rows(robot, held)
+        poses = in_arm_base(robot, whole, rows, pose_rows(T))
+        return of_robot(whole, rows, inverse_path(whole.arm, poses, q[list(whole.axes)]))
     return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)

@@ -26,7 +26,6 @@ from ropsim.motion.limits.kept import Motion as Motion
 from ropsim.motion.limits.kept import Slowed as Slowed
 from ropsim.motion.limits.motion_time import MotionTime as MotionTime
 from ropsim.motion.limits.time_optimal import time_optimal as time_optimal
-from ropsim.motion.line_diagnostics import EXTERNAL_ON_LINE as EXTERNAL_ON_LINE
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
 from ropsim.motion.line_diagnostics import NO_ARC as NO_ARC
@@ -45,13 +44,16 @@ from ropsim.motion.paths import ArcFault as ArcFault
 from ropsim.motion.paths import ArcOrientation as ArcOrientation
 from ropsim.motion.paths import CornerFault as CornerFault
 from ropsim.motion.paths import Curve as Curve
+from ropsim.motion.paths import JointCurve as JointCurve
 from ropsim.motion.paths import JointLine as JointLine
 from ropsim.motion.paths import JointPath as JointPath
 from ropsim.motion.paths import JointPoints as JointPoints
 from ropsim.motion.paths import JointSection as JointSection
 from ropsim.motion.paths import Line as Line
 from ropsim.motion.paths import Path as Path
+from ropsim.motion.paths import Seen as Seen
 from ropsim.motion.paths import SplineFault as SplineFault
+from ropsim.motion.paths import Standing as Standing
 from ropsim.motion.paths import ToolPath as ToolPath
 from ropsim.motion.paths import ToolPoints as ToolPoints
 from ropsim.motion.paths import ToolSection as ToolSection
@@ -61,8 +63,10 @@ from ropsim.motion.paths import TurnPoints as TurnPoints
 from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
+from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import leave as leave
 from ropsim.motion.paths import numeric_points as numeric_points
+from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn
 from ropsim.motion.profile import Profile as Profile

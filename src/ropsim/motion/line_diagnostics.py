@@ -19,26 +19,6 @@ coordinates before it), make the line shorter, or use PTP where the path does no
 )
 
 
-EXTERNAL_ON_LINE = define(
-    "M521",
-    "external-axis-on-line",
-    Severity.ERROR,
-    "a LIN move is given a location whose external axes stand elsewhere",
-    """
-On a line the arm alone moves; a track or a positioner stays where it is. The location of the line says that
-an external axis stands elsewhere there. The message names the axis, where it is and where it should be.
-
-**How to mend it.** Bring the external axes there with `mov` first, such as to a place above the location:
-
-```
-mov stock above 80 mm external (800)
-lin stock
-```
-
-Or leave the values out where the line may be made from anywhere.
-""",
-)
-
 JUMP_ON_LINE = define(
     "M505",
     "singularity-on-line",

@@ -1,5 +1,6 @@
 """Moves of a run, and the paths that they took, as they were carried out."""
 
+from ropsim.controller import MovingFrame
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ToolPath
 from ropsim.spatial import record
@@ -27,11 +28,13 @@ class PathSpan:
     """A part of a path of the tool as it was followed.
 
     Attributes:
-        path: in the base frame.
+        path: in the base frame, or in that which external axes move meanwhile.
         start: tick at which it began.
         end: tick at which it ended; at a fine stop the arm was in position then.
+        frame: that is moved; None for the base frame.
     """
 
     path: ToolPath
     start: int
     end: int
+    frame: MovingFrame | None = None

@@ -119,4 +119,4 @@ def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> Non
         if piece.path is None or piece.first >= come:
             continue
         end = follower.tick_at(piece.last) if piece.last < min(come, planned.ticks) else at.tick
-        at.paths.append(PathSpan(piece.path, follower.tick_at(piece.first), end))
+        at.paths.append(PathSpan(piece.path, follower.tick_at(piece.first), end, piece.frame))

@@ -97,7 +97,7 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     log["q_error"] = log["q_ref"] - log["q"]
     robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
     attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
-    error = path_errors(at.paths, ticks, attained[:, :3, 3])
+    error = path_errors(at.paths, ticks, log["q"], attained[:, :3, 3])
     name, last = at.station.name, at.tick
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
@@ -156,12 +156,15 @@ def overrides_taken(run: CellRun) -> tuple[OverrideChange, ...]:
     return tuple(OverrideChange(tick / run.hz, value) for tick, value in run.overrides if tick <= run.tick)
 
 
-def path_errors(paths: list[PathSpan], ticks: Array, attained: Array) -> Array:
+def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) -> Array:
     """Return the distance of the attained TCP from the path of the tool, NaN where there is none.
+
+    Where external axes move the frame of a path, both are seen from where that frame really is.
 
     Args:
         paths: as followed, in order of time.
         ticks: recorded ticks, shape (k,).
+        q: attained joint coordinates [rad | m], shape (k, n).
         attained: attained TCP positions in the base frame [m], shape (k, 3).
 
     Returns:
@@ -171,7 +174,9 @@ def path_errors(paths: list[PathSpan], ticks: Array, attained: Array) -> Array:
     for span in paths:
         first, last = np.searchsorted(ticks, [span.start, span.end], side="right")
         if last > first:
-            errors[first:last] = span.path.distance(attained[first:last])
+            points = attained[first:last]
+            seen = span.frame.positions(q[first:last], points) if span.frame else points
+            errors[first:last] = span.path.distance(seen)
     return errors
 
 

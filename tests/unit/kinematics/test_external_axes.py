@@ -7,9 +7,11 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import (
+    ArrayShapeError,
     IkOptions,
     IkStatus,
     Limits,
+    NotFiniteError,
     forward,
     forward_batch,
     inverse,
@@ -68,6 +70,32 @@ def test_many_poses_are_solved_where_the_external_axes_stand() -> None:
     apart -= 2.0 * np.pi * np.round(apart / (2.0 * np.pi))
     assert np.nanmin(np.abs(apart).max(axis=2), axis=1).max() < ROUNDING
     assert (np.isnan(rows[..., 6]) == np.isnan(rows[..., 0])).all()
+
+
+def test_many_poses_are_solved_where_the_external_axes_are_at_each_of_them() -> None:
+    whole = station(PUMA)
+    Q = np.tile([*PUMA.home, 0.7, -0.4], (5, 1))
+    Q[:, 0], Q[:, 6], Q[:, 7] = np.linspace(-0.5, 0.5, 5), np.linspace(0.1, 0.9, 5), np.linspace(-2.0, 2.0, 5)
+    rows = inverse_batch(whole, forward_batch(whole, Q), Q)
+    apart = rows - Q[:, np.newaxis]
+    apart -= 2.0 * np.pi * np.round(apart / (2.0 * np.pi))
+    assert np.nanmin(np.abs(apart).max(axis=2), axis=1).max() < ROUNDING
+    present = ~np.isnan(rows[..., 0])
+    assert (rows[..., 6:] == Q[:, np.newaxis, 6:])[present].all()
+    with pytest.raises(ArrayShapeError):
+        inverse_batch(whole, forward_batch(whole, Q), Q[:, :7])
+    with pytest.raises(NotFiniteError):
+        inverse_batch(whole, forward_batch(whole, Q), np.full(Q.shape, np.nan))
+
+
+def test_a_path_is_followed_with_the_track_moving() -> None:
+    whole = station(PUMA)
+    Q = np.tile([*PUMA.home, 0.7, -0.4], (50, 1))
+    Q[:, :6] += np.linspace(0.0, 0.2, 50)[:, np.newaxis]
+    Q[:, 6:] += np.linspace(0.0, 0.5, 50)[:, np.newaxis]
+    found = inverse_path(whole, forward_batch(whole, Q[1:]), Q[0], Q[1:])
+    np.testing.assert_allclose(found, Q[1:], rtol=0, atol=1e-8)
+    assert (found[:, 6:] == Q[1:, 6:]).all()
 
 
 def test_a_path_is_followed_with_the_track_standing_still() -> None:

@@ -8,6 +8,9 @@ from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.differences import numeric_points as numeric_points
+from ropsim.motion.paths.joint_curve import JointCurve as JointCurve
+from ropsim.motion.paths.joint_curve import evenly as evenly
+from ropsim.motion.paths.joint_curve import smoothly as smoothly
 from ropsim.motion.paths.joint_line import JointLine as JointLine
 from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
@@ -22,8 +25,10 @@ from ropsim.motion.paths.path import ToolPath as ToolPath
 from ropsim.motion.paths.path import ToolPoints as ToolPoints
 from ropsim.motion.paths.section import JointSection as JointSection
 from ropsim.motion.paths.section import ToolSection as ToolSection
+from ropsim.motion.paths.seen import Seen as Seen
 from ropsim.motion.paths.spline import SplineFault as SplineFault
 from ropsim.motion.paths.spline import spline as spline
+from ropsim.motion.paths.standing import Standing as Standing
 from ropsim.motion.paths.traced import Traced as Traced
 from ropsim.motion.paths.zone import enter as enter
 from ropsim.motion.paths.zone import leave as leave
