@@ -115,6 +115,18 @@ def pose_channels(station: str, kind: str, matrices: Array) -> dict[str, Channel
     }
 
 
+def path_speed_channel(station: str, kind: str, speeds: Array) -> Channel:
+    """Return the channel of speeds along paths in frames that are moved [m/s], shape (rows,), NaN elsewhere.
+
+    Args:
+        station: name of the station whose TCP it is.
+        kind: `attained` or `command`.
+        speeds: against the frame of the path.
+    """
+    text = f"{kind} speed of the TCP against the frame of its path, where external axes move that"
+    return Channel(speeds, "m/s", (), text, ChannelGroup.TCP, station)
+
+
 def path_error_channel(station: str, errors: Array) -> Channel:
     """Return the channel of path errors [m], shape (rows,), NaN where no move has a line."""
     text = "distance of the attained TCP from the commanded line"

@@ -30,11 +30,13 @@ from ropsim.simulation.channels import (
     finger_channel,
     joint_channels,
     path_error_channel,
+    path_speed_channel,
     pose_channels,
     track_channel,
 )
 from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import PathSpan
+from ropsim.simulation.path_speeds import path_speeds
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.shared_programs import told_at
@@ -99,12 +101,18 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
     error = path_errors(at.paths, ticks, log["q"], attained[:, :3, 3])
     name, last = at.station.name, at.tick
+    carried = {}
+    if any(span.frame for span in at.paths):
+        for kind, q, matrices in (("command", log["q_ref"], command), ("attained", log["q"], attained)):
+            speeds = path_speeds(at.paths, ticks / at.hz, ticks, q, matrices[:, :3, 3])
+            carried[f"{kind}_path_speed"] = path_speed_channel(name, kind, speeds)
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
         **joint_channels(name, robot, log),
         **pose_channels(name, "attained", attained),
         **pose_channels(name, "command", command),
         "path_error": path_error_channel(name, error),
+        **carried,
         **held,
     }
 

@@ -160,11 +160,22 @@ def speed(station: StationView, quantity: str) -> Array:
     return np.asarray(np.linalg.norm(rate, axis=1), dtype=np.float64)
 
 
+def path_speed(station: StationView, kind: str) -> Array:
+    """Return the speed of the TCP against the frame of its path [m/s], shape (n,): mostly the base frame.
+
+    Args:
+        station: whose TCP it is.
+        kind: `command` or `attained`.
+    """
+    carried = station.series(f"{kind}_path_speed")
+    return np.where(np.isfinite(carried), carried, speed(station, f"{kind}_position"))
+
+
 def _moves(station: StationView, error: Array) -> Iterator[PathMove]:
     """Yield the straight moves of a station; `error` are its path errors, shape (n,)."""
     inside = np.flatnonzero(np.isfinite(error))
     ordinals, visits = station.ordinals(), _visits(station)
-    command, attained = speed(station, "command_position"), speed(station, "attained_position")
+    command, attained = path_speed(station, "command"), path_speed(station, "attained")
     for piece in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
         if piece.size:
             ordinal = int(ordinals[piece[0]])

@@ -16,6 +16,7 @@ from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
 from ropsim.spatial import Array
+from ropsim.views.path_summary import summarize_path
 from ropsim.workbench import environment_of
 
 CELL = """
@@ -92,7 +93,7 @@ def recorded(fidelity: Fidelity, *acts: tuple[float, float]) -> Recording:
 
 
 def on_plate(recording: Recording, quantity: str) -> tuple[Array, Array, Array]:
-    """Return the TCP on the plate (k, 3) [m], in the room (k, 3) [m], and the plate's angle (k,), on the seam.
+    """Return the TCP on the plate and in the room (k, 3) [m], and the plate's angle (k,), on the seam.
 
     The plate turns about a vertical axis at x = 600 mm, 400 mm above the floor.
     """
@@ -155,3 +156,14 @@ def test_speed_counts_on_the_plate() -> None:
     assert np.quantile(over, 0.5) == pytest.approx(0.06, rel=1e-6)
     assert over.max() <= 0.06 * (1.0 + 1e-6)
     assert np.linalg.norm(np.diff(room, axis=0), axis=1).max() / period < 0.003
+
+
+def test_the_accuracy_of_the_speed_is_that_on_the_plate() -> None:
+    recording = recorded(Fidelity.KINEMATIC)
+    seam = [one for one in summarize_path(recording).moves if one.ordinal > 0]
+    assert len(seam) == 4
+    for one in seam:
+        assert one.command_speed == pytest.approx(0.06, rel=1e-4)
+        assert abs(one.speed_accuracy) < 1e-4
+    still = recording.channels["command_path_speed"].values[recording.time < 0.5]
+    assert np.isnan(still).all()
