@@ -51,12 +51,16 @@ _OPTIONS = {
     Bounds.CHECKED: 'error_model="numpy", boundscheck=True',
 }
 
+_INSIDE = ", no_cpython_wrapper=True, no_cfunc_wrapper=True"
+"""Of functions that only compiled code calls."""
+
 
 def compiled_source(functions: Sequence[SourceFunction]) -> str:
     """Return the text of a module whose functions numba compiles when it is run; `entry` calls the last."""
     parts = ["import math\n\nimport numba\nimport numpy as np\n"]
-    parts += [f'@numba.njit("{one.signature}", {_OPTIONS[one.bounds]})\n{one.text}' for one in functions]
-    last = functions[-1]
+    *inner, last = functions
+    parts += [f'@numba.njit("{one.signature}", {_OPTIONS[one.bounds]}{_INSIDE})\n{one.text}' for one in inner]
+    parts.append(f'@numba.njit("{last.signature}", {_OPTIONS[last.bounds]})\n{last.text}')
     return "\n\n".join((*parts, Signature.parse(last.signature).entry_text(last.name)))
 
 
