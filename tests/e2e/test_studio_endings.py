@@ -152,7 +152,7 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
                 language.recv(timeout=PATIENCE)
 
 
-def test_a_live_run_is_stopped_paused_and_replaced_through_the_server(studio: Studio) -> None:
+def test_a_live_run_is_held_slowed_stopped_and_replaced_through_the_server(studio: Studio) -> None:
     with page_of(studio) as page:
         page.hear("run", state="done")
         page.say(type="edit", document=MAIN, text=LONG, version=1)
@@ -160,10 +160,12 @@ def test_a_live_run_is_stopped_paused_and_replaced_through_the_server(studio: St
         for _ in range(2):
             page.say(type="live_start", program="", speed=0.1)
             page.hear("live", state="running")
-            page.say(type="live_control", action="pause")
-            page.hear("live", state="paused")
+            page.say(type="live_control", action="hold")
+            page.hear("live", state="held")
+            page.say(type="live_override", value=0.5)
+            page.hear("live", state="held", override=0.5)
             page.say(type="edit", document=MAIN, text=LONG + "# more\n", version=2)  # it is not disturbed
-            page.say(type="live_control", action="resume")
+            page.say(type="live_control", action="continue")
             page.hear("live", state="running")
             page.say(type="live_control", action="stop")
             page.hear("live", state="over")

@@ -209,15 +209,6 @@ def test_a_toggled_input_stays_until_the_next_press(keys: StudioPage, signals: "
     mode.select_option("while held")
 
 
-def test_a_paused_live_run_stands_still_and_goes_on(keys: StudioPage, signals: "Locator") -> None:
-    live(keys, signals)
-    signals.get_by_role("button", name="Pause").click()
-    keys.pill().get_by_text("Live, paused").wait_for()
-    paused = keys.state()["duration"]
-    signals.get_by_role("button", name="Resume").click()
-    keys.page.wait_for_function("paused => __ropsim.state().duration > paused + 0.1", arg=paused)
-
-
 def test_scrubbing_back_stays_there_until_the_run_is_followed_again(
     keys: StudioPage, signals: "Locator"
 ) -> None:

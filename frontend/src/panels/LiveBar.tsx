@@ -1,7 +1,8 @@
-/** Start, pause, speed and end of a live run. */
+/** Start, hold, step, override, speed and end of a live run. */
 import { SPEEDS } from '../run/cursor'
 import { useStudio, useStudioState } from '../studio/context'
 import { words } from '../text/messages'
+import { OverrideSlider } from './OverrideSlider'
 
 export function LiveBar() {
   const studio = useStudio()
@@ -13,7 +14,8 @@ export function LiveBar() {
   const finished = useStudioState(state => state.shown > 0 && state.status?.state === 'done')
   const inputs = useStudioState(state => state.status?.inputs ?? 0)
   const { id } = studio.runs
-  const control = (action: 'pause' | 'resume' | 'stop') => studio.send({ type: 'live_control', action })
+  const control = (action: 'hold' | 'continue' | 'step' | 'stop') =>
+    studio.send({ type: 'live_control', action })
   return (
     <div className="toolbar" role="toolbar" aria-label={words.signals.live}>
       {on ? null : (
@@ -59,18 +61,32 @@ export function LiveBar() {
       {on && live ? (
         <>
           <strong className="live-mark">{words.run.live}</strong>
-          {live.state === 'paused' ? (
-            <button type="button" onClick={() => control('resume')}>
+          {live.state === 'held' ? (
+            <button type="button" onClick={() => control('continue')}>
               {words.signals.resume}
             </button>
           ) : (
-            <button type="button" disabled={live.state === 'starting'} onClick={() => control('pause')}>
-              {words.signals.pause}
+            <button
+              type="button"
+              disabled={live.state === 'starting'}
+              title={words.signals.holdTitle}
+              onClick={() => control('hold')}
+            >
+              {words.signals.hold}
             </button>
           )}
+          <button
+            type="button"
+            disabled={live.state !== 'held'}
+            title={words.signals.stepTitle}
+            onClick={() => control('step')}
+          >
+            {words.signals.step}
+          </button>
           <button type="button" onClick={() => control('stop')}>
             {words.signals.stop}
           </button>
+          <OverrideSlider live={live} />
           <label className="inline">
             {words.signals.speed}
             <select

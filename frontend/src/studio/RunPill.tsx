@@ -12,7 +12,9 @@ export function runWords(state: StudioState): readonly [Tone, string] {
   if (connection === 'connecting') return ['quiet', words.connection.connecting]
   if (live && live.state !== 'over') {
     if (live.state === 'starting') return ['running', words.run.liveStarting]
-    return ['running', live.state === 'paused' ? words.run.livePaused : `${words.run.live} ${live.speed}×`]
+    if (live.state === 'held') return ['running', words.run.liveHeld]
+    if (live.override < 1) return ['running', words.run.liveSlowed(Math.round(live.override * 100))]
+    return ['running', `${words.run.live} ${live.speed}×`]
   }
   switch (status?.state) {
     case 'waiting':

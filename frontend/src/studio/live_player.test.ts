@@ -18,16 +18,16 @@ beforeEach(() => {
 })
 
 function live(state: LiveStatus['state']): void {
-  store.setState({ live: { type: 'live', state, speed: 1, program: 'main' } })
+  store.setState({ live: { type: 'live', state, speed: 1, program: 'main', override: 1 } })
 }
 
-test('pausing in a live run pauses the run, not the cursor', () => {
+test('pausing in a live run holds the run, not the cursor', () => {
   live('running')
   expect(transport.playing).toBe(true)
   transport.toggle()
-  live('paused')
+  live('held')
   transport.toggle()
-  expect(sent.map(one => 'action' in one && one.action)).toEqual(['pause', 'resume'])
+  expect(sent.map(one => 'action' in one && one.action)).toEqual(['hold', 'continue'])
   expect(transport.cursor.playing).toBe(false)
 })
 

@@ -1,4 +1,4 @@
-/** Play and pause of a live run: while there is one, they act on it and not on the cursor. */
+/** Play and pause while there is a live run: they hold it and let it go on, and leave the cursor alone. */
 import type { Player, Transport } from '../run/transport'
 import type { Command } from '../wire/commands'
 import type { StudioStore } from './state'
@@ -18,8 +18,8 @@ class LivePlayer implements Player {
 
   toggle(): void {
     const state = this.#store.getState().live?.state
-    if (state !== 'running' && state !== 'paused') return
-    this.#send({ type: 'live_control', action: state === 'running' ? 'pause' : 'resume' })
+    if (state !== 'running' && state !== 'held') return
+    this.#send({ type: 'live_control', action: state === 'running' ? 'hold' : 'continue' })
   }
 }
 

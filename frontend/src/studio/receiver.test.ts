@@ -66,7 +66,7 @@ describe('a welcome', () => {
   })
 
   it('forgets a live run that may be over', () => {
-    receiver.receive({ type: 'live', state: 'running', speed: 1, program: 'place' })
+    receiver.receive({ type: 'live', state: 'running', speed: 1, program: 'place', override: 1 })
     studio.store.setState({ following: true })
     receiver.receive(WELCOME)
     expect([state().live, state().following]).toEqual([null, false])

@@ -20,7 +20,7 @@ const SIGNALS = [
   input('pressure', { analog: true }),
   input('lamp', { input: false }),
 ]
-const RUNNING: LiveStatus = { type: 'live', state: 'running', speed: 1, program: 'main' }
+const RUNNING: LiveStatus = { type: 'live', state: 'running', speed: 1, program: 'main', override: 1 }
 
 /** What a browser would keep. */
 class Kept extends ProjectStorage {

@@ -44,6 +44,11 @@ export function addSimulate(studio: Studio, group: Grouped): void {
   const isLive = () => state().live !== null && state().live?.state !== 'over'
   const start = () => studio.send({ type: 'live_start', program: program(), speed: 1 })
   live('live.start', titles.live, [], start, { enabled: () => connected.enabled() && !isLive() })
+  const order = (action: 'hold' | 'continue' | 'step') => () => studio.send({ type: 'live_control', action })
+  const isIn = (live: 'running' | 'held') => ({ enabled: () => state().live?.state === live })
+  live('live.hold', titles.holdLive, [], order('hold'), isIn('running'))
+  live('live.continue', titles.continueLive, [], order('continue'), isIn('held'))
+  live('live.step', titles.stepLive, [], order('step'), isIn('held'))
   live('live.stop', titles.stopLive, [], () => studio.send({ type: 'live_control', action: 'stop' }), {
     enabled: isLive,
   })

@@ -79,10 +79,16 @@ export interface LiveStart {
   readonly speed: number
 }
 
-/** Pause a live run, go on, or end it; ending keeps what was recorded so far. */
+/** Hold a live run on its path, let it go on or make one step, or end it; the recording is kept. */
 export interface LiveControl {
   readonly type: 'live_control'
-  readonly action: 'pause' | 'resume' | 'stop'
+  readonly action: 'hold' | 'continue' | 'step' | 'stop'
+}
+
+/** Share of their planned speed at which the motions of the live run are followed, 0 to 1. */
+export interface LiveOverride {
+  readonly type: 'live_override'
+  readonly value: number
 }
 
 /** Simulated seconds per second of the live run. */
@@ -141,6 +147,7 @@ export type Command =
   | CancelRun
   | LiveStart
   | LiveControl
+  | LiveOverride
   | LiveSpeed
   | SetSignal
   | ForgetInputs

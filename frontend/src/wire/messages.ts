@@ -125,11 +125,13 @@ export interface RunStatus {
 export interface LiveStatus {
   readonly type: 'live'
   /** Of the run. */
-  readonly state: 'starting' | 'running' | 'paused' | 'over'
+  readonly state: 'starting' | 'running' | 'held' | 'over'
   /** Simulated seconds per second. */
   readonly speed: number
   /** Its name. */
   readonly program: string
+  /** Share of the planned speed that is asked for, 0 to 1. */
+  readonly override: number
 }
 
 /** What one number in the state frames of a live run is. */

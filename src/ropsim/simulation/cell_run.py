@@ -78,6 +78,11 @@ class CellRun:
         return min((dues[name] for name in self.at_work), default=max(dues.values()))
 
     @property
+    def farthest(self) -> int:
+        """Return the tick of the cell's clock to which the station at work has come that is farthest."""
+        return max((self.stations[name].due for name in self.at_work), default=self.tick)
+
+    @property
     def time(self) -> float:
         """Return the simulated time up to which all stations have come [s]."""
         return self.tick / self.hz
@@ -183,7 +188,7 @@ class CellRun:
 
     def set_override(self, value: float) -> int:
         """Let the speed override have a value from the first tick on that is open; return that tick."""
-        tick = max(self._farthest, self.asked + 1)
+        tick = max(self.farthest, self.asked + 1)
         self.override_from(tick, value)
         return tick
 
@@ -199,7 +204,7 @@ class CellRun:
 
     def stop(self) -> int:
         """End the run at the first tick to which nobody has come; return that tick."""
-        tick = self._farthest + 1
+        tick = self.farthest + 1
         if self.stop_tick is None:
             self.stop_from(tick)
         return tick
@@ -216,11 +221,6 @@ class CellRun:
     def is_stopped(self, tick: int) -> bool:
         """Return whether the run has been ended by hand at a tick of the cell's clock."""
         return self.stop_tick is not None and tick >= self.stop_tick
-
-    @property
-    def _farthest(self) -> int:
-        """Return the tick of the cell's clock to which the station at work has come that is farthest."""
-        return max((self.stations[name].due for name in self.at_work), default=self.tick)
 
     def note(self, at: StationRun, since: int, event: Event) -> None:
         """Enter an event of a station that began at its tick `since` and ends now."""

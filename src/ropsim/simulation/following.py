@@ -74,6 +74,11 @@ class Follower:
         """Return whether the motion stands by the override."""
         return self.clock.rate == 0.0 and self.clock.change == 0.0
 
+    @property
+    def _is_undisturbed(self) -> bool:
+        """Return whether the motion is at one of its rows and at its own speed."""
+        return self.clock.rate == 1.0 and self.clock.change == 0.0 and self.clock.place.is_integer()
+
     def until(self, place: int) -> Iterator[None]:
         """Follow the plan to a control tick of motion time; yields after each slice.
 
@@ -115,7 +120,7 @@ class Follower:
         longest = min(run.slice(at), every) if self.lookout else run.slice(at)
         period = self.plan.period
         rows = PlanRows(self.plan)
-        if override == 1.0 and self.clock == ClockState(self.clock.place) and self.clock.place.is_integer():
+        if override == 1.0 and self._is_undisturbed:
             ticks = min(place - int(self.clock.place), longest)
             self.clock, reference = advance(self.clock, rows, ticks, override, self.limits, period)
             at.follow(reference)

@@ -25,6 +25,11 @@ class RunView(Protocol):
         ...
 
     @property
+    def farthest(self) -> int:
+        """Return the tick of the cell's clock to which the station at work has come that is farthest."""
+        ...
+
+    @property
     def time(self) -> float:
         """Return the same as a time [s]."""
         ...

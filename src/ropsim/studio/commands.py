@@ -9,7 +9,7 @@ import msgspec
 from msgspec import Meta, Struct
 
 from ropsim.studio import jobs
-from ropsim.studio.jobs import Fidelity, LiveControl, LiveSpeed, Name, SetSignal
+from ropsim.studio.jobs import Fidelity, LiveControl, LiveOverride, LiveSpeed, Name, SetSignal
 
 Place: TypeAlias = Annotated[str, Meta(min_length=1, max_length=4000)]
 """A path that the user has typed."""
@@ -127,6 +127,7 @@ Command: TypeAlias = (
     | CancelRun
     | LiveStart
     | LiveControl
+    | LiveOverride
     | LiveSpeed
     | SetSignal
     | ForgetInputs

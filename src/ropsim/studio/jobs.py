@@ -15,6 +15,7 @@ from msgspec import Meta, Struct
 
 Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
 Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
+Share: TypeAlias = Annotated[float, Meta(ge=0.0, le=1.0)]
 Fidelity: TypeAlias = Literal["dynamic", "kinematic"]
 RunForm: TypeAlias = Literal["recording", "inputs", "report", "code"]
 """A run as a file: NPZ, inputs as `ropsim run --inputs` takes them, HTML, text of the neutral code."""
@@ -116,9 +117,15 @@ class Renew:
 
 
 class LiveControl(Struct, frozen=True, tag_field="type", tag="live_control"):
-    """Pause a live run, go on, or end it; ending keeps what was recorded so far."""
+    """Hold a live run on its path, let it go on or make one step, or end it; the recording is kept."""
 
-    action: Literal["pause", "resume", "stop"]
+    action: Literal["hold", "continue", "step", "stop"]
+
+
+class LiveOverride(Struct, frozen=True, tag_field="type", tag="live_override"):
+    """Share of their planned speed at which the motions of the live run are followed, 0 to 1."""
+
+    value: Share
 
 
 class LiveSpeed(Struct, frozen=True, tag_field="type", tag="live_speed"):
@@ -140,7 +147,8 @@ class Stop:
 
 
 Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp
-Order: TypeAlias = Cancel | Renew | LiveControl | LiveSpeed | SetSignal | Stop
+LiveOrder: TypeAlias = LiveControl | LiveOverride | LiveSpeed | SetSignal
+Order: TypeAlias = Cancel | Renew | LiveOrder | Stop
 
 
 # ---- answers ---------------------------------------------------------------------------------------------

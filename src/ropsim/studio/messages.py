@@ -159,11 +159,13 @@ class LiveStatus(Struct, frozen=True, tag_field="type", tag="live"):
         state: of the run.
         speed: simulated seconds per second.
         program: its name.
+        override: share of the planned speed that is asked for, 0 to 1.
     """
 
-    state: Literal["starting", "running", "paused", "over"]
+    state: Literal["starting", "running", "held", "over"]
     speed: float
     program: str
+    override: float = 1.0
 
 
 class LiveChannel(Struct, frozen=True):

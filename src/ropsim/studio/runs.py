@@ -135,7 +135,7 @@ class Runs:
         if self._current is not None:
             self._give_up(self._current)
 
-    def order_live(self, order: jobs.LiveControl | jobs.LiveSpeed | jobs.SetSignal) -> None:
+    def order_live(self, order: jobs.LiveOrder) -> None:
         """Pass an order on to the live run; without one nothing happens."""
         if self._current is not None and self._current.wish.speed is not None:
             self._simulator.order(self._current.task, order)

@@ -153,7 +153,7 @@ class Session:
                 self.runs.cancel()
             case commands.LiveStart(program, speed):
                 self.runs.start_live(program, speed)
-            case jobs.LiveControl() | jobs.LiveSpeed() | jobs.SetSignal():
+            case jobs.LiveControl() | jobs.LiveOverride() | jobs.LiveSpeed() | jobs.SetSignal():
                 self.runs.order_live(command)
             case commands.ForgetInputs():
                 self.runs.forget_inputs()

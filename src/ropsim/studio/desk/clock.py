@@ -24,23 +24,16 @@ class PacedClock:
         self._time = 0.0
         self._speed = within_range(speed)
         self._horizon = 0.0
-        self._paused = False
 
     @property
     def speed(self) -> float:
         """Return the simulated seconds per second."""
         return self._speed
 
-    @property
-    def paused(self) -> bool:
-        """Return whether the clock stands."""
-        return self._paused
-
     def now(self) -> float:
         """Return the simulated time that is shown [s]; it stands at the horizon."""
         wall = self._wall()
-        if not self._paused:
-            self._time += (wall - self._since) * self._speed
+        self._time += (wall - self._since) * self._speed
         self._since = wall
         return min(self._time, self._horizon)
 
@@ -54,16 +47,6 @@ class PacedClock:
     def wait_for(self, time: float) -> float:
         """Return how long it takes on the wall until the clock shows a time [s]; at least 0."""
         return max(time - self.now(), 0.0) / self._speed
-
-    def pause(self) -> None:
-        """Let the clock stand."""
-        self._time = self.now()
-        self._paused = True
-
-    def resume(self) -> None:
-        """Let the clock go on."""
-        self.now()
-        self._paused = False
 
     def set_speed(self, speed: float) -> None:
         """Go on at another speed."""

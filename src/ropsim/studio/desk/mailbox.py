@@ -15,6 +15,7 @@ from ropsim.studio.jobs import (
     JogJoints,
     JogTcp,
     LiveControl,
+    LiveOverride,
     LiveSpeed,
     LiveStart,
     OpenScene,
@@ -80,7 +81,9 @@ class Mailbox:
             match request.content:
                 case Cancel() if request.number == number:
                     raise Cancelled
-                case LiveControl() | LiveSpeed() | SetSignal() | Renew() as order if request.number == number:
+                case (LiveControl() | LiveOverride() | LiveSpeed() | SetSignal() | Renew()) as order if (
+                    request.number == number
+                ):
                     orders.append(order)
                 case _:
                     self._sort_in(request)

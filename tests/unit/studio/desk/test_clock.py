@@ -47,18 +47,6 @@ def test_computing_takes_nothing_from_the_time_that_is_shown(wall: Wall) -> None
     assert clock.now() == 1.0
 
 
-def test_a_pause_takes_no_time(wall: Wall) -> None:
-    clock = PacedClock(wall, 1.0)
-    clock.extend(10.0)
-    wall.time += 1.0
-    clock.pause()
-    wall.time += 50.0
-    assert clock.now() == pytest.approx(1.0)
-    clock.resume()
-    wall.time += 1.0
-    assert clock.now() == pytest.approx(2.0)
-
-
 @pytest.mark.parametrize(("wanted", "speed"), [(0.0, 0.1), (100.0, 8.0), (float("nan"), 1.0), (3.0, 3.0)])
 def test_speeds_are_kept_in_their_range(wall: Wall, wanted: float, speed: float) -> None:
     assert PacedClock(wall, wanted).speed == speed

@@ -31,29 +31,27 @@ class Stamp:
 class Keys:
     """Gives key presses their times.
 
-    A press becomes part of the run at the next tick of the clock that is shown, later than anything
+    A press becomes part of the run at the first tick to which no station has come, later than anything
     the program has read and later than the press before on the same signal. A run that is given the same
     changes at the same ticks reads the same values.
 
     Attributes:
         cell: whose inputs they are.
-        hz: ticks of the cell's clock per second.
         looked: tick of the latest reading of the program, -1 before the first.
         last: tick of the latest change by signal.
     """
 
     cell: Cell
-    hz: int
     looked: int = -1
     last: dict[str, int] = field(default_factory=dict)
 
-    def stamp(self, name: str, value: float, now: float) -> Stamp | Diagnostic:
+    def stamp(self, name: str, value: float, soonest: int) -> Stamp | Diagnostic:
         """Return the change that a press means, or why it means none.
 
         Args:
             name: of the signal.
             value: of the key.
-            now: time on the clock that is shown [s].
+            soonest: first tick of the cell's clock to which no station has come.
         """
         signal = self.cell.signals.get(name)
         if signal is None or not signal.is_input:
@@ -64,7 +62,6 @@ class Keys:
         if not math.isfinite(value):
             return NO_INPUT.at(None, f"`{name}` cannot be set to {value}, needed is a number")
         level = value if signal.analog else float(value != 0.0)
-        due = math.ceil(now * self.hz - 1e-9)
-        tick = max(due, self.looked + 1, self.last.get(name, -1) + 1)
+        tick = max(soonest, self.looked + 1, self.last.get(name, -1) + 1)
         self.last[name] = tick
         return Stamp(name, tick, level)

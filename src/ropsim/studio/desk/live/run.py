@@ -36,9 +36,9 @@ REAL = Clocks()
 def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | None = None) -> RunReply:
     """Return the reply to a live run, with the inputs that it was given.
 
-    The program looks at its inputs at its own times. Each look is held until the clock that is shown has come
-    to that time; until then key presses are taken in, and each gets the next control tick of the clock. So
-    `Simulate` with the inputs of the reply makes the same recording, bit for bit.
+    The run is computed slice by slice, each when the one before it has been shown. What is ordered meanwhile
+    acts from the next tick on to which no station has come, and is recorded with it; a run that is given what
+    the recording tells makes the same recording, bit for bit.
 
     Args:
         job: folder, texts, program and speed.

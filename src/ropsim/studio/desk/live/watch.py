@@ -1,9 +1,8 @@
-"""A run at the pace of a clock: it is held where the clock has not come yet, and shown meanwhile."""
+"""A run at the pace of a clock: it waits where the clock has not come yet, and is shown meanwhile."""
 
 from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Literal
 
 from msgspec import convert
 
@@ -13,16 +12,14 @@ from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Line
 from ropsim.studio.desk.live.frame import Frames
+from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.keys import Keys, Stamp
-from ropsim.studio.jobs import LiveControl, LiveMessage, LiveSpeed, Order, SetSignal
+from ropsim.studio.jobs import LiveControl, LiveMessage, LiveOverride, LiveSpeed, Order, SetSignal
 from ropsim.studio.messages import LiveStatus, Placed, Printed, SignalStamped, notice, plain
 from ropsim.views import ShownPlacements
 
 FRAME = 1.0 / 60.0
 """Time between two frames [s of the wall clock]."""
-
-LEAD = 0.1
-"""How long before the end of what is shown the next instruction is computed [s of the wall clock]."""
 
 LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
 """How long the run waits at a time for orders [s of the wall clock]."""
@@ -30,7 +27,10 @@ LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
 
 @dataclass(slots=True)
 class LivePace:
-    """Holds a run, shows it and gives it inputs (`ropsim.simulation.Watch`).
+    """Lets a run keep pace, shows it and does to it what is ordered (`ropsim.simulation.Watch`).
+
+    A watched run goes on in slices of an interpolation tick. Each is computed when the one before it has been
+    shown, so that whatever is done to the run acts within a slice of what is seen.
 
     Attributes:
         program: name of the one that was asked for, for messages.
@@ -46,7 +46,7 @@ class LivePace:
         news: messages on parts and of the program whose time has not come yet.
         heard: how many events have been looked at for messages of the program.
         shown: when the last frame was due [s of the wall clock].
-        over: whether the run has been ended by hand.
+        hand: holds, slows and ends the run.
     """
 
     program: str
@@ -62,7 +62,7 @@ class LivePace:
     news: deque[tuple[float, LiveMessage]] = field(default_factory=deque)
     heard: int = 0
     shown: float = float("-inf")
-    over: bool = False
+    hand: Hand = field(default_factory=Hand)
 
     @property
     def may_press(self) -> bool:
@@ -70,7 +70,7 @@ class LivePace:
         return True
 
     def advanced(self, run: RunView) -> None:
-        """Wait until what has been computed is nearly shown.
+        """Wait until what has been computed is shown.
 
         Raises:
             Cancelled: the run was given up.
@@ -81,18 +81,14 @@ class LivePace:
             (one.time, printed(one)) for one in run.events[self.heard :] if isinstance(one, MessageEvent)
         ]
         self.heard = len(run.events)
-        self.clock.extend(run.time)
-        self._show_until(run, run.time - LEAD * self.clock.speed)
-
-    def reading(self, run: RunView) -> None:
-        """Wait until the clock shows the time at which the program looks.
-
-        Raises:
-            Cancelled: the run was given up.
-        """
-        self._begin(run)
+        if self.hand.look(run):
+            self._tell_state()
         self.clock.extend(run.time)
         self._show_until(run, run.time)
+
+    def reading(self, run: RunView) -> None:
+        """Let the program look; keys that are pressed from now on come later."""
+        self._begin(run)
         if self.keys is not None:
             self.keys.looked = run.tick
 
@@ -108,7 +104,7 @@ class LivePace:
 
     def _begin(self, run: RunView) -> None:
         if self.frames is None:
-            self.keys = Keys(run.cell, run.hz)
+            self.keys = Keys(run.cell)
             self.frames = Frames(run, self.programs)
             self.placed = ShownPlacements(run.scenery.tree)
             self.line.report(self.frames.layout())
@@ -130,7 +126,7 @@ class LivePace:
 
     def _show_until(self, run: RunView, until: float) -> None:
         nap = 0.0
-        while not self.over:
+        while not self.hand.is_over:
             for order in self.line.orders(nap):
                 self._obey(run, order)
             now = self.clock.now()
@@ -140,8 +136,6 @@ class LivePace:
             nap = self._nap(until)
 
     def _nap(self, until: float) -> float:
-        if self.clock.paused:
-            return LONGEST_NAP
         due = self.shown + FRAME - self.wall()
         return min(max(min(due, self.clock.wait_for(until)), SHORTEST_NAP), LONGEST_NAP)
 
@@ -149,22 +143,15 @@ class LivePace:
         while self.news and self.news[0][0] <= now:
             self.line.report(self.news.popleft()[1])
         wall = self.wall()
-        if self.frames is not None and wall >= self.shown + FRAME - SHORTEST_NAP and not self.clock.paused:
+        if self.frames is not None and wall >= self.shown + FRAME - SHORTEST_NAP:
             self.line.report(self.frames.frame(run, now, self.day()))
             # frames keep their rhythm, unless the run has been held up
             self.shown = self.shown + FRAME if wall < self.shown + 2.0 * FRAME else wall
 
     def _obey(self, run: RunView, order: Order) -> None:
         match order:
-            case LiveControl("stop"):
-                run.stop()
-                self.over = True
-            case LiveControl("pause"):
-                self._show(run, self.clock.now())
-                self.clock.pause()
-                self._tell_state()
-            case LiveControl("resume"):
-                self.clock.resume()
+            case LiveControl() | LiveOverride():
+                self.hand.obey(run, order)
                 self._tell_state()
             case LiveSpeed(speed):
                 self.clock.set_speed(speed)
@@ -175,7 +162,7 @@ class LivePace:
                 pass
 
     def _press(self, run: RunView, keys: Keys, order: SetSignal) -> None:
-        stamp = keys.stamp(order.name, order.value, self.clock.now())
+        stamp = keys.stamp(order.name, order.value, run.farthest + 1)
         if isinstance(stamp, Stamp):
             run.press(stamp.signal, stamp.tick, stamp.value)
             time = stamp.tick / run.hz
@@ -185,8 +172,8 @@ class LivePace:
         self.line.report(LiveMessage(news))
 
     def _tell_state(self) -> None:
-        state: Literal["paused", "running"] = "paused" if self.clock.paused else "running"
-        self.line.report(LiveMessage(plain(LiveStatus(state, self.clock.speed, self.program))))
+        status = LiveStatus(self.hand.state, self.clock.speed, self.program, self.hand.override)
+        self.line.report(LiveMessage(plain(status)))
 
 
 def printed(message: MessageEvent) -> LiveMessage:

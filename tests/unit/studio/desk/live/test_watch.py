@@ -1,17 +1,23 @@
 """What a live run tells while it goes on: layout, frames, parts, states."""
 
 import struct
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from ropsim.flow import MoveEvent, OutputEvent, Recording, WaitEvent
+from ropsim.simulation import Fidelity, RunOptions, RunView, run
+from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.desk.live.run import Clocks, run_live
+from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.jobs import (
     Cancel,
     LiveControl,
     LiveFrame,
+    LiveOverride,
     LiveSpeed,
     LiveStart,
     Order,
@@ -31,6 +37,25 @@ close
 mov (500, -150, 180)
 open
 """
+LONG = "program p\nunits mm, deg, s\nmov joints (150, 60, -150, 0, -60, 0) speed 20 %\n"
+STEPS = """\
+program p
+units mm, deg, s
+mov joints (20, 60, -150, 0, -60, 0)
+wait 0.5 s
+set lamp on
+mov joints (0, 60, -150, 0, -60, 0)
+"""
+PASSING = """\
+program p
+units mm, deg
+lin (500, -150, 250) blend 20 speed 200
+lin (500, 0, 250) blend 20 speed 200
+lin (500, 0, 150) speed 200
+"""
+SLICE = 4e-3
+"""Interpolation tick of the controller [s]."""
+
 WAITING = "program p\nunits mm, deg\nwait until start\n"
 
 
@@ -109,19 +134,115 @@ def test_the_channels_are_those_of_the_recording_but_for_the_path_error(folder: 
     }
 
 
-def test_pause_and_speed_are_told_and_no_frame_comes_while_it_stands(folder: Path) -> None:
+def test_holds_overrides_and_speeds_are_told_and_frames_go_on(folder: Path) -> None:
     plan: list[tuple[float, Order]] = [
-        (0.5, LiveControl("pause")),
-        (20.0, LiveControl("resume")),
-        (20.5, LiveSpeed(2.0)),
-        (21.0, SetSignal("start", 1.0)),
+        (0.5, LiveControl("hold")),
+        (0.6, LiveOverride(0.25)),
+        (1.0, LiveControl("continue")),
+        (1.5, LiveSpeed(2.0)),
+        (2.0, SetSignal("start", 1.0)),
     ]
     line = FakeLine(plan)
     reply = live(folder, WAITING, line)
-    states = [(one["state"], one["speed"]) for one in line.messages("live")]
-    assert states == [("running", 1.0), ("paused", 1.0), ("running", 1.0), ("running", 2.0)]
-    assert len(line.frames) == pytest.approx(1.5 * 60, abs=8)
-    assert reply.inputs[0].time == pytest.approx(2.0, abs=0.02)
+    states = [(one["state"], one["speed"], one["override"]) for one in line.messages("live")]
+    assert states == [
+        ("running", 1.0, 1.0),
+        ("held", 1.0, 1.0),
+        ("held", 1.0, 0.25),
+        ("running", 1.0, 0.25),
+        ("running", 2.0, 0.25),
+    ]
+    assert len(line.frames) == pytest.approx(2.0 * 60, abs=8)
+    assert reply.inputs[0].time == pytest.approx(2.5, abs=0.02)
+
+
+@dataclass(slots=True)
+class Lead:
+    """Looks how far what is computed is ahead of what is shown."""
+
+    pace: LivePace
+    most: float = 0.0
+
+    @property
+    def may_press(self) -> bool:
+        return True
+
+    def advanced(self, run: RunView) -> None:
+        self.most = max(self.most, run.farthest / run.hz - self.pace.clock.now())
+        self.pace.advanced(run)
+
+    def reading(self, run: RunView) -> None:
+        self.pace.reading(run)
+
+    def ended(self, run: RunView) -> None:
+        self.pace.ended(run)
+
+
+def watched(folder: Path, program: str, line: FakeLine, speed: float = 1.0) -> tuple[Recording, Lead]:
+    """Return the recording of a live run of an ideal arm, and how far it was ahead."""
+    opened = open_overlaid(folder, {"programs/main.task": program})
+    cell, codes = opened.runnable(opened.programs())
+    lead = Lead(LivePace("main", codes, PacedClock(line.now, speed), line, line.now, line.now))
+    return run(cell, codes, RunOptions(Fidelity.KINEMATIC, watch=lead)), lead
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.0, 4.0])
+def test_the_run_is_never_ahead_of_what_is_shown_by_more_than_a_slice(folder: Path, speed: float) -> None:
+    line = FakeLine(work=1e-5)
+    _, lead = watched(folder, LONG, line, speed)
+    assert 0.0 < lead.most <= SLICE + 1e-9
+
+
+def test_the_frames_of_a_long_move_have_no_gap(folder: Path) -> None:
+    line = FakeLine(work=1e-5)
+    recording, _ = watched(folder, LONG, line)
+    times = np.array([header(frame)[4] for frame in line.frames])
+    (move,) = recording.events_of(MoveEvent)
+    assert move.duration > 5.0
+    assert np.diff(times).max() < 0.05
+    assert len(times) > 0.9 * 60 * move.duration
+
+
+@pytest.mark.parametrize("order", [LiveControl("hold"), LiveOverride(0.3), LiveControl("stop")])
+def test_an_order_acts_within_a_slice_of_what_is_shown(folder: Path, order: Order) -> None:
+    asked = 1.2345
+    line = FakeLine([(asked, order), (4.0, LiveControl("stop"))])
+    recording, _ = watched(folder, LONG, line)
+    acts = recording.facts.overrides[0].time if recording.facts.overrides else recording.facts.stopped
+    assert acts is not None
+    assert asked < acts <= asked + SLICE + 2e-3  # the clock of the test, and the tick behind the slice
+    if order == LiveControl("stop"):
+        assert recording.duration - asked < 0.5
+
+
+def test_a_step_ends_with_the_next_instruction_that_takes_time(folder: Path) -> None:
+    plan: list[tuple[float, Order]] = [(0.3, LiveControl("hold")), (1.0, LiveControl("step"))]
+    plan += [(5.0, LiveControl("step")), (7.0, LiveControl("step")), (10.0, LiveControl("stop"))]
+    line = FakeLine(plan)
+    recording, _ = watched(folder, STEPS, line)
+    first, second = recording.events_of(MoveEvent)
+    (wait,) = recording.events_of(WaitEvent)
+    assert first.time < 0.3
+    assert 1.0 < first.time + first.duration < 5.0
+    assert wait.time == pytest.approx(5.0, abs=0.02)
+    assert second.time == pytest.approx(7.0, abs=0.02)
+    assert [event.time for event in recording.events_of(OutputEvent)] == pytest.approx([7.0], abs=0.02)
+    states = [one["state"] for one in line.messages("live")]
+    assert states == [*(4 * ["running", "held"]), "held"]
+
+
+def test_a_step_among_moves_that_pass_by_ends_on_the_path_behind_the_target(folder: Path) -> None:
+    plan: list[tuple[float, Order]] = [(0.1, LiveControl("hold")), (1.0, LiveControl("step"))]
+    line = FakeLine([*plan, (10.0, LiveControl("continue"))])
+    recording, _ = watched(folder, PASSING, line)
+    plain, _ = watched(folder, PASSING, FakeLine())
+    moves = recording.channels["move"]
+    assert moves.times is not None
+    assert moves.values[(moves.times > 1.0) & (moves.times < 10.0)].tolist() == [1.0]
+    stands = (recording.time > 8.0) & (recording.time < 10.0)
+    assert np.ptp(recording.channels["q"].values[stands], axis=0).max() == 0.0
+    ends = [one.channels["q"].values[-1] for one in (recording, plain)]
+    assert ends[0].tolist() == ends[1].tolist()
 
 
 def test_a_key_for_something_else_is_told_in_words_and_changes_nothing(folder: Path) -> None:
