@@ -1,0 +1,103 @@
+"""A live run at hand: held, stepped, slowed and ended from the page, on the path of the arm."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from ropsim.flow import MoveEvent
+from ropsim.records import read_recording
+from support.browser import UNDRAWN, Pages
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Locator
+
+CELL = '[robot]\nmodel = "puma560"\n'
+PROGRAM = """\
+program hand
+units mm, deg, s
+mov joints (150, 60, -150, 0, -60, 0) speed 10 %
+wait 0.2 s
+mov joints (0, 60, -150, 0, -60, 0) speed 10 %
+"""
+OVER = "() => { const now = __ropsim.state(); return now.live !== 'running' && now.recorded && now.current }"
+MOVES = """seconds => new Promise(done => {
+  const numbers = () => Object.values(__ropsim.poses()).flat()
+  const before = numbers(), start = __ropsim.state().duration
+  const look = () => __ropsim.state().duration < start + seconds
+    ? requestAnimationFrame(look)
+    : done(Math.max(...numbers().map((one, k) => Math.abs(one - before[k]))))
+  look()
+})"""
+"""The greatest change of a pose [m, or of a quaternion] while some simulated time passes."""
+
+STILL = 1e-3
+"""An arm with drives that is held sways by less than this [m]; one that moves goes 50 times as far."""
+
+
+@pytest.fixture(scope="module")
+def pages(browser: "Browser") -> Iterator[Pages]:
+    pages = Pages(browser, UNDRAWN)
+    yield pages
+    pages.close()
+
+
+@pytest.fixture
+def hand(pages: Pages, tmp_path: Path) -> Iterator[StudioPage]:
+    """Return a page whose live run is under way, in its first move."""
+    folder = tmp_path / "hand"
+    (folder / "programs").mkdir(parents=True)
+    (folder / "programs" / "main.task").write_text(PROGRAM, "utf-8")
+    (folder / "cell.toml").write_text(CELL, "utf-8")
+    with Studio(folder, tmp_path / "home") as studio:
+        page = StudioPage.opened(pages, studio.url)
+        page.panel("Signals")
+        signals(page).get_by_role("button", name="Start live run").click()
+        page.page.wait_for_function("() => __ropsim.state().live === 'running'")
+        assert moves(page)
+        yield page
+        page.page.evaluate("() => __ropsim.command('live.stop')")
+        page.page.wait_for_function(OVER)
+        assert pages.unexpected() == [], "the page complained"
+
+
+def signals(page: StudioPage) -> "Locator":
+    return page.page.locator(".panel-signals")
+
+
+def moves(page: StudioPage) -> bool:
+    """Return whether the arm moves while half a second is simulated."""
+    change: float = page.page.evaluate(MOVES, 0.5)
+    return change > STILL
+
+
+def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPage, tmp_path: Path) -> None:
+    bar = signals(hand)
+    bar.get_by_role("button", name="Hold").click()
+    hand.pill().get_by_text("Live, held").wait_for()
+    moves(hand)  # it brakes
+    assert not moves(hand)
+    bar.get_by_role("button", name="Continue").click()
+    hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
+    assert moves(hand)
+    bar.get_by_role("slider", name="Override").fill("50")
+    hand.pill().get_by_text("Live, 50 %").wait_for()
+    hand.page.keyboard.press("Escape")
+    bar.get_by_role("button", name="Hold").click()
+    bar.get_by_role("slider", name="Override").fill("100")
+    bar.get_by_role("button", name="Step").click()
+    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")
+    assert not moves(hand)
+    bar.get_by_role("button", name="End live run").click()
+    hand.page.wait_for_function(OVER)
+    with hand.page.expect_download() as download:
+        bar.get_by_role("link", name="Save recording").click()
+    download.value.save_as(tmp_path / "run.npz")
+    facts = (recording := read_recording(tmp_path / "run.npz")).facts
+    assert [change.value for change in facts.overrides] == [0.0, 1.0, 0.5, 0.0, 1.0, 0.0]
+    assert facts.stopped is not None
+    assert recording.duration == pytest.approx(facts.stopped, abs=0.01)
+    assert len(recording.events_of(MoveEvent)) == 1
