@@ -14,7 +14,9 @@ from ropsim.views import Style, diagnostics_text
 from ropsim.workbench import NOT_WRITABLE
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
-USAGE_CODES = frozenset({"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "U900", "U901"})
+USAGE_CODES = frozenset(
+    {"X840", "X843", "X844", "X847", "X848", "X849", "X860", "X877", "X896", "U900", "U901"}
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -111,6 +111,14 @@ def _run(commands: Commands) -> None:
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
     parser.add_argument("--inputs", metavar="FILE", help="inputs of a live run to take again (.npz or .json)")
+    parser.add_argument(
+        "--what-if",
+        metavar="CHANGE",
+        action="append",
+        default=[],
+        help="also run with one change, may stand several times: "
+        "speed=120%%, acceleration=80%%, payload=3kg, tool=2kg, zones=stop, zones=each",
+    )
 
 
 def _icr(commands: Commands) -> None:

@@ -3,7 +3,9 @@
 import argparse
 import shlex
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ropsim import icr
 from ropsim.cli.output import Output, cannot_write
@@ -11,8 +13,19 @@ from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.records import diagnostic_document, readable
-from ropsim.views import Message, messages, messages_text, result_figures
-from ropsim.workbench import NOT_WRITABLE, CompiledProgram, Project, ProjectError, found_in, open_project
+from ropsim.views import Comparison, Message, messages, messages_text, result_figures
+from ropsim.workbench import (
+    NOT_WRITABLE,
+    CompiledProgram,
+    Project,
+    ProjectError,
+    found_in,
+    open_project,
+    read_change,
+)
+
+if TYPE_CHECKING:
+    from ropsim.simulation import RunOptions
 
 
 def run(options: argparse.Namespace, output: Output) -> int:
@@ -20,6 +33,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project = open_project(options.path)
     sources = project.texts
     _check_places(options, project)
+    for change in options.what_if:
+        read_change(change)  # what cannot be is told before anything runs
     programs = {} if project.is_broken else project.programs(options.program)
     before = (*project.diagnostics, *found_in(programs))
     if not programs or any(one.is_error for one in before):
@@ -27,6 +42,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         return output.findings(before, sources)
     recording = _simulate(project, programs, options)
     report = project.report(recording, before)
+    if options.what_if:
+        report = replace(report, comparison=_compared(project, recording, options))
     if options.report:
         report = report.drawn()
     findings, told = (*report.before, *recording.findings), messages(recording)
@@ -43,11 +60,26 @@ def run(options: argparse.Namespace, output: Output) -> int:
             "messages": [message_entry(one) for one in told],
             "result": readable(result_figures(report.summary)),
             "summary": readable(report.summary),
+            **({"what_if": comparison_entry(report.comparison)} if report.comparison else {}),
             "written": written,
             **diagnostic_document(findings),
         }
     )
     return code
+
+
+def comparison_entry(comparison: Comparison) -> list[dict[str, object]]:
+    """Return the runs with a change as mappings."""
+    return [
+        {
+            "change": one.change,
+            "cycle_time": one.cycle_time,
+            "cycle_time_valid": one.valid,
+            "difference": comparison.difference(one) if one.valid else None,
+            **diagnostic_document(one.findings),
+        }
+        for one in comparison.alternatives
+    ]
 
 
 def message_entry(message: Message) -> dict[str, object]:
@@ -90,15 +122,25 @@ def _simulate(
     cell, codes = project.runnable(programs)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
-        from ropsim.flow import Interventions
-        from ropsim.records import read_inputs, with_inputs
-        from ropsim.simulation import Fidelity, RunOptions
         from ropsim.simulation import run as simulate
 
-        given = read_inputs(options.inputs) if options.inputs else Interventions()
-        fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
-        plain = RunOptions(fidelity, progress=_counted(codes.values(), progress))
-        return simulate(cell, codes, with_inputs(plain, given))
+        return simulate(cell, codes, _run_options(options, _counted(codes.values(), progress)))
+
+
+def _compared(project: Project, recording: Recording, options: argparse.Namespace) -> Comparison:
+    with Progress(f"what if, {project.folder.resolve().name}") as progress:
+        told = _run_options(options, lambda text: progress(0.0, text))
+        return project.what_if(options.what_if, options.program, told, recording)
+
+
+def _run_options(options: argparse.Namespace, progress: Callable[[str], None]) -> "RunOptions":
+    from ropsim.flow import Interventions
+    from ropsim.records import read_inputs, with_inputs
+    from ropsim.simulation import Fidelity, RunOptions
+
+    given = read_inputs(options.inputs) if options.inputs else Interventions()
+    fidelity = Fidelity.KINEMATIC if options.kinematic else Fidelity.DYNAMIC
+    return with_inputs(RunOptions(fidelity, progress=progress), given)
 
 
 def _counted(

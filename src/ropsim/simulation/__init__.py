@@ -2,6 +2,7 @@
 
 from ropsim.flow import Fidelity as Fidelity
 from ropsim.flow import InputChange as InputChange
+from ropsim.simulation.adapting import Adaptation as Adaptation
 from ropsim.simulation.live_sample import live_sample as live_sample
 from ropsim.simulation.move_span import MoveSpan as MoveSpan
 from ropsim.simulation.run import run as run

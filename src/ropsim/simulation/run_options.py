@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
 from ropsim.flow import Fidelity, InputChange, OverrideChange
+from ropsim.simulation.adapting import Adaptation, as_programmed
 from ropsim.simulation.row_log import MOST_ROWS
 from ropsim.simulation.watch import NobodyWatches, Watch
 
@@ -32,6 +33,7 @@ class RunOptions:
         stopped: when the run is ended by hand, as an earlier one was [s]; None for its own end.
         longest_wait: simulated time after which a wait for a signal ends the program [s].
         most_rows: recorded rows beyond which every second one is dropped, so that memory stays bounded.
+        adapt: what becomes of each move of a program; as it is given where nothing is changed.
         watch: looks on, may hold the run up and give it inputs.
     """
 
@@ -47,6 +49,7 @@ class RunOptions:
     stopped: float | None = None
     longest_wait: float = 600.0
     most_rows: int = MOST_ROWS
+    adapt: Adaptation = as_programmed
     watch: Watch = field(default_factory=NobodyWatches)
 
     def record_ticks(self, control_hz: int) -> int:

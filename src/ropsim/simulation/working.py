@@ -22,6 +22,7 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished, Machine, Program
+from ropsim.simulation.adapting import adapted
 from ropsim.simulation.attained import attained_pose
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.diagnostics import RUN_TOO_LONG
@@ -61,20 +62,21 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         lambda modal: attained_pose(at, modal),
     )
     machine = Machine(program, world)
+    advance = adapted(machine.advance, options.adapt)
     serving = Serving()
     yield from _while_held(run, at)
-    step = last = machine.advance()
+    step = last = advance()
     while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
         if not is_needed(run, at) and serving.comes_round(machine, step):
             at.dismissed = True
             break
         at.polled = world.polling.look(machine, step)
-        stretch = gather(step, machine.advance) if isinstance(step, MoveInstruction) else None
+        stretch = gather(step, advance) if isinstance(step, MoveInstruction) else None
         with _blamed(step):
             yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
             yield
             yield from _while_held(run, at)
-            last, step = step, stretch.next if stretch else machine.advance()
+            last, step = step, stretch.next if stretch else advance()
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
     if run.is_stopped(at.due) and (at.cut_short or not isinstance(step, Finished)):

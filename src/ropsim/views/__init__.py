@@ -1,5 +1,8 @@
 """What people see of a run: summary, terminal report, HTML report, diagnostics as text."""
 
+from ropsim.views.comparison import Alternative as Alternative
+from ropsim.views.comparison import Comparison as Comparison
+from ropsim.views.comparison import comparison_text as comparison_text
 from ropsim.views.cycle import CriticalShare as CriticalShare
 from ropsim.views.cycle import CycleParts as CycleParts
 from ropsim.views.cycle import CycleTime as CycleTime

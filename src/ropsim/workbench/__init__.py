@@ -18,3 +18,7 @@ from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
+from ropsim.workbench.what_if import Change as Change
+from ropsim.workbench.what_if import Subject as Subject
+from ropsim.workbench.what_if import WhatIfError as WhatIfError
+from ropsim.workbench.what_if import read_change as read_change

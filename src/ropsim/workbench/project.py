@@ -15,6 +15,7 @@ from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROG
 if TYPE_CHECKING:
     from ropsim.flow import Recording
     from ropsim.simulation import RunOptions
+    from ropsim.views import Comparison
     from ropsim.workbench.report import Report
 
 
@@ -186,6 +187,34 @@ class Project:
         if strict and not recording.ok:
             raise FailedRunError(recording)
         return recording
+
+    def what_if(
+        self,
+        changes: Iterable[str],
+        program: str | None = None,
+        options: "RunOptions | None" = None,
+        recording: "Recording | None" = None,
+    ) -> "Comparison":
+        """Run the programs of the cell as they are and with one change each, and return them side by side.
+
+        Args:
+            changes: as `--what-if` of `ropsim run` takes them: `speed=120%`, `payload=3kg`, `zones=each`.
+            program: as for `simulate`.
+            options: of all runs.
+            recording: of the run as it is, where it has been made.
+
+        Raises:
+            ProjectError: no such program, no cell, or an error in one of them.
+            WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
+        """
+        from ropsim.simulation import RunOptions, run
+        from ropsim.workbench.what_if import read_change
+        from ropsim.workbench.what_if.comparing import compare
+
+        wanted = [read_change(text) for text in changes]
+        cell, codes = self.runnable(self.programs(program))
+        options = options or RunOptions()
+        return compare(recording or run(cell, codes, options), cell, codes, wanted, options)
 
     def runnable(self, programs: Mapping[str, CompiledProgram]) -> tuple[Cell, dict[str, icr.Program]]:
         """Return the cell and the verified code of compiled programs, by station.

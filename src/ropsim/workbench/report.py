@@ -14,10 +14,12 @@ from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell, body_tree
 from ropsim.records import numeric, pack_bytes
 from ropsim.views import (
+    Comparison,
     NoReplay,
     Replay,
     Style,
     Summary,
+    comparison_text,
     html_report,
     scene,
     summarize,
@@ -56,6 +58,7 @@ class Report:
         sources: program texts for quoting, by the names that spans use.
         setting: where the run took place, for the replay; None where that is not known.
         before: findings of reading and compiling, and of what cannot be drawn.
+        comparison: with runs in which something is changed; None for none.
     """
 
     recording: Recording
@@ -63,6 +66,7 @@ class Report:
     sources: Mapping[str, SourceText]
     setting: Setting | None = None
     before: tuple[Diagnostic, ...] = ()
+    comparison: Comparison | None = None
 
     @classmethod
     def of(
@@ -78,7 +82,8 @@ class Report:
 
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
-        return terminal_report(self.summary, style)
+        told = terminal_report(self.summary, style)
+        return f"{told}\n{comparison_text(self.comparison, style)}" if self.comparison else told
 
     def drawn(self) -> "Report":
         """Return the report with the meshes of its cell read: what cannot be drawn is among its findings."""
@@ -88,12 +93,13 @@ class Report:
             self.setting.folder, self.setting.cell, partial(mesh_in_cell_file, self.setting.text)
         )
         setting, before = replace(self.setting, meshes=meshes), (*self.before, *meshes.diagnostics)
-        return Report.of(self.recording, self.sources, setting, before)
+        drawn = Report.of(self.recording, self.sources, setting, before)
+        return replace(drawn, comparison=self.comparison)
 
     def html(self) -> str:
         """Return the self-contained HTML page, with the 3-D replay where the cell is known."""
         drawn = self.drawn()
-        return html_report(drawn.recording, drawn.summary, drawn.sources, drawn._replay())
+        return html_report(drawn.recording, drawn.summary, drawn.sources, drawn._replay(), drawn.comparison)
 
     def save(self, path: str | Path) -> None:
         """Write the HTML page; an older file is replaced in one step.

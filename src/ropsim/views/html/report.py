@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from ropsim.core import SourceText
 from ropsim.flow import Recording, StationFacts
+from ropsim.views.comparison import Comparison, comparison_section
 from ropsim.views.cursor import SCRIPT
 from ropsim.views.definitions import DEFINITIONS
 from ropsim.views.figures import seconds
@@ -41,6 +42,7 @@ def html_report(
     summary: Summary,
     sources: Mapping[str, SourceText],
     replay: Replay | NoReplay | None = None,
+    comparison: Comparison | None = None,
 ) -> str:
     """Return the page.
 
@@ -49,6 +51,7 @@ def html_report(
         summary: its figures, from `summarize`.
         sources: program texts by the names that spans use, for quoting; may be empty.
         replay: of the run in 3-D, or why there is none; None says nothing about it.
+        comparison: with runs in which something is changed; None for none.
     """
     name = summary.title
     shown = replay if isinstance(replay, Replay) else None
@@ -59,6 +62,7 @@ def html_report(
         findings_section(summary, sources),
         skipped_section(summary),
         messages_section(messages(recording)),
+        comparison_section(comparison),
         *(_station(one, summary, sources) for one in summary.stations),
         _charts(recording, summary),
         _origins(summary),

@@ -1,0 +1,96 @@
+"""A run beside what it would be with changes: table for a terminal and for the HTML report."""
+
+import math
+from dataclasses import dataclass
+
+from ropsim.core import Diagnostic
+from ropsim.views.characters import clean, fit
+from ropsim.views.columns import Cell, columns_text
+from ropsim.views.figures import UNKNOWN, seconds
+from ropsim.views.markup import table, text
+from ropsim.views.style import Style, Tone
+
+_NAMES = 28
+_SHOWN_CODES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """What a run would be with one change.
+
+    Attributes:
+        change: as people write it.
+        cycle_time: with it [s].
+        valid: whether the whole program was carried out, so that the cycle time is that of the program.
+        findings: that the run as it is does not have, each code and line once.
+    """
+
+    change: str
+    cycle_time: float
+    valid: bool
+    findings: tuple[Diagnostic, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A run beside others with a change each.
+
+    Attributes:
+        cycle_time: of the run as it is [s].
+        alternatives: in the order in which they were asked for.
+    """
+
+    cycle_time: float
+    alternatives: tuple[Alternative, ...]
+
+    def difference(self, alternative: Alternative) -> float:
+        """Return by how much longer the program takes with a change [s]; NaN where that says nothing."""
+        return alternative.cycle_time - self.cycle_time if alternative.valid else math.nan
+
+
+def comparison_text(comparison: Comparison, style: Style) -> str:
+    """Return the table for a terminal of 80 columns, ending in a line feed."""
+    rows = [(Cell("as it is"), Cell(seconds(comparison.cycle_time)), Cell(""), Cell(""), Cell(""))]
+    for one in comparison.alternatives:
+        tone = Tone.WARNING if one.findings else None
+        time, difference, share = _figures(comparison, one)
+        change = Cell(fit(clean(one.change), _NAMES))
+        rows.append((change, Cell(time), Cell(difference), Cell(share), Cell(_findings(one), tone)))
+    title = ("what if", "cycle time s", "difference s", "%", "new findings")
+    return "\n".join(line.replace("\u00a0", " ") for line in columns_text(title, rows, style)) + "\n"
+
+
+def comparison_section(comparison: Comparison | None) -> str:
+    """Return the section of the HTML report; nothing where nothing was compared."""
+    if comparison is None:
+        return ""
+    rows = [
+        ("as it is", seconds(comparison.cycle_time), "", "", ""),
+        *(
+            (text(one.change), *_figures(comparison, one), text(_findings(one)))
+            for one in comparison.alternatives
+        ),
+    ]
+    header = ("change", "cycle time<br>[s]", "difference<br>[s]", "[%]", "new findings")
+    what = "The same program with one change each: what it would take, and what would be found."
+    return f"<section><h2>What if</h2>\n{table(what, header, rows)}</section>\n"
+
+
+def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
+    """Return time, difference and its share of the time as it is."""
+    difference = comparison.difference(one)
+    if not math.isfinite(difference):
+        return seconds(one.cycle_time), "not valid", UNKNOWN
+    share = difference / comparison.cycle_time * 100.0 if comparison.cycle_time > 0.0 else math.nan
+    return (
+        seconds(one.cycle_time),
+        f"{difference:+.2f}",
+        f"{share:+.1f}" if math.isfinite(share) else UNKNOWN,
+    )
+
+
+def _findings(one: Alternative) -> str:
+    """Return which findings are new: codes, with the lines that they stand on."""
+    places = [f"{found.code} line {found.span.line}" if found.span else found.code for found in one.findings]
+    more = len(places) - _SHOWN_CODES
+    return ", ".join(places[:_SHOWN_CODES]) + (f" and {more} more" if more > 0 else "")
