@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from ropsim.controller import MotionChain, MotionPlan, Refusal, plan_move
+from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import MotionKind, MoveInstruction, Side, Trigger
+from ropsim.kinematics import Method, solver_of
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 from support.carried import (
@@ -21,7 +23,7 @@ from support.carried import (
     tool_poses,
 )
 from support.cells import chain_of
-from support.motion import START, planned, planned_stretch
+from support.motion import PUMA, START, planned, planned_stretch
 
 ON_PATH = 1e-6  # [m], what is asked of a commanded path in the frame of the positioner
 EVENLY = 1e-9  # [rad | m]; the path of the joints is a spline through samples, whose differences round
@@ -83,6 +85,24 @@ def test_a_line_in_a_frame_on_the_plate_is_straight_there(seed: int) -> None:
     assert line_error(in_base, in_base[0], in_base[-1]) > 1e3 * ON_PATH
     np.testing.assert_allclose(X[-1], whole[1], rtol=0, atol=1e-9)
     np.testing.assert_allclose(Q[-1, 6:], goal[6:], rtol=0, atol=EXACT)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_an_arm_without_closed_form_follows_the_plate_as_well(seed: int) -> None:
+    """Its last two axes stand askew; the path is looked at between the samples, too."""
+    askew = Pose(np.array([0.02, 0.03, 0.0]), np.array([1.0, 0.05, 0.03, -0.02]))
+    bent = (replace(joint, placement=joint.placement @ askew) for joint in PUMA.joints[4:])
+    cell = carried_cell(replace(PUMA, name="bent", joints=(*PUMA.joints[:4], *bent)), seed)
+    robot = cell.first.robot
+    assert solver_of(robot).method is Method.NUMERIC
+    start, goal = ends(seed)
+    leg = leg_of(chain_of(cell), to_plate(robot, goal), start)
+    assert isinstance(leg, Leg)
+    assert leg.joints is not None
+    Q = leg.joints.joints(np.linspace(0.0, leg.joints.length, 501)).q
+    X, whole = from_plate(robot, Q), from_plate(robot, np.stack((start, goal)))
+    assert line_error(X[:, :3, 3], whole[0, :3, 3], whole[1, :3, 3]) < ON_PATH
+    np.testing.assert_allclose(X[-1], whole[1], rtol=0, atol=1e-8)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
