@@ -3,12 +3,13 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.controller.kept_limits import arm_bounds
+from ropsim.controller.kept_limits import ArmBounds, arm_bounds
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove
 from ropsim.flow import CriticalLimit, LimitQuantity
 from ropsim.kinematics import forward_batch
 from ropsim.model import Payload, RobotModel
-from ropsim.spatial import Array
+from ropsim.motion import JointBounds, JointMotionLimits, ToolLimits
+from ropsim.spatial import Array, Pose
 
 REACHED = 0.98
 """Share of a limit from which on it counts as reached: time laws keep a small distance to it."""
@@ -18,6 +19,10 @@ MOST_LOOKS = 64
 
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.TORQUE, LimitQuantity.JERK)
 """In the order in which they are named where two limits are reached for equally long."""
+_OF_TOOL = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.JERK)
+
+_TURNED = 1e-9
+"""Entries of rotations that differ by less are the same, but for rounding."""
 
 
 def critical_limits(
@@ -47,65 +52,67 @@ def _critical(
     if move.limits is None or count < 1:
         return None
     looks = first + np.arange(0, count, -(-count // MOST_LOOKS))
-    reached = np.vstack([_joints(plan, move, looks, robot, payload), *_tool(plan, move, looks, robot)])
-    shares = (reached >= REACHED).mean(axis=1)
+    limits, bounds = move.limits, arm_bounds(robot, payload)
+    shares = _joints(plan, looks, bounds.joints if move.on_tool_path else limits.joints, bounds)
     best = int(shares.argmax())
-    if shares[best] == 0.0:
+    found, share = divmod(best, robot.n), float(shares.flat[best])
+    if move.on_tool_path:
+        of_tool = _tool(plan, looks, limits.tool, robot, move.X_MT)
+        quickest = int(of_tool.argmax())
+        if of_tool[quickest] > share:
+            return CriticalLimit("", _OF_TOOL[quickest % 3], float(of_tool[quickest]))
+    if share == 0.0:
         return None
-    number, joint = divmod(best, robot.n)
-    if number < len(_QUANTITIES):
-        return CriticalLimit(robot.axis_joints[joint].name, _QUANTITIES[number], float(shares[best]))
-    quantity = list(LimitQuantity)[(best - len(_QUANTITIES) * robot.n) % 3]
-    return CriticalLimit("", quantity, float(shares[best]))
+    return CriticalLimit(robot.axis_joints[found[1]].name, _QUANTITIES[found[0]], share)
 
 
 def _joints(
-    plan: MotionPlan, move: PlannedMove, looks: npt.NDArray[np.intp], robot: RobotModel, payload: Payload
+    plan: MotionPlan, looks: npt.NDArray[np.intp], limits: JointMotionLimits | JointBounds, bounds: ArmBounds
 ) -> Array:
-    """Return the shares of the limits of the joints that are used, shape (4·n, k), quantity by quantity."""
-    reference, bounds = plan.reference, arm_bounds(robot, payload)
-    assert move.limits is not None
-    limits = bounds.joints if move.on_tool_path else move.limits.joints
-    q, qd, qdd = (rows[looks] for rows in (reference.q, reference.qd, reference.qdd))
+    """Return for which share of the looks each joint is at its limits, shape (4, n) as `_QUANTITIES`."""
+    reference = plan.reference
+    q, qd, qdd = reference.q[looks], reference.qd[looks], reference.qdd[looks]
     jerk = (reference.qdd[looks + 1] - qdd) / plan.period
-    strains = [np.abs(qd) / limits.speed, np.abs(qdd) / limits.acceleration]
-    if bounds.effort is not None and bounds.joints.effort is not None:
-        strains.append(np.abs(bounds.effort(q, qd, qdd)) / bounds.joints.effort)
-    else:
-        strains.append(np.zeros(q.shape))
-    strains.append(np.abs(jerk) / limits.jerk)
-    return np.vstack([strain.T for strain in strains])
+    most = bounds.joints.effort
+    known = bounds.effort is not None and most is not None
+    torque = bounds.effort(q, qd, qdd) if bounds.effort is not None and known else np.zeros(q.shape)
+    largest = most if most is not None and known else np.ones(q.shape[1])
+    used = np.abs(np.array((qd, qdd, torque, jerk)))
+    rows = np.array((limits.speed, limits.acceleration, largest, limits.jerk))
+    shares: Array = np.add.reduce(used >= REACHED * rows[:, None], axis=1) / len(looks)
+    return shares
 
 
 def _tool(
-    plan: MotionPlan, move: PlannedMove, looks: npt.NDArray[np.intp], robot: RobotModel
-) -> tuple[Array, ...]:
-    """Return the shares of the limits of the tool that are used, each of shape (3, k), on its paths only."""
-    if move.limits is None or not move.on_tool_path:
-        return ()
-    tool, T, q = move.limits.tool, plan.period, np.vstack((plan.q_start, plan.reference.q))
-    around = np.clip(looks[:, None] + np.arange(4), 0, len(q) - 1)
-    X_BT = forward_batch(robot, q[around.ravel()]) @ move.X_MT.matrix()
+    plan: MotionPlan, looks: npt.NDArray[np.intp], tool: ToolLimits, robot: RobotModel, X_MT: Pose
+) -> Array:
+    """Return for which share of the looks the tool is at its limits, shape (3,) or (6,) where it turns."""
+    q, T = plan.reference.q, plan.period
+    around = np.minimum(looks[:, None] + np.arange(4), len(q) - 1)
+    X_BT = forward_batch(robot, q[around.ravel()]) @ X_MT.matrix()
     poses = X_BT.reshape(len(looks), 4, 4, 4)
-    R, speeds = poses[..., :3, :3], np.diff(poses[..., :3, 3], axis=1) / T
+    R, places = poses[..., :3, :3], poses[..., :3, 3]
+    shares = _reached(places[:, 1:] - places[:, :-1], T, (tool.speed, tool.acceleration, tool.jerk))
+    if bool((np.abs(R[0, 0] - R[-1, 0]) < _TURNED).all()):
+        return shares
     turned = np.swapaxes(R[:, :-1], -1, -2) @ R[:, 1:]
-    turns = np.stack(
-        [turned[..., a, b] - turned[..., b, a] for a, b in ((2, 1), (0, 2), (1, 0))], axis=-1
-    ) / (2.0 * T)
-    of_tcp = _shares(speeds, T, (tool.speed, tool.acceleration, tool.jerk))
-    of_turn = (tool.orientation_speed, tool.orientation_acceleration, tool.orientation_jerk)
-    return of_tcp, _shares(turns, T, of_turn)
+    axes = ((2, 1), (0, 2), (1, 0))
+    turns = 0.5 * np.stack([turned[..., a, b] - turned[..., b, a] for a, b in axes], axis=-1)
+    limits = tool.orientation_speed, tool.orientation_acceleration, tool.orientation_jerk
+    return np.concatenate((shares, _reached(turns, T, limits)))
 
 
-def _shares(speeds: Array, T: float, limits: tuple[float, float, float]) -> Array:
-    """Return which shares of limits are used, shape (3, k).
+def _reached(steps: Array, T: float, limits: tuple[float, float, float]) -> Array:
+    """Return for which share of the looks speed, acceleration and jerk are at their limits, shape (3,).
 
     Args:
-        speeds: between four successive ticks, as vectors, shape (k, 3, 3).
+        steps: between four successive ticks [m | rad], shape (k, 3, 3).
         T: time of a control tick [s].
         limits: of speed, acceleration and jerk.
     """
-    accelerations = np.diff(speeds, axis=1) / T
-    jerks = np.diff(accelerations, axis=1) / T
-    sizes = [np.linalg.norm(rows[:, 0], axis=1) for rows in (speeds, accelerations, jerks)]
-    return np.vstack([size / limit for size, limit in zip(sizes, limits, strict=True)])
+    first, second, third = steps[:, 0], steps[:, 1], steps[:, 2]
+    rates = np.array((first, second - first, third - 2.0 * second + first))
+    squares = np.einsum("ikc,ikc->ik", rates, rates)
+    least = np.array([REACHED * limit * T**power for power, limit in enumerate(limits, start=1)])
+    shares: Array = np.add.reduce(squares >= (least**2)[:, None], axis=1) / len(steps)
+    return shares
