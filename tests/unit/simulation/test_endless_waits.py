@@ -7,7 +7,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.controller import Sample
+from ropsim.controller import Sample, SensedCell
 from ropsim.core import Diagnostic
 from ropsim.flow import AwaitEvent, Event, Recording, WaitEvent
 from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station, SwitchDrive
@@ -284,7 +284,8 @@ def test_a_key_may_be_pressed_at_any_time_in_a_live_run() -> None:
 class Clockwork:
     """A sensor interface of a user's own, whose channel comes on at 12 s."""
 
-    def read(self, channel: str, time: float) -> Sample:
+    def read(self, channel: str, time: float, cell: SensedCell) -> Sample:
+        del cell
         return Sample(channel == "key" and time >= 12.0, valid=True, age=0.0)
 
 
