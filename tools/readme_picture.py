@@ -71,7 +71,7 @@ def main() -> None:
     recording = ropsim.open(ROOT / "examples" / "palletizing").simulate()
     caption = (
         f"36 boxes, PUMA 560, true servo and arm dynamics: cycle time {recording.duration:.1f} s, "
-        f"LIN path error {1e3 * np.nanmax(recording.channels['path_error'].values):.2f} mm"
+        f"path error {1e3 * np.nanmax(recording.channels['path_error'].values):.2f} mm"
     )
     svg = (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" role="img">'

@@ -102,6 +102,7 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
     "critical": st.none() | st.builds(CriticalLimit, TEXTS, st.sampled_from(LimitQuantity), NUMBERS),
     "looked": st.lists(TEXTS, max_size=2).map(tuple),
     "path_error_max": st.none() | NUMBERS,
+    "target": st.lists(NUMBERS, max_size=3).map(tuple),
     "channel": TEXTS,
     "signal": TEXTS,
     "came": st.booleans(),

@@ -128,6 +128,6 @@ def path_speed_channel(station: str, kind: str, speeds: Array) -> Channel:
 
 
 def path_error_channel(station: str, errors: Array) -> Channel:
-    """Return the channel of path errors [m], shape (rows,), NaN where no move has a line."""
-    text = "distance of the attained TCP from the commanded line"
+    """Return the channel of path errors [m], shape (rows,), NaN where there is none."""
+    text = "distance of the attained TCP from the path of the tool"
     return Channel(errors, "m", (), text, ChannelGroup.TCP, station)

@@ -12,6 +12,7 @@ from ropsim.flow import (
     OutputEvent,
     SkipEvent,
 )
+from ropsim.kinematics import forward
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.following import Follower
 from ropsim.simulation.guarding import Lookout
@@ -91,12 +92,18 @@ def _follow(
             flown=one.zone,
             blending=follower.blended(since, end) / at.hz,
             critical=critical[number],
+            target=_place(at, one),
         )
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
         if at.cut_short:
             break
     _enter_paths(at, planned, follower)
+
+
+def _place(at: StationRun, one: PlannedMove) -> tuple[float, ...]:
+    """Return where the TCP is at the end of a planned move, in the base frame [m]."""
+    return tuple((forward(at.station.robot, one.q_end) @ one.X_MT).position.tolist())
 
 
 def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:

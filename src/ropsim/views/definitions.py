@@ -21,14 +21,22 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "
         "the delay of the servo.",
-        "path error, AT<sub>p</sub>": "Distance of the attained tool centre point from the commanded "
-        "straight line, its ends included. The largest one stands for the path accuracy "
-        "AT<sub>p</sub> of ISO 9283, here from one cycle instead of ten: the simulation has "
-        "no noise, so repeated cycles are equal and the path repeatability RT<sub>p</sub> is "
-        "zero by construction.",
+        "path error, AT<sub>p</sub>": "Distance of the attained tool centre point from the path of the tool: "
+        "a line, an arc, a curve or the corner between two of them, its ends included. The largest one "
+        "stands for the path accuracy AT<sub>p</sub> of ISO 9283:1998 (8.2), here from one cycle.",
+        "angle": "Largest angle between attained and commanded orientation at one place of the path.",
+        "path repeatability, RT<sub>p</sub>": "Of several passes of one path, the largest l̄ + 3 S over 50 "
+        "points of it, with the distances l of the passes from their middle in the plane at right angles to "
+        "the path (8.3). The simulation has no noise: passes differ by what was before them and by payload.",
         "path velocity accuracy, AV": "(mean attained speed − command speed) / command speed, over the "
         "middle half of the time in which the commanded speed of the move is within 1 % of "
-        "its largest value.",
+        "its largest value; its fluctuation FV is the largest minus the least attained speed there (8.6).",
+        "cornering deviations, CR and CO": "CR is the least distance of the attained path from the corner "
+        "point of a rounded corner; CO the largest one from the commanded path behind it, on the outer side "
+        "(8.5).",
+        "position overshoot, OV": "Largest distance from the place of rest after the arm has first come "
+        "within 0.1 mm of it; 0 where it stays there. The stabilization time lasts from then until it stays "
+        "(7.4, 7.5).",
         "near, beyond": "Near: from 90 % of the limit. Beyond: above the limit, for speeds by more than 2 %, "
         "which the servo may overshoot.",
         "margin": "Smallest distance of the attained joint coordinate from the limit.",

@@ -1,9 +1,8 @@
-"""Path accuracy of the straight moves, in the words of ISO 9283.
+"""Accuracy of the moves with a path of the tool (lines, arcs, curves, corners), in the words of ISO 9283.
 
 A simulated run attains each move once, so the path error of a sample stands where ISO 9283 has the
-barycentre of several cycles: the largest one is the path accuracy AT_p of that single cycle. Path
-velocity accuracy AV = (mean attained speed - command speed) / command speed; both speeds are taken
-over the middle half of the time in which the commanded speed is within 1 % of its largest value.
+barycentre of several cycles: the largest one is the path accuracy AT_p of that single cycle. How the others
+are made is told in `views/accuracy`.
 """
 
 import math
@@ -15,20 +14,15 @@ import numpy.typing as npt
 
 from ropsim.flow import MoveEvent, Recording
 from ropsim.spatial import Array
+from ropsim.views.accuracy import SpeedFigures, largest_angle, path_repeatability, speed_figures
 from ropsim.views.channels import StationView, rms, station_views
 
 Indices = npt.NDArray[np.intp]
 
-PLATEAU = 0.99
-"""Share of the largest commanded speed from which on a sample belongs to the plateau."""
-
-STANDSTILL = 1e-6
-"""Commanded speed below which a move has no plateau [m/s]."""
-
 
 @dataclass(frozen=True, slots=True)
 class PathMove:
-    """One straight move.
+    """One move with a path of the tool.
 
     Attributes:
         station: whose move it is.
@@ -36,10 +30,11 @@ class PathMove:
         line: source line, 0 where unknown.
         visit: loop pass, 0 where unknown.
         time: when the largest error occurred [s].
-        max_error: largest distance of the attained TCP from the commanded line [m].
+        max_error: largest distance of the attained TCP from the path of the tool [m].
         rms_error: root of the mean square of that distance [m].
-        command_speed: mean commanded speed on the plateau [m/s]; NaN without a plateau.
-        speed_accuracy: AV, a share; NaN without a plateau.
+        max_angle: largest angle between attained and commanded orientation at one place of the path [rad];
+            NaN where it is not known.
+        speeds: AV and FV.
     """
 
     station: str
@@ -49,23 +44,25 @@ class PathMove:
     time: float
     max_error: float
     rms_error: float
-    command_speed: float
-    speed_accuracy: float
+    max_angle: float
+    speeds: SpeedFigures
 
 
 @dataclass(frozen=True, slots=True)
 class PathLine:
-    """All straight moves of one source line.
+    """All moves with a path of the tool of one source line.
 
     Attributes:
         station: whose program has it.
         line: source line, 0 where unknown.
         moves: in order of time.
+        repeatability: RT_p of its passes [m]; NaN where they are not several of one path.
     """
 
     station: str
     line: int
     moves: tuple[PathMove, ...]
+    repeatability: float = math.nan
 
     @property
     def worst(self) -> PathMove:
@@ -85,29 +82,46 @@ class PathLine:
 
 @dataclass(frozen=True, slots=True)
 class PathSummary:
-    """The straight moves of a run.
+    """The moves of a run that have a path of the tool: lines, arcs, curves and the corners between them.
 
     Attributes:
-        moves: in order of time; empty where the run has none.
-        mean_error: mean distance from the commanded line over all samples of LIN moves [m].
+        lines: by source line, in the order of stations and lines; empty where the run has none.
+        mean_error: mean distance from the path of the tool over all samples that have one [m].
         rms_error: root of its mean square [m].
         p95_error: its 95th percentile [m].
     """
 
-    moves: tuple[PathMove, ...] = ()
+    lines: tuple[PathLine, ...] = ()
     mean_error: float = math.nan
     rms_error: float = math.nan
     p95_error: float = math.nan
 
     @property
+    def moves(self) -> tuple[PathMove, ...]:
+        """Return all moves in order of time."""
+        return tuple(sorted((move for line in self.lines for move in line.moves), key=lambda one: one.time))
+
+    @property
     def worst(self) -> PathMove | None:
-        """Return the move with the largest error, None where there is no straight move."""
+        """Return the move with the largest error, None where there is none."""
         return max(self.moves, key=lambda move: move.max_error, default=None)
 
     @property
     def max_error(self) -> float:
-        """Return the largest distance from the commanded line [m]; NaN where there is none."""
+        """Return the largest distance from the path of the tool [m]; NaN where there is none."""
         return self.worst.max_error if self.worst else math.nan
+
+    @property
+    def worst_angle(self) -> PathMove | None:
+        """Return the move with the largest error of orientation, None where none is known."""
+        known = [move for move in self.moves if math.isfinite(move.max_angle)]
+        return max(known, key=lambda move: move.max_angle, default=None)
+
+    @property
+    def worst_repeat(self) -> PathLine | None:
+        """Return the line whose passes lie apart most, None where no path is repeated."""
+        known = [line for line in self.lines if math.isfinite(line.repeatability)]
+        return max(known, key=lambda line: line.repeatability, default=None)
 
     @property
     def worst_speed(self) -> PathMove | None:
@@ -117,23 +131,20 @@ class PathSummary:
     @property
     def mean_speed_accuracy(self) -> float:
         """Return the mean AV of the moves that have one, a share; NaN where none has."""
-        known = [move.speed_accuracy for move in self.moves if math.isfinite(move.speed_accuracy)]
+        known = [move.speeds.accuracy for move in self.moves if math.isfinite(move.speeds.accuracy)]
         return sum(known) / len(known) if known else math.nan
 
     @property
-    def lines(self) -> tuple[PathLine, ...]:
-        """Return the moves by source line, in the order of stations and lines."""
-        places = sorted({(move.station, move.line) for move in self.moves})
-        return tuple(
-            PathLine(*place, tuple(move for move in self.moves if (move.station, move.line) == place))
-            for place in places
-        )
+    def largest_fluctuation(self) -> float:
+        """Return the largest FV of the moves [m/s]; NaN where none has one."""
+        known = [move.speeds.fluctuation for move in self.moves if math.isfinite(move.speeds.fluctuation)]
+        return max(known, default=math.nan)
 
 
 def largest_speed_error(moves: tuple[PathMove, ...]) -> PathMove | None:
     """Return the move whose AV is the largest in magnitude, None where no move has one."""
-    known = [move for move in moves if math.isfinite(move.speed_accuracy)]
-    return max(known, key=lambda move: abs(move.speed_accuracy), default=None)
+    known = [move for move in moves if math.isfinite(move.speeds.accuracy)]
+    return max(known, key=lambda move: abs(move.speeds.accuracy), default=None)
 
 
 def summarize_path(recording: Recording) -> PathSummary:
@@ -142,9 +153,9 @@ def summarize_path(recording: Recording) -> PathSummary:
     known = np.concatenate([error[np.isfinite(error)] for _, error in stations] or [np.empty(0)])
     if known.size == 0:
         return PathSummary()
-    moves = [move for station, error in stations for move in _moves(station, error)]
+    lines = [line for station, error in stations for line in _lines(station, error)]
     return PathSummary(
-        moves=tuple(sorted(moves, key=lambda move: move.time)),
+        lines=tuple(sorted(lines, key=lambda line: (line.station, line.line))),
         mean_error=float(np.mean(known)),
         rms_error=rms(known),
         p95_error=float(np.percentile(known, 95.0)),
@@ -171,49 +182,57 @@ def path_speed(station: StationView, kind: str) -> Array:
     return np.where(np.isfinite(carried), carried, speed(station, f"{kind}_position"))
 
 
-def _moves(station: StationView, error: Array) -> Iterator[PathMove]:
-    """Yield the straight moves of a station; `error` are its path errors, shape (n,)."""
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """The channels of a station that its moves are cut from, all of them by rows."""
+
+    station: StationView
+    error: Array
+    ways: tuple[Array, Array]
+    turned: tuple[Array, Array]
+    speeds: tuple[Array, Array]
+
+    @classmethod
+    def of(cls, station: StationView, error: Array) -> "_Run":
+        kinds = ("command", "attained")
+        command, attained = (station.matrix(f"{kind}_position", 3) for kind in kinds)
+        wanted, had = (station.matrix(f"{kind}_orientation", 4) for kind in kinds)
+        one, other = (path_speed(station, kind) for kind in kinds)
+        return cls(station, error, (command, attained), (wanted, had), (one, other))
+
+
+def _lines(station: StationView, error: Array) -> Iterator[PathLine]:
+    """Yield the moves of a station by source line; `error` are its path errors, shape (n,)."""
     inside = np.flatnonzero(np.isfinite(error))
-    ordinals, visits = station.ordinals(), _visits(station)
-    command, attained = path_speed(station, "command"), path_speed(station, "attained")
+    ordinals, visits, run = station.ordinals(), _visits(station), _Run.of(station, error)
+    moves: dict[int, list[tuple[PathMove, tuple[Array, Array]]]] = {}
     for piece in np.split(inside, np.flatnonzero(np.diff(ordinals[inside]) != 0) + 1):
         if piece.size:
             ordinal = int(ordinals[piece[0]])
-            accuracy = _speed_accuracy(command[piece], attained[piece])
-            yield _move(station, piece, error, accuracy, ordinal, visits.get(ordinal, 0))
+            move = _move(run, piece, ordinal, visits.get(ordinal, 0))
+            command, attained = run.ways
+            moves.setdefault(move.line, []).append((move, (command[piece], attained[piece])))
+    for line, passes in moves.items():
+        repeats = path_repeatability([ways for _, ways in passes])
+        yield PathLine(station.facts.name, line, tuple(move for move, _ in passes), repeats)
 
 
-def _move(
-    station: StationView,
-    piece: Indices,
-    error: Array,
-    speed_accuracy: tuple[float, float],
-    ordinal: int,
-    visit: int,
-) -> PathMove:
+def _move(run: _Run, piece: Indices, ordinal: int, visit: int) -> PathMove:
     """Return the figures of the samples `piece`."""
-    worst = int(piece[np.argmax(error[piece])])
-    time, line = float(station.time[worst]), station.line(worst)
+    station, (command, attained), (wanted, had) = run.station, run.ways, run.turned
+    worst = int(piece[np.argmax(run.error[piece])])
+    angle = largest_angle(station.time[piece], (command[piece], wanted[piece]), (attained[piece], had[piece]))
     return PathMove(
         station.facts.name,
         ordinal,
-        line,
+        station.line(worst),
         visit,
-        time,
-        float(error[worst]),
-        rms(error[piece]),
-        *speed_accuracy,
+        float(station.time[worst]),
+        float(run.error[worst]),
+        rms(run.error[piece]),
+        angle,
+        speed_figures(run.speeds[0][piece], run.speeds[1][piece]),
     )
-
-
-def _speed_accuracy(command: Array, attained: Array) -> tuple[float, float]:
-    if not np.any(np.isfinite(command)) or float(np.nanmax(command)) < STANDSTILL:
-        return math.nan, math.nan
-    plateau = np.flatnonzero(command >= PLATEAU * np.nanmax(command))
-    quarter = plateau.size // 4
-    middle = plateau[quarter : plateau.size - quarter]
-    command_speed = float(np.mean(command[middle]))
-    return command_speed, float(np.mean(attained[middle])) / command_speed - 1.0
 
 
 def _visits(station: StationView) -> dict[int, int]:

@@ -21,6 +21,7 @@ from ropsim.flow import (
     settling_of,
     waiting_of,
 )
+from ropsim.views.accuracy import CornerFigures, StopFigures, corner_figures, stop_figures
 from ropsim.views.channels import station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.joint_summary import JointSummary, summarize_joints
@@ -48,7 +49,9 @@ class StationSummary:
         waiting: how long its program stood at waits.
         tasks: time per task.
         joints: extremes per joint.
-        path: accuracy of the straight moves.
+        path: accuracy of the moves with a path of the tool.
+        corners: how corners are passed that are rounded, in order of time.
+        stops: how moves come to rest, in order of time; of a kinematic run there are none.
         cycle: of what its cycle time consists.
     """
 
@@ -64,6 +67,8 @@ class StationSummary:
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
+    corners: tuple[CornerFigures, ...]
+    stops: tuple[StopFigures, ...]
     cycle: CycleTime = field(default_factory=CycleTime)
 
 
@@ -112,7 +117,17 @@ class Figures(Protocol):
 
     @property
     def path(self) -> PathSummary:
-        """Return the accuracy of the straight moves."""
+        """Return the accuracy of the moves with a path of the tool."""
+        ...
+
+    @property
+    def corners(self) -> tuple[CornerFigures, ...]:
+        """Return how rounded corners are passed."""
+        ...
+
+    @property
+    def stops(self) -> tuple[StopFigures, ...]:
+        """Return how moves come to rest."""
         ...
 
 
@@ -154,7 +169,7 @@ def _part(recording: Recording, facts: StationFacts) -> Recording:
 
 def _station(recording: Recording, facts: StationFacts) -> StationSummary:
     events = recording.events
-    cycle_time = end_of(events)
+    cycle_time, views = end_of(events), station_views(recording)
     return StationSummary(
         facts=facts,
         cycle_time=cycle_time,
@@ -168,4 +183,6 @@ def _station(recording: Recording, facts: StationFacts) -> StationSummary:
         tasks=summarize_tasks(recording),
         joints=summarize_joints(recording),
         path=summarize_path(recording),
+        corners=tuple(one for station in views for one in corner_figures(station)),
+        stops=tuple(one for station in views for one in stop_figures(station)),
     )

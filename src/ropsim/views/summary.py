@@ -17,6 +17,7 @@ from ropsim.flow import (
     settling_of,
     waiting_of,
 )
+from ropsim.views.accuracy import CornerFigures, StopFigures
 from ropsim.views.channels import invalid_samples
 from ropsim.views.device_summary import DeviceSummary, summarize_devices
 from ropsim.views.findings import FindingGroup, group_findings
@@ -54,7 +55,9 @@ class Summary:
         waiting: how long programs stood at waits, as a share of the same.
         tasks: time per task.
         joints: extremes per joint.
-        path: accuracy of the straight moves.
+        path: accuracy of the moves with a path of the tool.
+        corners: how corners are passed that are rounded, in order of time.
+        stops: how moves come to rest, in order of time; of a kinematic run there are none.
         findings: grouped findings of compiling and of the run, worst severity first.
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
@@ -78,6 +81,8 @@ class Summary:
     tasks: tuple[TaskSummary, ...]
     joints: tuple[JointSummary, ...]
     path: PathSummary
+    corners: tuple[CornerFigures, ...]
+    stops: tuple[StopFigures, ...]
     findings: tuple[FindingGroup, ...]
     error_count: int
     warning_count: int
@@ -142,6 +147,8 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         tasks=whole.tasks if whole else summarize_tasks(recording),
         joints=whole.joints if whole else summarize_joints(recording),
         path=whole.path if whole else summarize_path(recording),
+        corners=tuple(one for station in stations for one in station.corners),
+        stops=tuple(one for station in stations for one in station.stops),
         findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),

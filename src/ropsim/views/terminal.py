@@ -12,6 +12,7 @@ from ropsim.views.findings import FindingGroup, passes_text
 from ropsim.views.station_summary import StationSummary
 from ropsim.views.style import Style, Tone, paint
 from ropsim.views.summary import Summary
+from ropsim.views.terminal_accuracy import accuracy_lines
 from ropsim.views.terminal_figures import (
     COLUMNS,
     LEGEND,
@@ -19,7 +20,6 @@ from ropsim.views.terminal_figures import (
     effort_lines,
     joint_lines,
     more,
-    path_lines,
     task_lines,
 )
 from ropsim.views.verdict import Verdict, verdict
@@ -51,7 +51,7 @@ def _whole(summary: Summary, style: Style) -> list[list[str]]:
     time = [cycle_time_line(summary, summary, style), *effort_lines(summary, summary), *_cell_lines(summary)]
     joints = [*joint_lines(summary.joints, style), *(LEGEND if summary.joints else ())]
     cycles = [cycle_lines(one.cycle, style) for one in summary.stations]
-    return [time, task_lines(summary.tasks, style), *cycles, joints, path_lines(summary.path, style)]
+    return [time, task_lines(summary.tasks, style), *cycles, joints, accuracy_lines(summary, style)]
 
 
 def _blocks(summary: Summary, style: Style) -> list[list[str]]:
@@ -67,7 +67,7 @@ def _blocks(summary: Summary, style: Style) -> list[list[str]]:
             task_lines(one.tasks, style),
             cycle_lines(one.cycle, style),
             joint_lines(one.joints, style),
-            path_lines(one.path, style),
+            accuracy_lines(one, style),
         ]
     return [*sections, [*LEGEND] if summary.joints else []]
 

@@ -6,8 +6,6 @@ from ropsim.flow import SLOW
 from ropsim.views.characters import clean, fit, width
 from ropsim.views.columns import Cell, columns_text
 from ropsim.views.figures import (
-    MILLIMETRES,
-    MILLIMETRES_PER_SECOND,
     PERCENT,
     UNKNOWN,
     coordinate_scale,
@@ -21,7 +19,6 @@ from ropsim.views.figures import (
 )
 from ropsim.views.findings import place_text, plural
 from ropsim.views.joint_summary import Closeness, JointSummary
-from ropsim.views.path_summary import PathSummary
 from ropsim.views.station_summary import Figures
 from ropsim.views.style import Style, Tone, paint
 from ropsim.views.summary import Summary
@@ -129,35 +126,6 @@ def _joint_titles(joints: tuple[JointSummary, ...], between: str) -> tuple[str, 
     )
 
 
-def path_lines(path: PathSummary, style: Style) -> list[str]:
-    """Return the accuracy of the straight moves; nothing where there is none."""
-    worst, speed = path.worst, path.worst_speed
-    if worst is None:
-        return []
-    figures = ", ".join(
-        f"{name} {with_unit(value, MILLIMETRES, 3)}"
-        for name, value in (
-            ("max", path.max_error),
-            ("mean", path.mean_error),
-            ("RMS", path.rms_error),
-            ("95th percentile", path.p95_error),
-        )
-    )
-    lines = [
-        paint(f"LIN path error ({plural(len(path.moves), 'move')})", Tone.QUIET, style),
-        f"  {figures}",
-        f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
-    ]
-    if speed is not None:
-        lines += [
-            f"  path velocity accuracy AV: mean {_signed(path.mean_speed_accuracy)}",
-            f"  worst {_signed(speed.speed_accuracy)} of"
-            f" {with_unit(speed.command_speed, MILLIMETRES_PER_SECOND, 0)}"
-            f"{place_text(speed.line, speed.visit)}",
-        ]
-    return lines
-
-
 def more(count: int, noun: str) -> list[str]:
     """Return the line that says how many things are not shown; nothing where all are."""
     return [f"  … and {plural(count, 'more ' + noun)}"] if count > 0 else []
@@ -187,8 +155,3 @@ def _margin_cell(text: str, margin: float) -> Cell:
     if not math.isfinite(margin):
         return Cell(text.split(maxsplit=1)[0])
     return Cell(f"!! {text}", Tone.ERROR) if margin < 0.0 else Cell(text)
-
-
-def _signed(share: float) -> str:
-    text = with_unit(share, PERCENT, 2)
-    return text if not math.isfinite(share) or share < 0.0 else f"+{text}"

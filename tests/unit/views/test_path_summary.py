@@ -31,8 +31,8 @@ def line_run(attained_speed: float) -> Recording:
 
 def test_path_velocity_accuracy_is_the_relative_speed_error() -> None:
     move = summarize(line_run(0.19)).path.moves[0]
-    assert move.command_speed == pytest.approx(0.2, abs=DIFFERENCING)
-    assert move.speed_accuracy == pytest.approx(-0.05, abs=DIFFERENCING)
+    assert move.speeds.command == pytest.approx(0.2, abs=DIFFERENCING)
+    assert move.speeds.accuracy == pytest.approx(-0.05, abs=DIFFERENCING)
 
 
 def test_worst_move_names_line_and_pass() -> None:
@@ -46,7 +46,7 @@ def test_move_that_stands_still_has_no_speed_accuracy() -> None:
     recording = line_run(0.2)
     still = {**recording.channels, "command_position": Channel(np.zeros((101, 3)), "m")}
     summary = summarize(replace(recording, channels=still))
-    assert math.isnan(summary.path.moves[0].speed_accuracy)
+    assert math.isnan(summary.path.moves[0].speeds.accuracy)
     assert summary.path.worst_speed is None
 
 

@@ -161,7 +161,7 @@ def test_several_stations_have_a_block_each_and_the_cell_is_told_once() -> None:
     assert "devices      infeed went 500.0 mm\n" in cell
     assert "moves" not in cell
     for block in (left, right):
-        for once in ("cycle time  ", "  joint  ", "LIN path error (8 moves)"):
+        for once in ("cycle time  ", "  joint  ", "path error of tool paths (8 moves)"):
             assert block.count(once) == 1
     assert text.count("largest torque and speed") == 1
     assert text.count("estimated, not from a published source") == 1

@@ -112,7 +112,9 @@ def _path_figure(figures: Figures) -> list[Card]:
     if not figures.path.moves:
         return []
     mean = with_unit(figures.path.mean_error, MILLIMETRES, 3)
-    return [("LIN path error, max", with_unit(figures.path.max_error, MILLIMETRES, 3), f"mean {mean}")]
+    return [
+        ("path error of tool paths, max", with_unit(figures.path.max_error, MILLIMETRES, 3), f"mean {mean}")
+    ]
 
 
 def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:

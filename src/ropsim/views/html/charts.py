@@ -136,7 +136,7 @@ def _path_accuracy(station: StationView) -> str:
     chart = TimeChart(
         f"chart-tcp{_suffix(station)}",
         station.label("TCP speed and path error"),
-        "Speed of the tool centre point, and its distance from the commanded line on LIN moves.",
+        "Speed of the tool centre point, and its distance from the path of the tool where a move has one.",
         station.time,
         tuple(rows),
         _straight_moves(station),

@@ -11,6 +11,7 @@ from ropsim.views.comparison import Comparison, comparison_section
 from ropsim.views.cursor import SCRIPT
 from ropsim.views.definitions import DEFINITIONS
 from ropsim.views.figures import seconds
+from ropsim.views.html.accuracy import accuracy_section
 from ropsim.views.html.cards import key_figures, station_figures
 from ropsim.views.html.charts import active_lines, figures
 from ropsim.views.html.cycle import cycle_section
@@ -24,7 +25,7 @@ from ropsim.views.html.replay import (
     replay_data,
     replay_section,
 )
-from ropsim.views.html.tables import approach_table, joint_table, origin_table, path_table, task_table
+from ropsim.views.html.tables import approach_table, joint_table, origin_table, task_table
 from ropsim.views.markup import text
 from ropsim.views.messages import messages
 from ropsim.views.station_summary import StationSummary
@@ -123,9 +124,7 @@ def _station(station: StationSummary, summary: Summary, sources: Mapping[str, So
         tasks = task_table(station.tasks, station.cycle_time)
         parts.append(f"<section><h2>Tasks{of}</h2>\n{tasks}</section>\n")
     parts.append(cycle_section(station.cycle, sources.get(facts.source), of))
-    if station.path.moves:
-        path = path_table(station.path, sources.get(facts.source))
-        parts.append(f"<section><h2>Straight moves{of}</h2>\n{path}</section>\n")
+    parts.append(accuracy_section(station, of, sources.get(facts.source)))
     return "".join(parts)
 
 

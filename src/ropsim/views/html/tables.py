@@ -1,12 +1,6 @@
 """The tables of the HTML report."""
 
-import math
-
-from ropsim.core import SourceText
 from ropsim.views.figures import (
-    MILLIMETRES,
-    MILLIMETRES_PER_SECOND,
-    PERCENT,
     UNKNOWN,
     coordinate_scale,
     effort_scale,
@@ -18,7 +12,6 @@ from ropsim.views.figures import (
 )
 from ropsim.views.joint_summary import Closeness, JointSummary, LimitApproach
 from ropsim.views.markup import table, text
-from ropsim.views.path_summary import PathLine, PathSummary
 from ropsim.views.summary import Summary
 from ropsim.views.task_summary import TaskSummary
 
@@ -94,30 +87,6 @@ def task_table(tasks: tuple[TaskSummary, ...], cycle_time: float) -> str:
     )
 
 
-def path_table(path: PathSummary, source: SourceText | None) -> str:
-    """Return the path accuracy of straight moves per source line.
-
-    Args:
-        path: of a station.
-        source: text of its program, None where it is not known.
-    """
-    header = (
-        "line",
-        "moves",
-        "AT<sub>p</sub> max<br>[mm]",
-        "RMS<br>[mm]",
-        "worst<br>pass",
-        "at t [s]",
-        "command speed<br>[mm/s]",
-        "worst AV<br>[%]",
-        "source",
-    )
-    rows = [_path_row(line, source) for line in path.lines]
-    return table(
-        "Distance of the attained TCP from the commanded line, LIN moves by source line.", header, rows
-    )
-
-
 def origin_table(summary: Summary) -> str:
     """Return where the parameters of the arm come from."""
     rows = [
@@ -163,21 +132,6 @@ def _approach_cells(joint: JointSummary, approach: LimitApproach, limit: float) 
         f'<span class="mark">beyond {margin}</span>' if approach.margin < 0.0 else margin,
         seconds(approach.time),
         _line(approach.line),
-    )
-
-
-def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
-    worst, speed = line.worst, line.worst_speed
-    return (
-        _line(line.line),
-        str(len(line.moves)),
-        fixed(worst.max_error, MILLIMETRES, 3),
-        fixed(line.rms_error, MILLIMETRES, 3),
-        str(worst.visit) if worst.visit else UNKNOWN,
-        seconds(worst.time),
-        fixed(speed.command_speed if speed else math.nan, MILLIMETRES_PER_SECOND, 0),
-        fixed(speed.speed_accuracy if speed else math.nan, PERCENT, 2),
-        f"<code>{text(source.line(line.line).strip()[:60])}</code>" if source else UNKNOWN,
     )
 
 

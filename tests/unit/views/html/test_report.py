@@ -184,7 +184,7 @@ def test_every_station_has_its_own_charts_and_rows() -> None:
 def test_several_stations_have_their_own_tables_and_the_cell_has_one_verdict() -> None:
     text = page(two_stations())
     outline(text)
-    for heading in ("Joints", "Tasks", "Straight moves"):
+    for heading in ("Joints", "Tasks", "Accuracy"):
         assert [text.count(f"<h2>{heading} of {name}</h2>") for name in ("left", "right")] == [1, 1]
         assert f"<h2>{heading}</h2>" not in text
     assert text.count('<p class="verdict') == 1

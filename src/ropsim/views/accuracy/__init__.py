@@ -1,0 +1,11 @@
+"""Figures of ISO 9283:1998 from commanded and attained poses: paths, their repeats, corners, stops."""
+
+from ropsim.views.accuracy.corners import CornerFigures as CornerFigures
+from ropsim.views.accuracy.corners import corner_figures as corner_figures
+from ropsim.views.accuracy.matching import largest_angle as largest_angle
+from ropsim.views.accuracy.repeats import path_repeatability as path_repeatability
+from ropsim.views.accuracy.speeds import SpeedFigures as SpeedFigures
+from ropsim.views.accuracy.speeds import speed_figures as speed_figures
+from ropsim.views.accuracy.stops import BAND as BAND
+from ropsim.views.accuracy.stops import StopFigures as StopFigures
+from ropsim.views.accuracy.stops import stop_figures as stop_figures

@@ -1,0 +1,149 @@
+"""Tables of the HTML report on how true the arm was to its commands."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+from ropsim.core import SourceText
+from ropsim.views.accuracy import CornerFigures, StopFigures
+from ropsim.views.figures import (
+    DEGREES,
+    MILLIMETRES,
+    MILLIMETRES_PER_SECOND,
+    PERCENT,
+    UNKNOWN,
+    fixed,
+    seconds,
+)
+from ropsim.views.markup import table, text
+from ropsim.views.path_summary import PathLine, PathSummary
+from ropsim.views.station_summary import Figures
+
+T = TypeVar("T", CornerFigures, StopFigures)
+
+
+def accuracy_section(figures: Figures, of: str, source: SourceText | None) -> str:
+    """Return the section of a station; nothing where it has neither tool paths nor corners nor stops.
+
+    Args:
+        figures: of the station.
+        of: what follows its title, such as ` of left`.
+        source: text of its program, None where it is not known.
+    """
+    tables = (
+        path_table(figures.path, source) if figures.path.lines else "",
+        corner_table(figures.corners) if figures.corners else "",
+        stop_table(figures.stops) if figures.stops else "",
+    )
+    return f"<section><h2>Accuracy{of}</h2>\n{''.join(tables)}</section>\n" if any(tables) else ""
+
+
+def path_table(path: PathSummary, source: SourceText | None) -> str:
+    """Return the accuracy of tool paths per source line.
+
+    Args:
+        path: of a station.
+        source: text of its program, None where it is not known.
+    """
+    header = (
+        "line",
+        "moves",
+        "AT<sub>p</sub> max<br>[mm]",
+        "RMS<br>[mm]",
+        "worst<br>pass",
+        "at t [s]",
+        "angle<br>max [°]",
+        "RT<sub>p</sub><br>[mm]",
+        "command speed<br>[mm/s]",
+        "worst AV<br>[%]",
+        "FV max<br>[mm/s]",
+        "source",
+    )
+    rows = [_path_row(line, source) for line in path.lines]
+    return table(
+        "Distance of the attained TCP from the path of the tool (lines, arcs, curves and the corners between "
+        "them) by source line.",
+        header,
+        rows,
+    )
+
+
+def corner_table(corners: Sequence[CornerFigures]) -> str:
+    """Return how rounded corners are passed, the worst pass of each source line."""
+    header = ("line", "passes", "zone<br>[mm]", "planned<br>[mm]", "CR<br>[mm]", "CO max<br>[mm]", "at t [s]")
+    rows = [
+        (
+            _line(worst.line),
+            str(count),
+            fixed(worst.zone, MILLIMETRES, 1),
+            fixed(worst.planned, MILLIMETRES, 3),
+            fixed(worst.rounding, MILLIMETRES, 3),
+            fixed(worst.overshoot, MILLIMETRES, 3),
+            seconds(worst.time),
+        )
+        for worst, count in _worst_of_lines(corners, lambda one: one.overshoot)
+    ]
+    return table(
+        "Rounded corners by source line: least distance from the corner point, commanded and attained (CR), "
+        "and overshoot behind it (CO).",
+        header,
+        rows,
+    )
+
+
+def stop_table(stops: Sequence[StopFigures]) -> str:
+    """Return how moves come to rest, the worst pass of each source line."""
+    header = ("line", "passes", "OV max<br>[mm]", "stabilization<br>[s]", "at t [s]")
+    rows = [
+        (
+            _line(worst.line),
+            str(count),
+            fixed(worst.overshoot, MILLIMETRES, 3),
+            f"{worst.stabilization:.3f}",
+            seconds(worst.time),
+        )
+        for worst, count in _worst_of_lines(stops, lambda one: one.overshoot)
+    ]
+    return table(
+        "Stops by source line: overshoot, and time from the first coming within 0.1 mm of the place of rest "
+        "until the arm stays there.",
+        header,
+        rows,
+    )
+
+
+def _worst_of_lines(found: Sequence[T], size: Callable[[T], float]) -> list[tuple[T, int]]:
+    """Return the largest of each source line, and how many it has."""
+    lines: dict[int, list[T]] = {}
+    for one in found:
+        lines.setdefault(one.line, []).append(one)
+
+    def known(one: T) -> float:
+        value = size(one)
+        return value if math.isfinite(value) else -1.0
+
+    return [(max(lines[line], key=known), len(lines[line])) for line in sorted(lines)]
+
+
+def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
+    worst, speeds = line.worst, line.worst_speed.speeds if line.worst_speed else None
+    angles = [move.max_angle for move in line.moves if math.isfinite(move.max_angle)]
+    fluctuations = [one.speeds.fluctuation for one in line.moves if math.isfinite(one.speeds.fluctuation)]
+    return (
+        _line(line.line),
+        str(len(line.moves)),
+        fixed(worst.max_error, MILLIMETRES, 3),
+        fixed(line.rms_error, MILLIMETRES, 3),
+        str(worst.visit) if worst.visit else UNKNOWN,
+        seconds(worst.time),
+        fixed(max(angles, default=math.nan), DEGREES, 3),
+        fixed(line.repeatability, MILLIMETRES, 3),
+        fixed(speeds.command if speeds else math.nan, MILLIMETRES_PER_SECOND, 0),
+        fixed(speeds.accuracy if speeds else math.nan, PERCENT, 2),
+        fixed(max(fluctuations, default=math.nan), MILLIMETRES_PER_SECOND, 2),
+        f"<code>{text(source.line(line.line).strip()[:60])}</code>" if source else UNKNOWN,
+    )
+
+
+def _line(line: int) -> str:
+    return str(line) if line else UNKNOWN
