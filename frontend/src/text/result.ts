@@ -15,8 +15,8 @@ export const resultWords = {
   notSimulated: 'not simulated',
   limit: 'Smallest joint margin',
   side: (joint: string, side: 'lower' | 'upper') => `${joint}, ${side} limit`,
-  path: 'Largest path error',
-  noPath: 'no straight moves',
+  path: 'Largest path error of tool paths',
+  noPath: 'no tool paths',
   line: (line: number) => (line > 0 ? `line ${line}` : ''),
   findings: 'Findings',
   counts: (errors: number, warnings: number) =>

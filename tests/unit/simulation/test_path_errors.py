@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import Line
+from ropsim.motion import Arc, Line, arc
 from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.record import path_errors
 from ropsim.spatial import Pose
@@ -32,3 +32,15 @@ def test_a_row_at_which_two_paths_meet_belongs_to_the_first() -> None:
 
 def test_a_path_between_two_rows_has_no_error() -> None:
     assert np.isnan(path_errors([PathSpan(ALONG_X, 21, 29)], TICKS, Q, PLACES)).all()
+
+
+def test_a_circle_flown_with_another_radius_is_off_by_the_difference_and_one_flown_well_by_nothing() -> None:
+    start, via, end = (Pose(0.1 * np.array(one)) for one in ([1.0, 0, 0], [0, 1.0, 0], [-1.0, 0, 0]))
+    around = arc(start, via, end, angle=2.0 * np.pi)
+    assert isinstance(around, Arc)
+    turn = np.linspace(0.1, 6.0, 200)
+    circle = np.column_stack([np.cos(turn), np.sin(turn), np.zeros_like(turn)])
+    q = np.zeros((200, Q.shape[1]))
+    ticks, spans = np.arange(1.0, 201.0), [PathSpan(around, 0, 200)]
+    assert np.abs(path_errors(spans, ticks, q, 0.102 * circle) - 0.002).max() < 1e-15
+    assert path_errors(spans, ticks, q, 0.1 * circle).max() < 1e-15

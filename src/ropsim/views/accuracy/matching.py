@@ -5,11 +5,10 @@ import math
 import numpy as np
 
 from ropsim.spatial import Array
-from ropsim.views.accuracy.polyline import nearest
 
 POINTS = 50
 """Points of a path at which orientations are compared."""
-LAG = 0.5
+LAG = 0.2
 """Time by which the arm may be behind its command [s]."""
 _STANDS = 1e-6
 """Length below which a path has no places [m]."""
@@ -32,22 +31,27 @@ def largest_angle(time: Array, command: tuple[Array, Array], attained: tuple[Arr
     """
     places, turned = command
     way = np.linalg.norm(np.ptp(places, axis=0)) if len(places) else 0.0
-    if not way > _STANDS or not all(np.isfinite(one).all() for one in (*command, *attained)):
+    if len(time) < 2 or not way > _STANDS or not all(np.isfinite(one).all() for one in (*command, *attained)):
         return math.nan
-    worst = 0.0
-    for row in np.unique(np.linspace(0, len(time) - 1, POINTS).round().astype(int)):
-        first, last = np.searchsorted(time, [time[row] - LAG, time[row]], side="left")
-        place, _ = nearest(places[first : last + 1], attained[0][row : row + 1])
-        number, share = divmod(float(place[0]), 1.0)
-        before = turned[first + int(number)]
-        after = turned[min(first + int(number) + 1, len(time) - 1)]
-        after = after if before @ after >= 0.0 else -after
-        wanted = (1.0 - share) * before + share * after  # rows are near each other: no arc is needed
-        worst = max(worst, _angle(wanted / np.linalg.norm(wanted), attained[1][row]))
-    return worst
+    rows = np.unique(np.linspace(0, len(time) - 1, POINTS).round().astype(int))
+    back = int((rows - np.searchsorted(time, time[rows] - LAG)).max())
+    behind = np.maximum(rows[:, None] - np.arange(back, -1, -1), 0)  # a row of rows up to each one
+    begins, ways = places[behind[:, :-1]], np.diff(places[behind], axis=1)
+    away = attained[0][rows][:, None] - begins
+    squares = np.maximum(np.einsum("mki,mki->mk", ways, ways), np.finfo(float).tiny)
+    shares = np.clip(np.einsum("mki,mki->mk", away, ways) / squares, 0.0, 1.0)
+    left = away - shares[..., None] * ways
+    best, all_rows = np.einsum("mki,mki->mk", left, left).argmin(axis=1), np.arange(len(rows))
+    share = shares[all_rows, best][:, None]
+    before, after = turned[behind[all_rows, best]], turned[behind[all_rows, best + 1]]
+    after = after * _sides(before, after)
+    wanted = (1.0 - share) * before + share * after  # rows are near each other: no arc is needed
+    wanted /= np.linalg.norm(wanted, axis=1)[:, None]
+    had = attained[1][rows]
+    apart = np.linalg.norm(had * _sides(wanted, had) - wanted, axis=1)
+    return float(4.0 * np.arcsin(np.minimum(apart / 2.0, 1.0)).max())  # exact for small angles, too
 
 
-def _angle(one: Array, other: Array) -> float:
-    """Return the angle between two orientations [rad]; exact for small ones, too."""
-    near = other if one @ other >= 0.0 else -other
-    return 4.0 * math.asin(min(float(np.linalg.norm(one - near)) / 2.0, 1.0))
+def _sides(some: Array, others: Array) -> Array:
+    """Return 1 where two quaternions are on one side of the sphere and −1 where not, shape (m, 1)."""
+    return np.where(np.einsum("mi,mi->m", some, others) < 0.0, -1.0, 1.0)[:, None]

@@ -139,7 +139,7 @@ def _path_accuracy(station: StationView) -> str:
         "Speed of the tool centre point, and its distance from the path of the tool where a move has one.",
         station.time,
         tuple(rows),
-        _straight_moves(station),
+        _tool_paths(station),
     )
     band = ("band",) if chart.bands else ()
     return figure(
@@ -153,12 +153,12 @@ def _suffix(station: StationView) -> str:
     return "" if len(stations) == 1 else f"-{stations.index(station.facts) + 1}"
 
 
-def _straight_moves(station: StationView) -> list[Stretch]:
+def _tool_paths(station: StationView) -> list[Stretch]:
     return [
         (event.time, event.end)
         for event in station.recording.events
         if isinstance(event, MoveEvent)
-        and event.motion == MotionKind.LIN
+        and event.motion != MotionKind.PTP
         and event.station == station.facts.name
     ]
 
