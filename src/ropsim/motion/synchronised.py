@@ -4,7 +4,7 @@ from dataclasses import field
 
 import numpy as np
 
-from ropsim.motion import synchronised_kernel, time_law_kernel
+from ropsim.motion import synchronised_kernel
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH
 from ropsim.motion.motion_limits import JointMotionLimits
@@ -51,7 +51,7 @@ class SynchronisedJoints:
             raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
         way, bounds = q_end - q_start, np.array(each[2:])
         shapes, told = np.empty((3, len(way))), np.empty(2)
-        time_law_kernel.plan_together(way, bounds, shapes, told)
+        synchronised_kernel.plan_together(way, bounds, shapes, told)
         length, wrong = told.tolist()
         if length < 0.0:
             raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), way, bounds)))

@@ -1,6 +1,14 @@
-"""Rows of joints that each have a profile of their own over one time, in loops that numba compiles."""
+"""Profiles of joints over one time, and their rows at given times, in loops that numba compiles.
+
+Speed changes by d with jerk ±j and acceleration up to a, which is 0 before and after, in the time d/a + a/j
+where d·j >= a², else in 2·√(d/j) (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines
+and Robots, section 3.4).
+"""
+
+from math import sqrt
 
 from ropsim.codegen import kernel
+from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array
 
 
@@ -39,3 +47,60 @@ def joint_rows(
             out[0, k, i] = q_end[i] - way if mirrored else q_start[i] + way
             out[1, k, i] = 0.5 * j * (x1 - x3) * (x1 + x3) + a * (x2 + x3)
             out[2, k, i] = -change if mirrored else change
+
+
+@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
+def plan_together(way: Array, limits: Array, shapes: Array, told: Array) -> None:
+    """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
+
+    The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.
+
+    Args:
+        way: of the joints with its sign, shape (n,).
+        limits: speed, acceleration and jerk of the joints, shape (3, n).
+        shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
+            acceleration lasts that follows [s]; of shape (3, n).
+        told: where the time goes [s], or -1 and the index of a joint with a number that no motion can have;
+            shape (2,).
+    """
+    slowest = 0.0
+    for i in range(way.shape[0]):
+        length, speed, acceleration, jerk = abs(way[i]), limits[0, i], limits[1, i], limits[2, i]
+        allowed = LEAST <= speed <= MOST and LEAST <= acceleration <= MOST and LEAST <= jerk <= MOST
+        if not (allowed and length <= MOST):
+            told[0], told[1] = -1.0, i
+            return
+        peak = _peak(length, speed, acceleration, jerk) if length >= LEAST else 0.0
+        if peak > 0.0:
+            rise = _time(peak, acceleration, jerk)
+            shapes[1, i] = min(0.5 * rise, acceleration / jerk)
+            shapes[2, i] = max(rise - 2.0 * shapes[1, i], 0.0)
+            shapes[0, i] = length / peak + rise
+            slowest = max(slowest, shapes[0, i])
+        else:
+            shapes[0, i] = shapes[1, i] = shapes[2, i] = 0.0
+    for i in range(way.shape[0]):
+        if shapes[0, i] > 0.0:
+            factor = slowest / shapes[0, i]
+            shapes[1, i] *= factor
+            shapes[2, i] *= factor
+            rise = 2.0 * shapes[1, i] + shapes[2, i]
+            shapes[0, i] = way[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
+    told[0], told[1] = slowest, 0.0
+
+
+def _peak(length: float, speed: float, acceleration: float, jerk: float) -> float:
+    """Return the highest speed on a way from rest to rest; a rise and a fall take it as a mean."""
+    lag = acceleration * acceleration / jerk
+    peak = 2.0 * length * acceleration / (lag + sqrt(lag * lag + 4.0 * length * acceleration))
+    if peak < lag:
+        ramp = (0.5 * length / jerk) ** (1.0 / 3.0)
+        peak = jerk * ramp * ramp
+    return min(peak, speed)
+
+
+def _time(change: float, acceleration: float, jerk: float) -> float:
+    """Return the time of a change of speed."""
+    if change * jerk >= acceleration * acceleration:
+        return change / acceleration + acceleration / jerk
+    return 2.0 * sqrt(change / jerk)

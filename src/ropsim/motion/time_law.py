@@ -13,7 +13,7 @@ from ropsim.motion.time_law_kernel import LEAST, MOST
 from ropsim.spatial import Array, record
 
 Indices = npt.NDArray[np.int64]
-_SEGMENTS = 7  # of a piece, at most: three up, one steady, three down
+_SEGMENTS = 8  # of a piece, at most, up and likewise down
 
 
 @record
@@ -37,7 +37,7 @@ class LawRows:
 class TimeLaw:
     """A motion from rest to rest over p pieces, in m segments of constant jerk.
 
-    At the ends of pieces the acceleration is 0; ds/dt changes there only by the ratio of the pieces' units.
+    Where a piece ends, ds/dt and d²s/dt² change only by the ratio of the pieces' units.
 
     Attributes:
         segments: a column for each, in the order of time: index of the piece, time at the start [s], then
@@ -122,17 +122,18 @@ class TimeLaw:
 def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
 
-    The motion starts and ends at rest, has no acceleration where a piece ends, and keeps the bounds of each
-    piece. A pass from the end and one from the start give the highest speeds at the ends of the pieces; on
-    each piece the speed rises as far as the way allows and falls again. One piece alone has the S-curve of
-    `plan_profile`.
+    The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
+    piece ends. Rises are as steep as the bounds allow, so are falls: the motion follows the lower of both,
+    and goes over between them at the highest speed there is. Between pieces whose bounds differ it is not
+    the fastest of all: a rise never waits, so that it may come to a bound too early. One piece alone has the
+    S-curve of `plan_profile`, and so has a line that is cut into pieces.
 
     Args:
         stages: bounds of the pieces, in their order.
 
     Raises:
-        ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50 (a
-            ratio may be 0), or a horizon lies before its piece.
+        ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50, in
+            its own unit or that of the first piece (a ratio may be 0), or a horizon lies before its piece.
 
     References:
         Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
@@ -145,8 +146,9 @@ def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
         dtype=np.float64,
     )
     p = len(bounds)
-    rows, ends, told = np.empty((8, _SEGMENTS * p)), np.empty(p), np.empty(2)
-    time_law_kernel.plan_segments(bounds, np.empty((2, p + 1)), rows, ends, told)
+    ways, courses = np.empty((3, 9, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    rows, ends, told = np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
+    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
     count, wrong = told.tolist()
     if count < 0.0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), stages[int(wrong)])))

@@ -1,307 +1,587 @@
-"""A way of several pieces in the shortest time, in plain loops that numba compiles.
+"""A way of several pieces in little time, in plain loops that numba compiles.
 
-Speed changes from v0 to v1 with jerk ±j and acceleration up to a, which is zero before and after: with
-d = |v1 - v0| in the time T = d/a + a/j where d·j >= a², else T = 2·√(d/j), over the way (v0 + v1)/2·T
-(Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4). So the
-greatest d over a given way is a root of a quadratic or of w³ + 2·v0·w = way·√j with d = w². A pass over
-the pieces from the end keeps every speed so low that the motion can come to rest, a second one from the
-start takes the highest speeds that can be reached, as for paths (Bobrow, Dubowsky and Gibson 1985,
-Time-Optimal Control of Robotic Manipulators Along Specified Paths, Int. J. Robotics Research 4(3)).
+A rise starts without acceleration and takes as much jerk, then as much acceleration, as its piece allows, as
+long as it can still be levelled off (its acceleration taken back to 0 with the full jerk of the pieces that
+this leads through) without breaking a bound. Where it could no longer, it is levelled off until the piece
+that was in the way is reached. Where a rise is too fast for what follows, a new one starts at the bound
+there. A fall is a rise on the way back. So there is a course of rises from the start, one of falls from the
+end, and the motion follows the lower one of both. Where a rise meets a fall, both are levelled off to the
+highest speed at which one is still before the other. Passes from both ends are those of time-optimal motions
+along paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic Manipulators Along Specified
+Paths, Int. J. Robotics Research 4(3)), segments those of the S-curve (Biagiotti and Melchiorri 2008,
+Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
-Bounds of a piece stand in columns: length, speed, acceleration, jerk, ratio, horizon; see `Stage`.
+In a table of a way stand, piece by piece: length, speed, acceleration, jerk, bound of the speed at its start,
+horizon; then, where a rise starts at a piece, its first segment, the one behind its last, and the speed to
+which its end can be levelled off. The last column is the end of the way. In a table of segments stand piece,
+place, speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled
+off.
 """
 
-from math import sqrt
+from math import inf, sqrt
 
 from ropsim.codegen import kernel
 from ropsim.spatial import Array
 
-HALF_BIT = 1.2e-16
-"""Relative; taken off, a number becomes the next smaller one."""
 ROUNDING = 1e-15
-"""Relative; a way that remains below this share of a piece is none."""
+"""Relative; a way that remains below this share of the whole one is none."""
 LEAST, MOST = 1e-50, 1e50
 """Between them lie the numbers of a piece; what is computed from them is then finite."""
-ROUNDS = 60
-"""More steps of Newton's method than any convex function of one variable here needs."""
+ROUNDS = 100
+"""More steps than any search here needs, were it by halves alone."""
+SIXTH = 1.0 / 6.0
 
 
-@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1])")
-def plan_segments(bounds: Array, room: Array, rows: Array, ends: Array, told: Array) -> None:
+@kernel("void(f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[::1])")
+def plan_segments(bounds: Array, ways: Array, courses: Array, rows: Array, ends: Array, told: Array) -> None:
     """Write the segments of constant jerk that take the motion from rest to rest over p pieces.
 
     Args:
-        bounds: of the pieces, shape (p, 6).
-        room: room to work in, shape (2, p + 1).
+        bounds: of the pieces in columns: length, speed, acceleration, jerk, ratio, horizon (see `Stage`), of
+            shape (p, 6).
+        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 9, p + 1).
+        courses: room for the tables of rises, of falls, and for segments on the way back, of shape
+            (3, 8, 8·p).
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
-            [s], place at the end; of shape (8, 7·p).
+            [s], place at the end; of shape (8, 16·p).
         ends: where the times [s] go at which the pieces end, shape (p,).
         told: where the number of segments goes, or -1 and the index of a piece whose bounds no motion can
             have, shape (2,).
     """
     p = bounds.shape[0]
-    least, speeds = room[0], room[1]  # at the end of the piece before, in its unit: bound, and what is driven
+    there, back = ways[0], ways[1]
+    wrong = _lay_out(bounds, ways)
+    if wrong >= 0:
+        told[0], told[1] = -1.0, wrong
+        return
+    _climb(there, courses[0])
+    _climb(back, courses[1])
+    n = first = int(ways[2, 1, 0])  # 0; a number in the text would be a type of its own for numba
+    for i in range(1, p + 1):
+        if there[6, i] >= 0.0 and back[6, p - i] >= 0.0:
+            n = _join(ways, courses, first, i, rows, n)
+            first = i
+    told[0], told[1] = _time(bounds, ways[2, 0], rows, n, ends), 0.0
+
+
+def _lay_out(bounds: Array, ways: Array) -> int:
+    """Write the tables of the way there and back; return the index of a piece that is wrong, or -1."""
+    p = bounds.shape[0]
+    there, back, units, gone = ways[0], ways[1], ways[2, 0], ways[2, 1]
+    units[0], gone[0] = 1.0, 0.0
     for i in range(p):
-        if _is_wrong(bounds, i):
-            told[0], told[1] = -1.0, i
-            return
-        least[i] = _bound(bounds, i)
-    least[p] = 0.0
-    _look_ahead(bounds, least, speeds)
-    for i in range(p - 1, 0, -1):
-        length, acceleration, jerk = bounds[i, 0], bounds[i, 2], bounds[i, 3]
-        fastest = _reached(least[i + 1], length, acceleration, jerk)
-        least[i] = _before(fastest, bounds[i, 4], least[i])
-    n, time = 0, 0.0
-    speeds[0] = 0.0
+        if i > 0:
+            units[i] = units[i - 1] * (bounds[i, 4] if bounds[i, 4] > 0.0 else 1.0)
+        for k in range(4):
+            there[k, i] = bounds[i, k] / units[i]
+        if _is_wrong(bounds, there, i):
+            return i
+        horizon = bounds[i, 5]
+        there[5, i] = horizon if 0.0 <= horizon < p - 1 else inf
+        gone[i + 1] = gone[i] + there[0, i]
+        there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
+    there[4, p] = 0.0
+    for i in range(p - 1):
+        if there[5, i] < inf and there[4, i + 1] > 0.0:
+            there[4, i + 1] = min(there[4, i + 1], _stoppable(there, i + 1, 0.0, int(there[5, i])))
     for i in range(p):
-        v0 = 0.0 if i == 0 else bounds[i, 4] * speeds[i]
-        v1 = _reached(v0, bounds[i, 0], bounds[i, 2], bounds[i, 3])
-        speeds[i + 1] = min(v1, least[i + 1])
-        n, time = _add_piece(bounds, i, v0, speeds[i + 1], rows, n, time)
-        ends[i] = time
+        for k in range(4):
+            back[k, i] = there[k, p - 1 - i]
+        back[4, i], back[5, i] = there[4, p - i], inf
+    back[4, p] = 0.0
+    return -1
+
+
+def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
+    """Write the times of n segments, and all in the units of their pieces; return how many last."""
+    time, count = 0.0, 0
     for k in range(n):
-        piece = rows[0, k]
-        goes_on = k + 1 < n and rows[0, k + 1] == piece
-        rows[7, k] = rows[2, k + 1] if goes_on else bounds[int(piece), 0]
-    told[0], told[1] = n, 0.0
+        if rows[6, k] > 0.0:
+            i = int(rows[0, k])
+            if count > 0 and rows[0, count - 1] != i:
+                ends[i - 1] = time
+            rows[0, count], rows[1, count], rows[6, count] = i, time, rows[6, k]
+            for row in range(2, 5):
+                rows[row, count] = rows[row, k] * units[i]
+            change = rows[5, k]
+            rows[5, count] = bounds[i, 3] if change > 0.0 else -bounds[i, 3] if change < 0.0 else 0.0
+            time += rows[6, k]
+            count += 1
+    ends[bounds.shape[0] - 1] = time
+    for k in range(count):
+        goes_on = k + 1 < count and rows[0, k + 1] == rows[0, k]
+        rows[7, k] = rows[2, k + 1] if goes_on else bounds[int(rows[0, k]), 0]
+    return count
 
 
-@kernel("void(f8[::1], f8[:,::1], f8[:,::1], f8[::1])")
-def plan_together(way: Array, limits: Array, shapes: Array, told: Array) -> None:
-    """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
-
-    The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.
-
-    Args:
-        way: of the joints with its sign, shape (n,).
-        limits: speed, acceleration and jerk of the joints, shape (3, n).
-        shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
-            acceleration lasts that follows [s]; of shape (3, n).
-        told: where the time goes [s], or -1 and the index of a joint with a number that no motion can have;
-            shape (2,).
-    """
-    slowest = 0.0
-    for i in range(way.shape[0]):
-        length, speed, acceleration, jerk = abs(way[i]), limits[0, i], limits[1, i], limits[2, i]
-        allowed = LEAST <= speed <= MOST and LEAST <= acceleration <= MOST and LEAST <= jerk <= MOST
-        if not (allowed and length <= MOST):
-            told[0], told[1] = -1.0, i
-            return
-        peak = _rise(0.0, 0.0, length, speed, acceleration, jerk) if length >= LEAST else 0.0
-        if peak > 0.0:
-            rise = _time(peak, acceleration, jerk)
-            shapes[1, i] = min(0.5 * rise, acceleration / jerk)
-            shapes[2, i] = max(rise - 2.0 * shapes[1, i], 0.0)
-            shapes[0, i] = length / peak + rise
-            slowest = max(slowest, shapes[0, i])
-        else:
-            shapes[0, i] = shapes[1, i] = shapes[2, i] = 0.0
-    for i in range(way.shape[0]):
-        if shapes[0, i] > 0.0:
-            factor = slowest / shapes[0, i]
-            shapes[1, i] *= factor
-            shapes[2, i] *= factor
-            rise = 2.0 * shapes[1, i] + shapes[2, i]
-            shapes[0, i] = way[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
-    told[0], told[1] = slowest, 0.0
-
-
-def _is_wrong(bounds: Array, i: int) -> bool:
+def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
     """Return whether a number of a piece is none that a motion can have."""
     for k in range(4):
-        if not LEAST <= bounds[i, k] <= MOST:
+        if not (LEAST <= bounds[i, k] <= MOST and LEAST <= way[k, i] <= MOST):
             return True
     if not (bounds[i, 4] == 0.0 or LEAST <= bounds[i, 4] <= MOST):
         return True
     return not (bounds[i, 5] == -1.0 or bounds[i, 5] >= i)
 
 
-def _bound(bounds: Array, i: int) -> float:
-    """Return the bound of the speed at the start of piece i, in the unit of the piece before."""
-    ratio = bounds[i, 4]
-    if i == 0 or ratio == 0.0:
+def _stoppable(way: Array, piece: int, place: float, last: int) -> float:
+    """Return a speed, without acceleration, from which the motion can stop before the end of a last piece."""
+    if piece > last:
         return 0.0
-    return _before(bounds[i, 1], ratio, bounds[i - 1, 1])
-
-
-def _before(speed: float, ratio: float, bound: float) -> float:
-    """Return the greatest speed up to `bound` before a piece that is then not faster than `speed`."""
-    if ratio == 0.0:
-        return 0.0
-    if ratio * bound <= speed:
-        return bound
-    found = speed / ratio
-    for _ in range(4):
-        if ratio * found <= speed:
-            break
-        found -= found * HALF_BIT
-    return found
-
-
-def _look_ahead(bounds: Array, least: Array, speeds: Array) -> None:
-    """Lower the bounds so that the motion can end with the last piece that is known at the time.
-
-    Pieces in a row with one horizon share a pass from there; `speeds` is room to work in.
-    """
-    p = bounds.shape[0]
-    for i in range(p):
-        speeds[i] = _bound(bounds, i)
-    high = p - 1
-    while high >= 0:
-        horizon = bounds[high, 5]
-        low = high
-        while low > 0 and bounds[low - 1, 5] == horizon:
-            low -= 1
-        if 0.0 <= horizon < p - 1:
-            speed = 0.0
-            for k in range(int(horizon), low - 1, -1):
-                if k <= high:
-                    least[k + 1] = min(least[k + 1], speed)
-                if k > 0:
-                    fastest = _reached(speed, bounds[k, 0], bounds[k, 2], bounds[k, 3])
-                    speed = _before(fastest, bounds[k, 4], speeds[k])
-        high = low - 1
+    speed = 0.0
+    for k in range(last, piece, -1):
+        speed = min(_reached(speed, way[0, k], way[2, k], way[3, k]), way[4, k])
+    speed = _reached(speed, way[0, piece] - place, way[2, piece], way[3, piece])
+    return float(min(speed, way[1, piece]))
 
 
 def _reached(speed: float, length: float, acceleration: float, jerk: float) -> float:
-    """Return the highest speed to which it can rise over a way, never rounded up."""
+    """Return the highest speed to which it can rise over a way, without acceleration at both ends.
+
+    Below the bound of acceleration it rises by w² with w³ + 2·speed·w = length·√jerk: Newton's steps fall to
+    the root of a convex function.
+    """
+    if length <= 0.0:
+        return speed
     lag = acceleration * acceleration / jerk
     wide = 2.0 * speed + lag
     if length * jerk >= wide * acceleration:
         half = acceleration * length - speed * lag
-        gain = 4.0 * half / (wide + sqrt(wide * wide + 8.0 * half))
-    else:
-        w = _cubic_root(2.0 * speed, length * sqrt(jerk))
-        gain = w * w
-    found = speed + gain
-    if found - speed > gain:
-        found = max(speed, found - found * HALF_BIT)
-    return found
-
-
-def _cubic_root(p: float, q: float) -> float:
-    """Return the real root of w³ + p·w = q for p >= 0, q > 0, by Cardano's formula without cancellation."""
-    third, half = p / 3.0, 0.5 * q
-    u: float = (half + sqrt(half * half + third * third * third)) ** (1.0 / 3.0)
-    v = third / u
-    w = q / (u * u + third + v * v)
-    return w - (w * (w * w + p) - q) / (3.0 * w * w + p)  # the power above is not exact to the last bit
-
-
-def _time(change: float, acceleration: float, jerk: float) -> float:
-    """Return the time of a change of speed."""
-    if change * jerk >= acceleration * acceleration:
-        return change / acceleration + acceleration / jerk
-    return 2.0 * sqrt(change / jerk)
-
-
-def _way(low: float, change: float, acceleration: float, jerk: float) -> float:
-    """Return the way of a change of speed from or to `low`."""
-    return (low + 0.5 * change) * _time(change, acceleration, jerk)
-
-
-def _rise(v0: float, v1: float, length: float, speed: float, acceleration: float, jerk: float) -> float:
-    """Return by how much the speed rises above the higher one of both ends.
-
-    The way that a rise to top + w² and the fall from there take is convex in w, so that Newton's steps fall
-    to its root once they are above it.
-    """
-    top, fall = max(v0, v1), abs(v1 - v0)
-    low = top - fall
-    spare = length - _way(low, fall, acceleration, jerk)
-    if spare <= ROUNDING * length or speed <= top:
-        return 0.0
-    room = speed - top
-    ways = _way(top, room, acceleration, jerk) + _way(low, room + fall, acceleration, jerk)
-    if ways <= length:
-        return room
-    lag = acceleration * acceleration / jerk
-    wide = 2.0 * top + lag
-    half = acceleration * length - top * lag - 0.5 * (top + low) * (fall + lag)
-    if half > 0.0:
-        found = 2.0 * half / (wide + sqrt(wide * wide + 4.0 * half))
-        if found >= lag:
-            return min(found, room)
-    if fall == 0.0:
-        w = _cubic_root(2.0 * top, 0.5 * length * sqrt(jerk))
-        return min(w * w, room)
-    w = _cubic_root(2.0 * top, spare * sqrt(jerk))
+        return speed + 4.0 * half / (wide + sqrt(wide * wide + 8.0 * half))
+    q: float = length * sqrt(jerk)
+    w: float = q ** (1.0 / 3.0)
     for _ in range(ROUNDS):
-        change = w * w
-        first, second = _time(change, acceleration, jerk), _time(change + fall, acceleration, jerk)
-        over = (top + 0.5 * change) * first + (low + 0.5 * (change + fall)) * second - length
-        slope = w * (first + second)
-        slope += (2.0 * top + change) * _slope_of_time(w, w, acceleration, jerk)
-        slope += (top + low + change) * _slope_of_time(w, sqrt(change + fall), acceleration, jerk)
-        step = over / slope
+        step = (w * (w * w + 2.0 * speed) - q) / (3.0 * w * w + 2.0 * speed)
         w -= step
-        if step <= ROUNDING * w:
+        if not step > 1e-16 * w:
             break
-    return min(w * w, room)
+    return speed + w * w
 
 
-def _slope_of_time(w: float, root: float, acceleration: float, jerk: float) -> float:
-    """Return half the derivative by w of the time for a change of root² = w² + constant."""
-    if root * root * jerk >= acceleration * acceleration:
-        return w / acceleration
-    return w / (root * sqrt(jerk))
+def _crossing(way: float, v: float, a: float, j: float) -> float:
+    """Return the time over a way with speed v and acceleration a at its start, before a jerk j < 0 ends a.
 
-
-def _add_piece(
-    bounds: Array, i: int, v0: float, v1: float, rows: Array, n: int, time: float
-) -> tuple[int, float]:
-    """Write the segments of piece i from speed v0 to v1; return the number of all segments, and the time.
-
-    Places are counted from the nearer end, so that the last segment ends at the length.
+    The way is convex in time then, so that Newton's steps fall to the root from above.
     """
-    length, speed, acceleration, jerk = bounds[i, 0], bounds[i, 1], bounds[i, 2], bounds[i, 3]
-    rise = _rise(v0, v1, length, speed, acceleration, jerk)
-    top = max(v0, v1)
-    up, down, peak = (top - v0) + rise, (top - v1) + rise, top + rise
-    up_time, down_time = _time(up, acceleration, jerk), _time(down, acceleration, jerk)
-    up_way, down_way = (v0 + 0.5 * up) * up_time, (v1 + 0.5 * down) * down_time
-    rest = length - up_way - down_way
-    if up > 0.0:
-        ramp = min(0.5 * up_time, acceleration / jerk)
-        steady, reached, gained = max(up_time - 2.0 * ramp, 0.0), jerk * ramp, 0.5 * jerk * ramp * ramp
-        n = _add(rows, n, i, time, 0.0, v0, 0.0, jerk, ramp)
-        if steady > ROUNDING * up_time:
-            place = (v0 + gained / 3.0) * ramp
-            n = _add(rows, n, i, time + ramp, place, v0 + gained, reached, 0.0, steady)
-        place = up_way - (peak - gained / 3.0) * ramp
-        n = _add(rows, n, i, time + (ramp + steady), place, peak - gained, reached, -jerk, ramp)
-        time += up_time
-    turn = up_way
-    if rest > ROUNDING * length:
-        turn = length - down_way
-        n = _add(rows, n, i, time, up_way, peak, 0.0, 0.0, rest / peak)
-        time += rest / peak
-    if down > 0.0:
-        ramp = min(0.5 * down_time, acceleration / jerk)
-        steady, reached, lost = max(down_time - 2.0 * ramp, 0.0), -jerk * ramp, 0.5 * jerk * ramp * ramp
-        n = _add(rows, n, i, time, turn, peak, 0.0, -jerk, ramp)
-        if steady > ROUNDING * down_time:
-            place = length - down_way + (peak - lost / 3.0) * ramp
-            n = _add(rows, n, i, time + ramp, place, peak - lost, reached, 0.0, steady)
-        place = length - (v1 + lost / 3.0) * ramp
-        n = _add(rows, n, i, time + (ramp + steady), place, v1 + lost, reached, jerk, ramp)
-        time += down_time
-    return n, time
+    if way <= 0.0:
+        return 0.0
+    t: float = inf
+    if v > 0.0:
+        t = way / v
+    if j > 0.0:
+        if a > 0.0:
+            t = min(t, sqrt(2.0 * way / a))
+        t = min(t, (6.0 * way / j) ** (1.0 / 3.0))
+    else:
+        t = min(t, -a / j)
+    for _ in range(ROUNDS):
+        step = (t * (v + t * (0.5 * a + t * (j * SIXTH))) - way) / (v + t * (a + 0.5 * t * j))
+        t -= step
+        if not step > 1e-16 * t:
+            break
+    return t
+
+
+def _level(
+    way: Array, piece: int, place: float, v: float, a: float, since: int
+) -> tuple[int, int, float, float, int]:
+    """Level the motion off from a place; `since` is the first piece whose horizon counts.
+
+    Returns:
+        0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
+        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast.
+    """
+    p = way.shape[1] - 1
+    fault, k, where = 0, piece, 0
+    while True:
+        length, jerk = way[0, k], way[3, k]
+        t = a / jerk
+        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        if end <= length or k + 1 == p:
+            break
+        t = _crossing(length - place, v, a, -jerk)
+        v += t * (a - 0.5 * jerk * t)
+        a = max(a - jerk * t, 0.0)
+        place = 0.0
+        k += 1
+        if fault == 0 and (v > way[4, k] or a > way[2, k]):
+            fault, where = 1, k
+    if fault == 0:
+        if end > length:
+            fault, where = 1, p
+        elif top > way[1, k]:
+            fault, where = 2, k
+        else:
+            for i in range(since, k):
+                if way[5, i] < inf and top > _stoppable(way, k, end, int(way[5, i])):
+                    return 1, k, end, top, i + 1
+    return fault, k, end, top, where
+
+
+def _after(
+    t: float, v: float, a: float, jerk: float, until: float, most: float
+) -> tuple[float, float, float]:
+    """Return place, speed and acceleration at a time of a rise from place 0.
+
+    Args:
+        t: since the start [s].
+        v: at the start.
+        a: at the start.
+        jerk: for the time `until` [s].
+        until: see there.
+        most: acceleration after it.
+    """
+    if t <= until:
+        return t * (v + t * (0.5 * a + t * (jerk * SIXTH))), v + t * (a + 0.5 * jerk * t), a + jerk * t
+    place, v = until * (v + until * (0.5 * a + until * (jerk * SIXTH))), v + until * (a + 0.5 * jerk * until)
+    rest = t - until
+    return place + rest * (v + 0.5 * most * rest), v + most * rest, most
+
+
+def _levelled(place: float, v: float, a: float, jerk: float) -> float:
+    """Return the place at which a motion is levelled off, were its piece endless."""
+    t = a / jerk
+    return place + t * (v + a * t / 3.0)
+
+
+def _climb(way: Array, course: Array) -> None:
+    """Write the rises over a way."""
+    p = way.shape[1] - 1
+    for i in range(p + 1):
+        way[6, i] = -1.0
+    way[6, 0] = 0.0
+    n = k = start = int(way[6, 0])  # a number in the text would be a type of its own for numba
+    v, a, reached = 0.0, 0.0, 0.0
+    while k < p:
+        length, most, jerk = way[0, k], way[2, k], way[3, k]
+        until = max(most - a, 0.0) / jerk
+        place, v1, _ = _after(until, v, a, jerk, until, most)
+        if place >= length:
+            until = end = _crossing(length, v, a, jerk)
+        else:
+            rest = length - place
+            end = until + 2.0 * rest / (v1 + sqrt(v1 * v1 + 2.0 * most * rest))
+        _, v1, a1 = _after(end, v, a, jerk, until, most)
+        if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
+            fault, _, _, top, _ = _level(way, k + 1, 0.0, v1, a1, k)
+            if fault == 0:
+                n = _add_rise(way, course, n, k, v, a, until, most, end, length, reached)
+                k, v, a, reached = k + 1, v1, a1, top
+                continue
+        last, top, fault, where = _latest(way, k, v, a, until, most, end)
+        place, v1, a1 = _after(last, v, a, jerk, until, most)
+        n = _add_rise(way, course, n, k, v, a, until, most, last, min(place, length), reached)
+        if fault == 0:
+            n, v, a = _add_levelling(way, course, n, k, min(place, length), v1, a1, top, where)
+            v, a, k, reached = min(v, way[4, where]), min(a, way[2, where]), where, top
+        else:
+            way[7, start], way[8, start] = n, top
+            start, k = where, where
+            way[6, k], v, a = n, way[4, k], 0.0
+            reached = v
+
+
+def _latest(
+    way: Array, k: int, v: float, a: float, until: float, most: float, end: float
+) -> tuple[float, float, int, int]:
+    """Return until when a rise goes on in a piece that it cannot cross.
+
+    Returns:
+        the time; the speed to which it is levelled off then; 0 where it goes on behind the boundary that
+        follows, 1 where a new rise starts there; the boundary.
+    """
+    length, speed, jerk = way[0, k], way[1, k], way[3, k]
+    low, high = 0.0, end
+    peak = sqrt(max(0.5 * a * a + jerk * (speed - v), 0.0))
+    t = max(peak - a, 0.0) / jerk
+    if t > until:
+        v1 = v + until * (a + 0.5 * jerk * until)
+        t = max(until + (speed - v1 - 0.5 * most * most / jerk) / most, until)
+    if t < end:
+        place, v1, a1 = _after(t, v, a, jerk, until, most)
+        if _levelled(place, v1, a1, jerk) <= length:
+            return t, speed, 1, k + 1
+    if _levelled(0.0, v, a, jerk) <= length:
+        low = _levelled_at(length, v, a, jerk, until, most, high)
+        place, v1, a1 = _after(low, v, a, jerk, until, most)
+        top = v1 + 0.5 * a1 * a1 / jerk
+        if top >= way[4, k + 1]:
+            return low, top, 1, k + 1
+    place, v1, a1 = _after(high, v, a, jerk, until, most)
+    fault, _, _, _, where = _level(way, k, min(place, length), v1, a1, k)
+    if fault == 0:
+        fault, where = 1, k + 1
+    for _ in range(ROUNDS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        place, v1, a1 = _after(middle, v, a, jerk, until, most)
+        found, _, _, _, there = _level(way, k, place, v1, a1, k)
+        if found == 0:
+            low = middle
+        else:
+            high, fault, where = middle, found, there
+    place, v1, a1 = _after(low, v, a, jerk, until, most)
+    found, piece, _, top, there = _level(way, k, min(place, length), v1, a1, k)
+    if found != 0:
+        fault, where, piece = found, there, there
+    where = max(where, k + 2 - fault)  # a rise goes on in a later piece, whatever is rounded
+    if fault == 2:
+        if piece >= where:
+            return low, way[1, where], 1, where + 1
+        return low, top, 1, where
+    if piece < where or where == way.shape[1] - 1:
+        return low, top, 1, where
+    return low, top, 0, where
+
+
+def _levelled_at(
+    length: float, v: float, a: float, jerk: float, until: float, most: float, high: float
+) -> float:
+    """Return the last time at which a rise can be levelled off within a length, by the Illinois rule."""
+    low = 0.0
+    under = _levelled(0.0, v, a, jerk) - length
+    place, v1, a1 = _after(high, v, a, jerk, until, most)
+    over = _levelled(place, v1, a1, jerk) - length
+    for step in range(ROUNDS):
+        t = (
+            0.5 * (low + high)
+            if step % 4 == 3 or not over > under
+            else low - under * (high - low) / (over - under)
+        )
+        if not low < t < high:
+            t = 0.5 * (low + high)
+            if not low < t < high:
+                break
+        place, v1, a1 = _after(t, v, a, jerk, until, most)
+        beyond = _levelled(place, v1, a1, jerk) - length
+        if beyond <= 0.0:
+            low, under, over = t, beyond, 0.5 * over
+            if beyond >= -ROUNDING * length:
+                break
+        else:
+            high, over, under = t, beyond, 0.5 * under
+    return low
+
+
+def _add_rise(
+    way: Array,
+    course: Array,
+    n: int,
+    k: int,
+    v: float,
+    a: float,
+    until: float,
+    most: float,
+    end: float,
+    last: float,
+    reached: float,
+) -> int:
+    """Write the segments of a rise in piece k up to a time and place; return the number of all."""
+    jerk = way[3, k]
+    if end <= until:
+        return _add(course, n, k, 0.0, v, a, jerk, end, last, reached)
+    place, v1, _ = _after(until, v, a, jerk, until, most)
+    n = _add(course, n, k, 0.0, v, a, jerk, until, place, reached)
+    _, _, _, top, _ = _level(way, k, place, v1, most, k)
+    return _add(course, n, k, place, v1, most, 0.0, end - until, last, max(top, reached))
+
+
+def _add_levelling(
+    way: Array,
+    course: Array,
+    n: int,
+    k: int,
+    place: float,
+    v: float,
+    a: float,
+    top: float,
+    until: int,
+) -> tuple[int, float, float]:
+    """Level the motion off, not beyond a boundary; return number, speed and acceleration there."""
+    while k < until:
+        length, jerk = way[0, k], way[3, k]
+        end = _levelled(place, v, a, jerk)
+        if end <= length or k + 2 == way.shape[1]:
+            n = _add(course, n, k, place, v, a, -jerk, a / jerk, min(end, length), top)
+            return n, v + 0.5 * a * a / jerk, 0.0
+        t = _crossing(length - place, v, a, -jerk)
+        n = _add(course, n, k, place, v, a, -jerk, t, length, top)
+        v += t * (a - 0.5 * jerk * t)
+        a = max(a - jerk * t, 0.0)
+        place = 0.0
+        k += 1
+    return n, v, a
 
 
 def _add(
-    rows: Array,
+    course: Array,
     n: int,
-    i: int,
-    time: float,
+    piece: int,
     place: float,
-    speed: float,
-    acceleration: float,
+    v: float,
+    a: float,
     jerk: float,
     duration: float,
+    end: float,
+    top: float,
 ) -> int:
-    """Write a segment but for the place at its end; return the number of all."""
-    rows[0, n], rows[1, n], rows[2, n], rows[3, n] = i, time, place, speed
-    rows[4, n], rows[5, n], rows[6, n] = acceleration, jerk, duration
+    """Write a segment; return the number of all."""
+    course[0, n], course[1, n], course[2, n], course[3, n] = piece, place, v, a
+    course[4, n], course[5, n], course[6, n], course[7, n] = jerk, duration, end, top
     return n + 1
+
+
+def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, float, int, float]:
+    """Return where the rise from a boundary is levelled off to a speed, and where that ends.
+
+    Returns:
+        segment and time in it; piece and place.
+    """
+    first, last = int(way[6, start]), int(way[7, start])
+    row, high = first - 1, last - 1
+    while high - row > 1:
+        middle = (row + high) // 2
+        if course[7, middle + 1] >= top:
+            high = middle
+        else:
+            row = middle
+    row = high
+    k, v, a, h = int(course[0, row]), course[2, row], course[3, row], course[5, row]
+    most = course[7, row + 1] if row + 1 < last else way[8, start]
+    before, after, under, over = 0.0, h, course[7, row] - top, most - top
+    jerk, change, t = way[3, k], course[4, row], 0.0
+    if over <= 0.0:
+        t = h
+    elif under >= 0.0:
+        t = 0.0
+    elif change > 0.0:
+        t = (sqrt(max(0.5 * a * a + jerk * (top - v), 0.0)) - a) / jerk
+    elif a > 0.0:
+        t = (top - v - 0.5 * a * a / jerk) / a
+    t = min(max(t, 0.0), h)
+    piece, place = k, 0.0
+    for step in range(ROUNDS):
+        x = course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
+        a1 = max(a + change * t, 0.0)
+        _, piece, place, found, _ = _level(way, k, min(x, way[0, k]), v + t * (a + 0.5 * change * t), a1, k)
+        if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= ROUNDING * top:
+            break
+        if found <= top:
+            before, under, over = t, found - top, 0.5 * over
+        else:
+            after, over, under = t, found - top, 0.5 * under
+        t = before - under * (after - before) / (over - under) if step % 4 < 3 else 0.5 * (before + after)
+        if not before < t < after:
+            t = 0.5 * (before + after)
+            if not before < t < after:
+                t = before
+                under = 0.0
+    return row, t, piece, min(place, way[0, piece])
+
+
+def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: int) -> int:
+    """Write a rise from one boundary and a fall to another; return the number of all segments.
+
+    The highest speed at which a rise is levelled off before a fall is found by the Illinois rule.
+    """
+    there, back, gone, p = ways[0], ways[1], ways[2, 1], ways.shape[2] - 1
+    low = max(there[4, first], there[4, last])
+    top = high = max(min(there[8, first], back[8, p - last]), low)
+    under, over, ended = -1.0, 0.0, False
+    row, t, k, x = int(there[6, first]), 0.0, first, 0.0
+    other, u, i, y = int(back[6, p - last]), 0.0, last, 0.0
+    for step in range(ROUNDS):
+        row, t, k, x = _summit(there, courses[0], first, top)
+        other, u, i, y = _summit(back, courses[1], p - last, top)
+        i = p - 1 - i
+        y = there[0, i] - y
+        room = y - x
+        if k < i:
+            room = (there[0, k] - x) + (gone[i] - gone[k + 1]) + y
+        elif i < k:
+            room = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
+        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= ROUNDING * there[0, first]:
+            break
+        if step == 0:
+            over, top = room, low
+        else:
+            if room >= 0.0 or step == 1:
+                low, under, over = top, max(room, 0.0), 0.5 * over if step > 1 else over
+            else:
+                high, over, under = top, room, 0.5 * under
+            top = 0.5 * (low + high)
+            if step % 4 > 0 and low < low + under * (high - low) / (under - over) < high:
+                top = low + under * (high - low) / (under - over)
+            if not low < top < high or step == ROUNDS - 2:
+                top, ended = low, True
+    n, k, x = _copy(there, courses[0], first, row, t, rows, n)
+    m, i, y = _copy(back, courses[1], p - last, other, u, courses[2], int(gone[0]))
+    i = p - 1 - i
+    y = there[0, i] - y
+    while k <= i:
+        until = y if k == i else there[0, k]
+        if until > x:
+            _add_row(rows, n, k, x, top, 0.0, 0.0, (until - x) / top)
+            n += 1
+        k, x = k + 1, 0.0
+    for row in range(m - 1, -1, -1):
+        i, h = p - 1 - int(courses[2, 0, row]), courses[2, 6, row]
+        v, a, j = courses[2, 3, row], courses[2, 4, row], courses[2, 5, row]
+        x = there[0, i] - courses[2, 7, row]
+        _add_row(rows, n, i, x, v + h * (a + 0.5 * h * j), -(a + h * j), j, h)
+        n += 1
+    return n
+
+
+def _copy(
+    way: Array, course: Array, start: int, row: int, t: float, rows: Array, n: int
+) -> tuple[int, int, float]:
+    """Write the rise from a boundary until a time of a segment, and levelled off behind it.
+
+    Returns:
+        the number of all segments, and piece and place at the end.
+    """
+    v, a, change = 0.0, 0.0, 0.0
+    for i in range(int(way[6, start]), row + 1):
+        h = course[5, i] if i < row else t
+        v, a, change = course[2, i], course[3, i], course[4, i]
+        _add_row(rows, n, int(course[0, i]), course[1, i], v, a, change, h)
+        rows[7, n] = course[6, i]
+        n += 1
+    k = int(course[0, row])
+    x = course[6, row]
+    if t < course[5, row]:
+        x = min(course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
+    rows[7, n - 1] = x
+    v, a = v + t * (a + 0.5 * change * t), max(a + change * t, 0.0)
+    end, levelled = x, False
+    while not levelled:
+        length, jerk = way[0, k], way[3, k]
+        t = a / jerk
+        end = x + t * (v + a * t / 3.0)
+        levelled = end <= length or k + 2 == way.shape[1]
+        if not levelled:
+            t = _crossing(length - x, v, a, -jerk)
+        _add_row(rows, n, k, x, v, a, -jerk, t)
+        rows[7, n] = min(end, length) if levelled else length
+        n += 1
+        v, a = v + t * (a - 0.5 * jerk * t), max(a - jerk * t, 0.0)
+        if not levelled:
+            k, x = k + 1, 0.0
+    return n, k, min(end, way[0, k])
+
+
+def _add_row(
+    rows: Array,
+    n: int,
+    piece: int,
+    place: float,
+    v: float,
+    a: float,
+    jerk: float,
+    duration: float,
+) -> None:
+    """Write a segment but for its time and the place at its end."""
+    rows[0, n], rows[2, n], rows[3, n] = piece, place, v
+    rows[4, n], rows[5, n], rows[6, n] = a, jerk, duration

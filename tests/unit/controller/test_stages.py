@@ -1,6 +1,7 @@
 """Bounds of the pieces of a stretch: exact on straight ways, kept together on bent ones."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from ropsim.motion import (
     OrientationMode,
     ToolLimits,
     ToolPath,
+    ToolSection,
     corner,
     durations,
     plan_time_law,
@@ -159,3 +161,16 @@ def test_the_bounds_of_the_tool_hold_on_random_corners() -> None:
         assert v <= limits.speed
         assert most <= 1.0 + BETWEEN_PLACES
         assert jerks <= 1.0 + 5.0 * BETWEEN_PLACES
+
+
+def test_a_line_in_short_parts_with_zones_takes_the_time_of_the_line() -> None:
+    points = [turned(0.0, x=x) for x in np.linspace(0.0, 0.5, 11).tolist()]
+    lines, zone, stages, start = [Line(*ends) for ends in pairwise(points)], 5e-3, [], 0.0
+    for before, behind in pairwise(lines):
+        leaves = before.length - zone
+        round_it = corner(before, leaves, behind, zone)
+        assert not isinstance(round_it, CornerFault)
+        stages += [tool_stage(ToolSection(before, start, leaves), LIMITS), tool_stage(round_it, LIMITS)]
+        start = zone
+    stages.append(tool_stage(ToolSection(lines[-1], start, lines[-1].length), LIMITS))
+    assert plan_time_law(stages).duration == pytest.approx(line_time(points[-1]), rel=1e-9)

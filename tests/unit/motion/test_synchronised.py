@@ -16,7 +16,6 @@ from ropsim.motion import (
     evaluate,
     plan_profile,
     synchronised_kernel,
-    time_law_kernel,
 )
 
 ROUNDING = 1e-12  # [rad], of coordinates of a few rad
@@ -116,7 +115,7 @@ def test_limits_of_another_number_of_joints_are_refused(count: int) -> None:
 def test_compiled_or_not_the_motion_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     t = np.linspace(0.0, MOVE.length, 50)
     compiled = MOVE.joints(t)
-    for module, name in ((time_law_kernel, "plan_together"), (synchronised_kernel, "joint_rows")):
+    for module, name in ((synchronised_kernel, "plan_together"), (synchronised_kernel, "joint_rows")):
         plain = getattr(getattr(module, name), "__wrapped__", getattr(module, name))
         assert isinstance(plain, FunctionType)
         monkeypatch.setattr(module, name, plain)

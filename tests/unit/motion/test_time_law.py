@@ -74,10 +74,19 @@ def test_two_pieces_share_the_s_curve_of_both_where_only_jerk_limits() -> None:
 
 
 def test_speed_rises_over_a_piece_as_far_as_a_hand_computation_says() -> None:
-    # With acceleration reached: v²/(2a) + v·a/(2j) = 3 for a = 1, j = 1 is v² + v = 6, so v = 2
-    law = plan_time_law([Stage(3.0, 10.0, 1.0, 1.0), Stage(1000.0, 10.0, 1.0, 1.0)])
-    assert _speeds_at_ends(law) == pytest.approx([2.0], rel=ROUNDING)
+    # For a = 1, j = 1: after 1 s speed 1/2 and way 1/6; then 2 s at a = 1 lead over 1/2·2 + 2 = 3
+    law = plan_time_law([Stage(3.0 + 1.0 / 6.0, 10.0, 1.0, 1.0), Stage(1000.0, 10.0, 1.0, 1.0)])
+    assert _speeds_at_ends(law) == pytest.approx([2.5], rel=ROUNDING)
     assert law.ends[0] == pytest.approx(3.0, rel=ROUNDING)
+    assert law.at(law.ends[:1]).accelerations.tolist() == pytest.approx([1.0], rel=ROUNDING)
+
+
+def test_the_acceleration_is_taken_back_before_a_piece_that_bounds_it() -> None:
+    law = plan_time_law([Stage(x, 100.0, a, 8.0) for x, a in ((20.0, 4.0), (20.0, 0.5), (90.0, 4.0))])
+    first, second = law.at(law.ends[:-1]).accelerations
+    assert first == pytest.approx(0.5, rel=ROUNDING)
+    assert abs(second) <= 0.5 * (1.0 + ROUNDING)
+    assert np.abs(law.accelerations[law.pieces == 1]).max() <= 0.5 * (1.0 + ROUNDING)
 
 
 def test_the_slower_piece_bounds_the_speed_where_two_meet() -> None:
@@ -114,10 +123,11 @@ def test_without_look_ahead_every_piece_ends_at_rest() -> None:
 
 
 def test_a_look_ahead_of_one_piece_lets_the_motion_stop_on_the_next() -> None:
-    # To rest over 3 from 2 1/s, as in the hand computation above, though the way goes on
+    # v²/(2a) + v·a/(2j) = 3 for a = 1, j = 1 is v² + v = 6: to rest over 3 from 2 1/s, though the way goes on
     stage = Stage(3.0, 10.0, 1.0, 1.0)
     law = plan_time_law([replace(stage, horizon=i + 1) for i in range(6)])
-    assert _speeds_at_ends(law) == pytest.approx([2.0] * 5, rel=ROUNDING)
+    assert max(_speeds_at_ends(law)[:-1]) <= 2.0 * (1.0 + ROUNDING)
+    assert _speeds_at_ends(law)[:4] == pytest.approx([2.0] * 4, rel=ROUNDING)
     assert plan_time_law([stage] * 6).duration < law.duration
 
 
@@ -262,12 +272,13 @@ def test_numbers_as_far_apart_as_allowed_give_a_finite_motion() -> None:
     for k in range(16):
         length, speed, acceleration, jerk = ((1e-50, 1e50)[k >> bit & 1] for bit in range(4))
         stage = Stage(length, speed, acceleration, jerk)
-        law = plan_time_law([stage, replace(stage, ratio=1e50), replace(stage, ratio=1e-50)])
+        law = plan_time_law([stage] * 3)
         assert np.isfinite(law.segments).all()
         assert 0.0 < law.duration < math.inf
         assert law.at([law.duration]).places.tolist() == [length]
-    with pytest.raises(ProfileError, match="allowed are numbers from 1e-50 to 1e"):
-        plan_time_law([Stage(1e51, 1.0, 1.0, 1.0)])
+    for way in ([Stage(1e51, 1.0, 1.0, 1.0)], [stage, replace(stage, ratio=1e-50)]):
+        with pytest.raises(ProfileError, match="allowed are numbers from 1e-50 to 1e"):
+            plan_time_law(way)
 
 
 def test_ten_thousand_pieces_end_where_they_should() -> None:
