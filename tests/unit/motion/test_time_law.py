@@ -276,7 +276,8 @@ def test_numbers_as_far_apart_as_allowed_give_a_finite_motion() -> None:
         assert np.isfinite(law.segments).all()
         assert 0.0 < law.duration < math.inf
         assert law.at([law.duration]).places.tolist() == [length]
-    for way in ([Stage(1e51, 1.0, 1.0, 1.0)], [stage, replace(stage, ratio=1e-50)]):
+    unit = Stage(1.0, 1.0, 1.0, 1.0)
+    for way in ([Stage(1e51, 1.0, 1.0, 1.0)], [unit, Stage(1e50, 1e50, 1e50, 1e50, ratio=1e-50)]):
         with pytest.raises(ProfileError, match="allowed are numbers from 1e-50 to 1e"):
             plan_time_law(way)
 

@@ -64,7 +64,7 @@ class Hand(NobodyWatches):
     def advanced(self, run: RunView) -> None:
         """Act where the time has come."""
         while self.done < len(self.acts) and run.time >= self.acts[self.done][0]:
-            run.set_override(run.tick, self.acts[self.done][1])
+            run.set_override(self.acts[self.done][1])
             self.done += 1
 
 
@@ -163,7 +163,7 @@ def test_the_accuracy_of_the_speed_is_that_on_the_plate() -> None:
     seam = [one for one in summarize_path(recording).moves if one.ordinal > 0]
     assert len(seam) == 4
     for one in seam:
-        assert one.command_speed == pytest.approx(0.06, rel=1e-4)
-        assert abs(one.speed_accuracy) < 1e-4
+        assert one.speeds.command == pytest.approx(0.06, rel=1e-4)
+        assert abs(one.speeds.accuracy) < 1e-4
     still = recording.channels["command_path_speed"].values[recording.time < 0.5]
     assert np.isnan(still).all()
