@@ -87,6 +87,17 @@ def test_the_kinematic_run_commands_the_same_path(recording: Recording) -> None:
     assert ideal.duration <= recording.duration
 
 
+def test_blends_at_the_approach_points_save_15_percent_of_the_cycle_time_and_each_of_them_its_part() -> None:
+    options = RunOptions(Fidelity.KINEMATIC)
+    found = ropsim.open(CELL).what_if(["zones=stop", "zones=each"], options=options)
+    stops, *each = found.alternatives
+    assert found.cycle_time < 0.85 * stops.cycle_time
+    saved = [found.difference(one) for one in each]
+    assert len(saved) == 4
+    assert min(saved) > 5.0
+    assert sum(saved) == pytest.approx(found.difference(stops), rel=0.01)
+
+
 def test_the_boxes_are_at_their_destinations_where_the_cell_gives_them_some(tmp_path: Path) -> None:
     folder = tmp_path / "cell"
     shutil.copytree(CELL, folder)

@@ -12,7 +12,7 @@ from ropsim.model import Joint, JointType, Payload, RobotModel
 from ropsim.motion import BEYOND_LIMITS, SLOWED, Beyond, Effort, JointBounds, Quantity, Slowed
 from ropsim.spatial import record
 
-WORTH_SAYING = 0.9
+WORTH_SAYING = 0.85
 """Share of the planned speed above which slowing is not told: it costs next to no time."""
 
 _WORDS = {
