@@ -45,7 +45,7 @@ def table(
         for row in rows
     )
     return (
-        f'<div class="scroll"><table class="{kind}"><caption>{caption}</caption>\n'
+        f'<div class="scroll" tabindex="0"><table class="{kind}"><caption>{caption}</caption>\n'
         f"<thead><tr>{head}</tr></thead>\n"
         f"<tbody>\n{body}</tbody></table></div>\n"
     )

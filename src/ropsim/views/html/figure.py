@@ -19,4 +19,4 @@ def figure(title: str, keys: tuple[str, ...], body: str) -> str:
     """Return a picture with its title and the keys of its legend, in that order."""
     legend = "".join(_KEYS[key] for key in keys)
     caption = f"<figcaption><strong>{text(title)}</strong>{legend}</figcaption>"
-    return f'<figure>{caption}\n<div class="scroll">{body}</div></figure>\n'
+    return f'<figure>{caption}\n<div class="scroll" tabindex="0">{body}</div></figure>\n'
