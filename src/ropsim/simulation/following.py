@@ -39,6 +39,10 @@ class PlanRows:
         )
 
 
+_LEAST_SPEED = 1e-3
+"""Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
+
+
 @dataclass(slots=True)
 class Follower:
     """Follows one plan.
@@ -65,7 +69,9 @@ class Follower:
 
     def __post_init__(self) -> None:
         robot = self.at.station.robot
-        self.limits = clock_limits(robot.max_speeds, robot.max_accelerations, robot.max_jerks)
+        top = np.abs(self.plan.reference.qd).max(axis=0, initial=0.0)
+        speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
+        self.limits = clock_limits(speeds, robot.max_accelerations, robot.max_jerks)
         self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
         self.passed.append((0.0, self.at.tick))
 
@@ -145,11 +151,11 @@ class Follower:
 def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:
     """Return how quickly the rate of the motion clock may change.
 
-    A joint at full speed is braked with its full acceleration, built up with its full jerk; the slowest joint
-    decides.
+    A joint at its largest speed is braked with its full acceleration, built up with its full jerk; the joint
+    that takes longest decides.
 
     Args:
-        speeds: of the joints [rad/s | m/s], shape (n,).
+        speeds: largest ones of the joints on the motion [rad/s | m/s], shape (n,).
         accelerations: [rad/s² | m/s²], shape (n,).
         jerks: [rad/s³ | m/s³], shape (n,).
     """

@@ -1,5 +1,7 @@
 """Curve: a way of the tool through polynomials of position and orientation, over its arc length."""
 
+import math
+
 import numpy as np
 
 from ropsim.motion.paths.arc_length import ArcLength
@@ -9,7 +11,9 @@ from ropsim.motion.paths.path import ToolPoints
 from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array, frozen, record
 
-_GRID = 16  # steps of each segment in the search for the nearest place
+_GRID = 16, 512  # least and most steps of each segment in the search for the nearest place
+_STEP = 1e-3  # [m] of that search between, so that ways that come near each other are told apart
+_PLACES = 200_000  # at most, of all segments together
 
 
 @record
@@ -63,7 +67,9 @@ class Curve:
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
         count = len(self.middles)
-        return distances(points, self._by_parameter, np.arange(count * _GRID + 1) / _GRID)
+        wanted = min(math.ceil(self.length / count / _STEP), _PLACES // count)
+        steps = min(max(wanted, _GRID[0]), _GRID[1])
+        return distances(points, self._by_parameter, np.arange(count * steps + 1) / steps)
 
     def _by_parameter(self, u: Array) -> tuple[Array, Array, Array]:
         """Return p and its derivatives by u, the number of the segment and the parameter in it as one."""

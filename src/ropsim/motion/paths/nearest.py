@@ -12,27 +12,43 @@ IntArray = npt.NDArray[np.int64]
 _BLOCK = 64  # grid places that share one ball
 _STEPS = 12  # of Newton's method at most; it starts within one step of the grid and doubles its digits
 _CLOSE = 1e-9  # steps of the grid; the distance is flat at the nearest place, so its error is far smaller
+_APART = 3  # steps of the grid beyond which a place is of another part of the curve that comes near
 _PAIRS = 2**18  # of points and balls that are compared at a time
 
 
 def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array) -> Array:
     """Return how far points are from a curve.
 
-    The nearest place of the grid is found exactly: the grid is divided into blocks, a ball around each
-    bounds how near it can be, and blocks are looked into in the order of that bound. From there Newton's
-    method goes to where the offset is normal to the curve, or to an end.
+    The nearest place of the grid is found exactly, and the nearest one of another part of the curve: where
+    that crosses or closes itself, the nearer place of the grid may be on the farther part. The grid is
+    divided into blocks, a ball around each bounds how near it can be, and blocks are looked into in the
+    order of that bound. From both places Newton's method goes to where the offset is normal to the curve,
+    or to an end; the nearer of both counts.
 
     Args:
         points: shape (k, 3) [m].
         curve: positions [m] and their first and second derivatives at parameters, shape (k,) to (k, 3) each.
         grid: growing parameters, shape (m,), m >= 2, so fine that the nearest place is a neighbour of the
             nearest one of the grid: between two of them the curve turns by less than half a right angle. Of
-            places that are as far but for that (points near the centre of an arc) any one may be found.
+            places that are as far but for that (points near the centre of an arc) any one may be found, and
+            of more than two parts of the curve that come within a step of each other.
 
     Returns:
         distances [m], shape (k,).
     """
-    near = _nearest(points, curve(grid)[0])
+    places = curve(grid)[0]
+    near = _nearest(points, places, np.full(len(points), -_APART - 1))
+    found = _down_from(near, points, curve, grid)
+    if len(grid) > 2 * _APART + 1:
+        other = _down_from(_nearest(points, places, near), points, curve, grid)
+        found = np.minimum(found, other)
+    return found
+
+
+def _down_from(
+    near: IntArray, points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array
+) -> Array:
+    """Return the distance of each point at the foot of the slope on which a place of the grid lies, (k,)."""
     t = grid[near]
     low, high = grid[np.maximum(near - 1, 0)], grid[np.minimum(near + 1, len(grid) - 1)]
     best = np.full(len(points), np.inf)
@@ -49,21 +65,26 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
     return np.asarray(np.minimum(best, _lengths(curve(t)[0] - points)))
 
 
-def _nearest(points: Array, places: Array) -> IntArray:
-    """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,)."""
+def _nearest(points: Array, places: Array, barred: IntArray) -> IntArray:
+    """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,).
+
+    Places beside the barred one of a point, shape (k,), do not count.
+    """
     starts = np.arange(0, len(places), _BLOCK)
     sizes = np.diff(starts, append=len(places))
     centres = np.add.reduceat(places, starts) / sizes[:, None]
     radii = np.maximum.reduceat(_lengths(places - np.repeat(centres, sizes, axis=0)), starts)
     at_once = max(1, _PAIRS // len(starts))
     nearest = [
-        _nearest_in_blocks(points[k : k + at_once], places, centres, radii)
+        _nearest_in_blocks(points[k : k + at_once], places, centres, radii, barred[k : k + at_once])
         for k in range(0, len(points), at_once)
     ]
     return np.concatenate([*nearest, np.empty(0, np.int64)])
 
 
-def _nearest_in_blocks(points: Array, places: Array, centres: Array, radii: Array) -> IntArray:
+def _nearest_in_blocks(
+    points: Array, places: Array, centres: Array, radii: Array, barred: IntArray
+) -> IntArray:
     bounds = _lengths(points[:, None] - centres) - radii  # no place of the block is nearer
     order = np.argsort(bounds, axis=1)
     found, best = np.zeros(len(points), np.int64), np.full(len(points), np.inf)
@@ -76,6 +97,7 @@ def _nearest_in_blocks(points: Array, places: Array, centres: Array, radii: Arra
             break
         rows = np.minimum(block[:, None] * _BLOCK + np.arange(_BLOCK), len(places) - 1)
         lengths = _lengths(places[rows] - points[open_points, None])
+        lengths[np.abs(rows - barred[open_points, None]) <= _APART] = np.inf
         row = np.argmin(lengths, axis=1)[:, None]
         least = np.take_along_axis(lengths, row, axis=1)[:, 0]
         is_better = least < best[open_points]

@@ -9,7 +9,7 @@ from ropsim.spatial import Array
 
 PLATEAU = 0.99
 """Share of the largest commanded speed from which on a sample belongs to the plateau."""
-STANDSTILL = 1e-6
+STANDSTILL = 1e-3
 """Commanded speed below which a move has no plateau [m/s]."""
 
 

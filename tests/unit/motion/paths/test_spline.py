@@ -174,3 +174,17 @@ def point(x: float, y: float = 0.0, w: float = 1.0) -> Pose:
 )
 def test_points_that_give_no_way_are_told(points: list[Pose], fault: SplineFault) -> None:
     assert spline(points) is fault
+
+
+@pytest.mark.parametrize(
+    "corners",
+    [
+        [(0.4, 0.2), (0.5, 0.2), (0.5, 0.1), (0.4, 0.2)],
+        [(0.45, -0.25), (0.46, 0.2), (0.5, 0.24), (0.456, 0.2), (0.456, -0.26)],
+    ],
+    ids=["closed", "out and back"],
+)
+def test_a_spline_that_comes_back_to_itself_is_nowhere_off_itself(corners: list[tuple[float, float]]) -> None:
+    curve = made([Pose(np.array([x, y, 0.3])) for x, y in corners])
+    on_it = curve.positions(np.linspace(0.0, curve.length, 5000))
+    assert curve.distance(on_it).max() < 1e-9
