@@ -120,6 +120,25 @@ def test_each_zone_is_taken_away_alone(tmp_path: Path) -> None:
         assert one.cycle_time != both.cycle_time
 
 
+def test_lines_with_one_number_in_two_programs_are_two_lines(tmp_path: Path) -> None:
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "cell.toml").write_text(
+        '[stations.left]\nrobot = "puma560"\nprogram = "load"\n'
+        '[stations.right]\nrobot = "puma560"\nbase = { position = [2200, 0, 0] }\nprogram = "mark"\n'
+    )
+    for name, end in (("load", "wait 5 s\n"), ("mark", "")):
+        text = PROGRAM.replace("{zone}", " blend 60 mm", 1)
+        (tmp_path / "programs" / f"{name}.task").write_text(text.format(zone="") + end)
+    found = open_project(tmp_path).what_if(["zones=each"], options=OPTIONS)
+    each = found.alternatives
+    assert [one.change for one in each] == [
+        f"zones=stop in line 4 of {name}.task" for name in ("load", "mark")
+    ]
+    left, right = (found.difference(one) for one in each)
+    assert left > 0.1  # who takes longest
+    assert right == 0.0
+
+
 def test_a_change_to_what_is_there_changes_nothing(tmp_path: Path) -> None:
     found = compared(tmp_path, "speed=100%", "acceleration=100%", "payload=0.5kg", "tool=1kg")
     assert [found.difference(one) for one in found.alternatives] == [0.0] * 4

@@ -59,13 +59,18 @@ def adaptation(change: Change) -> Adaptation:
             case Subject.ACCELERATION:
                 share = min(modal.ptp_acceleration * change.value, 1.0)
                 modal = _scaled(replace(modal, ptp_acceleration=share), _ACCELERATIONS, change.value)
-            case Subject.ZONES if change.line in (0, move.origin.span.line if move.origin.span else 0):
+            case Subject.ZONES if change.line == 0 or _place(move) == (change.source, change.line):
                 modal = replace(modal, zone=0.0, passes=False)
             case _:
                 return move
         return replace(move, modal=modal)
 
     return adapt
+
+
+def _place(move: MoveInstruction) -> tuple[str, int]:
+    span = move.origin.span
+    return (span.source, span.line) if span else ("", 0)
 
 
 def _scaled(modal: ModalState, names: tuple[str, ...], factor: float) -> ModalState:

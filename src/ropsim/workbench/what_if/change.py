@@ -44,11 +44,13 @@ class Change:
         subject: what.
         value: factor of speeds and accelerations, mass [kg]; 0 for zones, which are none then.
         line: source line whose zones are meant; 0 for all.
+        source: name of the text in which that line stands.
     """
 
     subject: Subject
     value: float = 0.0
     line: int = 0
+    source: str = ""
 
     @property
     def text(self) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from pathlib import PurePath
 
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveEvent, Recording
@@ -35,13 +36,17 @@ def compare(
     wanted = list(_single(changes, recording))
     cells = [changed_cell(cell, change) for change in wanted]
     summary = summarize(recording)
+    several = len({change.source for change in wanted if change.source}) > 1
     known = {_place(found) for found in recording.findings}
     alternatives = []
     for change, changed in zip(wanted, cells, strict=True):
         other = run(changed, codes, replace(options, adapt=adaptation(change)))
         judged = summarize(other)
         new = tuple(_told(found for found in other.findings if _place(found) not in known))
-        alternatives.append(Alternative(change.text, judged.cycle_time, judged.cycle_time_valid, new))
+        name = (
+            f"{change.text} of {PurePath(change.source).name}" if several and change.source else change.text
+        )
+        alternatives.append(Alternative(name, judged.cycle_time, judged.cycle_time_valid, new))
     return Comparison(summary.cycle_time, tuple(alternatives))
 
 
@@ -51,8 +56,9 @@ def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterab
         if isinstance(change, Change):
             yield change
         else:
-            flown = {move.line for move in recording.events_of(MoveEvent) if move.flown > 0.0 and move.line}
-            yield from (Change(change, line=line) for line in sorted(flown))
+            moves = (move for move in recording.events_of(MoveEvent) if move.flown > 0.0)
+            flown = {(move.span.source, move.span.line) for move in moves if move.span}
+            yield from (Change(change, line=line, source=source) for source, line in sorted(flown))
 
 
 def _told(findings: Iterable[Diagnostic]) -> Iterable[Diagnostic]:
