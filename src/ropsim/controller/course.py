@@ -37,6 +37,7 @@ class Piece:
         stage: bounds along it.
         corner: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
+        begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
     """
 
     leg: int
@@ -46,6 +47,7 @@ class Piece:
     stage: Stage
     corner: Rounding | None = None
     coordination: Coordination | None = None
+    begin: float = 0.0
 
 
 @record
@@ -109,7 +111,8 @@ def course_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead:
         both = 0.0
         if before and overlap:
             last = len(before.pieces) - 1
-            ends = before.law.duration - float(before.law.times_of(last, np.array([overlap.leave]))[0])
+            leave = overlap.leave - before.pieces[last].begin
+            ends = before.law.duration - float(before.law.times_of(last, np.array([leave]))[0])
             both = min(ends, float(law.times_of(0, np.array([overlap.enter]))[0]))
         start = before.end - both if before else 0.0
         runs.append(Run(tuple(pieces), law, start, both))
@@ -172,11 +175,12 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits, coordination = leg.planned.limits, leg.planned.coordination
     if tool is None:
-        return Piece(number, joints, None, leg.planned.X_MT, joint_stage(joints, limits.joints))
+        stage = joint_stage(joints, limits.joints)
+        return Piece(number, joints, None, leg.planned.X_MT, stage, begin=first)
     if coordination and not whole:
         coordination = coordination.part(first, last)
     stage = along_with(tool_stage(tool, limits.tool), coordination)
-    return Piece(number, joints, tool, leg.planned.X_MT, stage, coordination=coordination)
+    return Piece(number, joints, tool, leg.planned.X_MT, stage, coordination=coordination, begin=first)
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:

@@ -52,6 +52,17 @@ def test_motions_overlap_no_longer_than_both_of_them_are_within_the_zone(speeds:
         assert behind.overlap <= min(before.law.duration, behind.law.duration) / 2.0 * (1.0 + ROUNDING)
 
 
+def test_a_line_whose_start_is_rounded_goes_over_into_the_next_move_as_one_from_a_stop_does() -> None:
+    """It is under way at the same place with the same bounds, so its end takes the same time."""
+    moves = [lin(GOALS[0], ZONE), lin(GOALS[1], ZONE), ptp(GOALS[2])]
+    rounded, corners = course(moves)
+    stopped, _ = course([lin(GOALS[0]), *moves[1:]])
+    assert isinstance(corners[1], Overlap)
+    assert len(rounded.runs[0].pieces) == 3
+    assert rounded.runs[1].overlap > 0.05
+    assert rounded.runs[1].overlap == pytest.approx(stopped.runs[2].overlap, rel=0.02)
+
+
 def test_moves_end_in_the_middle_of_corners_and_overlaps() -> None:
     done, _ = course([ptp(GOALS[0], ZONE), lin(GOALS[1], ZONE), lin(GOALS[2])])
     first, second = done.runs
