@@ -22,6 +22,8 @@ TOUCH = 1e-9
 """Up to this depth bodies touch: it is the rounding of poses [m]."""
 HANDFUL = 256
 """So many pairs are looked at together: what that takes fits into the processor's cache."""
+FEW = 4
+"""Fewer parts than this are compared with everything."""
 MOST_CELLS = 256
 """What covers more cells of the grid than this is compared with every part."""
 
@@ -121,15 +123,34 @@ def _batches(rows: Rows, cols: Rows) -> Iterator[tuple[Rows, Rows]]:
 
 
 def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
-    """Return the pairs (part, other) whose boxes along x, y, z meet or lie at most `gap` apart, by part.
+    """Return the pairs (part, other) whose boxes along x, y, z meet or lie at most `gap` apart, in order."""
+    low, high = parts.reaches()
+    low_others, high_others = others.reaches()
+    if not len(low) or not len(low_others):
+        return np.empty(0, np.intp), np.empty(0, np.intp)
+    rows, cols = (_every_pair if len(low) < FEW else _side_by_side)(parts, others)
+    meets = (low_others[cols] <= high[rows]).all(axis=1) & (high_others[cols, :2] >= low[rows, :2]).all(
+        axis=1
+    )
+    meets &= high_others[cols, 2] >= low[rows, 2] - gap
+    meets &= np.array(others.owners)[cols] != np.array(parts.owners)[rows]
+    return rows[meets], cols[meets]
+
+
+def _every_pair(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
+    """Return all pairs (part, other), in order."""
+    rows, cols = np.indices((len(parts.owners), len(others.owners))).reshape(2, -1)
+    return rows, cols
+
+
+def _side_by_side(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
+    """Return the pairs (part, other) whose footprints may meet, in order.
 
     Footprints are entered into a grid whose cells are as large as half of the parts, so that a part is only
     compared with what is in its own cells.
     """
     low, high = parts.reaches()
     low_others, high_others = others.reaches()
-    if not len(low) or not len(low_others):
-        return np.empty(0, np.intp), np.empty(0, np.intp)
     widths = np.sort(high[:, :2] - low[:, :2], axis=None)
     cell = max(float(widths[len(widths) // 2]), 1e-3)
     count = np.floor(high_others[:, :2] / cell) - np.floor(low_others[:, :2] / cell) + 1.0
@@ -148,12 +169,8 @@ def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
     everywhere, every = np.flatnonzero(wide), np.arange(len(low))
     rows = np.concatenate([np.repeat(every, counts), np.repeat(every, len(everywhere))])
     cols = np.concatenate([np.array(met, np.intp), np.tile(everywhere, len(low))])
-    meets = (low_others[cols] <= high[rows]).all(axis=1) & (high_others[cols, :2] >= low[rows, :2]).all(
-        axis=1
-    )
-    meets &= high_others[cols, 2] >= low[rows, 2] - gap
-    meets &= np.array(others.owners)[cols] != np.array(parts.owners)[rows]
-    return rows[meets], cols[meets]
+    order = np.lexsort((cols, rows))
+    return rows[order], cols[order]
 
 
 def _cells(low: Array, high: Array, cell: float) -> Iterator[list[tuple[int, int]]]:

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from ropsim.controller import MotionPlan, MotionState, PlannedMove, critical_limits, plan, stopped_by
 from ropsim.core import Diagnostic
 from ropsim.flow import (
@@ -12,7 +14,7 @@ from ropsim.flow import (
     OutputEvent,
     SkipEvent,
 )
-from ropsim.kinematics import forward
+from ropsim.kinematics import forward_batch
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.following import Follower
 from ropsim.simulation.guarding import Lookout
@@ -66,7 +68,7 @@ def _follow(
     """Follow a plan move by move and piece by piece, and settle at its end."""
     run.findings.extend(planned.findings)
     follower = Follower(run, at, planned)
-    critical = critical_limits(planned, at.chain.robot, at.payload)
+    critical, places = critical_limits(planned, at.chain.robot, at.payload), _places(at, planned)
     for number, one in enumerate(planned.moves):
         _say(run, at, texts[number])
         put_in_force(run, at, one.move)
@@ -92,7 +94,7 @@ def _follow(
             flown=one.zone,
             blending=follower.blended(since, end) / at.hz,
             critical=critical[number],
-            target=_place(at, one),
+            target=places[number],
         )
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
@@ -101,9 +103,11 @@ def _follow(
     _enter_paths(at, planned, follower)
 
 
-def _place(at: StationRun, one: PlannedMove) -> tuple[float, ...]:
-    """Return where the TCP is at the end of a planned move, in the base frame [m]."""
-    return tuple((forward(at.station.robot, one.q_end) @ one.X_MT).position.tolist())
+def _places(at: StationRun, planned: MotionPlan) -> list[tuple[float, ...]]:
+    """Return where the TCP is at the end of each move of a plan, in the base frame [m]."""
+    X_BM = forward_batch(at.station.robot, np.array([one.q_end for one in planned.moves]))
+    X_BT = X_BM @ np.array([one.X_MT.matrix() for one in planned.moves])
+    return [tuple(place) for place in X_BT[:, :3, 3].tolist()]
 
 
 def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:

@@ -115,8 +115,11 @@ def _numbers(what: str, values: npt.ArrayLike, count: int) -> Array:
 
 
 def quaternion_from_matrix(rotation: npt.ArrayLike) -> Array:
-    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix, shape (3, 3)."""
-    return np.asarray(quaternions_from_matrices(np.asarray(rotation, dtype=np.float64)[None])[0])
+    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix (3, 3), NaN where it is none."""
+    try:
+        return np.array(quaternion.from_rotation(np.asarray(rotation, dtype=np.float64).tolist()))
+    except ValueError:
+        return np.full(4, np.nan)
 
 
 def quaternions_from_matrices(rotations: Array) -> Array:

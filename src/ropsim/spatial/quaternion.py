@@ -5,6 +5,7 @@ Hamilton product; a quaternion `q_AB` turns coordinates in B into coordinates in
 """
 
 import math
+from collections.abc import Sequence
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -55,6 +56,25 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
         v[1] + w * ty + z * tx - x * tz,
         v[2] + w * tz + x * ty - y * tx,
     )
+
+
+def from_rotation(rows: Sequence[Sequence[float]]) -> Quaternion:
+    """Return the unit quaternion, w >= 0, of the rows of a rotation matrix.
+
+    The largest of the four components is found first and divides the others (Shepperd 1978), so that no
+    rotation loses accuracy.
+    """
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rows
+    trace = xx + yy + zz
+    squares = (1.0 + trace, 1.0 + 2.0 * xx - trace, 1.0 + 2.0 * yy - trace, 1.0 + 2.0 * zz - trace)
+    largest = squares.index(max(squares))  # of 4·q·qᵀ the row with the largest square on its diagonal
+    q = (
+        (squares[0], zy - yz, xz - zx, yx - xy),
+        (zy - yz, squares[1], yx + xy, xz + zx),
+        (xz - zx, yx + xy, squares[2], zy + yz),
+        (yx - xy, xz + zx, zy + yz, squares[3]),
+    )[largest]
+    return normalize(q)
 
 
 def from_zyx(c: float, b: float, a: float) -> Quaternion:

@@ -131,6 +131,22 @@ def test_half_a_turn_within_a_short_way_is_gone_slowly_and_only_there(width: flo
     assert found.clock.at(np.array([0.2, found.clock.duration - 0.2]))[1].tolist() == [1.0, 1.0]
 
 
+def test_torque_that_only_braking_takes_is_kept_where_another_limit_slows_the_motion() -> None:
+    """The plan takes little torque; to turn the other joint around, the first one is braked."""
+
+    def effort(_q: Array, _qd: Array, qdd: Array) -> Array:
+        return np.asarray(qdd * np.array([1.0, 0.0]))
+
+    motion, limits = Passing(3.0, 0.05), (np.array([2.0, 3.0]), np.array([60.0, 300.0]), np.full(2, 3e3))
+    plain = np.abs(motion.at(np.linspace(0.0, motion.duration, 3000)).d2[:, 0]).max()
+    torque = np.array([1.05 * plain, 1.0])
+    free = kept(keep_limits(motion, JointBounds(*limits), effort, TICK))
+    assert np.abs(free.rows.d2[:, 0]).max() > 1.5 * torque[0]
+    found = kept(keep_limits(motion, JointBounds(*limits, torque), effort, TICK))
+    assert np.abs(found.rows.d2[:, 0]).max() <= torque[0] * (1.0 + 1e-9)
+    assert found.clock.duration > free.clock.duration
+
+
 def test_a_motion_that_would_take_minutes_longer_is_refused() -> None:
     found = keep_limits(MOTION, one(0.004, 8.0, 80.0), None, TICK)
     assert isinstance(found, Beyond)

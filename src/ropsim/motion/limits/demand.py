@@ -43,6 +43,11 @@ class Demand:
     inertia: Array
     still: Array
 
+    def without_torque(self) -> "Demand":
+        """Return the same where torque does not count."""
+        nothing = self.points.q[:, :0]
+        return Demand(self.points, self.bounds, None, nothing, nothing)
+
     def fastest(self, caps: Array, near: Array, steps: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
 
@@ -88,8 +93,7 @@ def demand(points: JointPoints, bounds: JointBounds, effort: Effort | None) -> D
     """
     q, d1 = points.q, points.d1
     if effort is None or bounds.effort is None:
-        nothing = np.empty((len(q), 0))
-        return Demand(points, bounds, None, nothing, nothing)
+        return Demand(points, bounds, None, q[:, :0], q[:, :0])
     rest = np.zeros_like(q)
     speeds = np.minimum(bounds.speed, np.abs(d1).max(axis=0) + np.finfo(np.float64).tiny)
     creep = _CREEP / np.maximum(np.max(np.abs(d1) / speeds, axis=1), _CREEP)

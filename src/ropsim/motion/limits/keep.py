@@ -12,7 +12,7 @@ from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.reference import load, reference, tick_times
+from ropsim.motion.limits.reference import keeps_torque, load, reference, tick_times
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
 from ropsim.motion.limits.strain import ROUNDING, strain
@@ -66,25 +66,38 @@ def keep_limits(
     estimate = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
     places, points = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
     asked = demand(points, bounds, effort)
-    return too_heavy(asked, places) or _slowed(motion, asked, places, period)
+    first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
+    return too_heavy(asked, places) or _slowed(motion, asked, first, places, period)
 
 
-def _slowed(motion: Motion, asked: Demand, places: Array, period: float) -> Kept | Beyond:
-    """Return the motion slowed, with what it asks of the joints at places on it."""
+def _slowed(motion: Motion, asked: Demand, planned: Demand, places: Array, period: float) -> Kept | Beyond:
+    """Return the motion slowed.
+
+    Args:
+        motion: the plan.
+        asked: what it asks of the joints at places on it.
+        planned: the same, or without torque: that is then planned with only if it is found to be too much.
+        places: motion times [s], shape (m,).
+        period: of the control ticks [s].
+    """
     needed, lasting = rates_needed(asked, places, period), window_times(asked, motion.duration)
     caps, ways = np.minimum(needed[::2].min(axis=(0, 2)) * (1.0 + SLACK), 1.0), np.diff(places)
     shares = all_of_it(len(places))
     x = caps**2
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
-        x = asked.fastest((caps * shares.rate) ** 2, x, ways, shares.acceleration, shares.torque)
+        x = planned.fastest((caps * shares.rate) ** 2, x, ways, shares.acceleration, shares.torque)
         rates = np.where(x < 1.0 - SLACK, np.sqrt(x), 1.0)
         sigma, clock = course_below(places, rates, lasting, shares.width)
         if x.min() < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(asked, places, needed, int(np.argmin(x)))
-        found = reference(motion, clock, asked, places, period, more_than_lacks(attempt))
-        if found.strain.is_kept:
+        found = reference(motion, clock, planned, places, period, more_than_lacks(attempt))
+        kept = found.strain.is_kept
+        if kept and (planned is asked or keeps_torque(found.rows, asked.bounds, asked.effort)):
             return Kept(clock, _parts(clock, needed), found.phi, found.rows)
+        if kept:
+            planned = asked
+            continue
         best = min(best, (clock.duration * found.strain.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], asked, places, period)

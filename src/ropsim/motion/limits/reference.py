@@ -8,7 +8,7 @@ from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
-from ropsim.motion.limits.strain import Going, Strain, strain
+from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import whole_periods
 from ropsim.spatial import Array
@@ -38,6 +38,14 @@ def load(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> Array
     """Return the torques of rows [N m | N], shape (k, n), or None where torque does not count."""
     counts = effort is not None and bounds.effort is not None
     return torques(effort, rows.q, rows.d1, rows.d2) if counts and effort else None
+
+
+def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> bool:
+    """Return whether no row takes more torque than there is but by rounding."""
+    torque = load(rows, bounds, effort)
+    if torque is None or bounds.effort is None:
+        return True
+    return bool((np.abs(torque) <= bounds.effort * (1.0 + ROUNDING)).all())
 
 
 def reference(
