@@ -69,10 +69,13 @@ NO_SPLINE = define(
     Severity.ERROR,
     "the points of a SPLINE move do not make a curve",
     """
-A curve needs at least two different points with finite coordinates, and neighbours that differ. The move is
-skipped.
+A curve needs at least two different points with finite coordinates, and neighbours that differ. Where the
+tool turns far between two points that are near to each other, it would have to turn so quickly there that it
+turned on for more than a full turn before and behind them. The move is skipped.
 
-**How to mend it.** Leave out points that are the same as the one before them.
+**How to mend it.** Leave out points that are the same as the one before them. Where the tool turns far within
+a short way, put the two points further apart, spread the turn over more points, or turn the tool with a PTP
+move.
 """,
 )
 

@@ -17,7 +17,9 @@ def spline(request: PathRequest) -> ToolPath | tuple[Diagnostic, ...] | None:
         origin.span,
         f"there is no curve through the points: {found.value}",
         label=passes(origin),
-        hint="give points that differ from one another",
+        hint="put these points further apart, or spread the turn over more of them"
+        if found is SplineFault.WHIRLS
+        else "give points that differ from one another",
         data={"pass": origin.visit},
     )
     return (finding,)

@@ -8,8 +8,8 @@ import numpy as np
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import STANDS, ToolPath
-from ropsim.motion.paths.polynomials import quintics
-from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
+from ropsim.motion.paths.polynomials import largest, quintics
+from ropsim.motion.paths.rotation_vector import FULL_TURN, exponentials, logarithms, rates
 from ropsim.spatial import Array
 
 _STEPS = 128  # of the arc length
@@ -23,6 +23,7 @@ class CornerFault(Enum):
 
     NO_LENGTH = "the TCP stands on one of the paths"
     TURNS_BACK = "the next path leads back along the one before"
+    WHIRLS = "the tool would turn by more than a full turn"
 
 
 def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) -> Curve | CornerFault:
@@ -41,7 +42,8 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
         s_enter: its place there [m].
 
     Returns:
-        the corner, or why there is none: the TCP stands, or the turn is more than 170° or has a cusp.
+        the corner, or why there is none: the TCP stands, the turn is more than 170° or has a cusp, or the
+        tool would whirl.
     """
     ways = before.length - s_leave, s_enter
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
@@ -58,6 +60,8 @@ def corner(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) ->
     ends[:, 0, :3], ends[:, 1, :3], ends[:, 2, :3] = matrices[:, :3, 3], d1[:, :3], d2[:, :3]
     middle, ends[:, :, 3:] = _orientations(matrices[:, :3, :3], d1[:, 3:], d2[:, 3:])
     coefficients = quintics(ends.reshape(1, 6, 6))
+    if not largest(coefficients[..., 3:]) <= FULL_TURN:
+        return CornerFault.WHIRLS
     least = np.array([_SLOWEST * min(c_in, c_out)])
     way = arc_length(coefficients, _STEPS, least)
     return CornerFault.TURNS_BACK if way is None else Curve(coefficients, middle[None], way)

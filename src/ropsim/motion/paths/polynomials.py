@@ -40,6 +40,15 @@ def with_derivatives(coefficients: Array) -> Array:
     return result
 
 
+def largest(coefficients: Array) -> float:
+    """Return the greatest length of vectors that are polynomials of t from 0 to 1, looked at in 65 places.
+
+    Args:
+        coefficients: of t⁰ to t⁵, shape (..., 6, n).
+    """
+    return float(np.linalg.norm(_LOOKS @ coefficients, axis=-1).max())
+
+
 def powers(t: Array) -> Array:
     """Return t⁰ to t⁵ of shape (k,), shape (k, 6)."""
     result = np.empty((len(t), 6))
@@ -50,3 +59,6 @@ def powers(t: Array) -> Array:
 
 
 _EXPONENTS = frozen([[1.0], [2.0], [3.0], [4.0], [5.0]])
+
+
+_LOOKS = frozen(powers(np.linspace(0.0, 1.0, 65)))

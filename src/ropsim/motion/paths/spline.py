@@ -10,8 +10,8 @@ import numpy.typing as npt
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
 from ropsim.motion.paths.path import FARTHEST, STANDS, STILL
-from ropsim.motion.paths.polynomials import quintics
-from ropsim.motion.paths.rotation_vector import exponentials, logarithms, rates
+from ropsim.motion.paths.polynomials import largest, quintics
+from ropsim.motion.paths.rotation_vector import FULL_TURN, exponentials, logarithms, rates
 from ropsim.spatial import Array, Pose
 
 _STEPS = 64  # of the arc length between two points
@@ -25,6 +25,7 @@ class SplineFault(Enum):
     TOO_FEW = "there are fewer than two different points"
     TURNS_IN_PLACE = "two neighbours are one point with different orientations"
     TURNS_BACK = "the way turns back on itself at a point"
+    WHIRLS = "the tool turns so far between two near points that it would whirl beside them"
 
 
 def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
@@ -63,6 +64,8 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     begin = _ends(positions[:-1], -halves, first[:-1], second[:-1], chords)
     end = _ends(positions[1:], halves, first[1:], second[1:], chords)
     coefficients = quintics(np.concatenate((begin, end), axis=1))
+    if not largest(coefficients[..., 3:]) <= FULL_TURN:
+        return SplineFault.WHIRLS
     way = arc_length(coefficients, _STEPS, _SLOWEST * chords)
     if way is None:
         return SplineFault.TURNS_BACK

@@ -94,7 +94,7 @@ def corner_figures(station: StationView) -> tuple[CornerFigures, ...]:
         if not (move.flown > 0.0 and len(move.target) == 3):
             continue
         corner = np.array(move.target)
-        rows = _rows(station.time, move, behind, np.linalg.norm(command - corner, axis=1))
+        rows = _rows(station.time, move, behind, command, corner)
         if len(rows) < 2 or not np.isfinite(command[rows] + attained[rows]).all():
             continue
         middle = int(np.searchsorted(station.time[rows], behind.time))
@@ -105,16 +105,19 @@ def corner_figures(station: StationView) -> tuple[CornerFigures, ...]:
     return tuple(found)
 
 
-def _rows(time: Array, move: MoveEvent, behind: MoveEvent, away: Array) -> npt.NDArray[np.intp]:
-    """Return the rows that belong to a corner; `away` are the distances of the command from it, shape (k,).
+def _rows(
+    time: Array, move: MoveEvent, behind: MoveEvent, command: Array, corner: Array
+) -> npt.NDArray[np.intp]:
+    """Return the rows that belong to a corner between two moves.
 
     They reach to where the command is twice the zone before it and four times the zone behind it, but not
     beyond the middles of both moves.
     """
     halves = (0.5 * (move.time + behind.time), behind.time, 0.5 * (behind.time + behind.end))
     first, middle, last = np.searchsorted(time, halves)
-    far = np.flatnonzero(away[first:middle] >= 2.0 * move.flown)
+    away = np.linalg.norm(command[first:last] - corner, axis=1)
+    far = np.flatnonzero(away[: middle - first] >= 2.0 * move.flown)
+    gone = np.flatnonzero(away[middle - first :] >= 4.0 * move.flown)
     first += far[-1] if far.size else 0
-    gone = np.flatnonzero(away[middle:last] >= 4.0 * move.flown)
     last = middle + gone[0] + 1 if gone.size else last
     return np.arange(first, last, max(1, math.ceil((last - first) / _MOST_ROWS)))

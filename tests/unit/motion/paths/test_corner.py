@@ -160,6 +160,11 @@ def test_where_the_tcp_stands_there_is_no_corner() -> None:
     assert corner(BEFORE, BEFORE.length - 0.1, AFTER, 0.0) is CornerFault.NO_LENGTH
 
 
+def test_a_corner_in_which_the_tool_would_whirl_is_none() -> None:
+    assert isinstance(corner(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 20.0), 0.2), Curve)
+    assert corner(BEFORE, BEFORE.length - 0.3, _Turning(AFTER, 400.0), 0.2) is CornerFault.WHIRLS
+
+
 def test_the_distance_from_a_corner_agrees_with_a_search() -> None:
     points = (
         CURVE.positions(inner_places(CURVE.length)) + np.random.default_rng(23).normal(size=(23, 3)) * 0.05
@@ -189,3 +194,16 @@ class _Backwards:
 
     def distance(self, points: Array) -> Array:
         return self._line.distance(points)
+
+
+class _Turning(_Backwards):
+    """A line on which the tool is said to turn as quickly as is given [rad/m]."""
+
+    def __init__(self, line: Line, rate: float) -> None:
+        super().__init__(line)
+        self._rate = rate
+
+    def tool(self, s: Array) -> ToolPoints:
+        points, d1 = self._line.tool(s), self._line.tool(s).d1.copy()
+        d1[:, 3:] = (self._rate, 0.0, 0.0)
+        return ToolPoints(points.matrices, d1, points.d2)

@@ -170,6 +170,7 @@ def point(x: float, y: float = 0.0, w: float = 1.0) -> Pose:
         ([point(0), point(0, w=0.5)], SplineFault.TURNS_IN_PLACE),
         ([point(0), point(1), point(0)], SplineFault.TURNS_BACK),
         ([point(0), point(1), point(2), point(1), point(0)], SplineFault.TURNS_BACK),
+        ([point(0), point(1), point(1.003, w=0.5)], SplineFault.WHIRLS),
     ],
 )
 def test_points_that_give_no_way_are_told(points: list[Pose], fault: SplineFault) -> None:
