@@ -29,6 +29,8 @@ RECEIVED_LEAST, RECEIVED_MOST = 45.0, 75.0
 """State frames per second, sent at 60."""
 STREAM = 150.0
 """State frames [kB/s]."""
+GAP = 50.0
+"""Longest time between two state frames, when they were sent [ms]."""
 STATE_TO_PIXELS = 50.0
 """Age of a state when it is seen, median [ms]."""
 IDLE_LOAD = 2.0
@@ -76,6 +78,7 @@ def test_live_run(benchmark: Any, open_page: Pages, studio: Studio, size: dict[s
     page = opened(open_page, studio, viewport=size)
     found, _ = measure(lambda: live(page, seconds=10.0), rounds=1, warmup=0)
     measure.figure("frames received per second", found.rate, least=RECEIVED_LEAST, most=RECEIVED_MOST)
+    measure.figure("longest gap between frames [ms]", found.gap, most=GAP)
     measure.figure("bytes of a frame", found.frame)
     measure.figure("stream [kB/s]", found.stream / 1e3, most=STREAM)
     measure.figure("state to pixels, median [ms]", median(found.latencies), most=STATE_TO_PIXELS)

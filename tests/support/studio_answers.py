@@ -21,12 +21,14 @@ class Live:
         frame: bytes of the largest frame.
         stream: bytes per second.
         latencies: age of the newest state one animation frame after it was drawn [ms], growing.
+        gap: longest time between two states that follow one another, when they were sent [ms].
     """
 
     rate: float
     frame: int
     stream: float
     latencies: list[float]
+    gap: float
 
 
 def live(page: "Page", seconds: float) -> Live:
@@ -42,7 +44,7 @@ def live(page: "Page", seconds: float) -> Live:
             seconds,
         )
     rates = (found["frames"] / found["seconds"], found["largest"], found["bytes"] / found["seconds"])
-    return Live(*rates, sorted(found["ages"]))
+    return Live(*rates, sorted(found["ages"]), found["gap"])
 
 
 def largest_frame(page: "Page", frames: int) -> int:

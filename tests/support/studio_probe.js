@@ -11,13 +11,15 @@ window.__probe = (() => {
     bytes: 0,
     largest: 0,
     ages: [],
+    /** Longest time between two states that follow one another, when they were sent [ms]. */
+    gap: 0,
     /** From a key to the change of the marks in the editor, and to its stamp by the simulator [ms]. */
     marks: [],
     stamps: [],
     /** From a slider to the answer of the kinematics [ms]. */
     jogs: [],
     reset() {
-      Object.assign(probe, { frames: 0, bytes: 0, largest: 0, ages: [], marks: [], stamps: [], jogs: [] })
+      Object.assign(probe, { frames: 0, bytes: 0, largest: 0, ages: [], gap: 0, marks: [], stamps: [], jogs: [] })
     },
   }
   let newest = 0
@@ -34,7 +36,9 @@ window.__probe = (() => {
       probe.frames += 1
       probe.bytes += data.byteLength
       probe.largest = Math.max(probe.largest, data.byteLength)
-      newest = new DataView(data).getFloat64(16, true)
+      const sent = new DataView(data).getFloat64(16, true)
+      if (probe.frames > 1) probe.gap = Math.max(probe.gap, sent - newest)
+      newest = sent
       if (!watching) requestAnimationFrame(watch)
       watching = true
       return
