@@ -6,28 +6,25 @@ neighbours, so they are looked at here.
 
 import ast
 from graphlib import CycleError, TopologicalSorter
-from pathlib import Path
 
 import pytest
 
-import ropsim
-
-SOURCE = Path(ropsim.__file__).parent
+from support.sources import trees
 
 
-def modules() -> dict[str, Path]:
-    """Return all modules by their full names; a front has the name of its package."""
+def modules() -> dict[str, ast.Module]:
+    """Return the trees of all modules by their full names; a front has the name of its package."""
     named = {}
-    for path in SOURCE.rglob("*.py"):
-        parts = path.relative_to(SOURCE.parent).with_suffix("").parts
-        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    for path, tree in trees().items():
+        parts = ("ropsim", *path.removesuffix(".py").split("/"))
+        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = tree
     return named
 
 
-def imported(text: str, known: frozenset[str]) -> set[str]:
-    """Return which of the known modules a text imports, wherever in it."""
+def imported(tree: ast.Module, known: frozenset[str]) -> set[str]:
+    """Return which of the known modules a module imports, wherever in its text."""
     found = set()
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(tree):
         match node:
             case ast.Import(names=names):
                 found |= {alias.name for alias in names}
@@ -52,13 +49,13 @@ def circle(graph: dict[str, set[str]]) -> list[str]:
 )
 def test_a_circle_over_a_front_is_found(line: str) -> None:
     texts = {"ropsim.a": "from ropsim.a.b import thing as thing", "ropsim.a.b": line}
-    graph = {name: imported(text, frozenset(texts)) for name, text in texts.items()}
+    graph = {name: imported(ast.parse(text), frozenset(texts)) for name, text in texts.items()}
     assert circle(graph)
 
 
 def test_no_module_of_ropsim_needs_itself_over_others() -> None:
     named = modules()
     known = frozenset(named)
-    graph = {name: imported(path.read_text("utf-8"), known) - {name} for name, path in named.items()}
+    graph = {name: imported(tree, known) - {name} for name, tree in named.items()}
     assert sum(len(others) for others in graph.values()) > 1000
     assert circle(graph) == []

@@ -6,10 +6,9 @@ import sys
 from functools import cache
 from pathlib import Path
 
-import ropsim
+from support.sources import trees
 
 ROOT = Path(__file__).parents[2]
-SOURCE = Path(ropsim.__file__).parent
 
 BANDS = {
     "language": {"L1", "N2", "T3"},
@@ -38,11 +37,11 @@ BANDS = {
 def defined_codes() -> dict[str, str]:
     """Return the package of every code that some source file defines."""
     codes: dict[str, str] = {}
-    for path in SOURCE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+    for path, tree in trees().items():
+        for node in ast.walk(tree):
             match node:
                 case ast.Call(func=ast.Name("define"), args=[ast.Constant(str() as code), *_]):
-                    codes[code] = path.relative_to(SOURCE).parts[0]
+                    codes[code] = path.partition("/")[0]
                 case _:
                     pass
     return codes

@@ -1,13 +1,11 @@
 """Invariants of ARCHITECTURE.md that can be read off the source: units, the base frame, files."""
 
 import ast
-from pathlib import Path
 
 import pytest
 
-import ropsim
+from support.sources import trees
 
-SOURCE = Path(ropsim.__file__).parent
 EDGES = {"cellfile", "cli", "language", "lsp", "robots", "studio", "views"}
 """Where people write and read degrees and millimetres; `robots` has published figures."""
 HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles", "meshes"}
@@ -15,14 +13,6 @@ HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles",
 OWN_FILES = {"core/files.py", "codegen/compiled.py", "codegen/machine_code.py"}
 """The door to the disk; the version of the compiler; machine code that is kept."""
 OUTPUT = {"print", "open", "input"}
-
-
-def trees() -> dict[str, ast.Module]:
-    """Return the syntax tree of every module by its path."""
-    return {
-        path.relative_to(SOURCE).as_posix(): ast.parse(path.read_text("utf-8"))
-        for path in SOURCE.rglob("*.py")
-    }
 
 
 def converts(tree: ast.Module) -> bool:
@@ -58,9 +48,7 @@ def test_units_change_at_the_edges_and_in_the_words_of_findings_only() -> None:
         path for path, tree in trees().items() if converts(tree) and path.partition("/")[0] not in EDGES
     }
     inside.discard("meshes/reading.py")  # files of meshes do not say their unit
-    assert {
-        path for path in inside if not words_findings(ast.parse((SOURCE / path).read_text("utf-8")))
-    } == set()
+    assert {path for path in inside if not words_findings(trees()[path])} == set()
 
 
 def test_the_base_frame_begins_in_two_places_and_is_shown_in_one() -> None:
