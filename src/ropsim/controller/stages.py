@@ -15,8 +15,8 @@ _BENT, _ALONG = 0.92, 0.08
 """Shares of a joint's acceleration for the bend of its path and for changes of speed along it."""
 _TOOL_BENT, _TOOL_ALONG = 0.9, 0.43
 """The same for the tool, where both are at right angles: 0.9² + 0.43² < 1."""
-_JERK_BENT, _JERK_MIXED, _JERK_ALONG = 0.9, 0.05, 0.05
-"""Shares of a jerk for the bend, for changes of speed in the bend, and for changes of acceleration."""
+_JERK_BENT = 0.9
+"""Share of a jerk for the bend at most; of the rest, half is for changes of speed in the bend."""
 
 
 def joint_stage(path: JointPath, limits: JointMotionLimits) -> Stage:
@@ -90,7 +90,8 @@ def _bent(
     """Return bounds that hold together on a bent path.
 
     With d1, d2, d3 the largest derivatives of the path by its length s: acceleration d2·v² + d1·a, jerk
-    d3·v³ + 3·d2·v·a + d1·j.
+    d3·v³ + 3·d2·v·a + d1·j. What the bend does not take is left for changes of speed; a part of the tool
+    that is not bent has all of it.
     """
     d1, d2, d3 = derivatives
     bent, along = shares
@@ -99,8 +100,10 @@ def _bent(
         _least(bent * accelerations, d2) ** 0.5,
         _least(_JERK_BENT * jerks, d3) ** (1.0 / 3.0),
     )
-    a = min(_least(along * accelerations, d1), _least(_JERK_MIXED * jerks, 3.0 * d2 * v))
-    return Stage(length, v, a, _least(_JERK_ALONG * jerks, d1))
+    jerks = jerks - d3 * v**3
+    free = np.maximum(along * accelerations, accelerations - d2 * v**2)
+    a = min(_least(free, d1), _least(0.5 * jerks, 3.0 * d2 * v))
+    return Stage(length, v, a, _least(jerks - 3.0 * d2 * v * a, d1))
 
 
 def _least(limits: Array, sizes: Array) -> float:

@@ -1,6 +1,7 @@
 """Bounds of the pieces of a stretch: exact on straight ways, kept together on bent ones."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -18,6 +19,7 @@ from ropsim.motion import (
     OrientationMode,
     ToolLimits,
     ToolPath,
+    ToolPoints,
     ToolSection,
     corner,
     durations,
@@ -57,6 +59,39 @@ def test_the_slower_of_way_and_turn_leads() -> None:
 
 def test_rounding_of_an_orientation_that_is_kept_does_not_limit_the_speed() -> None:
     assert line_time(turned(1e-12, x=1.0)) == pytest.approx(4.225, rel=ROUNDING)
+
+
+class _Nodding:
+    """A straight way of 1 m on which the tool turns to and fro about x by a small angle: A·(1 - cos w·s)."""
+
+    length, turned, often = 1.0, 0.02, 2.0 * math.pi
+
+    def tool(self, s: Array) -> ToolPoints:
+        d1, d2, matrices = np.zeros((len(s), 6)), np.zeros((len(s), 6)), np.tile(np.eye(4), (len(s), 1, 1))
+        d1[:, 1] = 1.0
+        d1[:, 3] = self.turned * self.often * np.sin(self.often * s)
+        d2[:, 3] = self.turned * self.often**2 * np.cos(self.often * s)
+        return ToolPoints(matrices, d1, d2)
+
+    def positions(self, s: Array) -> Array:
+        return np.outer(s, [0.0, 1.0, 0.0])
+
+    def distance(self, points: Array) -> Array:
+        raise NotImplementedError
+
+
+def test_a_way_that_is_straight_is_not_slowed_where_the_tool_nods_a_little() -> None:
+    slow = plan_time_law([tool_stage(_Nodding(), LIMITS)]).duration
+    assert slow == pytest.approx(line_time(turned(0.0, x=1.0)), rel=ROUNDING)
+
+
+def test_the_more_a_bend_takes_the_less_is_left_for_changes_of_speed() -> None:
+    stages = [tool_stage(_Nodding(), replace(LIMITS, orientation_jerk=jerk)) for jerk in (1.0, 0.3, 0.1)]
+    assert stages[0].acceleration > stages[1].acceleration > stages[2].acceleration
+    d1, d2, d3 = (_Nodding.turned * _Nodding.often**k for k in (1, 2, 3))
+    for stage, jerk in zip(stages, (1.0, 0.3, 0.1), strict=True):
+        v, a, j = stage.speed, stage.acceleration, stage.jerk
+        assert d3 * v**3 + 3.0 * d2 * v * a + d1 * j == pytest.approx(jerk, rel=BETWEEN_PLACES)
 
 
 @pytest.mark.parametrize("mode", OrientationMode)
