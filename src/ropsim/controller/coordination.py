@@ -40,13 +40,22 @@ class Coordination:
         Args:
             setpoints: in the reference frame of the path, at equally spaced places.
         """
-        rows = len(setpoints.matrices)
-        external = self.axes.joints(np.linspace(0.0, setpoints.length, rows)).q
+        Q = self.rows(self.robot.home, np.linspace(0.0, setpoints.length, len(setpoints.matrices)))
+        external = Q[:, list(self.robot.external)]
         if self.frame is None:
             return replace(setpoints, external=external)
-        Q = np.tile(self.robot.home, (rows, 1))
-        Q[:, list(self.robot.external)] = external
         return PoseSetpoints(setpoints.length, self.frame.matrices(Q) @ setpoints.matrices, external)
+
+    def rows(self, q: Array, s: Array) -> Array:
+        """Return coordinates of all axes, the external ones where they are at places of the path, (k, n).
+
+        Args:
+            q: the others [rad | m], shape (n,).
+            s: places, shape (k,).
+        """
+        Q = np.tile(q, (len(s), 1))
+        Q[:, list(self.robot.external)] = self.axes.joints(s).q
+        return Q
 
     def coarseness(self, steps: int) -> float:
         """Return how many times too far the axes move from sample to sample with so many steps."""
@@ -91,7 +100,7 @@ def coordination_along(
 def coordination_round(
     length: float, before: Coordination, leaves: float, behind: Coordination, enters: float
 ) -> Coordination:
-    """Return the external axes on the way round a corner, with values and slopes of both sides.
+    """Return the external axes on the way round a corner, smoothly from one side to the other.
 
     Args:
         length: of the way round the corner [m].
@@ -100,8 +109,7 @@ def coordination_round(
         behind: along the path behind, seen from the same frame.
         enters: its place at which the corner ends [m].
     """
-    ends = (one.axes.joints(np.array([s])) for one, s in ((before, leaves), (behind, enters)))
-    first, last = ((point.q[0], point.d1[0]) for point in ends)
+    first, last = (one.axes.joints(np.array([s])) for one, s in ((before, leaves), (behind, enters)))
     least = (
         np.minimum(getattr(before.limits, name), getattr(behind.limits, name))
         for name in ("speed", "acceleration", "jerk")

@@ -9,6 +9,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg, trace
 from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward_batch
 from ropsim.motion import CornerFault, JointPath, ToolPath, corner, enter, leave
@@ -105,9 +106,16 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
         if between is CornerFault.TURNS_BACK:
             return Stop.TURNS_BACK
         if not isinstance(between, CornerFault):
-            q = before.joints.joints(np.array([s_leave])).q[0]
             axes = meeting.axes
             along = coordination_round(between.length, axes[0], s_leave, axes[1], s_enter) if axes else None
+            if are_led(before, behind):
+                led = wrist_corner(chain.robot, (before, s_leave), (behind, s_enter), between, along)
+                return (
+                    Rounding(flown, s_leave, s_enter, led.tool, led.joints, along)
+                    if led
+                    else Stop.UNREACHABLE
+                )
+            q = before.joints.joints(np.array([s_leave])).q[0]
             traced = trace(chain, between, q, before.move, along)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE

@@ -19,7 +19,7 @@ from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
-from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner, no_wrist_angles
+from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
@@ -163,20 +163,19 @@ class StandardPathPlanner:
             return path
         if isinstance(path, tuple):
             return Refusal(path)
-        led = self.controller.orientation is OrientationMode.WRIST_ANGLES and move.kind in LED_KINDS
-        if led and axes:
-            return Refusal((no_wrist_angles(move, "external axes move with it"),))
-        if led and path is not None:
-            return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
-        if not axes:
-            return replace(so_far, tool=path)
+        if path is None and not axes:
+            return so_far
         path = Standing(X_end) if path is None else path
         wrong = unusable_tool_path(path, move)
         if wrong:
             return wrong
-        share = self.controller.speed_override
-        coordination = coordination_along(path, self.robot, q_start, q_there, frame, share)
-        return replace(so_far, tool=path, coordination=coordination)
+        if axes:
+            share = self.controller.speed_override
+            along = coordination_along(path, self.robot, q_start, q_there, frame, share)
+            so_far = replace(so_far, coordination=along)
+        if self.controller.orientation is OrientationMode.WRIST_ANGLES and move.kind in LED_KINDS:
+            return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
+        return replace(so_far, tool=path)
 
     def _tool_goal(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> tuple[Array, Pose] | Refusal:
         """Return where a path of the tool ends: joint coordinates whose external ones count, and X_BT."""

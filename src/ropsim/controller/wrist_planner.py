@@ -1,31 +1,34 @@
 """Paths of the tool that the wrist leads: their joints, or why there are none."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.line_check import Line, end_findings, limit_refusals
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import JointRange, nearest_turns
-from ropsim.controller.wording import passes
+from ropsim.controller.wording import coordinate, passes
 from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_lead
-from ropsim.controller.wrist_path import WristPath
+from ropsim.controller.wrist_points import WristPoints, points_of
+from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.core import Diagnostic
 from ropsim.flow import MotionKind, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, Limits, inverse, posture, singular_distances, solver_of
-from ropsim.model import RobotModel, held_arm
-from ropsim.motion import NO_WRIST_ANGLES, ToolPath, Traced
+from ropsim.model import RobotModel
+from ropsim.motion import NO_WRIST_ANGLES, ToolPath, Traced, monotone
 from ropsim.spatial import Array, Pose, record
 
-LED_KINDS = frozenset({MotionKind.LIN, MotionKind.CIRC})
-"""Kinds of moves that the wrist may lead; a curve has orientations of its own at its points."""
+LED_KINDS = frozenset({MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE})
+"""Kinds of moves that the wrist may lead."""
 
 
 @record
 class WristPlanner:
-    """Leads a tool along a way by turning the joints of the wrist evenly.
+    """Leads a tool along a way by turning the joints of the wrist smoothly from point to point.
 
     Attributes:
-        robot: the arm.
+        robot: the arm with its external axes.
         limits: of its joints.
     """
 
@@ -33,61 +36,87 @@ class WristPlanner:
     limits: JointRange
 
     def planned(
-        self, move: MoveInstruction, way: ToolPath, q_start: Array, so_far: PlannedPath
+        self, move: MoveInstruction, path: ToolPath, q_start: Array, so_far: PlannedPath
     ) -> PlannedPath | Refusal:
         """Return the plan of a move with its joints, or why the wrist cannot lead it: M586, M503.
 
         Args:
             move: the instruction.
-            way: of the tool in the base frame; its positions and its end count.
+            path: of the tool in the base frame, or in that of the coordination; its positions and its points
+                count.
             q_start: command joint coordinates at its start [rad | m], shape (n,).
-            so_far: limits, tool and findings of the move.
+            so_far: limits, tool, coordination and findings of the move.
         """
-        q_end = self._end(move, way, q_start, so_far.X_MT)
-        if isinstance(q_end, str):
-            return Refusal((no_wrist_angles(move, q_end),))
-        lead = wrist_lead(
-            self.robot, so_far.X_MT, lambda shares: way.positions(shares * way.length), q_start, q_end
-        )
+        if singular_distances(self.robot, q_start) is None:
+            why = f"`{self.robot.name}` has no spherical wrist behind three joints that place it"
+            return Refusal((no_wrist_angles(move, why),))
+        points = points_of(path, q_start, so_far.coordination)
+        q_points = self._solved(move, points, so_far.X_MT)
+        if isinstance(q_points, str):
+            return Refusal((no_wrist_angles(move, q_points),))
+        wrist = monotone(points.places, q_points[:, list(arm_axes(self.robot)[3:])])
+        way = WristWay(self.robot, so_far.X_MT, path, wrist, q_start, so_far.coordination)
+        lead = wrist_lead(way, points.end)
         if lead.share < 1.0:
             where = f"beyond {lead.share:.0%} of the way the other joints cannot keep the TCP on it"
             return Refusal((no_wrist_angles(move, where),))
-        if float(np.abs(lead.q[-1] - q_end).max()) > SAME_JOINTS:
-            return Refusal(
-                (no_wrist_angles(move, "shoulder or elbow would not end as they are at its start"),)
-            )
-        places = np.linspace(0.0, way.length, len(lead.q))
-        line = Line(move, PoseSetpoints(way.length, way.tool(places).matrices), q_start, self.robot)
-        refusals = limit_refusals(line, lead.q, self.limits)
+        away = np.abs(Traced(path.length, lead.q).joints(points.places).q - q_points).max(axis=1)
+        if away.max() > SAME_JOINTS:
+            number = int(np.argmax(away > SAME_JOINTS))
+            where = f"on the way to {points.name(number)}"
+            why = f"{where} shoulder or elbow would not stay as they are at its start"
+            return Refusal((no_wrist_angles(move, why),))
+        q = np.vstack((lead.q[:-1], q_points[-1:]))
+        line = Line(move, PoseSetpoints(path.length, np.empty((len(q), 4, 4))), q_start, self.robot)
+        refusals = limit_refusals(line, q, self.limits)
         if refusals:
             return Refusal(refusals)
-        joints = Traced(way.length, lead.q)
-        tool = WristPath(self.robot, way, joints, so_far.X_MT)
-        findings = so_far.findings + end_findings(line, q_end)
-        return PlannedPath(joints, tool, so_far.limits, so_far.X_MT, findings)
+        joints = Traced(path.length, q)
+        findings = so_far.findings + end_findings(line, q[-1])
+        return replace(so_far, joints=joints, tool=way.led_by(joints), findings=findings)
 
-    def _end(self, move: MoveInstruction, way: ToolPath, q_start: Array, X_MT: Pose) -> Array | str:
-        """Return the joints at the end, shoulder and elbow as at the start, or why there are none."""
-        robot = self.robot
-        if singular_distances(robot, q_start) is None:
-            return f"`{robot.name}` has no spherical wrist behind three joints that place it"
-        arm = posture(robot, q_start).words[:2]
-        if move.kind == MotionKind.LIN and isinstance(move.target, tuple):
-            wanted = np.array(move.target)
-            if posture(robot, wanted).words[:2] == arm:
-                return wanted
-        X_BT = Pose.from_matrix(way.tool(np.array([way.length])).matrices[0])
-        options = IkOptions(Limits.IGNORE, near=q_start)
-        branches = nearest_turns(
-            inverse(robot, X_BT @ X_MT.inverse(), options).branches, q_start, self.limits
-        )
+    def _solved(self, move: MoveInstruction, points: WristPoints, X_MT: Pose) -> Array | str:
+        """Return all joints at points (k, n), shoulder and elbow as at the start, or which is not reached.
+
+        From point to point the joints of the wrist turn the nearer way.
+        """
+        robot, q = self.robot, points.q.copy()
+        arm, wrist, external = posture(robot, q[0]).words[:2], list(arm_axes(robot)[3:]), list(robot.external)
         kept = np.array([name.words[:2] == arm for name in solver_of(robot).postures])
-        found = branches[kept & (self.limits.excess(branches) == 0.0).all(axis=1)]  # false for NaN
-        if not len(found):
-            return "its end is not reached with shoulder and elbow as they are at its start"
-        wrist = list((held_arm(robot).axes if robot.external else range(robot.n))[3:])
-        nearest: Array = found[int(np.argmin(np.abs(found - q_start)[:, wrist].max(axis=1)))]
-        return nearest
+        for k in range(1, len(q)):
+            wanted = _joints_wanted(move) if k == points.end else None
+            if wanted is not None and posture(robot, wanted).words[:2] == arm:
+                q[k] = wanted
+                continue
+            near = q[k - 1].copy()
+            near[external] = q[k, external]
+            X_BM = Pose.from_matrix(points.X_BT[k]) @ X_MT.inverse()
+            found = inverse(robot, X_BM, IkOptions(Limits.IGNORE, near=near)).branches[kept]
+            found = nearest_turns(found, near, self.limits)
+            found = found[~np.isnan(found).any(axis=1)]
+            within = found[(self.limits.excess(found) == 0.0).all(axis=1)]
+            if not len(within):
+                where = f"{points.name(k)} is not reached with shoulder and elbow as they are at its start"
+                return where + self._beyond(found)
+            q[k] = within[int(np.argmin(np.abs(within - near)[:, wrist].max(axis=1)))]
+        return q
+
+    def _beyond(self, branches: Array) -> str:
+        """Return which joint is beyond its limit in the branch (k, n) that is so least; empty for none."""
+        if not len(branches):
+            return ""
+        excess = self.limits.excess(branches)
+        row = int(np.argmin(excess.max(axis=1)))
+        number = int(np.argmax(excess[row]))
+        joint, value = self.limits.joints[number], float(self.limits.values(branches)[row, number])
+        limit = joint.upper if value > joint.upper else joint.lower
+        found, allowed = coordinate(joint, value), coordinate(joint, limit)
+        return f": joint `{joint.name}` would be at {found}, its limit is {allowed}"
+
+
+def _joints_wanted(move: MoveInstruction) -> Array | None:
+    """Return the joint coordinates with which a move is to end, None where it has none or goes beyond."""
+    return np.array(move.target) if isinstance(move.target, tuple) and move.angle is None else None
 
 
 def no_wrist_angles(move: MoveInstruction, why: str) -> Diagnostic:

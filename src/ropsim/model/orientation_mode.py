@@ -6,8 +6,9 @@ from enum import Enum
 class OrientationMode(Enum):
     """Which of the ways from one orientation to another the tool takes.
 
-    With wrist angles the joints of the wrist turn evenly along a line or an arc, and how the tool turns
-    follows from the arm; a path by itself, which knows no arm, has a fixed axis then.
+    With wrist angles the joints of the wrist turn evenly along a line or an arc, on a curve smoothly from
+    point to point, and how the tool turns follows from the arm; a path by itself, which knows no arm, has a
+    fixed axis then.
     """
 
     FIXED_AXIS = "fixed axis"

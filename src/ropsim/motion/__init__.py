@@ -49,6 +49,7 @@ from ropsim.motion.paths import JointLine as JointLine
 from ropsim.motion.paths import JointPath as JointPath
 from ropsim.motion.paths import JointPoints as JointPoints
 from ropsim.motion.paths import JointSection as JointSection
+from ropsim.motion.paths import JointSpline as JointSpline
 from ropsim.motion.paths import Line as Line
 from ropsim.motion.paths import Path as Path
 from ropsim.motion.paths import Seen as Seen
@@ -65,7 +66,9 @@ from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import leave as leave
+from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points
+from ropsim.motion.paths import pose_derivatives as pose_derivatives
 from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn

@@ -128,15 +128,16 @@ NO_WRIST_ANGLES = define(
     "M586",
     "no-wrist-angles",
     Severity.ERROR,
-    "the angles of the wrist cannot lead the tool along a line or an arc",
+    "the angles of the wrist cannot lead the tool along a line, an arc or a curve",
     """
-A controller with `orientation = "wrist angles"` turns the last three joints evenly from their angles at the
-start to those at the end, while the first three keep the TCP on its way. That needs six turning joints of
-which the last three meet in one point; shoulder and elbow must be at the end as they are at the start, and
-the first three joints must reach every place between with the angles that the wrist has there. The move is
-skipped.
+A controller with `orientation = "wrist angles"` turns the last three joints from their angles at the start
+to those at the end, on a curve from point to point, while the first three keep the TCP on its way. That needs
+six turning joints of which the last three meet in one point; shoulder and elbow must be at every point and at
+the end as they are at the start, within the limits of the joints, and the first three joints must reach every
+place between with the angles that the wrist has there. The message names the point, or the place beyond which
+that is not so. External axes may move on the way. The move is skipped.
 
-**How to mend it.** Use `mov` where the path does not matter, or give the controller
-`orientation = "fixed axis"`.
+**How to mend it.** Shift the point or turn the tool there where a joint is named that would be beyond its
+limit. Use `mov` where the path does not matter, or give the controller `orientation = "fixed axis"`.
 """,
 )

@@ -8,10 +8,13 @@ from ropsim.motion.paths.corner import CornerFault as CornerFault
 from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.differences import numeric_points as numeric_points
+from ropsim.motion.paths.differences import pose_derivatives as pose_derivatives
 from ropsim.motion.paths.joint_curve import JointCurve as JointCurve
 from ropsim.motion.paths.joint_curve import evenly as evenly
 from ropsim.motion.paths.joint_curve import smoothly as smoothly
 from ropsim.motion.paths.joint_line import JointLine as JointLine
+from ropsim.motion.paths.joint_spline import JointSpline as JointSpline
+from ropsim.motion.paths.joint_spline import monotone as monotone
 from ropsim.motion.paths.line import Line as Line
 from ropsim.motion.paths.orientation import ToolTurn as ToolTurn
 from ropsim.motion.paths.orientation import TurnPoints as TurnPoints

@@ -43,6 +43,11 @@ class Curve:
         """Return the way of the TCP [m]."""
         return self.way.length
 
+    @property
+    def knots(self) -> Array:
+        """Return the places at which segments begin and end [m], rising from 0, shape (c + 1,)."""
+        return self.way.ends[:: self.way.steps]
+
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
         points = ToolPoints(np.empty((len(s), 4, 4)), np.empty((len(s), 6)), np.empty((len(s), 6)))

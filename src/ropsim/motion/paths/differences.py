@@ -63,15 +63,35 @@ def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: floa
     offsets = (s - centres) / step
     nodes = centres[:, None] + step * np.arange(-half, half + 1)
     stencil = matrices_at(np.clip(nodes, 0.0, length).ravel()).reshape(len(s), _CENTRAL, 4, 4)
-    matrices = matrices_at(s)
-    turned = np.swapaxes(matrices[:, None, :3, :3], 2, 3) @ stencil[..., :3, :3]
-    coordinates = np.empty((len(s), _CENTRAL, 6))
-    coordinates[..., :3] = stencil[..., :3, 3] - matrices[:, None, :3, 3]
-    coordinates[..., 3:] = logarithms(turned.reshape(-1, 3, 3)).reshape(len(s), _CENTRAL, 3)
     weights = np.stack([_weights_at(offsets, _CENTRAL, order) for order in (1, 2)], axis=1)  # (k, 2, 7)
+    return _points(matrices_at(s), stencil, weights, np.full(len(s), step))
+
+
+def pose_derivatives(matrices_at: Callable[[Array], Array], steps: Array) -> ToolPoints:
+    """Return poses that are functions of an offset each, with their derivatives by it where it is 0.
+
+    Central differences of order 6, otherwise as `numeric_points`.
+
+    Args:
+        matrices_at: poses at offsets, shape (k, 7) to (k, 7, 4, 4); the functions are six times smooth.
+        steps: from one offset to the next, shape (k,); over one the pose changes by a few hundredths.
+    """
+    half = _CENTRAL // 2
+    stencil = matrices_at(steps[:, None] * np.arange(-half, half + 1))
+    return _points(stencil[:, half], stencil, _stencils()[0], steps)
+
+
+def _points(matrices: Array, stencil: Array, weights: Array, steps: Array) -> ToolPoints:
+    """Return poses (k, 4, 4) with the derivatives that poses around them (k, 7, 4, 4) have by weights."""
+    count = len(matrices)
+    turned = np.swapaxes(matrices[:, None, :3, :3], 2, 3) @ stencil[..., :3, :3]
+    coordinates = np.empty((count, _CENTRAL, 6))
+    coordinates[..., :3] = stencil[..., :3, 3] - matrices[:, None, :3, 3]
+    coordinates[..., 3:] = logarithms(turned.reshape(-1, 3, 3)).reshape(count, _CENTRAL, 3)
     rows = weights @ coordinates
     rows[..., 3:] = rows[..., 3:] @ np.swapaxes(matrices[:, :3, :3], 1, 2)
-    return ToolPoints(matrices, rows[:, 0] / step, rows[:, 1] / step**2)
+    by_step = 1.0 / steps[:, None]
+    return ToolPoints(matrices, rows[:, 0] * by_step, rows[:, 1] * by_step**2)
 
 
 @cache

@@ -43,14 +43,14 @@ def evenly(length: float, q_start: Array, q_end: Array) -> JointCurve:
     return JointCurve(length, coefficients)
 
 
-def smoothly(length: float, start: tuple[Array, Array], end: tuple[Array, Array]) -> JointCurve:
-    """Return the way between two even ones: it has their values and slopes, and no bend, at its ends.
+def smoothly(length: float, start: JointPoints, end: JointPoints) -> JointCurve:
+    """Return the way between two others: it has their values, slopes and bends at its ends.
 
     Args:
         length: of the way, positive.
-        start: coordinates [rad | m] and their slopes by the place at place 0, shape (n,) each.
-        end: the same at the end.
+        start: joints and derivatives at the place at which the way before is left, one row.
+        end: the same at the place at which the way behind is entered.
     """
-    ends = np.zeros((6, len(start[0])))
-    ends[0], ends[1], ends[3], ends[4] = start[0], start[1] * length, end[0], end[1] * length
-    return JointCurve(length, quintics(ends))
+    by_share = length ** np.arange(3.0)[:, np.newaxis]
+    ends = (np.vstack((one.q, one.d1, one.d2)) * by_share for one in (start, end))
+    return JointCurve(length, quintics(np.vstack(tuple(ends))))

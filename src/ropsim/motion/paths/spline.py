@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 from enum import Enum
-from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.motion.paths.arc_length import arc_length
 from ropsim.motion.paths.curve import Curve
+from ropsim.motion.paths.natural import natural_derivatives
 from ropsim.motion.paths.path import FARTHEST, STANDS, STILL
 from ropsim.motion.paths.polynomials import largest, quintics
 from ropsim.motion.paths.rotation_vector import FULL_TURN, exponentials, logarithms, rates
@@ -60,7 +60,7 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     chords = _norm(steps)
     if chords.min() <= STANDS:
         return SplineFault.TURNS_IN_PLACE
-    first, second = _knot_derivatives(chords, np.hstack((steps, 2.0 * halves)))
+    first, second = natural_derivatives(chords, np.hstack((steps, 2.0 * halves)))
     begin = _ends(positions[:-1], -halves, first[:-1], second[:-1], chords)
     end = _ends(positions[1:], halves, first[1:], second[1:], chords)
     coefficients = quintics(np.concatenate((begin, end), axis=1))
@@ -99,34 +99,6 @@ def _ends(positions: Array, halves: Array, first: Array, second: Array, chords: 
     change = (second[:, None, 3:] @ to_middle)[:, 0] * by_t * by_t
     moving = np.stack((positions, first[:, :3] * by_t, second[:, :3] * by_t * by_t), axis=1)
     return np.concatenate((moving, np.stack((halves, *rates(halves, speed, change)), axis=1)), axis=2)
-
-
-def _knot_derivatives(chords: Array, steps: Array) -> tuple[Array, Array]:
-    """Return first and second derivatives of the natural cubic spline at its knots, each (m, n).
-
-    Its second derivatives solve a tridiagonal system, by elimination without pivoting (the diagonal is twice
-    the sum of its neighbours).
-
-    Args:
-        chords: between the knots, shape (m - 1,).
-        steps: of the values from knot to knot, shape (m - 1, n).
-    """
-    slopes = steps / chords[:, None]
-    h = chords.tolist()
-    second = np.zeros((len(h) + 1, steps.shape[1]))
-    second[1:-1] = 6.0 * np.diff(slopes, axis=0)
-    diagonal = [2.0 * (before + after) for before, after in pairwise(h)]
-    for k in range(1, len(diagonal)):
-        share = h[k] / diagonal[k - 1]
-        diagonal[k] -= share * h[k]
-        second[k + 1] -= share * second[k]
-    for k in range(len(diagonal), 0, -1):
-        second[k] = (second[k] - h[k] * second[k + 1]) / diagonal[k - 1]
-    by_chord = chords[:, None] / 6.0
-    first = np.empty(second.shape)
-    first[:-1] = slopes - by_chord * (2.0 * second[:-1] + second[1:])
-    first[-1] = slopes[-1] + by_chord[-1] * (second[-2] + 2.0 * second[-1])
-    return first, second
 
 
 def _norm(vectors: Array) -> Array:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import Line, Seen, Standing, evenly, numeric_points, smoothly
+from ropsim.motion import JointPoints, Line, Seen, Standing, evenly, numeric_points, smoothly
 from ropsim.spatial import Pose
 
 ROUNDING = 1e-12
@@ -24,13 +24,15 @@ def test_axes_go_evenly_from_one_place_to_another() -> None:
     assert not points.d2.any()
 
 
-def test_axes_go_smoothly_from_one_slope_to_another() -> None:
-    start, end = (np.array([0.2]), np.array([3.0])), (np.array([0.7]), np.array([-1.0]))
+def test_axes_go_smoothly_from_one_slope_and_bend_to_another() -> None:
+    start, end = (
+        JointPoints(*(np.array([[value]]) for value in row)) for row in ((0.2, 3.0, -5.0), (0.7, -1.0, 2.0))
+    )
     curve = smoothly(0.4, start, end)
     ends = curve.joints(np.array([0.0, 0.4]))
     np.testing.assert_allclose(ends.q[:, 0], [0.2, 0.7], rtol=0, atol=ROUNDING)
     np.testing.assert_allclose(ends.d1[:, 0], [3.0, -1.0], rtol=0, atol=1e-11)
-    np.testing.assert_allclose(ends.d2[:, 0], [0.0, 0.0], rtol=0, atol=1e-10)
+    np.testing.assert_allclose(ends.d2[:, 0], [-5.0, 2.0], rtol=0, atol=1e-10)
     s, h = np.array([0.1, 0.23]), 1e-5
     before, here, after = (curve.joints(s + step) for step in (-h, 0.0, h))
     np.testing.assert_allclose((after.q - before.q) / (2.0 * h), here.d1, rtol=1e-7)

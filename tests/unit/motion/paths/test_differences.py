@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.motion import Line, OrientationMode, numeric_points
+from ropsim.motion import Line, OrientationMode, numeric_points, pose_derivatives
 from ropsim.motion.paths.differences import row_derivatives
 from ropsim.spatial import Array
 from support.paths import random_pose
@@ -65,3 +65,19 @@ def test_a_bend_of_poses_alone_is_found() -> None:
     assert points.d2[:, :2] == pytest.approx(
         np.array([[-1.0, 0.0], [-math.cos(1.0), -math.sin(1.0)], [1.0, 0.0]]), abs=1e-7
     )
+
+
+def test_poses_by_offsets_have_the_derivatives_of_their_path() -> None:
+    rng = np.random.default_rng(9)
+    line = Line(random_pose(rng, 1.0), random_pose(rng, 1.0), OrientationMode.DRIVE_TRANSFORM)
+    s = np.linspace(0.1, 0.9, 17) * line.length
+
+    def around(offsets: Array) -> Array:
+        return line.tool((s[:, None] + offsets).ravel()).matrices.reshape(*offsets.shape, 4, 4)
+
+    exact = line.tool(s)
+    for step in (0.01, 0.003):
+        found = pose_derivatives(around, np.full(len(s), step * line.length))
+        assert (found.matrices == exact.matrices).all()
+        assert np.abs(found.d1 - exact.d1).max() < 1e-10
+        assert np.abs(found.d2 - exact.d2).max() < 1e-8

@@ -8,7 +8,7 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from ropsim.motion import Curve, SplineFault, spline
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Pose
 from support.paths import brute_distances, inner_places, random_pose, tool_differences
 
 ROUNDING = 1e-12
@@ -37,11 +37,6 @@ def made(points: list[Pose]) -> Curve:
     return found
 
 
-def places(curve: Curve) -> Array:
-    """Return the places of the points, shape (m,)."""
-    return np.asarray(curve.way.ends[:: curve.way.steps])
-
-
 POINTS = poses(9)
 CURVE = made(POINTS)
 
@@ -50,7 +45,7 @@ CURVE = made(POINTS)
 def test_every_point_is_passed(count: int) -> None:
     points = poses(count)
     curve = made(points)
-    passed = curve.tool(places(curve)).matrices
+    passed = curve.tool(curve.knots).matrices
     assert np.abs(passed - [point.matrix() for point in points]).max() < ROUNDING
 
 
@@ -72,7 +67,7 @@ def test_derivatives_go_over_at_every_point(turn: float) -> None:
     points = [Pose(p.position, np.roll(r.as_quat(), 1)) for p, r in zip(POINTS, turned, strict=True)]
     curve = made(points)
     # the last polynomial of one segment and the first of the next one, at the point itself
-    inner = places(curve)[1:-1]
+    inner = curve.knots[1:-1]
     before, after = curve.tool(np.nextafter(inner, 0.0) - 1e-13), curve.tool(inner)
     size = np.abs(after.d2).max()
     assert np.abs(before.matrices - after.matrices).max() < 1e-10
@@ -138,8 +133,8 @@ def test_points_that_are_told_twice_count_once() -> None:
 def test_ten_thousand_points_are_one_way() -> None:
     points = poses(10_000)
     curve = made(points)
-    assert np.abs(curve.positions(places(curve)) - [point.position for point in points]).max() < 1e-11
-    some = places(curve)[1:-1:97]
+    assert np.abs(curve.positions(curve.knots) - [point.position for point in points]).max() < 1e-11
+    some = curve.knots[1:-1:97]
     assert np.abs(curve.tool(some - STEPS).d1 - curve.tool(some + STEPS).d1).max() < 1e-4
     aside = curve.positions(some) + np.array([0.0, 0.0, 1e-4])
     assert curve.distance(aside).max() <= 1e-4 + ROUNDING
