@@ -31,7 +31,9 @@ The line runs through a singularity of the arm, where the joints cannot follow t
 * **elbow**: upper arm and forearm are stretched;
 * **shoulder**: the wrist centre lies above or below the axis of joint 1.
 
-**How to mend it.** Turn the tool a little, shift the line, or use PTP for this part of the way.
+**How to mend it.** Turn the tool a little, shift the line, or use PTP for this part of the way. A controller
+with `orientation = "wrist angles"` passes the singularity of the wrist; the tool then turns between both ends
+as the wrist leads it.
 """,
 )
 
