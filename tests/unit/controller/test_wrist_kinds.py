@@ -34,6 +34,7 @@ AS_TOLD = 1e-7  # [rad]; the path of the joints goes through samples, to 5e-8 be
 AT_POSE = 1e-7  # of poses at joints that are true to that
 QUICK = PathDefaults(3.0, 50.0, 1e3, 20.0, 500.0, 1e4)
 FAST = chain_of(with_station(CELL, controller=replace(LEADING.controller, path=QUICK)))
+DIFFERENCES = 1e-3  # of derivatives by differences over a control tick
 HELD = 1.0 + 1e-9  # of a limit, as for all motions
 
 
@@ -169,6 +170,21 @@ def test_limits_hold_at_full_speed(kind: MotionKind, seed: int) -> None:
     asked = shares(PUMA, done, Payload())
     assert max(asked.values()) <= HELD
     assert max(asked.values()) > 0.9  # and one of them is reached
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", [MotionKind.LIN, MotionKind.CIRC])
+def test_limits_of_the_tool_hold_and_one_of_them_sets_the_time(kind: MotionKind, seed: int) -> None:
+    q_start, move, _ = drawn(kind, seed)
+    done, limits = planned(move, q_start, LEADING), LEADING.controller.path
+    q, qd, _ = references(done)
+    rates = np.array([jacobian_at(PUMA, here, X_MT) @ rate for here, rate in zip(q, qd, strict=True)])
+    speeds = np.linalg.norm(rates.reshape(-1, 2, 3), axis=2)
+    accelerations = np.linalg.norm(np.diff(rates, axis=0).reshape(-1, 2, 3), axis=2) / done.period
+    speed = speeds.max(axis=0) / (limits.speed, limits.orientation_speed)
+    acceleration = accelerations.max(axis=0) / (limits.acceleration, limits.orientation_acceleration)
+    used = max(*speed.tolist(), *acceleration.tolist())
+    assert 0.75 <= used <= 1.0 + DIFFERENCES
 
 
 def test_the_orientation_between_points_follows_from_the_arm() -> None:
