@@ -67,7 +67,7 @@ class WristPlanner:
             why = f"{where} shoulder or elbow would not stay as they are at its start"
             return Refusal((no_wrist_angles(move, why),))
         q = np.vstack((lead.q[:-1], q_points[-1:]))
-        line = Line(move, PoseSetpoints(path.length, np.empty((len(q), 4, 4))), q_start, self.robot)
+        line = Line(move, PoseSetpoints(path.length, np.zeros((len(q), 4, 4))), q_start, self.robot)
         refusals = limit_refusals(line, q, self.limits)
         if refusals:
             return Refusal(refusals)

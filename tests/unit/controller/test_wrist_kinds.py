@@ -219,3 +219,15 @@ def test_a_line_that_keeps_its_orientation_takes_one_time_in_all_modes(way: tupl
     move = lin(shifted(torch_at(START), *way), TORCH)
     times = [planned(move, START, chain).duration for chain in CHAINS.values()]
     assert max(times) <= 1.01 * min(times)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_move_to_joint_coordinates_ends_in_them(kind: MotionKind) -> None:
+    q_start, move, points = drawn(kind, 0)
+    wanted = points[-1] + np.array(
+        [0.0, 0.0, 0.0, np.pi, -2.0 * points[-1][4], np.pi]
+    )  # the wrist turned over
+    assert np.abs(torch_at(wanted).matrix() - torch_at_goal(move)).max() <= AT_POSE
+    done = planned(replace(move, target=tuple(wanted.tolist())), q_start, LEADING)
+    assert done.q_end == pytest.approx(wanted, abs=1e-12)
+    assert done.findings == ()
