@@ -1,4 +1,4 @@
-"""Waits for signals that nothing in the cell can change any more: found at once, instead of waited out."""
+"""Programs that stand for ever, for a signal or held: found at once, instead of waited out."""
 
 from collections.abc import Mapping
 
@@ -9,6 +9,7 @@ from ropsim.model import ROBOT
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import NEVER
 from ropsim.simulation.diagnostics import WAITS_IN_VAIN
+from ropsim.simulation.endless_holds import hold_finding, is_endless_hold
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.sensing import SensedRun
 from ropsim.simulation.serving import is_needed
@@ -17,11 +18,11 @@ from ropsim.simulation.station_run import StationRun
 
 
 def are_endless(run: CellRun, options: RunOptions) -> bool:
-    """Return whether every program at work waits for a channel and nothing can happen any more.
+    """Return whether every program at work is held or waits for a channel, and nothing changes that any more.
 
-    That is so when none of the waits has a timeout, no channel has its value, no script of the cell changes
-    one of them later, no device has anything left to do, nobody may press keys, and no end by hand lies
-    ahead. A program that does
+    Nobody may press keys, and no end by hand lies ahead. A program is held for ever where the override is 0
+    and no change of it is to come. A wait is endless when it has no timeout, its channel has not its value,
+    no script of the cell changes that later, and no device has anything left to do. A program that does
     nothing but look at channels in a loop, and has found the same twice, waits too. What a sensor interface
     of a user's own delivers cannot be foreseen. A serving program that is not needed any more ends by itself.
 
@@ -30,20 +31,27 @@ def are_endless(run: CellRun, options: RunOptions) -> bool:
         options: of the run.
     """
     stations = [run.stations[name] for name in run.at_work]
-    if not all(_waits(at) and is_needed(run, at) for at in stations):
+    waiting = [at for at in stations if not is_endless_hold(run, at)]
+    if not all(_waits(at) and is_needed(run, at) for at in waiting):
         return False
-    if options.sensors is not None or run.watch.may_press or run.stop_tick is not None:
+    if run.watch.may_press or run.stop_tick is not None:
         return False
-    if any(device.due != NEVER for device in run.devices.values()):
+    if not waiting:
+        return True
+    if options.sensors is not None or any(device.due != NEVER for device in run.devices.values()):
         return False
-    return all(_stays(run, at) for at in stations)
+    return all(_stays(run, at) for at in waiting)
 
 
 def end_waits(run: CellRun, programs: Mapping[str, Program]) -> None:
-    """End the programs at work where they wait, each with a finding (S742) but for those that serve."""
-    waiting = [run.stations[name] for name in run.at_work]
-    run.findings += [_finding(run, at, programs) for at in waiting if not at.station.serves]
-    for at in waiting:
+    """End the programs at work, each with a finding (S742, S762) but for those that serve."""
+    standing = [run.stations[name] for name in run.at_work]
+    run.findings += [
+        hold_finding(run, at) if at.is_held else _finding(run, at, programs)
+        for at in standing
+        if not at.station.serves
+    ]
+    for at in standing:
         at.in_vain = True
 
 
@@ -165,6 +173,8 @@ def _state(run: CellRun, name: str) -> str:
     if name not in run.at_work:
         return "has ended"
     at = run.stations[name]
+    if at.is_held:
+        return f"is held{f' on line {at.origin.span.line}' if at.origin.span else ''}"
     span = _origin(at).span
     return f"waits for {_wanted(at)}{f' on line {span.line}' if span else ''}"
 

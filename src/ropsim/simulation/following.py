@@ -91,12 +91,16 @@ class Follower:
         Ends early, once the arm stands, where the run has been stopped or a condition has ended the move, and
         where the arm is still slowed by the override when the longest simulated time has passed.
         """
+        at = self.at
         while self.clock.place < place:
             self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
-            over = self._is_over(self.run.override(self.at.due))
+            override = self.run.override(at.due)
+            over = self._is_over(override)
             if (over or self.ended) and (self.is_held or self.clock.place == 0.0):
-                self.at.cut_short |= over
+                at.cut_short |= over
+                at.is_held = False
                 return
+            at.is_held = self.is_held and override == 0.0
             self._slice(place)
             yield
 
@@ -114,8 +118,9 @@ class Follower:
         return sum(max(0, min(last, end) - max(first, since)) for first, last in spans)
 
     def _is_over(self, override: float) -> bool:
-        """Return whether the motion is to end before its end: by hand, or as it would last too long."""
-        return self.run.is_stopped(self.at.due) or (self.at.is_over and override < 1.0)
+        """Return whether the motion is to end before its end: by hand, held for ever, or lasting too long."""
+        at = self.at
+        return at.in_vain or self.run.is_stopped(at.due) or (at.is_over and override < 1.0)
 
     def _slice(self, place: int) -> None:
         run, at = self.run, self.at

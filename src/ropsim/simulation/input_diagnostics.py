@@ -27,3 +27,24 @@ The user ended a live run before its program did. The recording holds what happe
 time is that of the part that was carried out.
 """,
 )
+
+HELD_FOR_EVER = define(
+    "S762",
+    "held-for-ever",
+    Severity.ERROR,
+    "a run is held, and nothing lets it go on",
+    """
+The inputs that the run was given end with a hold: the override is 0, and no later change raises it. Every
+program that still ran stood held, or waited for a signal that nothing can change any more. Nothing could
+happen, so the run was ended there, and the cycle time is not that of the program.
+
+A live run that was closed while it was held leaves such inputs. Add a change of the override after the hold,
+or leave the hold out:
+
+```
+[{"override": 0, "time": 1.2}, {"override": 1, "time": 4}]
+```
+
+A live run goes on waiting, as the hold can be ended there.
+""",
+)

@@ -47,7 +47,9 @@ class StationRun:
         waiting: whether the last instruction did nothing but wait for the ones before it.
         awaits: what it stands for, where it waits for a channel.
         polled: what it looks at again and again, where it does nothing else.
-        in_vain: whether that will never come; the program is over then.
+        origin: of the instruction in force.
+        is_held: whether it stands because the override is 0.
+        in_vain: whether it stands for what will never come; the program is over then.
         dismissed: whether it has served those of other stations, which have ended; the program is over then.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
     """
@@ -71,6 +73,8 @@ class StationRun:
     waiting: bool = False
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
+    origin: Origin = field(default_factory=Origin)
+    is_held: bool = False
     in_vain: bool = False
     dismissed: bool = False
     cut_short: bool = False

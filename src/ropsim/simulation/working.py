@@ -89,9 +89,10 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
 
 def _while_held(run: CellRun, at: StationRun) -> Iterator[None]:
     """Stand as long as the override is 0: a program that is held begins nothing."""
-    while run.override(at.due) == 0.0 and not at.is_over:
-        at.polled = None
+    while run.override(at.due) == 0.0 and not (at.is_over or at.in_vain):
+        at.polled, at.is_held = None, True
         yield from at.stand(at.station.controller.rates.interpolation_ticks)
+    at.is_held = False
 
 
 def _carry_out(run: CellRun, at: StationRun, step: Instruction, world: SimulatedWorld) -> Iterator[None]:

@@ -36,6 +36,11 @@ from ropsim.views.unchecked import Unchecked, unchecked
 STOPPED_BY_HAND = "S761"
 """Code of the finding of a live run that did not come to the program's end."""
 
+UNFINISHED = frozenset(
+    (STOPPED_BY_HAND, "S723", "S742", "S762", "I460", "I461", "I462", "I463", "I464", "I465")
+)
+"""Codes of findings of programs that were ended before their own end."""
+
 
 @dataclass(frozen=True, slots=True)
 class Summary:
@@ -111,7 +116,12 @@ class Summary:
     @property
     def cycle_time_valid(self) -> bool:
         """Return whether the whole program was carried out, so that the cycle time is that of the program."""
-        return not self.skipped and self.invalid_samples == 0 and not self.stopped_by_hand
+        return not self.skipped and self.invalid_samples == 0 and not self.unfinished
+
+    @property
+    def unfinished(self) -> bool:
+        """Return whether a program was ended before its own end."""
+        return any(one.first.code in UNFINISHED for one in self.findings)
 
     @property
     def stopped_by_hand(self) -> bool:
