@@ -31,7 +31,10 @@ class World(Protocol):
         ...
 
     def attained(self, modal: ModalState) -> Pose | None:
-        """Return the pose X_KT that the tool of a modal state has in its task frame; None if not known."""
+        """Return the pose X_KT that the tool of a modal state has in its task frame; None if not known.
+
+        Where a condition has ended the move that was carried out last, it is that at which it came true.
+        """
         ...
 
 

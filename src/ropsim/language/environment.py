@@ -36,6 +36,7 @@ class Environment:
         locations: poses in the base frame, or in the frame that `located` names, with values of external axes
             behind them where they have some.
         others_tools: names of the tools of the cell that the station has not.
+        measured: what analog inputs measure by the sensors of the cell, `length` or `force`, by name.
         told: names of the devices by those of the inputs that they set.
         located: names of the frames that move in which locations are given, by the name of the location.
         signals: channels by name.
@@ -64,6 +65,7 @@ class Environment:
     moving: frozenset[str] = frozenset()
     located: Mapping[str, str] = field(default_factory=dict)
     others_tools: frozenset[str] = frozenset()
+    measured: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, str] = field(default_factory=dict)
     postures: tuple[tuple[str, ...], ...] | None = None
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from ropsim.core import Diagnostic
 from ropsim.flow import Comparison, Guard, MoveInstruction
 from ropsim.simulation.diagnostics import GUARD_NOT_MET
+from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
 
 
@@ -14,18 +15,22 @@ class Lookout:
 
     Attributes:
         guard: the condition.
-        world: reads the channel.
+        world: reads the channel, and is told how the move ended.
+        at: the station whose arm moves.
         since: when the move began [s].
     """
 
     guard: Guard
     world: SimulatedWorld
+    at: StationRun
     since: float
 
     def ends(self) -> bool:
         """Return whether the move ends now: its condition is true, or its time is over; the world is told."""
         guard = self.guard
         self.world.guard_met = guard.holds(self.world.read(guard.channel))
+        if self.world.guard_met:
+            self.world.q_met = self.at.plant.q
         late = guard.timeout is not None and self.world.now() - self.since >= guard.timeout
         return self.world.guard_met or late
 

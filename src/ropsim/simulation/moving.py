@@ -41,6 +41,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
             done += len(planned.moves)
         if refusal is not None and not at.cut_short:
             _say(run, at, stretch.said_before(done))
+            world.q_met = None
             _skip(run, at, moves[done], refusal.diagnostics)
             done += 1
     if done == len(moves) and not at.cut_short:
@@ -74,7 +75,8 @@ def _follow(
         put_in_force(run, at, one.move)
         since, ordinal = at.tick, len(at.moves)
         at.track("move", ordinal)
-        follower.lookout = Lookout(one.move.guard, world, at.time) if one.move.guard else None
+        world.q_met = None
+        follower.lookout = Lookout(one.move.guard, world, at, at.time) if one.move.guard else None
         yield from _to(run, at, follower, one)
         if follower.lookout and not (follower.ended or at.cut_short):
             run.findings += filter(None, (follower.lookout.missed(one.move),))

@@ -59,7 +59,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
         lambda: at.time,
         lambda: run.watch.reading(run),
         options.longest_wait,
-        lambda modal: attained_pose(at, modal),
+        lambda modal, q_then: attained_pose(at, modal, q_then),
     )
     machine = Machine(program, world)
     advance = adapted(machine.advance, options.adapt)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from ropsim.controller import Sample
 from ropsim.flow import ModalState
 from ropsim.simulation.polling import Polling
-from ropsim.spatial import Pose
+from ropsim.spatial import Array, Pose
 
 
 @dataclass(slots=True)
@@ -18,9 +18,12 @@ class SimulatedWorld:
         now: returns the simulated time of the station [s].
         look: is called before each reading.
         longest_wait: a wait without a timeout ends after this time [s].
-        where: returns the pose that the tool in force has in the task frame in force, X_KT.
+        where: returns the pose that the tool in force has in the task frame in force, X_KT, with the arm at
+            given coordinates [rad | m], shape (n,), or as it is where there are none.
         came: whether the channel that was waited for last came to have its value.
         guard_met: whether the condition of the guarded move that was carried out last ended it.
+        q_met: attained coordinates at the tick at which it was seen to be true [rad | m], shape (n,); None
+            where the move that was carried out last had no condition, or was not ended by it.
         polling: is told what the program looks at.
     """
 
@@ -28,9 +31,10 @@ class SimulatedWorld:
     now: Callable[[], float]
     look: Callable[[], None]
     longest_wait: float
-    where: Callable[[ModalState], Pose]
+    where: Callable[[ModalState, Array | None], Pose]
     came: bool = False
     guard_met: bool = False
+    q_met: Array | None = None
     polling: Polling = field(default_factory=Polling)
 
     def read(self, channel: str) -> bool | float:
@@ -55,6 +59,9 @@ class SimulatedWorld:
         return self.guard_met
 
     def attained(self, modal: ModalState) -> Pose:
-        """Return the pose that the tool in force has in the task frame in force, X_KT."""
+        """Return the pose that the tool in force has in the task frame in force, X_KT.
+
+        Behind a move that its condition has ended it is that at which the condition was seen to be true.
+        """
         self.look()
-        return self.where(modal)
+        return self.where(modal, self.q_met)

@@ -4,10 +4,20 @@ from collections.abc import Mapping
 
 from ropsim.kinematics import frame_poses, solver_of
 from ropsim.language import NO_SIGNATURES, Environment
-from ropsim.model import WORLD, Cell, JointType, RobotModel, Station, in_base
+from ropsim.model import (
+    WORLD,
+    Cell,
+    DistanceSensor,
+    ForceSensor,
+    JointType,
+    RobotModel,
+    Station,
+    in_base,
+)
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose, PoseTuple
 
+_READINGS = {DistanceSensor: "length", ForceSensor: "force"}
 _MEASURES = {JointType.REVOLUTE: "angle", JointType.PRISMATIC: "length"}
 
 
@@ -45,6 +55,11 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
         moving=frozenset(name for name, frame in cell.frames.items() if frame.parent != WORLD),
         located=cell.located,
+        measured={
+            name: _READINGS[type(signal.sensor)]
+            for name, signal in cell.signals.items()
+            if signal.analog and signal.sensor
+        },
         told={name: device.name for device in cell.devices.values() for name in device.tells},
         others_tools=frozenset(cell.tools) - set(at.tools),
         postures=_postures(at.robot),

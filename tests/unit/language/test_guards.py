@@ -122,3 +122,44 @@ def test_a_classic_task_reads_its_condition_and_writes_what_it_stores() -> None:
 def test_an_analog_signal_is_compared_with_quantities_elsewhere_too(condition: str) -> None:
     assert len(moves(f"if {condition} then lin infeed", force_z=15.5)) == 1
     assert moves(f"if {condition} then lin infeed", force_z=14.5) == []
+
+
+SENSED = replace(
+    SIGNALS,
+    signals={**SIGNALS.signals, "gap": SignalUse("gap", is_input=True, type=ValueType.REAL)},
+    measured={"gap": "length", "force_z": "force"},
+)
+
+
+@pytest.mark.parametrize("text", ["lin infeed until {}", "wait until {}", "if {} then\n  stop\nendif"])
+@pytest.mark.parametrize(
+    ("condition", "hint"),
+    [("gap < 12", "write `12 mm`, or `12 m`"), ("2.5 > gap", "write `2.5 mm`, or `2.5 m`")],
+)
+def test_a_bare_number_beside_a_length_that_is_measured_is_told(text: str, condition: str, hint: str) -> None:
+    found = only(UNITS + text.format(condition) + "\n", SENSED)
+    number = hint.split()[1].strip("`")
+    assert (found.code, found.hint) == ("T313", hint)
+    assert found.message == f"`gap` measures a length, and {number} without a unit counts as {number} m here"
+    assert found.span is not None
+    line = compiled(UNITS + text.format(condition), SENSED).source.line(3)
+    assert line[found.span.column - 1 : found.span.end_column - 1] == number
+
+
+@pytest.mark.parametrize(
+    "condition", ["gap < 12 mm", "gap > 0", "force_z > 15", "force_z > 15 N", "gap < x / 2", "gap < gap"]
+)
+def test_units_nothing_and_what_was_worked_out_are_no_mistakes(condition: str) -> None:
+    assert codes(f"{UNITS}x = gap\nwait until {condition}\n", SENSED) == []
+
+
+def test_in_metres_a_bare_number_is_what_it_seems() -> None:
+    assert codes("program p\nunits m, deg, s\nwait until gap < 12\n", SENSED) == []
+
+
+def test_a_reading_is_compared_with_what_it_measures() -> None:
+    found = only(f"{UNITS}lin infeed until gap > 15 N\n", SENSED)
+    assert (found.code, found.message) == (
+        "T313",
+        "`gap` measures a length, it is compared with a force",
+    )

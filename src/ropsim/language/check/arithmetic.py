@@ -2,6 +2,7 @@
 
 from ropsim.language.check import convert, fold, units
 from ropsim.language.check.body import Body
+from ropsim.language.check.readings import check_reading
 from ropsim.language.check.types import BOOL, INT, NUMBER, AnyType, Type, Unknown, Value, article, bind, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -44,6 +45,9 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
         return Value(_equal(a, b, node.op), BOOL)
     _number(body, left, node.left, node.op)
     _number(body, right, node.right, node.op)
+    for signal, other, place in ((left, right, node.right), (right, left, node.left)):
+        if isinstance(signal.expression, SignalValue):
+            check_reading(body, signal.expression.name, other, place)
     if _is_measured(left, right) or _is_measured(right, left):
         a, b = convert.real(left), convert.real(right)
     else:

@@ -5,6 +5,7 @@ from typing import NoReturn
 from ropsim.flow import Comparison
 from ropsim.language.check import convert, fold, values
 from ropsim.language.check.body import Body
+from ropsim.language.check.readings import check_reading
 from ropsim.language.check.types import BOOL, TIME, Type, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -54,7 +55,7 @@ def _condition(body: Body, node: nodes.Node) -> tuple[str, Comparison, Expressio
             if used is None:
                 order, used, other = _SWAPPED[order], _signal(body, right), left
             if used is not None:
-                return _number(body, node, used), order, _compared(body, other)
+                return _number(body, node, used), order, _compared(body, used.name, other)
         case nodes.Binary(op="<=" | ">="):
             hint = f"write `{node.op[0]}`: the motion ends when the signal goes past the value"
             body.fail(kinds.WRONG_TYPE, node, f"`until` of a motion does not compare by `{node.op}`", hint)
@@ -81,12 +82,13 @@ def _number(body: Body, node: nodes.Node, signal: SignalUse) -> str:
     return signal.name
 
 
-def _compared(body: Body, node: nodes.Node) -> Expression:
+def _compared(body: Body, signal: str, node: nodes.Node) -> Expression:
     """Return the number with which an analog signal is compared, in SI units."""
     value = values.check(body, node)
     kind = known(value.type)
     if isinstance(kind, Type) and not kind.is_number:
         body.fail(kinds.WRONG_TYPE, node, f"a signal is compared with a number, found {article(kind)}")
+    check_reading(body, signal, value, node)
     return convert.real(value)
 
 

@@ -118,6 +118,10 @@ class UnitSystem:
         return replace(self, others=((dimension, factor), *self.others))
 
 
+SI = UnitSystem(1.0, 1.0)
+"""Metres, radians, seconds."""
+
+
 def dimension_name(dimension: Dimension) -> str:
     """Return the word for a dimension, or its SI unit where there is none."""
     known = _NAMES.get(dimension)

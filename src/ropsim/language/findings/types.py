@@ -117,6 +117,18 @@ Under `strict` every variable is declared by `var name: type`, so that a misspel
 one.
 """,
 )
+READING = define(
+    "T313",
+    "reading-in-other-unit",
+    Severity.WARNING,
+    "a reading of a sensor is compared with a number that counts in another unit than it seems to",
+    """
+A sensor of the cell file measures a length in m or a force in N. A bare number beside it counts in these SI
+units, whatever `units` says: under `units mm`, `until gap < 12` ends the motion at once, as every gap in the
+cell is below 12 m. Write the unit, `until gap < 12 mm`. A value of another dimension, such as a time, never
+means what it seems to.
+""",
+)
 IN_CELL = define(
     "T312",
     "tool-data-not-used",
