@@ -46,7 +46,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         report = replace(report, comparison=_compared(project, recording, options))
     if options.report:
         report = report.drawn()
-    findings, told = (*report.before, *recording.findings), messages(recording)
+    compared = report.comparison.notes if report.comparison else ()
+    findings, told = (*report.before, *recording.findings, *compared), messages(recording)
     code = output.findings(findings, sources)
     if told:
         output.text(f"{messages_text(told)}\n")

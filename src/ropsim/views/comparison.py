@@ -22,7 +22,7 @@ class Alternative:
         change: as people write it.
         cycle_time: with it [s].
         valid: whether the whole program was carried out, so that the cycle time is that of the program.
-        findings: that the run as it is does not have, each code and line once.
+        findings: that the run as it is does not have, each once.
     """
 
     change: str
@@ -38,10 +38,12 @@ class Comparison:
     Attributes:
         cycle_time: of the run as it is [s].
         alternatives: in the order in which they were asked for.
+        notes: why others were not tried.
     """
 
     cycle_time: float
     alternatives: tuple[Alternative, ...]
+    notes: tuple[Diagnostic, ...] = ()
 
     def difference(self, alternative: Alternative) -> float:
         """Return by how much longer the program takes with a change [s]; NaN where that says nothing."""
@@ -49,7 +51,9 @@ class Comparison:
 
 
 def comparison_text(comparison: Comparison, style: Style) -> str:
-    """Return the table for a terminal of 80 columns, ending in a line feed."""
+    """Return the table for a terminal of 80 columns, ending in a line feed; nothing for no alternatives."""
+    if not comparison.alternatives:
+        return ""
     rows = [(Cell("as it is"), Cell(seconds(comparison.cycle_time)), Cell(""), Cell(""), Cell(""))]
     for one in comparison.alternatives:
         tone = Tone.WARNING if one.findings else None
@@ -73,7 +77,9 @@ def comparison_section(comparison: Comparison | None) -> str:
     ]
     header = ("change", "cycle time<br>[s]", "difference<br>[s]", "[%]", "new findings")
     what = "The same program with one change each: what it would take, and what would be found."
-    return f"<section><h2>What if</h2>\n{table(what, header, rows)}</section>\n"
+    shown = table(what, header, rows) if comparison.alternatives else ""
+    notes = "".join(f"<p>{text(note.message)}</p>\n" for note in comparison.notes)
+    return f"<section><h2>What if</h2>\n{shown}{notes}</section>\n"
 
 
 def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
@@ -91,6 +97,7 @@ def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
 
 def _findings(one: Alternative) -> str:
     """Return which findings are new: codes, with the lines that they stand on."""
-    places = [f"{found.code} line {found.span.line}" if found.span else found.code for found in one.findings]
+    told = (f"{found.code} line {found.span.line}" if found.span else found.code for found in one.findings)
+    places = list(dict.fromkeys(told))
     more = len(places) - _SHOWN_CODES
     return ", ".join(places[:_SHOWN_CODES]) + (f" and {more} more" if more > 0 else "")

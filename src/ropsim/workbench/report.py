@@ -83,7 +83,8 @@ class Report:
     def text(self, style: Style = Style.PLAIN) -> str:
         """Return the report for a terminal."""
         told = terminal_report(self.summary, style)
-        return f"{told}\n{comparison_text(self.comparison, style)}" if self.comparison else told
+        compared = comparison_text(self.comparison, style) if self.comparison else ""
+        return f"{told}\n{compared}" if compared else told
 
     def drawn(self) -> "Report":
         """Return the report with the meshes of its cell read: what cannot be drawn is among its findings."""

@@ -14,6 +14,8 @@ from ropsim.flow import MoveEvent
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.views import Comparison
 from ropsim.workbench import Change, Project, Subject, WhatIfError, open_project, read_change
+from ropsim.workbench.what_if.change import NOTHING_COMPARED
+from ropsim.workbench.what_if.comparing import content_of
 
 CELL = """\
 [cell]
@@ -155,8 +157,40 @@ def test_what_is_found_with_a_change_only_is_told_once(tmp_path: Path) -> None:
     (heavy,) = compared(tmp_path, "tool=200kg").alternatives
     codes = [(found.code, found.span and found.span.line) for found in heavy.findings]
     assert "M564" in [code for code, _ in codes]
-    assert len(codes) == len(set(codes))
+    assert len(heavy.findings) == len({(found.message, found.span) for found in heavy.findings})
     assert not heavy.valid
+
+
+@pytest.mark.parametrize("change", ["zones=each", "zones=stop"])
+def test_a_program_without_zones_has_none_to_take_away(tmp_path: Path, change: str) -> None:
+    found = project(tmp_path, zone="").what_if([change, "speed=50%"], options=OPTIONS)
+    assert [one.change for one in found.alternatives] == ["speed=50%"]
+    (note,) = found.notes
+    assert (note.code, note.message.split(":")[0]) == ("X897", "no zone in this program")
+
+
+def test_a_program_that_does_not_come_to_its_end_is_compared_with_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    project(tmp_path / "p")
+    main_task = tmp_path / "p" / "programs" / "main.task"
+    main_task.write_text(main_task.read_text() + "lin (5000, 0, 300)\n")
+    found = open_project(tmp_path / "p").what_if(["speed=50%", "zones=each"], options=OPTIONS)
+    assert found.alternatives == ()
+    assert [one.code for one in found.notes] == ["X897"]
+    assert main(["run", str(tmp_path / "p"), "--kinematic", "--what-if", "speed=50%"]) == 1
+    told = capsys.readouterr()
+    assert "X897" in told.err
+    assert "what if" not in told.out
+
+
+def test_findings_are_known_by_what_they_say_of_whom() -> None:
+    """Figures may differ; names, places and codes may not."""
+    kind = NOTHING_COMPARED
+    one = kind.at(None, "joint `2` took 61.25 N·m, the limit is 60 N·m")
+    louder = kind.at(None, "joint `2` took 64.5 N·m, the limit is 60 N·m")
+    other = kind.at(None, "joint `3` took 61.25 N·m, the limit is 60 N·m")
+    assert content_of(one) == content_of(louder) != content_of(other)
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,19 @@ a mass), `zones=stop` (every move stops) and `zones=each` (one run for each line
 """,
 )
 
+NOTHING_COMPARED = define(
+    "X897",
+    "nothing-compared",
+    Severity.WARNING,
+    "a what-if run that would say nothing, and was not made",
+    """
+A what-if run compares cycle times. Where the program as it is does not come to its end, because a move is
+skipped, a program is ended or waits in vain, it has no cycle time that another one could be compared with:
+mend what is found first. `zones=stop` and `zones=each` compare with what is there: they need a zone that is
+flown in the run.
+""",
+)
+
 
 class WhatIfError(RopsimError):
     """A change that cannot be, or has nothing to change; carries the finding."""

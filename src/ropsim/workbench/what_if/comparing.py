@@ -1,5 +1,6 @@
 """A program as it is beside what it would be with changes."""
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import PurePath
@@ -11,7 +12,9 @@ from ropsim.model import Cell
 from ropsim.simulation import RunOptions, run
 from ropsim.views import Alternative, Comparison, summarize
 from ropsim.workbench.what_if.applying import adaptation, changed_cell
-from ropsim.workbench.what_if.change import Change, Subject
+from ropsim.workbench.what_if.change import NOTHING_COMPARED, Change, Subject
+
+_FIGURES = re.compile(r"\d+(?:\.\d+)?")
 
 
 def compare(
@@ -30,45 +33,80 @@ def compare(
         changes: as `read_change` returns them; `Subject.ZONES` stands for one of each line with a zone.
         options: of all runs.
 
+    Returns:
+        the comparison; without alternatives where the program as it is does not come to its end.
+
     Raises:
         WhatIfError: X896, the cell has nothing of what is to be changed.
     """
-    wanted = list(_single(changes, recording))
-    cells = [changed_cell(cell, change) for change in wanted]
     summary = summarize(recording)
+    if not summary.cycle_time_valid:
+        return Comparison(summary.cycle_time, (), (_unfinished(),))
+    wanted = list(_single(changes, recording))
+    notes = (_without_zones(recording),) if any(map(_is_of_zones, changes)) and not _flown(recording) else ()
+    cells = [changed_cell(cell, change) for change in wanted]
     several = len({change.source for change in wanted if change.source}) > 1
-    known = {_place(found) for found in recording.findings}
+    known = {content_of(found) for found in recording.findings}
     alternatives = []
     for change, changed in zip(wanted, cells, strict=True):
         other = run(changed, codes, replace(options, adapt=adaptation(change)))
         judged = summarize(other)
-        new = tuple(_told(found for found in other.findings if _place(found) not in known))
+        new = tuple(_told(found for found in other.findings if content_of(found) not in known))
         name = (
             f"{change.text} of {PurePath(change.source).name}" if several and change.source else change.text
         )
         alternatives.append(Alternative(name, judged.cycle_time, judged.cycle_time_valid, new))
-    return Comparison(summary.cycle_time, tuple(alternatives))
+    return Comparison(summary.cycle_time, tuple(alternatives), notes)
 
 
 def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterable[Change]:
-    """Yield the changes one by one; one for each line whose zone was flown in place of a subject."""
+    """Yield the changes one by one; those of zones where some are flown, `each` as one for each line."""
+    flown = _flown(recording)
     for change in changes:
-        if isinstance(change, Change):
+        if isinstance(change, Subject):
+            yield from (Change(change, line=line, source=source) for source, line in flown)
+        elif flown or not _is_of_zones(change):
             yield change
-        else:
-            moves = (move for move in recording.events_of(MoveEvent) if move.flown > 0.0)
-            flown = {(move.span.source, move.span.line) for move in moves if move.span}
-            yield from (Change(change, line=line, source=source) for source, line in sorted(flown))
+
+
+def _is_of_zones(change: Change | Subject) -> bool:
+    return (change if isinstance(change, Subject) else change.subject) is Subject.ZONES
+
+
+def _flown(recording: Recording) -> list[tuple[str, int]]:
+    """Return source and line of the moves whose zones were flown, each once."""
+    moves = (move for move in recording.events_of(MoveEvent) if move.flown > 0.0)
+    return sorted({(move.span.source, move.span.line) if move.span else ("", 0) for move in moves})
+
+
+def _unfinished() -> Diagnostic:
+    return NOTHING_COMPARED.at(
+        None,
+        "no change was tried: the program as it is does not come to its end, so it has no cycle time",
+        hint="mend what is found in the run first",
+    )
+
+
+def _without_zones(recording: Recording) -> Diagnostic:
+    asked = any(move.zone > 0.0 for move in recording.events_of(MoveEvent))
+    found = (
+        "no zone of this program is flown, the arm stops at all of them"
+        if asked
+        else "no zone in this program"
+    )
+    return NOTHING_COMPARED.at(None, f"{found}: there is none to take away", hint="write `blend` at a move")
 
 
 def _told(findings: Iterable[Diagnostic]) -> Iterable[Diagnostic]:
     """Yield findings, each cause once."""
-    seen = set()
-    for found in findings:
-        if _place(found) not in seen:
-            seen.add(_place(found))
-            yield found
+    return {content_of(found): found for found in reversed(tuple(findings))}.values()
 
 
-def _place(found: Diagnostic) -> tuple[str, str, int]:
-    return found.code, found.span.source if found.span else "", found.span.line if found.span else 0
+def content_of(found: Diagnostic) -> tuple[str, str, int, str]:
+    """Return by what a finding is known in another run: code, place, and message without its figures.
+
+    Names in backticks stay, as those of joints and parts, which may be numbers.
+    """
+    span, parts = found.span, found.message.split("`")
+    parts[::2] = [_FIGURES.sub("", part) for part in parts[::2]]
+    return found.code, span.source if span else "", span.line if span else 0, "`".join(parts)
