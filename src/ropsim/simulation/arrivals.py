@@ -13,6 +13,9 @@ from ropsim.simulation.moment import Moment
 from ropsim.simulation.placements import Exit, Placements
 from ropsim.spatial import Pose
 
+_STILL = 1e-3
+"""Parts that are moved by less are where they were, but for how exactly a drive stands [m | rad]."""
+
 
 @dataclass(frozen=True, slots=True)
 class Arrivals:
@@ -41,6 +44,23 @@ def arrivals(
     wanted = [(name, part.destination) for name, part in parts.items() if part.destination]
     found = [_finding(state, name, destination, tools, moment) for name, destination in wanted]
     return Arrivals(len(wanted), tuple(one for one in found if one is not None))
+
+
+def are_untouched(state: Placements, parts: Mapping[str, Part], moment: Moment) -> bool:
+    """Return whether all parts are where they were at the start; those that wait in a supply count.
+
+    Args:
+        state: where the parts are at the end.
+        parts: of the cell, by name.
+        moment: where everything is at the end.
+    """
+    return not state.left and all(
+        _is_there(moment.pose(seat), parts[name].X_WO) for name, seat in state.seats.items()
+    )
+
+
+def _is_there(pose: Pose, X_WO: Pose) -> bool:
+    return bool(np.linalg.norm(pose.position - X_WO.position) < _STILL) and _angle(pose, X_WO) < _STILL
 
 
 def _finding(

@@ -266,8 +266,9 @@ sink, or run off the end of a conveyor (S741). The message says where it is and 
 Often a grip that took nothing (S721) or a skipped move comes before; mend that first. Else compare the place
 in the program with the destination, which is that of the grasp point: the centre of the top of the part.
 
-A run that was ended by hand, by its longest time, or because programs wait in vain (S742) says nothing of
-destinations.
+A run that was ended by hand, by its longest time, or because programs wait in vain (S742) or are held for
+ever (S762) says nothing of destinations. Nor does one whose programs have neither `open` nor `close`, in a
+cell without devices, where all parts are as they were: it has nothing to do with parts.
 """,
 )
 

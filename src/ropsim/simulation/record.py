@@ -23,7 +23,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.simulation.arrivals import Arrivals, arrivals
+from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
     device_channel,
@@ -75,7 +75,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
             continue
         channels[name] = track_channel("", name, run.tracks[name], run.tick, run.hz)
     events.sort(key=lambda event: event.time)
-    arrived = _arrivals(run)
+    arrived = _arrivals(run, programs)
     findings: tuple[Diagnostic, ...] = (*run.findings, *arrived.findings, *judged)
     facts = _facts(run, programs, options, arrived)
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements))
@@ -146,11 +146,23 @@ def _station_facts(run: CellRun, name: str, program: Program | None, options: Ru
     return facts
 
 
-def _arrivals(run: CellRun) -> Arrivals:
-    """Return what became of the parts with a destination; a run that did not come to its end says nothing."""
+def _arrivals(run: CellRun, programs: Mapping[str, Program]) -> Arrivals:
+    """Return what became of the parts with a destination.
+
+    Nothing is said where the run did not come to its end, and of programs that have nothing to do with parts:
+    none has an instruction for a gripper, the cell has no devices, and all parts are where they were.
+    """
     if run.is_stopped(run.tick) or any(at.cut_short or at.in_vain for at in run.stations.values()):
         return Arrivals(0, ())
-    return arrivals(run.parts, run.scenery.parts, run.scenery.tools, run.moment(run.tick))
+    state, parts, moment = run.parts, run.scenery.parts, run.moment(run.tick)
+    may_carry = bool(run.devices) or any(map(_grips, programs.values()))
+    if not may_carry and are_untouched(state, parts, moment):
+        return Arrivals(0, ())
+    return arrivals(state, parts, run.scenery.tools, moment)
+
+
+def _grips(program: Program) -> bool:
+    return any(step.mnemonic == "GRIP" for procedure in program.procedures for step in procedure.code)
 
 
 def inputs_taken(run: CellRun) -> list[InputChange]:

@@ -98,7 +98,7 @@ def test_a_part_in_the_gripper_is_not_there() -> None:
 
 
 def test_a_part_that_nobody_has_moved_and_one_that_is_gone_are_found() -> None:
-    (found,) = ran("wait 1 s").findings
+    (found,) = ran("open").findings
     assert "200.0 mm away" in found.message
     gone = ran(*CARRY, cell=replace(CELL, sinks=(Sink("bin", (0.5, -0.1, 0.3), 0.05),)))
     assert [one.message for one in gone.findings] == [
@@ -114,8 +114,14 @@ def test_a_part_that_waits_in_its_supply_is_found() -> None:
     assert "part `a2` still waits in its supply" in found.findings[1].message
 
 
+def test_a_program_that_never_uses_a_gripper_has_nothing_to_do_with_parts() -> None:
+    recording = ran("mov (500, 100, 300)", "mov (500, -100, 300)")
+    assert recording.findings == ()
+    assert recording.facts.destinations == Destinations(0, 0)
+
+
 def test_without_destinations_nothing_is_said() -> None:
-    recording = ran("wait 1 s", cell=with_goal(None))
+    recording = ran("open", cell=with_goal(None))
     assert recording.facts.destinations == Destinations(0, 0)
     assert "at its destination" not in report(recording)
 
