@@ -5,12 +5,13 @@ from enum import Enum
 
 
 class LimitQuantity(Enum):
-    """What a limit bounds."""
+    """What a limit bounds; in a bend, acceleration or jerk of the tool allow no more speed."""
 
     SPEED = "speed"
     ACCELERATION = "acceleration"
     JERK = "jerk"
     TORQUE = "torque"
+    BEND = "bend"
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "zones around their ends; partners are waits for signals that the program of another station sets. "
         "Whole control ticks, so their sum is the cycle time exactly.",
         "at its limit for": "The limit of a joint, or of the tool on its path, that the planned moves of a "
-        "line reach for longest, as a share of their way; from 98 % of the limit it counts as reached.",
+        "line reach for longest, as a share of their way; from 98 % of the limit it counts as reached. "
+        "Path bend: no limit is reached, as the bend of the path needs a part of acceleration and jerk.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "

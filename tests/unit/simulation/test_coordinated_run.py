@@ -10,7 +10,7 @@ import pytest
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.flow import MoveEvent, Recording
+from ropsim.flow import LimitQuantity, MoveEvent, Recording
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
@@ -156,6 +156,24 @@ def test_speed_counts_on_the_plate() -> None:
     assert np.quantile(over, 0.5) == pytest.approx(0.06, rel=1e-6)
     assert over.max() <= 0.06 * (1.0 + 1e-6)
     assert np.linalg.norm(np.diff(room, axis=0), axis=1).max() / period < 0.003
+
+
+def test_the_limit_that_sets_the_time_is_that_of_the_speed_on_the_plate() -> None:
+    for move in recorded(Fidelity.KINEMATIC).events_of(MoveEvent)[1:]:
+        assert move.critical is not None
+        assert (move.critical.joint, move.critical.quantity) == ("", LimitQuantity.SPEED)
+        assert move.critical.share > 0.8
+
+
+@pytest.mark.parametrize("override", [1.0, 0.5])
+def test_where_the_plate_turns_no_quicker_it_sets_the_time(override: float) -> None:
+    """60 mm/s at 170 mm take 20°/s of the plate."""
+    table = f"speed_override = {override}\npositioner = {{ speed = 15, "
+    slow, findings = read_cell(SourceText("cell.toml", CELL.replace("positioner = { ", table, 1)), "seam")
+    assert slow is not None, findings
+    found = run(slow, {"robot": code()}, RunOptions(Fidelity.KINEMATIC)).events_of(MoveEvent)[2].critical
+    assert found is not None
+    assert (found.joint, found.quantity) == ("E1", LimitQuantity.SPEED)
 
 
 def test_the_accuracy_of_the_speed_is_that_on_the_plate() -> None:

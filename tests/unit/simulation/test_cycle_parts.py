@@ -106,6 +106,26 @@ def test_a_short_line_is_set_by_the_jerk_of_the_tool() -> None:
     assert (found.joint, found.quantity) == ("", LimitQuantity.JERK)
 
 
+@pytest.mark.parametrize(
+    "move",
+    [
+        "circ via (550, -150, 300) to (500, -100, 300) speed 1000 mm/s",
+        "spline via (500, 0, 300), (505, 0, 303), (500, 5, 310) to (500, 200, 300) speed 500 mm/s",
+    ],
+)
+def test_a_bent_path_on_which_the_tool_is_at_no_limit_is_set_by_its_bend(move: str) -> None:
+    found = critical("mov (500, -200, 300)", move)
+    assert found is not None
+    assert (found.joint, found.quantity) == ("", LimitQuantity.BEND)
+    assert found.share > 0.5
+
+
+def test_a_slow_arc_is_set_by_the_speed_of_the_tool() -> None:
+    found = critical("mov (500, -200, 300)", "circ via (700, 0, 300) to (500, 200, 300) speed 50 mm/s")
+    assert found is not None
+    assert (found.joint, found.quantity) == ("", LimitQuantity.SPEED)
+
+
 def test_a_line_that_asks_too_much_of_a_joint_is_set_by_that_joint() -> None:
     station = CELL.stations["robot"]
     quick = replace(station.controller, path=PathDefaults(3.0, 60.0, 3e4, 10.0, 600.0, 6e4))
