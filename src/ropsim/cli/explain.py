@@ -23,11 +23,12 @@ def explain(options: argparse.Namespace, output: Output) -> int:
     """Print one page, or the list of all codes."""
     kinds = all_kinds()
     if options.code is None:
-        output.text(
-            "\n".join(
-                f"{kind.code}  {kind.severity.value:8}{kind.slug:32}{kind.summary}" for kind in kinds.values()
-            )
+        width = max(len(kind.slug) for kind in kinds.values())
+        rows = (
+            f"{kind.code}  {kind.severity.value:7} {kind.slug:{width}}  {kind.summary}"
+            for kind in kinds.values()
         )
+        output.text("\n".join(rows))
         output.document({"codes": {code: kind.summary for code, kind in kinds.items()}})
         return 0
     kind = kinds.get(options.code.upper())

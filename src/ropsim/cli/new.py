@@ -18,6 +18,7 @@ def new(options: argparse.Namespace, output: Output) -> int:
 def examples(options: argparse.Namespace, output: Output) -> int:
     """List the examples."""
     del options
-    output.text("\n".join(f"{name:14} {example_summary(name)}" for name in example_names()))
+    width = max(map(len, example_names()))
+    output.text("\n".join(f"{name:{width}}  {example_summary(name)}" for name in example_names()))
     output.document({"examples": {name: example_summary(name) for name in example_names()}})
     return 0

@@ -72,7 +72,7 @@ def trigger_ticks(
     for trigger in move.triggers:
         places, unit, size = (behind, "mm", trigger.distance)
         if size is None:
-            places, unit, size = np.arange(len(behind)) * period, "ms", trigger.time or 0.0
+            places, unit, size = np.arange(len(behind)) * period, "s", trigger.time or 0.0
         whole = float(places[-1])
         wanted = size if trigger.side is Side.AFTER_START else whole - size
         if not -_SLACK <= wanted <= whole + _SLACK and move.origin.visit == 1:
@@ -85,10 +85,11 @@ def trigger_ticks(
 def _off_path(move: MoveInstruction, trigger: Trigger, size: float, whole: float, unit: str) -> Diagnostic:
     end = "start" if trigger.side is Side.BEFORE_END else "end"
     side = "before the end" if trigger.side is Side.BEFORE_END else "after the start"
+    scale = 1e3 if unit == "mm" else 1.0
     return TRIGGER_OFF_PATH.at(
         move.origin.span,
-        f"`{trigger.channel}` is to be set {size * 1e3:g} {unit} {side}, the move is "
-        f"{whole * 1e3:.4g} {unit} long: it is set at its {end}",
+        f"`{trigger.channel}` is to be set {size * scale:g} {unit} {side}, the move is "
+        f"{whole * scale:.4g} {unit} long: it is set at its {end}",
         hint="give less, or put it on the move beside this one",
         data={"wanted": size, "whole": whole},
     )

@@ -63,8 +63,8 @@ POSE_UNKNOWN = define(
     """
 `here` (`CURPOSE`) is the pose that was commanded last. At the start, after a move to joint coordinates or
 home, after an arc of an angle and after a move that a condition ends, no pose has been commanded; and when a
-tool comes into force whose pose only the cell knows, it cannot be computed. Move to a pose first, or keep the
-pose that the arm has: `store`.
+tool comes into force whose pose only the cell knows, it cannot be computed. Move to a pose first, or let the
+move before keep where it ends, `mov home store p`, and use `p` in place of `here`.
 """,
 )
 

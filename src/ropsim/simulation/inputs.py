@@ -21,11 +21,10 @@ def usable_inputs(
     kept: list[InputChange] = []
     wrong: dict[str, Diagnostic] = {}
     for change in inputs:
-        reason = _reason(cell.signals.get(change.signal), change)
+        reason, hint = _wrong(cell, change)
         if not reason:
             kept.append(change)
         elif change.signal not in wrong:
-            hint = did_you_mean(change.signal, cell.signals) or "record the inputs again with this cell"
             message = f"recorded input `{change.signal}` is left out: {reason}"
             wrong[change.signal] = INPUT_NOT_USABLE.at(None, message, hint=hint)
     return tuple(sorted(kept)), tuple(wrong.values())
@@ -71,13 +70,22 @@ def check_interventions(options: RunOptions) -> None:
         check_time("stopped", options.stopped)
 
 
-def _reason(signal: Signal | None, change: InputChange) -> str:
+def _wrong(cell: Cell, change: InputChange) -> tuple[str, str]:
+    """Return why a cell cannot take a change, and what to do; both empty where it can."""
+    signal = cell.signals.get(change.signal)
+    inputs = sorted(one.name for one in cell.signals.values() if one.is_input)
+    known = (
+        f"inputs of the cell are {', '.join(f'`{name}`' for name in inputs)}"
+        if inputs
+        else "the cell has no inputs"
+    )
     if signal is None:
-        return "the cell has no such signal"
+        return "the cell has no such signal", did_you_mean(change.signal, inputs) or known
     if not signal.is_input:
-        return "it is an output of the cell, only the program sets it"
+        return "it is an output of the cell, only the program sets it", known
     if not math.isfinite(change.time) or change.time < 0.0:
-        return f"its time is {change.time:g} s, needed is a number from 0 on"
+        return f"its time is {change.time:g} s, needed is a number from 0 on", "mend its `time` in the inputs"
     if not math.isfinite(change.value) or (not signal.analog and change.value not in {0.0, 1.0}):
-        return f"its value is {change.value:g}, needed is " + ("a number" if signal.analog else "0 or 1")
-    return ""
+        needed = "a number" if signal.analog else "0 or 1"
+        return f"its value is {change.value:g}, needed is {needed}", "mend its `value` in the inputs"
+    return "", ""

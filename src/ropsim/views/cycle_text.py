@@ -10,6 +10,8 @@ from ropsim.views.style import Style
 
 SHOWN_LINES = 6
 SHOWN_TASKS = 6
+NO_STATEMENT = "no statement"
+"""Name of the time that no statement of a program took, such as that of a hold between two of them."""
 _NAMES = 18
 
 
@@ -20,7 +22,7 @@ def cycle_lines(cycle: CycleTime, style: Style) -> list[str]:
     several = len(cycle.tasks) > 1
     tasks = cycle.tasks if several else ()
     title = ("time in s", "total", "motion", "zones", "settling", "gripper", "waits", "other")
-    rows = [_parts_row(task.name or "(none)", task.parts) for task in tasks[:SHOWN_TASKS]]
+    rows = [_parts_row(task.name or NO_STATEMENT, task.parts) for task in tasks[:SHOWN_TASKS]]
     if len(tasks) > SHOWN_TASKS:
         rows.append((Cell(f"… {len(tasks) - SHOWN_TASKS} more"), *(Cell("") for _ in title[1:])))
     rows.append(_parts_row("all", cycle.whole))

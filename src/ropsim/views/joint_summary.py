@@ -13,7 +13,7 @@ from ropsim.spatial import Array
 from ropsim.views.channels import Peak, StationView, rms, station_views
 
 NEAR = 0.9
-"""Share of a limit from which on a peak is marked as near it."""
+"""Share of a torque limit from which on a peak is marked as near it."""
 
 
 class Closeness(Enum):
@@ -85,12 +85,17 @@ class JointSummary:
     @property
     def effort_closeness(self) -> Closeness:
         """Return how the peak torque stands to its limit."""
-        return _closeness(self.effort_share, 1.0)
+        if self.effort_share > 1.0:
+            return Closeness.BEYOND
+        return Closeness.NEAR if self.effort_share >= NEAR else Closeness.FAR
 
     @property
     def speed_closeness(self) -> Closeness:
-        """Return how the peak speed stands to its limit; an overshoot of 2 % counts as at the limit."""
-        return _closeness(self.speed_share, 1.0 + SPEED_OVERSHOOT)
+        """Return how the peak speed stands to its limit; an overshoot of 2 % counts as within it.
+
+        A good plan uses all of the speed that a joint has, so being near the limit is nothing to look at.
+        """
+        return Closeness.BEYOND if self.speed_share > 1.0 + SPEED_OVERSHOOT else Closeness.FAR
 
     @property
     def share_of_range_left(self) -> float:
@@ -133,12 +138,6 @@ def closest_to_position_limit(joints: Iterable[JointSummary]) -> JointSummary | 
 def share(value: float, limit: float) -> float:
     """Return `value` / `limit`, or NaN where the limit is unknown or zero."""
     return value / limit if math.isfinite(limit) and limit > 0.0 else math.nan
-
-
-def _closeness(share: float, most: float) -> Closeness:
-    if share > most:
-        return Closeness.BEYOND
-    return Closeness.NEAR if share >= NEAR else Closeness.FAR
 
 
 def summarize_joints(recording: Recording) -> tuple[JointSummary, ...]:

@@ -11,6 +11,7 @@ import numpy as np
 from ropsim.flow import (
     Event,
     GripEvent,
+    MotionKind,
     MoveEvent,
     Recording,
     ReleaseEvent,
@@ -145,9 +146,10 @@ def end_of(events: Iterable[Event]) -> float:
 
 
 def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
-    """Return how many moves of each kind were carried out."""
+    """Return how many moves of each kind were carried out: those of the joints first, then tool paths."""
     counts = Counter(event.motion for event in events if isinstance(event, MoveEvent))
-    return dict(sorted(counts.items(), reverse=True))
+    known = [kind.value for kind in MotionKind if kind.value in counts]
+    return {kind: counts[kind] for kind in (*known, *sorted(counts.keys() - known))}
 
 
 def share_in_motion(recording: Recording, cycle_time: float) -> float:

@@ -84,7 +84,8 @@ def _corners(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
         return []
     nearest, farthest = (pick(corners, key=lambda one: one.rounding) for pick in (min, max))
     beyond = max(corners, key=lambda one: one.overshoot if math.isfinite(one.overshoot) else -1.0)
-    away = f"{with_unit(nearest.rounding, MILLIMETRES, 3)} to {with_unit(farthest.rounding, MILLIMETRES, 3)}"
+    ends = (with_unit(one.rounding, MILLIMETRES, 3) for one in (nearest, farthest))
+    away = " to ".join(dict.fromkeys(ends))
     lines = [
         paint(f"rounded corners ({len(corners)})", Tone.QUIET, style),
         f"  corner rounding CR: {away}{place_text(farthest.line, farthest.visit)}",

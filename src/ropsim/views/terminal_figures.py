@@ -26,8 +26,8 @@ from ropsim.views.task_summary import TaskSummary
 
 COLUMNS = 80
 LEGEND = (
-    "  largest torque and speed, their share of the limit: ! from 90 %, !! beyond it",
-    "  (speeds by more than 2 %); range left: least distance to the end of a joint's",
+    "  largest torque and speed, their share of the limit: ! torque from 90 % on,",
+    "  !! beyond it (speeds: 2 %); range left: least distance to the end of a joint's",
     "  range, and the line; lag: largest reference minus attained coordinate",
 )
 

@@ -97,3 +97,39 @@ def test_lines_are_joined_after_a_parenthesis_but_not_into_a_statement() -> None
 def test_the_middle_of_an_if_is_known_without_a_blank_behind_it(middle: str) -> None:
     text = f"program p\nn = 4\nif(n > 5)\n  print 1\n{middle}\n  print 2\nendif\n"
     assert codes(text) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("lin a at 3 befor end do set glue on", "before"),
+        ("lin a at 3 after strat do set glue on", "start"),
+        ("lin a stor b", "store"),
+        ("lin a blnd 5", "blend"),
+        ("lin a unitl go", "until"),
+        ("lin a until go timeot 3", "timeout"),
+        ("lin a speed 30 accc 20", "acc"),
+        ("lin a speed 30 befor 20", "before"),
+        ("wait until go timeot 3", "timeout"),
+        ("set speeed 20", "speed"),
+    ],
+)
+def test_a_misspelt_word_inside_a_statement_is_answered_with_the_nearest(line: str, meant: str) -> None:
+    _, fault = parse_line(line)
+    assert fault is not None
+    assert fault.hint.startswith(f"did you mean `{meant}")
+
+
+def test_what_is_near_to_no_word_gets_none() -> None:
+    _, fault = parse_line("lin a qqqqq 5")
+    assert fault is not None
+    assert fault.hint == ""
+
+
+def test_words_of_a_posture_stand_in_parentheses() -> None:
+    _, fault = parse_line("lin (1, 2, 3; down, config left up)")
+    assert fault is not None
+    assert (fault.hint, fault.message) == (
+        "write the words of a posture in parentheses: `config (left, up)`",
+        "expected `(`, found `left`",
+    )

@@ -72,23 +72,25 @@ def test_at_one_time_the_input_holds_and_not_the_change_of_the_cell(cell: Cell) 
 
 
 @pytest.mark.parametrize(
-    ("change", "reason"),
+    ("change", "reason", "hint"),
     [
-        (InputChange(1.0, "og", 1.0), "no such signal"),
-        (InputChange(1.0, "lamp", 1.0), "output"),
-        (InputChange(-1.0, "go", 1.0), "-1 s"),
-        (InputChange(float("nan"), "go", 1.0), "nan s"),
-        (InputChange(1.0, "go", 0.5), "0 or 1"),
-        (InputChange(1.0, "level", float("inf")), "needed is a number"),
+        (InputChange(1.0, "goo", 1.0), "no such signal", "did you mean `go`?"),
+        (InputChange(1.0, "xyz", 1.0), "no such signal", "inputs of the cell are `go`, `level`"),
+        (InputChange(1.0, "lamp", 1.0), "output", "inputs of the cell are `go`, `level`"),
+        (InputChange(-1.0, "go", 1.0), "-1 s", "mend its `time`"),
+        (InputChange(float("nan"), "go", 1.0), "nan s", "mend its `time`"),
+        (InputChange(1.0, "go", 0.5), "0 or 1", "mend its `value`"),
+        (InputChange(1.0, "level", float("inf")), "needed is a number", "mend its `value`"),
     ],
 )
 def test_what_the_cell_cannot_take_is_left_out_with_a_finding(
-    cell: Cell, change: InputChange, reason: str
+    cell: Cell, change: InputChange, reason: str, hint: str
 ) -> None:
     kept, (finding,) = usable_inputs(cell, [change, change, InputChange(3.0, "level", 0.5)])
     assert kept == (InputChange(3.0, "level", 0.5),)
     assert finding.code == "S760"
     assert reason in finding.message
+    assert hint in finding.hint
 
 
 class Stopper:

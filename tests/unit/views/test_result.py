@@ -43,6 +43,19 @@ def test_a_peak_torque_is_near_its_limit_from_90_percent_and_beyond_it_above(
     assert peak["closeness"] == closeness
 
 
+@pytest.mark.parametrize(
+    ("share", "closeness"), [(0.95, "far"), (1.0, "far"), (1.019, "far"), (1.021, "beyond")]
+)
+def test_a_speed_at_its_limit_is_what_a_good_plan_asks_for(share: float, closeness: str) -> None:
+    recording = pick_and_place(1)
+    qd = np.zeros_like(recording.channels["qd"].values)
+    qd[9, 4] = share * recording.facts.stations[0].axes[4].max_speed
+    quick = replace(recording, channels={**recording.channels, "qd": Channel(qd, "rad/s")})
+    peak = result_figures(summarize(quick))["peak_speed"]
+    assert isinstance(peak, dict)
+    assert peak["closeness"] == closeness
+
+
 def test_the_least_margin_names_its_side_and_unit() -> None:
     q = np.zeros((3, 6))
     q[1, 2] = -np.deg2rad(134.0)

@@ -17,6 +17,7 @@ from ropsim.flow import (
 )
 from ropsim.views import summarize
 from ropsim.views.joint_summary import closest_to_position_limit
+from ropsim.views.station_summary import moves_by_kind
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 ROUNDING = 1e-12
@@ -139,6 +140,19 @@ def test_skipped_moves_make_the_cycle_time_invalid() -> None:
     skipped = replace(recording, events=(*recording.events, SkipEvent(3.0, motion=MotionKind.LIN)))
     assert summarize(recording).cycle_time_valid
     assert not summarize(skipped).cycle_time_valid
+
+
+@pytest.mark.parametrize("code", ["S723", "S742", "S761", "S762", "I462"])
+def test_a_program_that_was_ended_before_its_end_has_no_cycle_time(code: str) -> None:
+    (found,) = two_findings()[:1]
+    ended = pick_and_place(1, findings=(replace(found, code=code),))
+    assert not summarize(ended).cycle_time_valid
+
+
+def test_moves_are_counted_in_the_order_of_their_kinds() -> None:
+    kinds = (MotionKind.SPLINE, "WEAVE", MotionKind.CIRC, MotionKind.PTP, MotionKind.LIN, MotionKind.LIN)
+    counted = moves_by_kind([MoveEvent(0.0, motion=kind, ordinal=0) for kind in kinds])
+    assert list(counted.items()) == [("PTP", 1), ("LIN", 2), ("CIRC", 1), ("SPLINE", 1), ("WEAVE", 1)]
 
 
 def test_findings_are_sorted_by_severity_and_counted_with_repeats() -> None:

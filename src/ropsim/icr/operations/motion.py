@@ -149,7 +149,7 @@ def _seen_now(registers: Registers) -> Location:
     other way to move them leaves no pose commanded. A location in a task frame of its own is still in that.
     """
     if registers.commanded is None:
-        raise TrapError(kinds.POSE_UNKNOWN, "no pose has been commanded here", _UNKNOWN)
+        raise TrapError(kinds.POSE_UNKNOWN, "`here` is not known: no move to a pose came before", _UNKNOWN)
     target, then = registers.commanded
     now = registers.modal
     if tag_of(target) is None and (then.frame != now.frame or then.X_BK != now.X_BK):
@@ -166,7 +166,7 @@ def _seen_now(registers: Registers) -> Location:
     return target
 
 
-_UNKNOWN = "move to a pose before, or keep the one that the arm has: `store`"
+_UNKNOWN = "move to a pose before, or let the move before keep where it ends: `store NAME`, then use NAME"
 _SIDES = {"before": Side.BEFORE_END, "after": Side.AFTER_START}
 
 MOTION: dict[str, Operation] = {

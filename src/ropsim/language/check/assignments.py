@@ -15,12 +15,12 @@ from ropsim.language.check.types import (
     bind,
     known,
 )
-from ropsim.language.check.world import Poison, Variable
+from ropsim.language.check.world import Pattern, Poison, Symbol, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.program import Assign, AssignComponent, Block, Expression
+from ropsim.program import Assign, AssignComponent, Block, Expression, SignalUse
 from ropsim.program import Variable as VariableExpression
 
 
@@ -79,9 +79,25 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
     body.fail(
         name_kinds.NOT_ASSIGNABLE,
         name,
-        f"`{name.text}` cannot be assigned",
+        f"`{name.text}` cannot be assigned: it is {_what(symbol)}",
         "choose another name for the variable",
     )
+
+
+def _what(symbol: Symbol) -> str:
+    """Return what a name stands for that cannot be assigned."""
+    match symbol:
+        case Variable():
+            return "the counter of a loop"
+        case Pattern():
+            return "a pattern"
+        case SignalUse(is_input=True):
+            return "an input, which the cell sets"
+        case SignalUse():
+            return "an output, which `set` sets"
+        case Value():
+            return "a location that keeps its value" if known(symbol.type) == POSE else "a constant"
+    return "a name for something else"
 
 
 def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block:

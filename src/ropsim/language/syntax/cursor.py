@@ -7,7 +7,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.syntax.words import NOT_YET_MODIFIERS, RESERVED
+from ropsim.language.syntax.words import INSIDE, NOT_YET_MODIFIERS, RESERVED
 
 MAX_OPERATORS = 100
 MAX_NESTING = 30
@@ -132,12 +132,13 @@ class Cursor:
             hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
             message = f"`{token.word}` stands in a location, behind its `;`"
             self.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-        if before.kind == "number" and token.kind == "word":
+        meant = did_you_mean(token.text, INSIDE) if token.kind == "word" else ""
+        if before.kind == "number" and token.kind == "word" and not meant:
             hint = did_you_mean(token.text, UNITS) or "units are " + " ".join(UNITS)
             self.fault(kinds.UNEXPECTED, token.start, token.end, f"unknown unit `{token.text}`", hint)
         if token.word in NOT_YET_MODIFIERS:
             self.not_yet(token, token.word)
-        self.fail("the end of the line")
+        self.fail("the end of the line", meant)
 
     def not_yet(self, token: Token, what: str) -> NoReturn:
         """Refuse a part of the language that this version does not have."""
@@ -150,8 +151,13 @@ class Cursor:
         )
 
     def fail(self, expected: str, hint: str = "") -> NoReturn:
-        """Raise: `expected` was expected here, something else found."""
+        """Raise: `expected` was expected here, something else found.
+
+        Without a hint, a word in backticks in `expected` is suggested where the one found is near to it.
+        """
         token = self.token
+        if not hint and token.kind == "word":
+            hint = did_you_mean(token.text, " ".join(expected.split("`")[1::2]).split())
         if token.kind == "end":
             place = self.tokens[-1].end if self.tokens else 0
             self.fault(

@@ -281,6 +281,8 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
 
 def _config(cursor: Cursor) -> tuple[Name, ...]:
     cursor.advance()
+    if cursor.word != "(":
+        cursor.fail("`(`", "write the words of a posture in parentheses: `config (left, up)`")
     cursor.open_parenthesis()
     words = [cursor.name("a word of a posture, such as `up`")]
     while cursor.accept(","):

@@ -1,5 +1,6 @@
 """Lines that change how the next moves are made, and lines that set outputs."""
 
+from ropsim.core import did_you_mean
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
@@ -10,17 +11,20 @@ QUANTITIES = ("speed", "acc", "blend")
 """Settings that are a word and a value."""
 
 
+_SETTINGS = (*QUANTITIES, "frame", "tool", "fine")
+
+
 def set_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `set speed|acc|blend|frame|tool …` or `set output on|off|= value`."""
     following = cursor.look(1).word
-    if cursor.word in (*QUANTITIES, "frame", "tool", "fine") and following not in ("on", "off", "=", ":="):
+    if cursor.word in _SETTINGS and following not in ("on", "off", "=", ":="):
         return SetMode(setting(cursor), head.start, cursor.end)
     name = cursor.name("`speed`, `acc`, `blend`, `fine`, `frame`, `tool` or the name of an output")
     if cursor.accept("=") or cursor.accept(":="):
         return SetSignal(name, expression(cursor), head.start, cursor.end)
     state = cursor.token
     if state.word not in ("on", "off"):
-        cursor.fail("`on`, `off` or `=`")
+        cursor.fail("`on`, `off` or `=`", did_you_mean(name.text, _SETTINGS))
     cursor.advance()
     return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
 

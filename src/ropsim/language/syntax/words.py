@@ -106,6 +106,13 @@ VIA = "via"
 MOTION_MODIFIERS = frozenset(["angle", "at", "store", "timeout"])
 """Words behind the target of a motion that hold for this motion only and for no other statement."""
 
+INSIDE = (
+    "speed", "acc", "blend", "fine", "tool", "frame", "angle", "at", "after", "before", "do", "until",
+    "timeout", "store", "external", "above", "offset", "rel", "then", "else", "step", "via", "config",
+    "turns",
+)  # fmt: skip
+"""Words behind the beginning of a statement worth suggesting for a misspelt one."""
+
 EXTERNAL = "external"
 """Stands behind a location, before the values of external axes; elsewhere it may be a name."""
 

@@ -2,7 +2,7 @@
 
 from ropsim.core import SourceText
 from ropsim.views.cycle import CycleParts, CycleTime
-from ropsim.views.cycle_text import critical_text, zone_text
+from ropsim.views.cycle_text import NO_STATEMENT, critical_text, zone_text
 from ropsim.views.figures import UNKNOWN, percent, seconds
 from ropsim.views.markup import table, text
 
@@ -29,7 +29,7 @@ def cycle_section(cycle: CycleTime, source: SourceText | None, of: str) -> str:
     """
     if not cycle.whole.total > 0.0:
         return ""
-    rows = [(text(task.name or UNKNOWN), *_parts(task.parts)) for task in cycle.tasks]
+    rows = [(text(task.name or NO_STATEMENT), *_parts(task.parts)) for task in cycle.tasks]
     tasks = table(
         "Where the time goes, by task without those that it calls; the parts sum to the cycle time.",
         ("task", *_PARTS),
