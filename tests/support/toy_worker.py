@@ -65,7 +65,7 @@ def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.R
 
 
 def _live(connection: Connection, number: int, job: jobs.LiveStart) -> jobs.Reply:
-    for payload in ({"type": "live", "state": "running", "speed": job.speed}, {"type": "layout"}):
+    for payload in ({"type": "live", "state": job.begin, "speed": job.speed}, {"type": "layout"}):
         connection.send(jobs.Answer(number, jobs.LiveMessage(payload)))
     connection.send(jobs.Answer(number, jobs.LiveFrame(b"RS frame")))
     inputs: list[jobs.InputChange] = []

@@ -24,7 +24,7 @@ export function LiveBar() {
             type="button"
             className="primary"
             disabled={!connected}
-            onClick={() => studio.send({ type: 'live_start', program, speed: 1 })}
+            onClick={() => studio.send({ type: 'live_start', program, speed: 1, begin: 'running' })}
           >
             {words.signals.start}
           </button>

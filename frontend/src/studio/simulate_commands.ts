@@ -42,8 +42,11 @@ export function addSimulate(studio: Studio, group: Grouped): void {
   run('run.cancel', titles.cancel, [], () => studio.send({ type: 'cancel' }), { enabled: busy })
   const live = group('Simulate', 'live')
   const isLive = () => state().live !== null && state().live?.state !== 'over'
-  const start = () => studio.send({ type: 'live_start', program: program(), speed: 1 })
-  live('live.start', titles.live, [], start, { enabled: () => connected.enabled() && !isLive() })
+  const start = (begin: 'running' | 'held') => () =>
+    studio.send({ type: 'live_start', program: program(), speed: 1, begin })
+  const free = { enabled: () => connected.enabled() && !isLive() }
+  live('live.start', titles.live, [], start('running'), free)
+  live('live.startHeld', titles.liveHeld, [], start('held'), free)
   const order = (action: 'hold' | 'continue' | 'step') => () => studio.send({ type: 'live_control', action })
   const isIn = (live: 'running' | 'held') => ({ enabled: () => state().live?.state === live })
   live('live.hold', titles.holdLive, [], order('hold'), isIn('running'))

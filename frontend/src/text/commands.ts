@@ -46,6 +46,7 @@ export const commandWords = {
   kinematic: 'Simulate without dynamics',
   cancel: 'Cancel the simulation',
   live: 'Start live run',
+  liveHeld: 'Start live run, held',
   holdLive: 'Hold live run',
   continueLive: 'Continue live run',
   stepLive: 'One step of the live run',

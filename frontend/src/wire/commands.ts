@@ -72,11 +72,12 @@ export interface CancelRun {
   readonly type: 'cancel'
 }
 
-/** Start a run in real time whose inputs come from keys. */
+/** Start a run in real time whose inputs come from keys; it may be held at its start. */
 export interface LiveStart {
   readonly type: 'live_start'
   readonly program: string
   readonly speed: number
+  readonly begin: 'running' | 'held'
 }
 
 /** Hold a live run on its path, let it go on or make one step, or end it; the recording is kept. */

@@ -86,10 +86,11 @@ class CancelRun(Struct, frozen=True, tag_field="type", tag="cancel"):
 
 
 class LiveStart(Struct, frozen=True, tag_field="type", tag="live_start"):
-    """Start a run in real time whose inputs come from keys."""
+    """Start a run in real time whose inputs come from keys; it may be held at its start."""
 
     program: Name
     speed: float
+    begin: jobs.LiveBegin = "running"
 
 
 class ForgetInputs(Struct, frozen=True, tag_field="type", tag="forget_inputs"):

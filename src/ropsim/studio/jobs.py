@@ -62,14 +62,22 @@ class Simulate:
     inputs: tuple[InputChange, ...] = ()
 
 
+LiveBegin: TypeAlias = Literal["running", "held"]
+"""How a live run stands at its start."""
+
+
 @dataclass(frozen=True, slots=True)
 class LiveStart:
-    """Run a program in real time, inputs coming from `SetSignal` (live messages, at last a `RunReply`)."""
+    """Run a program in real time, inputs coming from `SetSignal` (live messages, at last a `RunReply`).
+
+    It runs from its start on, or is held there until it is let go on or makes a step.
+    """
 
     folder: str
     texts: Mapping[str, str]
     program: str
     speed: float
+    begin: LiveBegin = "running"
 
 
 @dataclass(frozen=True, slots=True)

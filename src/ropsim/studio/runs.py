@@ -37,6 +37,7 @@ class Wish:
     fidelity: jobs.Fidelity
     speed: float | None = None
     cause: Cause = Cause.ASKED
+    begin: jobs.LiveBegin = "running"
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,10 +125,10 @@ class Runs:
         self._end_live()
         self._want(Wish(program, fidelity))
 
-    def start_live(self, program: str, speed: float) -> None:
-        """Run in real time at once; another live run ends for it."""
+    def start_live(self, program: str, speed: float, begin: jobs.LiveBegin = "running") -> None:
+        """Run in real time at once, or held at the start; another live run ends for it."""
         self._end_live()
-        self._want(Wish(program, "dynamic", speed))
+        self._want(Wish(program, "dynamic", speed, begin=begin))
 
     def cancel(self) -> None:
         """Give up what runs and what was to run next."""
@@ -183,7 +184,8 @@ class Runs:
                 self._say_running(run, wish)
         else:
             self._asked[run] = self._versions()
-            job = jobs.LiveStart(self._folder, dict(self._texts()), wish.program, wish.speed)
+            texts = dict(self._texts())
+            job = jobs.LiveStart(self._folder, texts, wish.program, wish.speed, wish.begin)
             self._live.start(wish.program, wish.speed)
         task = self._simulator.submit(job, self._heard)
         self._current = Current(run, wish, task)

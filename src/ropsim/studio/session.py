@@ -151,8 +151,8 @@ class Session:
                 self.runs.run(program, fidelity)
             case commands.CancelRun():
                 self.runs.cancel()
-            case commands.LiveStart(program, speed):
-                self.runs.start_live(program, speed)
+            case commands.LiveStart(program, speed, begin):
+                self.runs.start_live(program, speed, begin)
             case jobs.LiveControl() | jobs.LiveOverride() | jobs.LiveSpeed() | jobs.SetSignal():
                 self.runs.order_live(command)
             case commands.ForgetInputs():

@@ -141,6 +141,16 @@ def test_what_a_page_says_in_a_live_run_reaches_the_worker(folder: Path) -> None
     in_session(folder, play)
 
 
+def test_a_live_run_that_is_to_be_held_at_its_start_is_started_so(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="live_start", program="main", speed=2.0, begin="held")
+        await first.hear("live", state="held")
+        await first.say(type="live_control", action="stop")
+
+    in_session(folder, play)
+
+
 def test_a_request_that_fails_is_told_and_the_next_one_is_answered(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

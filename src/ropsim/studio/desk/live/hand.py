@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ropsim.simulation import RunView
-from ropsim.studio.jobs import LiveControl, LiveOverride
+from ropsim.studio.jobs import LiveBegin, LiveControl, LiveOverride
 
 
 @dataclass(slots=True)
@@ -29,6 +29,11 @@ class Hand:
     is_over: bool = False
     in_force: float = 1.0
     seen: int = 0
+
+    @classmethod
+    def at_start(cls, begin: LiveBegin) -> "Hand":
+        """Return the hand of a run that begins running, or held by an override of 0."""
+        return cls(is_held=True, in_force=0.0) if begin == "held" else cls()
 
     @property
     def state(self) -> Literal["running", "held"]:

@@ -4,11 +4,13 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ropsim.flow import OverrideChange
 from ropsim.simulation import RunOptions
 from ropsim.simulation import run as run_program
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.finished import FinishedRun, Shelf
 from ropsim.studio.desk.line import Line
+from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
 from ropsim.studio.jobs import LiveStart, RunReply
@@ -52,8 +54,15 @@ def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | N
 
     def run(ready: Runnable) -> RunReply:
         clock = PacedClock(clocks.wall, job.speed)
-        pace = LivePace(ready.name, ready.codes, clock, line, clocks.wall, clocks.day)
-        options = RunOptions(longest=LONGEST, longest_wait=LONGEST, most_rows=MOST_ROWS, watch=pace)
+        hand = Hand.at_start(job.begin)
+        pace = LivePace(ready.name, ready.codes, clock, line, clocks.wall, clocks.day, hand=hand)
+        options = RunOptions(
+            longest=LONGEST,
+            longest_wait=LONGEST,
+            most_rows=MOST_ROWS,
+            watch=pace,
+            overrides=(OverrideChange(0.0, 0.0),) if hand.is_held else (),
+        )
         recording = run_program(ready.cell, ready.codes, options)
         if shelf is not None:
             shelf.run = FinishedRun(line.number, "", ready, recording)

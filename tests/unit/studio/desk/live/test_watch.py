@@ -7,14 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ropsim.flow import MoveEvent, OutputEvent, Recording, WaitEvent
+from ropsim.flow import MoveEvent, OutputEvent, OverrideChange, Recording, WaitEvent
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.desk.live.run import Clocks, run_live
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.jobs import (
     Cancel,
+    LiveBegin,
     LiveControl,
     LiveFrame,
     LiveOverride,
@@ -59,8 +61,10 @@ SLICE = 4e-3
 WAITING = "program p\nunits mm, deg\nwait until start\n"
 
 
-def live(folder: Path, program: str, line: FakeLine, speed: float = 1.0) -> RunReply:
-    job = LiveStart(str(folder), {"programs/main.task": program}, "", speed)
+def live(
+    folder: Path, program: str, line: FakeLine, speed: float = 1.0, begin: LiveBegin = "running"
+) -> RunReply:
+    job = LiveStart(str(folder), {"programs/main.task": program}, "", speed, begin)
     return run_live(job, line, Clocks(line.now, lambda: DAY))
 
 
@@ -154,6 +158,26 @@ def test_holds_overrides_and_speeds_are_told_and_frames_go_on(folder: Path) -> N
     ]
     assert len(line.frames) == pytest.approx(2.0 * 60, abs=8)
     assert reply.inputs[0].time == pytest.approx(2.5, abs=0.02)
+
+
+def test_a_run_may_be_held_at_its_start_and_make_single_steps(folder: Path) -> None:
+    """The first step is the first move; what is held meanwhile takes the time of the clock."""
+    plan: list[tuple[float, Order]] = [(1.0, LiveControl("step")), (6.0, LiveControl("continue"))]
+    line = FakeLine(plan)
+    shelf = Shelf()
+    job = LiveStart(str(folder), {"programs/main.task": STEPS}, "", 1.0, "held")
+    assert run_live(job, line, Clocks(line.now, lambda: DAY), shelf).state == "done"
+    assert [one["state"] for one in line.messages("live")] == ["held", "running", "held", "running"]
+    assert shelf.run is not None
+    recording = shelf.run.recording
+    first, wait = recording.events_of(MoveEvent)[0], recording.events_of(WaitEvent)[0]
+    assert 1.0 <= first.time < 1.0 + 2.0 * SLICE
+    assert wait.time == pytest.approx(6.0, abs=2.0 * SLICE)
+    assert recording.facts.overrides[0] == OverrideChange(0.0, 0.0)
+    opened = open_overlaid(folder, {"programs/main.task": STEPS})
+    cell, codes = opened.runnable(opened.programs())
+    again = run(cell, codes, RunOptions(overrides=recording.facts.overrides))
+    assert again.events_of(MoveEvent) == recording.events_of(MoveEvent)
 
 
 @dataclass(slots=True)
