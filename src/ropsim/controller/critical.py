@@ -15,6 +15,9 @@ from ropsim.motion import JointBounds, JointMotionLimits
 MOST_LOOKS = 64
 """Control ticks of a move that are looked at, evenly spaced: one of 64 is 1.6 % of its time."""
 
+PRESSED = 0.9
+"""Share of acceleration or jerk at its peak from which on a joint counts as what slows a bend."""
+
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.TORQUE, LimitQuantity.JERK)
 """In the order in which they are named where two limits are reached for equally long."""
 
@@ -58,10 +61,26 @@ def _critical(
             plan, looks, np.logical_or.reduce(reached, axis=(0, 2)), move, robot
         )
         if longest > share:
-            return CriticalLimit("", quantity, longest)
+            whose = _pressed(plan, first, move.last, held, robot) if quantity is LimitQuantity.BEND else ""
+            return CriticalLimit(whose, quantity, longest)
     if share == 0.0:
         return None
     return CriticalLimit(robot.axis_joints[found[1]].name, _QUANTITIES[found[0]], share)
+
+
+def _pressed(
+    plan: MotionPlan, first: int, last: int, limits: JointMotionLimits | JointBounds, robot: RobotModel
+) -> str:
+    """Return the name of the joint for which a bend is slow, empty where it is slow for the tool.
+
+    It is the one that comes nearest to its acceleration or jerk there, if it comes near: a motion is slowed
+    around such a place, long before and behind the few ticks at which the limit is reached.
+    """
+    qdd = plan.reference.qdd[first:last]
+    jerks = np.diff(qdd, axis=0) / plan.period
+    accelerated, jerked = (np.abs(rows).max(axis=0, initial=0.0) for rows in (qdd, jerks))
+    used = np.maximum(accelerated / limits.acceleration, jerked / limits.jerk)
+    return robot.axis_joints[int(used.argmax())].name if float(used.max()) >= PRESSED else ""
 
 
 def _going_along(move: PlannedMove, robot: RobotModel, bounds: ArmBounds) -> JointBounds:

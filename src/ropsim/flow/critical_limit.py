@@ -5,7 +5,7 @@ from enum import Enum
 
 
 class LimitQuantity(Enum):
-    """What a limit bounds; in a bend, acceleration or jerk of the tool allow no more speed."""
+    """What a limit bounds; in a bend, acceleration or jerk of the joint or the tool allow no more speed."""
 
     SPEED = "speed"
     ACCELERATION = "acceleration"

@@ -17,7 +17,7 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "Whole control ticks, so their sum is the cycle time exactly.",
         "at its limit for": "The limit of a joint, or of the tool on its path, that the planned moves of a "
         "line reach for longest, as a share of their way; from 98 % of the limit it counts as reached. "
-        "Path bend: no limit is reached, as the bend of the path needs a part of acceleration and jerk.",
+        "Bend: the path is bent and no limit reached; the bend takes acceleration and jerk of tool or joint.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "

@@ -110,7 +110,7 @@ def test_a_short_line_is_set_by_the_jerk_of_the_tool() -> None:
     "move",
     [
         "circ via (550, -150, 300) to (500, -100, 300) speed 1000 mm/s",
-        "spline via (500, 0, 300), (505, 0, 303), (500, 5, 310) to (500, 200, 300) speed 500 mm/s",
+        "spline via (500, -50, 300), (520, 0, 300), (500, 50, 300) to (500, 200, 300) speed 1000 mm/s",
     ],
 )
 def test_a_bent_path_on_which_the_tool_is_at_no_limit_is_set_by_its_bend(move: str) -> None:
@@ -126,12 +126,17 @@ def test_a_slow_arc_is_set_by_the_speed_of_the_tool() -> None:
     assert (found.joint, found.quantity) == ("", LimitQuantity.SPEED)
 
 
-def test_a_line_that_asks_too_much_of_a_joint_is_set_by_that_joint() -> None:
+@pytest.mark.parametrize(
+    ("move", "is_bent"),
+    [("lin (350, 300, 300)", False), ("circ via (650, 0, 300) to (350, 300, 300)", True)],
+)
+def test_a_path_that_asks_too_much_of_a_joint_is_set_by_that_joint(move: str, is_bent: bool) -> None:
     station = CELL.stations["robot"]
     quick = replace(station.controller, path=PathDefaults(3.0, 60.0, 3e4, 10.0, 600.0, 6e4))
     cell = replace(CELL, stations={"robot": replace(station, controller=quick)})
-    program = code("mov (350, -300, 300)", "lin (350, 300, 300)", cell=cell)
+    program = code("mov (350, -300, 300)", move, cell=cell)
     recording = run(cell, {"robot": program}, RunOptions(Fidelity.KINEMATIC))
     found = recording.events_of(MoveEvent)[-1].critical
     assert found is not None
     assert found.joint
+    assert (found.quantity is LimitQuantity.BEND) is is_bent

@@ -70,6 +70,12 @@ def test_a_run_may_be_held_from_its_start_on() -> None:
     assert np.ptp(held.channels[channel_name("q", "left")].values[held.time < 1.0], axis=0).max() == 0.0
 
 
+def test_a_hold_that_ends_is_none_even_if_another_one_comes() -> None:
+    recording = ran(cell("left"), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0), left=MOVES)
+    assert [one.data["time_s"] for one in recording.findings] == [2.0]
+    assert 2.0 < recording.duration < 2.0 + BRAKED
+
+
 def test_one_that_is_never_let_go_is_told_without_a_line() -> None:
     recording = ran(cell("left"), (0.0, 0.0), left=MOVES)
     assert [(one.code, one.span) for one in recording.findings] == [("S762", None)]
