@@ -14,6 +14,9 @@ from ropsim.spatial import Array
 LEVELS = 4096
 """A smooth column has at least this many levels between its extremes."""
 
+_LEAST = float(np.finfo(np.float64).tiny)
+"""Finest step, so that nothing is divided by 0."""
+
 STILL = 1e-3
 """A column that moves by less than this share of its unit's step is a constant: that is rounding."""
 
@@ -77,7 +80,7 @@ def smooth(values: Array, step: float, body: Body) -> Code:
         return {"kind": "constant", "value": low if low == high else (low + high) / 2.0}
     if high > low:
         step = min(step, (high - low) / LEVELS)
-    step = max(step, max(abs(low), abs(high)) / GREATEST)
+    step = max(step, max(abs(low), abs(high)) / GREATEST, _LEAST)
     whole = np.round(_held(values, known) / step).astype(np.int64)
     content = varints(zigzag(second_differences(whole)))
     return {

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -21,6 +21,7 @@ def read_back(values: Array, step: float = STEP) -> tuple[Array, float]:
     return values_of(code, body.content(), np.arange(len(values)) / 60.0), taken
 
 
+@example(np.array([np.nan, 0.0, 5e-324]))
 @given(arrays(np.float64, st.integers(1, 60), elements=st.floats(-1e6, 1e6) | st.just(np.nan)))
 def test_a_column_comes_back_within_half_a_step_and_with_its_gaps(values: Array) -> None:
     back, step = read_back(values)
