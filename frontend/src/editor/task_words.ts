@@ -15,7 +15,7 @@ const STATEMENTS =
 const WORDS =
   'and or not mod in above offset rel is to then do true false here home each step from order grid off speed acc ' +
   'blend fine timeout angle via at after before store external joints down rx ry rz rpy euler quat rotvec like pitch roll ' +
-  'yaw config turns analog input output'
+  'track along gain yaw config turns analog input output'
 const FUNCTIONS = 'dist sqrt sin cos tan asin acos atan2 abs min max round trunc'
 
 const TERMS = new Map<string, number>([

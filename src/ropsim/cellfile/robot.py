@@ -13,6 +13,7 @@ from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import RopsimError
 from ropsim.model import (
     ControllerModel,
+    CorrectionLimits,
     JointType,
     OrientationMode,
     ParameterOrigin,
@@ -198,6 +199,7 @@ def _controller(
         ptp=Synchronisation(
             table.choice("ptp", [one.value for one in Synchronisation], controller.ptp.value)
         ),
+        correction=_correction(table, controller.correction, units),
         origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )
 
@@ -217,6 +219,14 @@ def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:
         table.number("orientation_speed", units.orientation(1, 100.0), path.orientation_speed),
         table.number("orientation_acceleration", units.orientation(2, 1e4), path.orientation_acceleration),
         table.number("orientation_jerk", units.orientation(3, 1e6), path.orientation_jerk),
+    )
+
+
+def _correction(table: TomlTable, limits: CorrectionLimits, units: Units) -> CorrectionLimits:
+    return CorrectionLimits(
+        table.number("correction_size", units.position.within(1e-6, 0.5), limits.size),
+        table.number("correction_speed", units.path(1, 1.0), limits.speed),
+        table.number("correction_acceleration", units.path(2, 20.0), limits.acceleration),
     )
 
 

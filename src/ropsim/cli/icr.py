@@ -119,6 +119,9 @@ def _path_words(move: MoveInstruction) -> Iterator[str]:
     if move.guard is not None:
         limit = "" if move.guard.timeout is None else f" timeout {move.guard.timeout:g} s"
         yield f"until {move.guard.channel} {move.guard.comparison.value} {move.guard.value}{limit}"
+    if move.tracking is not None:
+        by = move.tracking
+        yield f"track {by.channel} = {by.value:g} along {by.direction} gain {by.gain:g}"
 
 
 def _place_text(pose: Pose) -> str:

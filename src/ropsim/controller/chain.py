@@ -7,6 +7,7 @@ from ropsim.controller.joint_interpolator import StandardJointInterpolator
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.moving_frames import frames_of_others, moving_frames
+from ropsim.controller.path_corrector import StandardPathCorrector
 from ropsim.controller.path_planner import StandardPathPlanner
 from ropsim.controller.planning import plan
 from ropsim.controller.work_frames import WorkFrames
@@ -32,6 +33,7 @@ def standard_chain(cell: Cell, station: Station) -> MotionChain:
         StandardJointInterpolator(),
         robot,
         station.controller,
+        StandardPathCorrector(station.controller.correction),
         WorkFrames(tools, frames, tool, moving, others),
     )
 

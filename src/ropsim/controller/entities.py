@@ -2,8 +2,9 @@
 
 Path planner, interpolator, inverse transform, joint interpolator and joint controller work in series, from
 the move instructions to the control vectors for the actuators; the sensor interface stands beside them
-(generic controller model of ROPSIM, paper 2, Fig. 4.2). The joint controller runs inside the compiled
-servo slice: see `ropsim.controller.law`.
+(generic controller model of ROPSIM, paper 2, Fig. 4.2). By what it delivers the path corrector may shift a
+path between interpolator and inverse transform, while it is made. The joint controller runs inside the
+compiled servo slice: see `ropsim.controller.law`.
 """
 
 from dataclasses import dataclass
@@ -12,9 +13,9 @@ from typing import Protocol
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.sensed_cell import SensedCell
 from ropsim.core import Diagnostic
-from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
+from ropsim.flow import JointSamples, MoveInstruction, PathTracking, PoseSetpoints
 from ropsim.motion import JointPath, ToolPath
-from ropsim.spatial import Array
+from ropsim.spatial import Array, Pose
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,5 +94,22 @@ class SensorInterface(Protocol):
             channel: name of an input or output.
             time: [s].
             cell: the arms and what stands around them, as they are then.
+        """
+        ...
+
+
+class PathCorrector(Protocol):
+    """Says at every interpolation tick how a path is to be shifted, by what a sensor reads."""
+
+    def correct(self, measured: Sample, tracking: PathTracking, X_BT: Pose, correction: float) -> float:
+        """Return the speed at which the shift along the direction of the tool is to change [m/s].
+
+        It counts in motion time. The controller takes it up as its limits and the joints allow.
+
+        Args:
+            measured: reading of the sensor at the beginning of the step.
+            tracking: channel, value, direction and gain, as the move asks for them.
+            X_BT: pose of the tool on the planned path at the end of the step, in the base frame.
+            correction: shift at the beginning of the step [m].
         """
         ...

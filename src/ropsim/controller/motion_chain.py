@@ -2,7 +2,14 @@
 
 from dataclasses import dataclass, field
 
-from ropsim.controller.entities import Interpolator, InverseTransform, JointInterpolator, PathPlanner
+from ropsim.controller.entities import (
+    Interpolator,
+    InverseTransform,
+    JointInterpolator,
+    PathCorrector,
+    PathPlanner,
+)
+from ropsim.controller.path_corrector import StandardPathCorrector
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.flow import ModalState
 from ropsim.model import ControllerModel, RobotModel
@@ -20,6 +27,7 @@ class MotionChain:
         joint_interpolator: joint samples to a path of the joints.
         robot: the arm.
         controller: rates, limits, how far it looks ahead.
+        corrector: shifts paths by what a sensor reads, while they are made.
         work: tools and task frames of the cell.
     """
 
@@ -29,6 +37,7 @@ class MotionChain:
     joint_interpolator: JointInterpolator
     robot: RobotModel
     controller: ControllerModel
+    corrector: PathCorrector = field(default_factory=StandardPathCorrector)
     work: WorkFrames = field(default_factory=WorkFrames)
 
     def tool_pose(self, modal: ModalState) -> Pose:

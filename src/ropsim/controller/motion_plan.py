@@ -103,6 +103,11 @@ class MotionPlan:
         return self.reference.ticks
 
     @property
+    def is_corrected(self) -> bool:
+        """Return whether a sensor corrects its path."""
+        return any(one.move.tracking is not None for one in self.moves)
+
+    @property
     def duration(self) -> float:
         """Return its length [s]."""
         return self.ticks * self.period

@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from ropsim.controller.corners import Corner, Stop, corner_between
+from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
@@ -79,6 +80,8 @@ def _planned(
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
+        if refusal := correction_refusal(leg):
+            return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
     course = course_of(legs, corners, chain.controller.look_ahead)
     period = chain.controller.rates.control_period
@@ -88,6 +91,8 @@ def _planned(
         if check_duration(legs[number].move, duration):
             return _too_long(legs, number, duration)
     bounds = arm_bounds(chain.robot, payload)
+    if any(leg.move.tracking for leg in legs):
+        bounds = beside_correction(bounds)
     kept = keep_limits(StretchMotion(course), bounds.joints, bounds.effort, period)
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)

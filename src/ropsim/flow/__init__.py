@@ -52,6 +52,9 @@ from ropsim.flow.reference import PoseSetpoints as PoseSetpoints
 from ropsim.flow.settling import SLOW as SLOW
 from ropsim.flow.settling import Settling as Settling
 from ropsim.flow.settling import settling_of as settling_of
+from ropsim.flow.tracking import STANDARD_GAIN as STANDARD_GAIN
+from ropsim.flow.tracking import PathTracking as PathTracking
+from ropsim.flow.tracking import ToolDirection as ToolDirection
 from ropsim.flow.trigger import Side as Side
 from ropsim.flow.trigger import Trigger as Trigger
 from ropsim.flow.waiting import Waiting as Waiting

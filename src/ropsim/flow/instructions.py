@@ -7,6 +7,7 @@ from ropsim.core import Span
 from ropsim.flow.guard import Guard
 from ropsim.flow.modal import ModalState
 from ropsim.flow.posture_request import PostureRequest
+from ropsim.flow.tracking import PathTracking
 from ropsim.flow.trigger import Trigger
 from ropsim.spatial import Pose
 
@@ -65,6 +66,7 @@ class MoveInstruction:
         triggers: outputs that are set on the way, in the order of the program.
         guard: condition that ends the move before its target; None where it has none.
         posture: in which posture the target is to be reached; None leaves it to the planner.
+        tracking: signal that corrects the path; None where it is made as planned.
     """
 
     kind: str
@@ -77,6 +79,7 @@ class MoveInstruction:
     triggers: tuple[Trigger, ...] = ()
     guard: Guard | None = None
     posture: PostureRequest | None = None
+    tracking: PathTracking | None = None
 
 
 @dataclass(frozen=True, slots=True)

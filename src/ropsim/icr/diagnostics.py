@@ -227,7 +227,7 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CIRC CLOCK CONFIG EXT GRIP GUARD IO JNT LIN MSG POSE PTP SPLINE TRIG ZONE`).
+instructions that occur (`CIRC CLOCK CONFIG EXT GRIP GUARD IO JNT LIN MSG POSE PTP SPLINE TRACK TRIG ZONE`).
 `EXT` is needed by a constant pose with values of external axes, too.
 """,
 )
@@ -247,9 +247,9 @@ PREFIX_LOST = define(
     _ERROR,
     "V4: an instruction that belongs to the next move is not followed by one",
     """
-Rule V4. `TRIG.DIST`, `TRIG.TIME` and `GUARD` say something about the next move. On every way a move must
-follow before the procedure ends or calls another one, and before any other instruction goes to the robot.
-Between them may stand what only computes, modal instructions and further ones that belong to the same move,
-`GUARD` once.
+Rule V4. `TRIG.DIST`, `TRIG.TIME`, `GUARD` and `TRACK` say something about the next move. On every way a move
+must follow before the procedure ends or calls another one, and before any other instruction goes to the
+robot. Between them may stand what only computes, modal instructions and further ones that belong to the same
+move, `GUARD` and `TRACK` once each. After `TRACK` the move must have a path of the tool.
 """,
 )

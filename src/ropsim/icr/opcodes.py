@@ -30,6 +30,7 @@ class OperandKind(Enum):
     SIDE = "side"
     COMPARISON = "comparison"
     POSTURE = "posture"
+    DIRECTION = "direction"
 
 
 POSTURE = re.compile(r"[a-z][a-z0-9_]*(?:-[a-z][a-z0-9_]*)*\Z")
@@ -39,6 +40,7 @@ WORDS = {
     OperandKind.ACTION: ("open", "close"),
     OperandKind.SIDE: ("before", "after"),
     OperandKind.COMPARISON: ("is", "above", "below"),
+    OperandKind.DIRECTION: ("x", "y", "z", "-x", "-y", "-z"),
 }
 """Operands that are one of a few words."""
 
@@ -206,6 +208,7 @@ _TABLE = """
 070A FMT       -        *   S  -     any value as text
 070B CAT       -        SS  S  -     one text after the other
 0804 GUARD     comparison,channel * - GUARD [value timeout ->] condition that ends the next move
+0805 TRACK     direction,channel RR - TRACK [value gain ->] path of the next move is shifted by a sensor
 0809 MET       -        -   B  GUARD whether the condition of the guarded move before came true
 080A ATTAINED  -        -   P  POSE  pose that the tool in force has, X_KT, in the frame in force
 """

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span
-from ropsim.flow import Guard, ModalState, Origin, Trigger
+from ropsim.flow import Guard, ModalState, Origin, PathTracking, Trigger
 from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location
 
@@ -57,6 +57,7 @@ class MachineState:
         commanded: pose commanded last, or None.
         triggers: those of the next move.
         guard: that of the next move, or None.
+        tracking: that of the next move, or None.
         visits: (procedure, instruction) and how often it was carried out.
         activations: procedures started so far, `main` not counted.
         steps: instructions carried out.
@@ -77,6 +78,7 @@ class MachineState:
     commanded: Commanded | None
     triggers: tuple[Trigger, ...]
     guard: Guard | None
+    tracking: PathTracking | None
     visits: tuple[tuple[tuple[int, int], int], ...]
     activations: int
     steps: int
@@ -101,6 +103,7 @@ class Registers:
     commanded: Commanded | None = None
     triggers: tuple[Trigger, ...] = ()
     guard: Guard | None = None
+    tracking: PathTracking | None = None
     visits: dict[tuple[int, int], int] = field(default_factory=dict)
     activations: int = 0
     steps: int = 0
@@ -129,6 +132,7 @@ class Registers:
             self.commanded,
             self.triggers,
             self.guard,
+            self.tracking,
             tuple(sorted(self.visits.items())),
             self.activations,
             self.steps,
@@ -143,7 +147,7 @@ class Registers:
         self.shared[:] = state.shared
         self.calls, self.call_serials = state.calls, state.call_serials
         self.modal, self.commanded = state.modal, state.commanded
-        self.triggers, self.guard = state.triggers, state.guard
+        self.triggers, self.guard, self.tracking = state.triggers, state.guard, state.tracking
         self.visits = dict(state.visits)
         self.activations, self.steps = state.activations, state.steps
         self.is_synced, self.finished = state.is_synced, state.finished

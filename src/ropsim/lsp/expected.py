@@ -31,7 +31,8 @@ _AFTER = tuple(
     for pattern, type_ in (
         (r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+(?:to\s+)?$|\blike\s+$|\bfrom\s+$", "loc"),
         (r"\bvia\s+$|\bvia\b.*(?:,|\bto)\s+$", "loc"),
-        (r"\b(?:above|blend|at)\s+$", "length"),
+        (r"\b(?:above|blend|at)\s+$|\btrack\s+\w+\s*=\s*$", "length"),
+        (r"\bgain\s+$", "num"),
         (r"^\s*wait\s+$|\btimeout\s+$", "time"),
         (r"\buntil\s+(?:not\s+)?$", "bool"),
         (r"\bspeed\s+$", "speed"),

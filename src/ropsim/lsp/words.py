@@ -93,6 +93,12 @@ MOTIONS: dict[str, Word] = {
     "angle": Word("angle a", "How far an arc goes on its circle, instead of ending at its target."),
     "store": Word("store NAME", "Keeps the pose that the arm has at the end of the motion."),
     "timeout": Word("until condition timeout t", "Ends the motion after this time, condition or not."),
+    "track": Word(
+        "track SIGNAL = value [along z] [gain k]",
+        "Shifts the path along an axis of the tool so that a sensor reads the value.",
+    ),
+    "along": Word("track SIGNAL = value along [-]x|y|z", "Where the tool goes if the sensor reads too much."),
+    "gain": Word("track SIGNAL = value gain k", "Speed of the correction for each unit of the difference."),
     "at": Word(
         "at d after start|before end do set OUTPUT on", "Sets an output on the way, after a way or time."
     ),

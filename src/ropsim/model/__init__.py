@@ -40,6 +40,7 @@ from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.coordinates import Coordinates as Coordinates
 from ropsim.model.coordinates import coordinates as coordinates
 from ropsim.model.coordinates import passive_coordinates as passive_coordinates
+from ropsim.model.correction_limits import CorrectionLimits as CorrectionLimits
 from ropsim.model.coupled_limits import CoupledLimits as CoupledLimits
 from ropsim.model.coupled_limits import coupled_limits as coupled_limits
 from ropsim.model.coupling import Coupling as Coupling

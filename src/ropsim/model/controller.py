@@ -4,6 +4,7 @@ from dataclasses import dataclass, fields
 from enum import Enum
 
 from ropsim.flow import ParameterOrigin
+from ropsim.model.correction_limits import CorrectionLimits
 from ropsim.model.orientation_mode import OrientationMode
 from ropsim.model.synchronisation import Synchronisation
 from ropsim.spatial import Array, frozen, record
@@ -144,6 +145,7 @@ class ControllerModel:
         via_zone: distance at which via points are passed where the program gives no zone [m].
         orientation: how the tool turns on its paths.
         ptp: how the joints go together on PTP moves.
+        correction: how far and how quickly a sensor may shift a path.
         origins: where the gains come from.
     """
 
@@ -159,6 +161,7 @@ class ControllerModel:
     via_zone: float = 0.01
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
     ptp: Synchronisation = Synchronisation.PHASE
+    correction: CorrectionLimits = CorrectionLimits()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

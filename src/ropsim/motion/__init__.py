@@ -33,6 +33,7 @@ from ropsim.motion.line_diagnostics import NO_SPLINE as NO_SPLINE
 from ropsim.motion.line_diagnostics import NO_WRIST_ANGLES as NO_WRIST_ANGLES
 from ropsim.motion.line_diagnostics import OTHER_JOINTS_AT_LINE_END as OTHER_JOINTS_AT_LINE_END
 from ropsim.motion.line_diagnostics import OTHER_POSTURE as OTHER_POSTURE
+from ropsim.motion.line_diagnostics import PATH_NOT_CORRECTED as PATH_NOT_CORRECTED
 from ropsim.motion.line_diagnostics import POSTURE_FOR_LATER as POSTURE_FOR_LATER
 from ropsim.motion.line_diagnostics import POSTURE_OUT_OF_REACH as POSTURE_OUT_OF_REACH
 from ropsim.motion.motion_limits import JointMotionLimits as JointMotionLimits

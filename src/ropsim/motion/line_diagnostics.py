@@ -143,3 +143,18 @@ that is not so. External axes may move on the way. The move is skipped.
 limit. Use `mov` where the path does not matter, or give the controller `orientation = "fixed axis"`.
 """,
 )
+
+PATH_NOT_CORRECTED = define(
+    "M587",
+    "path-not-corrected",
+    Severity.ERROR,
+    "a sensor is to correct a path on which external axes go along, or one of no tool",
+    """
+`track` shifts a path along an axis of the tool while it is made. The arm does that, with external axes that
+stand. Here they move along with the path, as the target gives other values for them or lies in a frame that
+they carry; or a planner of your own has made a path of the joints. The move is skipped.
+
+**How to mend it.** Bring the external axes where they are needed with a move before, and let the move that
+follows the sensor leave them there.
+""",
+)

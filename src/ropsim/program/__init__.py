@@ -24,6 +24,7 @@ from ropsim.program.lowering.lowering import lower_with_findings as lower_with_f
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move
 from ropsim.program.move import Settings as Settings
+from ropsim.program.move import Tracking as Tracking
 from ropsim.program.move import Trigger as Trigger
 from ropsim.program.points import check_points as check_points
 from ropsim.program.program import Contract as Contract

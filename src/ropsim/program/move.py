@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim.core import Span
-from ropsim.flow import Comparison, MotionKind, Side
+from ropsim.flow import Comparison, MotionKind, Side, ToolDirection
 from ropsim.program.expressions import Expression
 
 
@@ -72,6 +72,23 @@ class Guard:
 
 
 @dataclass(frozen=True, slots=True)
+class Tracking:
+    """The signal by which a path is corrected while it is made.
+
+    Attributes:
+        signal: what is measured, an analog signal.
+        value: REAL that it is to have; computed when the motion begins.
+        gain: REAL > 0, speed of the correction [m/s] for each unit of the difference.
+        direction: of the tool, in which it goes where the signal reads too much.
+    """
+
+    signal: str
+    value: Expression
+    gain: Expression
+    direction: ToolDirection
+
+
+@dataclass(frozen=True, slots=True)
 class Move:
     """A motion to a target, through points on the way.
 
@@ -85,6 +102,7 @@ class Move:
         angle: REAL [rad], how far an arc goes on its circle instead of ending at the target.
         triggers: outputs that are set on the way.
         guard: what ends the motion before its target.
+        tracking: what corrects the path; None where it is made as it is planned.
         store: variable for the pose that the arm has at the end; empty for none.
     """
 
@@ -96,4 +114,5 @@ class Move:
     angle: Expression | None = None
     triggers: tuple[Trigger, ...] = ()
     guard: Guard | None = None
+    tracking: Tracking | None = None
     store: str = ""

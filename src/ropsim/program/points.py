@@ -79,8 +79,8 @@ class _Check:
             fault = None
         if fault is not None:
             self.found.append(IMPOSSIBLE_PATH.at(move.span, fault[0], hint=fault[1]))
-        ends_elsewhere = is_other or move.angle is not None or move.guard is not None
-        return None if ends_elsewhere else places[-1]
+        ends_elsewhere = any(one is not None for one in (move.angle, move.guard, move.tracking))
+        return None if is_other or ends_elsewhere else places[-1]
 
 
 def _place(location: Expression) -> _Place | None:

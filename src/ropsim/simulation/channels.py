@@ -127,7 +127,18 @@ def path_speed_channel(station: str, kind: str, speeds: Array) -> Channel:
     return Channel(speeds, "m/s", (), text, ChannelGroup.TCP, station)
 
 
+def correction_channel(station: str, values: Array) -> Channel:
+    """Return the channel of path corrections [m], shape (rows,), NaN where no sensor corrects the path.
+
+    Args:
+        station: name of the station whose tool is shifted.
+        values: along the direction that the move names.
+    """
+    text = "shift of the path along an axis of the tool, by a sensor"
+    return Channel(values, "m", (), text, ChannelGroup.TCP, station)
+
+
 def path_error_channel(station: str, errors: Array) -> Channel:
     """Return the channel of path errors [m], shape (rows,), NaN where there is none."""
-    text = "distance of the attained TCP from the path of the tool"
+    text = "distance of the attained TCP from the path of the tool, with its correction by a sensor"
     return Channel(errors, "m", (), text, ChannelGroup.TCP, station)

@@ -46,6 +46,39 @@ same.
 """,
 )
 
+CORRECTION_AT_LIMIT = define(
+    "S747",
+    "correction-at-limit",
+    Severity.WARNING,
+    "the correction of a path by a sensor has reached its largest size",
+    """
+`track` shifts a path so that a sensor reads a value. The controller lets it shift the path by
+`correction_size` at the most, 20 mm where the cell file says nothing else, and the sensor asks for more: from
+there on the path goes beside the work by what is missing.
+
+**How to mend it.** Look at the plot of the signal. Either the work lies elsewhere than the program says, so
+correct the locations; or the sensor sees nothing, as beside an edge, and reads the end of its range; or the
+sign is wrong: where the signal grows as the tool goes forward, write `along -z`. Where the shift is meant,
+allow more in the cell file.
+""",
+)
+
+CORRECTION_STOPPED_BY_ARM = define(
+    "S748",
+    "correction-stopped-by-arm",
+    Severity.WARNING,
+    "the arm cannot follow the correction of a path by a sensor any further",
+    """
+A correction may take a tenth of the speed and of the acceleration of the joints, and none may come nearer
+than 0.001 rad or 1 mm to a limit of its range. Here a joint was there, or the arm is near a singular posture
+in which a small shift of the tool turns a joint a lot, or the arm has too few joints to shift the tool in
+this direction without turning it. The correction grows no further; the path goes on.
+
+**How to mend it.** Take up another posture before the path, shift the work, or let the tool be corrected
+along another of its axes.
+""",
+)
+
 NOTHING_GRASPED = define(
     "S721",
     "nothing-grasped",

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ropsim.controller import ClockLimits, ClockState, MotionPlan, advance
+from ropsim.controller import PLANNED_ACCELERATION, ClockLimits, ClockState, MotionPlan, advance
 from ropsim.flow import JointReference
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.station_run import StationRun
 from ropsim.spatial import Array
@@ -42,6 +43,10 @@ class PlanRows:
 _LEAST_SPEED = 1e-3
 """Share of the greatest speed of a joint below which its own one says nothing of how it brakes."""
 
+_SPEED_WITH_CORRECTION = 0.5
+"""Least share of the greatest speeds by which a corrected motion is braked: so what the correction adds, at
+the most a tenth of them, takes less than a sixth of the accelerations."""
+
 
 @dataclass(slots=True)
 class Follower:
@@ -53,6 +58,7 @@ class Follower:
         plan: its motion.
         clock: where it is.
         limits: how quickly the override may act.
+        correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
         ended: whether a condition has ended the move; the motion is braked then.
         passed: places to which it has come [control ticks of motion time], each with its tick.
@@ -63,6 +69,7 @@ class Follower:
     plan: MotionPlan
     clock: ClockState = field(default_factory=ClockState)
     limits: ClockLimits = field(init=False)
+    correcting: Correcting | None = None
     lookout: Lookout | None = None
     ended: bool = False
     passed: list[tuple[float, int]] = field(default_factory=list)
@@ -71,7 +78,11 @@ class Follower:
         robot = self.at.station.robot
         top = np.abs(self.plan.reference.qd).max(axis=0, initial=0.0)
         speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
-        self.limits = clock_limits(speeds, robot.max_accelerations, robot.max_jerks)
+        accelerations = robot.max_accelerations
+        if self.plan.is_corrected:  # what a sensor adds is braked with it
+            speeds = np.maximum(speeds, _SPEED_WITH_CORRECTION * robot.max_speeds)
+            accelerations = accelerations * PLANNED_ACCELERATION
+        self.limits = clock_limits(speeds, accelerations, robot.max_jerks)
         self.clock = ClockState(0.0, self.run.override(self.at.due), 0.0)
         self.passed.append((0.0, self.at.tick))
 
@@ -128,13 +139,14 @@ class Follower:
         if self.ended or self._is_over(override):
             override = 0.0
         every = at.station.controller.rates.interpolation_ticks
-        longest = min(run.slice(at), every) if self.lookout else run.slice(at)
+        reads = self.lookout is not None or self.correcting is not None
+        longest = min(run.slice(at), every) if reads else run.slice(at)
         period = self.plan.period
-        rows = PlanRows(self.plan)
+        rows, before = PlanRows(self.plan), self.clock.place
         if override == 1.0 and self._is_undisturbed:
             ticks = min(place - int(self.clock.place), longest)
             self.clock, reference = advance(self.clock, rows, ticks, override, self.limits, period)
-            at.follow(reference)
+            at.follow(self._corrected(reference, before))
             self.passed.append((self.clock.place, at.tick))
             return
         walked: list[JointReference] = []
@@ -144,13 +156,20 @@ class Follower:
             self.passed.append((self.clock.place, at.tick + len(walked)))
             if self.clock.place >= place:
                 break
-        at.follow(
-            JointReference(
-                np.concatenate([row.q for row in walked]),
-                np.concatenate([row.qd for row in walked]),
-                np.concatenate([row.qdd for row in walked]),
-            )
+        reference = JointReference(
+            np.concatenate([row.q for row in walked]),
+            np.concatenate([row.qd for row in walked]),
+            np.concatenate([row.qdd for row in walked]),
         )
+        at.follow(self._corrected(reference, before))
+
+    def _corrected(self, reference: JointReference, before: float) -> JointReference:
+        """Return the references of a slice with what a sensor adds; it began at a place of the plan."""
+        if self.correcting is None:
+            return reference
+        period, place = self.plan.period, self.clock.place
+        walked, left = (place - before) * period, (self.plan.ticks - place) * period
+        return self.correcting.corrected(reference, walked, left, self.clock.rate)
 
 
 def clock_limits(speeds: Array, accelerations: Array, jerks: Array) -> ClockLimits:

@@ -1,9 +1,11 @@
 """Moves of a run, and the paths that they took, as they were carried out."""
 
+import numpy as np
+
 from ropsim.controller import MovingFrame
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ToolPath
-from ropsim.spatial import record
+from ropsim.spatial import Array, record
 
 
 @record
@@ -24,6 +26,25 @@ class MoveSpan:
 
 
 @record
+class FollowedCorrection:
+    """How a sensor has shifted a path while it was followed.
+
+    Attributes:
+        ticks: at which the shift is known, shape (k,).
+        values: the shift at these [m], linear between two of them, shape (k,).
+        direction: of the tool frame, of length 1, shape (3,).
+    """
+
+    ticks: Array
+    values: Array
+    direction: Array
+
+    def at(self, ticks: Array) -> Array:
+        """Return the shift at some ticks [m]; behind the last one it stays."""
+        return np.interp(ticks, self.ticks, self.values)
+
+
+@record
 class PathSpan:
     """A part of a path of the tool as it was followed.
 
@@ -32,9 +53,11 @@ class PathSpan:
         start: tick at which it began.
         end: tick at which it ended; at a fine stop the arm was in position then.
         frame: that is moved; None for the base frame.
+        correction: how a sensor has shifted it; None where it was made as planned.
     """
 
     path: ToolPath
     start: int
     end: int
     frame: MovingFrame | None = None
+    correction: FollowedCorrection | None = None

@@ -14,8 +14,9 @@ from ropsim.flow import (
     OutputEvent,
     SkipEvent,
 )
-from ropsim.kinematics import forward_batch
+from ropsim.kinematics import forward, forward_batch
 from ropsim.simulation.cell_run import CellRun
+from ropsim.simulation.correcting import Correcting
 from ropsim.simulation.following import Follower
 from ropsim.simulation.guarding import Lookout
 from ropsim.simulation.in_force import put_in_force
@@ -24,6 +25,7 @@ from ropsim.simulation.settle import settle
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.stretch import Stretch, why_it_ends
 from ropsim.simulation.world import SimulatedWorld
+from ropsim.spatial import Pose
 
 
 def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) -> Iterator[None]:
@@ -77,9 +79,12 @@ def _follow(
         at.track("move", ordinal)
         world.q_met = None
         follower.lookout = Lookout(one.move.guard, world, at, at.time) if one.move.guard else None
+        tracking = one.move.tracking
+        follower.correcting = Correcting(at, world, one, tracking, planned.reference) if tracking else None
         yield from _to(run, at, follower, one)
         if follower.lookout and not (follower.ended or at.cut_short):
             run.findings += filter(None, (follower.lookout.missed(one.move),))
+        run.findings += follower.correcting.findings() if follower.correcting else ()
         end = at.tick
         if number == len(planned.moves) - 1 and not at.cut_short:
             yield from settle(run, at, one.move)
@@ -96,7 +101,7 @@ def _follow(
             flown=one.zone,
             blending=follower.blended(since, end) / at.hz,
             critical=critical[number],
-            target=places[number],
+            target=_commanded(at, one.X_MT) if tracking else places[number],
         )
         run.note(at, since, done)
         run.progress(f"move {sum(len(one.moves) for one in run.stations.values())}")
@@ -110,6 +115,11 @@ def _places(at: StationRun, planned: MotionPlan) -> list[tuple[float, ...]]:
     X_BM = forward_batch(at.station.robot, np.array([one.q_end for one in planned.moves]))
     X_BT = X_BM @ np.array([one.X_MT.matrix() for one in planned.moves])
     return [tuple(place) for place in X_BT[:, :3, 3].tolist()]
+
+
+def _commanded(at: StationRun, X_MT: Pose) -> tuple[float, ...]:
+    """Return where the TCP is commanded to be now, in the base frame [m]."""
+    return tuple((forward(at.station.robot, at.q_command) @ X_MT).position.tolist())
 
 
 def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> Iterator[None]:
@@ -128,8 +138,10 @@ def _to(run: CellRun, at: StationRun, follower: Follower, one: PlannedMove) -> I
 def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> None:
     """Note which paths of the tool have been followed; the last one goes on while the arm settles."""
     come = follower.clock.place
+    correction = follower.correcting.followed() if follower.correcting else None
     for piece in planned.pieces:
         if piece.path is None or piece.first >= come:
             continue
         end = follower.tick_at(piece.last) if piece.last < min(come, planned.ticks) else at.tick
-        at.paths.append(PathSpan(piece.path, follower.tick_at(piece.first), end, piece.frame))
+        first = follower.tick_at(piece.first)
+        at.paths.append(PathSpan(piece.path, first, end, piece.frame, correction))

@@ -26,6 +26,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.channels import (
+    correction_channel,
     device_channel,
     finger_channel,
     joint_channels,
@@ -36,6 +37,7 @@ from ropsim.simulation.channels import (
 )
 from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import PathSpan
+from ropsim.simulation.path_corrections import corrections, without_corrections
 from ropsim.simulation.path_speeds import path_speeds
 from ropsim.simulation.run_options import RunOptions
 from ropsim.simulation.settling import settling_findings
@@ -99,9 +101,12 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     log["q_error"] = log["q_ref"] - log["q"]
     robot, X_MT = at.station.robot, at.tool_frames.rows(ticks)
     attained, command = (forward_batch(robot, log[name]) @ X_MT for name in ("q", "q_ref"))
-    error = path_errors(at.paths, ticks, log["q"], attained[:, :3, 3])
+    points = without_corrections(at.paths, ticks, attained[:, :3, 3], command[:, :3, :3])
+    error = path_errors(at.paths, ticks, log["q"], points)
     name, last = at.station.name, at.tick
     carried = {}
+    if any(span.correction for span in at.paths):
+        carried["correction"] = correction_channel(name, corrections(at.paths, ticks))
     if any(span.frame for span in at.paths):
         for kind, q, matrices in (("command", log["q_ref"], command), ("attained", log["q"], attained)):
             speeds = path_speeds(at.paths, ticks / at.hz, ticks, q, matrices[:, :3, 3])

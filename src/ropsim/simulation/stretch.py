@@ -11,6 +11,7 @@ from ropsim.flow import (
     MessageInstruction,
     MoveInstruction,
     OutputInstruction,
+    PathTracking,
     SyncInstruction,
     WaitInstruction,
 )
@@ -53,8 +54,9 @@ class Stretch:
 def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
     """Return the stretch that begins with a move; the interpreter runs ahead to its end.
 
-    A stretch ends with a move without a zone or with a condition that ends it, and before anything that needs
-    the arm to stand: an output, a gripper, a wait, an input that is read, the end of the program.
+    A stretch ends with a move without a zone or with a condition that ends it, before and behind a move that
+    a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a wait, an input
+    that is read, the end of the program.
 
     Args:
         first: the move.
@@ -67,7 +69,7 @@ def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
         flows = _flows(moves[-1])
         if isinstance(step, MessageInstruction) and flows:
             messages.append((len(moves), step))
-        elif isinstance(step, MoveInstruction) and flows:
+        elif isinstance(step, MoveInstruction) and flows and step.tracking is None:
             moves.append(step)
         else:
             return Stretch(tuple(moves), tuple(messages), step)
@@ -75,7 +77,7 @@ def gather(first: MoveInstruction, advance: Callable[[], Step]) -> Stretch:
 
 def _flows(move: MoveInstruction) -> bool:
     """Return whether the next move may begin before a move has ended."""
-    return move.guard is None and (move.modal.zone > 0.0 or move.modal.passes)
+    return move.guard is None and move.tracking is None and (move.modal.zone > 0.0 or move.modal.passes)
 
 
 def why_it_ends(stretch: Stretch) -> str:
@@ -94,6 +96,10 @@ def why_it_ends(stretch: Stretch) -> str:
             return f"the program waits for `{channel}` next"
         case SyncInstruction(before=before) if before in _NEEDED_FOR:
             return _NEEDED_FOR[before]
+        case MoveInstruction() if stretch.moves[-1].tracking is not None:
+            return "a sensor corrects the move"
+        case MoveInstruction(tracking=PathTracking()):
+            return "a sensor corrects the next move"
         case MoveInstruction():
             return "a condition ends the move"
         case _:

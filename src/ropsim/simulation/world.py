@@ -44,6 +44,11 @@ class SimulatedWorld:
         value = self.polling.reads[channel] = sample.value if sample.valid else False
         return value
 
+    def sample(self, channel: str) -> Sample:
+        """Return the present reading of a channel, valid or not."""
+        self.look()
+        return self.channel(channel, self.now())
+
     def time(self) -> float:
         """Return the simulated time [s]."""
         self.polling.timed = True

@@ -56,6 +56,7 @@ def program(main: str, rest: str = "") -> Program:
         "POSTURE": "CONFIG",
         "TURNS": "CONFIG",
         "GUARD": "GUARD",
+        "TRACK": "TRACK",
         "MET": "GUARD",
         "ATTAINED": "POSE",
         "HOME": "PTP",

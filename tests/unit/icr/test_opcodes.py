@@ -44,6 +44,7 @@ def test_capabilities_are_those_that_the_diagnostic_page_names() -> None:
         "POSE",
         "PTP",
         "SPLINE",
+        "TRACK",
         "TRIG",
         "ZONE",
     }

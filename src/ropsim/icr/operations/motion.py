@@ -80,14 +80,17 @@ def _told(
 ) -> MoveInstruction:
     """Return a move with all that has been said about the next one.
 
-    Where a guarded move ends is not commanded.
+    Where a guarded move ends is not commanded, nor where one that a sensor corrects.
     """
     triggers, registers.triggers = registers.triggers, ()
     guard, registers.guard = registers.guard, None
-    if guard is not None:
+    tracking, registers.tracking = registers.tracking, None
+    if guard is not None or tracking is not None:
         registers.commanded = None
     origin = registers.origin(site.key, site.span)
-    return MoveInstruction(kind, target, registers.modal, origin, triggers=triggers, guard=guard)
+    return MoveInstruction(
+        kind, target, registers.modal, origin, triggers=triggers, guard=guard, tracking=tracking
+    )
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:

@@ -1,10 +1,11 @@
-"""Operations of moves that end by a condition, and of the pose that the arm has."""
+"""Operations of moves that a signal ends or corrects, and of the pose that the arm has."""
 
-from ropsim.flow import Comparison, Guard, Instruction
+from ropsim.flow import Comparison, Guard, Instruction, PathTracking, ToolDirection
 from ropsim.icr import trap_kinds as kinds
+from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Registers
-from ropsim.icr.traps import TrapError
+from ropsim.icr.traps import TrapError, out_of_range
 from ropsim.icr.world import World
 
 
@@ -15,6 +16,15 @@ def _guard(registers: Registers, _world: World, site: Site) -> None:
     compared = Comparison(comparison)
     wanted = value if compared is Comparison.IS else float(value)
     registers.guard = Guard(channel, compared, wanted, timeout if timeout > 0.0 else None)
+
+
+def _track(registers: Registers, _world: World, site: Site) -> None:
+    direction, channel = site.operand
+    gain = registers.stack.pop()
+    value = registers.stack.pop()
+    if fault := setting_fault(site.mnemonic, gain):
+        raise out_of_range(fault)
+    registers.tracking = PathTracking(channel, value, ToolDirection(direction), gain)
 
 
 def _met(registers: Registers, world: World, site: Site) -> Instruction | None:
@@ -34,5 +44,5 @@ def _attained(registers: Registers, world: World, site: Site) -> Instruction | N
     return None
 
 
-SENSING: dict[str, Operation] = {"GUARD": _guard, "MET": _met, "ATTAINED": _attained}
+SENSING: dict[str, Operation] = {"GUARD": _guard, "TRACK": _track, "MET": _met, "ATTAINED": _attained}
 """Mnemonic -> operation."""

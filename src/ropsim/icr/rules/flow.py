@@ -10,7 +10,9 @@ from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
 
 _JUMPS = {"JMP", "JF", "JT"}
-_PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD"}
+_PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD", "TRACK"}
+_ONCE = {"GUARD": "a move ends by one condition", "TRACK": "a move is corrected by one sensor"}
+_JOINT_MOVES = {"MOVE.PTP", "MOVE.PTP.J", "HOME"}
 _LOSING = {"HALT", "RET", "CALL", "STOP", "SYNC", "OUT", "WAIT.T", "WAIT.IN", "MSG", "GRIP"}
 """What cannot stand between a prefix and its move: they end the procedure, or go to the robot before it."""
 
@@ -103,14 +105,18 @@ def _after(program: Program, procedure: Procedure, step: Step, before: _State) -
     elif step.mnemonic == "MODAL.RESTORE":
         depth -= 1
     prefixes = before.prefixes
-    if step.mnemonic == "GUARD" and "GUARD" in prefixes:
-        return Fault(kinds.PREFIX_LOST, "`GUARD` stands twice before a move", "a move ends by one condition")
+    if step.mnemonic in _ONCE and step.mnemonic in prefixes:
+        message = f"`{step.mnemonic}` stands twice before a move"
+        return Fault(kinds.PREFIX_LOST, message, _ONCE[step.mnemonic])
     if step.mnemonic in _PREFIXES:
         prefixes |= {step.mnemonic}
     elif prefixes and step.mnemonic in _LOSING:
         waiting = _listed(prefixes)
         message = f"`{step.mnemonic}` stands between {waiting} and its move"
         return Fault(kinds.PREFIX_LOST, message, f"put {waiting} right before a move")
+    elif "TRACK" in prefixes and step.mnemonic in _JOINT_MOVES:
+        message = f"`TRACK` stands before `{step.mnemonic}`, which has no path of the tool"
+        return Fault(kinds.PREFIX_LOST, message, "a sensor corrects `MOVE.LIN`, `MOVE.CIRC` and `MOVE.SPL`")
     elif OPCODES[step.mnemonic].is_move:
         prefixes = frozenset()
     if depth < 0:

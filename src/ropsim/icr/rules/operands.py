@@ -19,7 +19,7 @@ _MAX_INDEX = {OperandKind.INDEX: MAX_AXES - 1, OperandKind.CATEGORY: 2}
 _MAX_COUNT = {"MKJ": MAX_AXES, "MKEXT": MAX_EXTERNAL, "MOVE.SPL": MAX_POINTS, "TURNS": MAX_AXES}
 _SHARES = {"SPD.PTP", "ACC.PTP"}
 _SPEEDS = _SHARES | {"SPD.LIN", "SPD.ORI", "ACC.LIN", "ACC.ORI", "JERK"}
-_POSITIVE = _SPEEDS | {"MOVE.CIRC.A"}
+_POSITIVE = _SPEEDS | {"MOVE.CIRC.A", "TRACK"}
 _SETTERS = {"OUT", "TRIG.DIST", "TRIG.TIME"}
 _NOT_NEGATIVE = {"ZONE.DIST", "WAIT.T", "TRIG.DIST", "TRIG.TIME"}
 
@@ -138,6 +138,9 @@ def _check_use(
         message = (
             f"`GUARD {step.operands[0]}` needs a channel {wanted}, `{channel.name}` is {channel.type.value}"
         )
+        yield kinds.OPERAND_WRONG.at(place, message)
+    if step.mnemonic == "TRACK" and channel and channel.type is not Type.REAL:
+        message = f"`TRACK` needs a channel of type REAL, `{channel.name}` is {channel.type.value}"
         yield kinds.OPERAND_WRONG.at(place, message)
     before = procedure.code[index - 1] if index else None
     if before and before.mnemonic == "PUSH" and before.operands:

@@ -2,7 +2,7 @@
 
 from ropsim.flow import MotionKind, PostureRequest, Side
 from ropsim.icr import external_part
-from ropsim.language.check import actions, assignments, convert, fold, guards, settings, values
+from ropsim.language.check import actions, assignments, convert, fold, guards, settings, trackings, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import (
     ANGLE,
@@ -53,10 +53,10 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     settings.check_effect(body, node, chosen)
     triggers = tuple(_trigger(body, one) for one in node.triggers)
     angle = _angle(body, node)
-    ends = guards.guard(body, node)
+    ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
-    return (Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, store),)
+    return (Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store),)
 
 
 def _store(body: Body, name: Name) -> str:

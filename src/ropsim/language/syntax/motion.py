@@ -15,8 +15,10 @@ from ropsim.language.syntax.statements import (
     SetSignal,
     Setting,
     Statement,
+    Tracking,
     Trigger,
 )
+from ropsim.language.syntax.tracking import tracking
 from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS, VIA
 
 _MODIFIERS = (*QUANTITIES, "fine", "tool")
@@ -71,7 +73,7 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     target = expression(cursor)
     modifiers: list[Setting] = []
     triggers: list[Trigger] = []
-    ending = _Ending()
+    ending, corrected = _Ending(), None
     while not cursor.at_end:
         word = cursor.word
         if word in NOT_YET_MODIFIERS:
@@ -82,6 +84,8 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
             triggers.append(_trigger(cursor))
         elif word in _ENDINGS:
             ending.read(cursor, word)
+        elif word == "track":
+            corrected = _tracking(cursor, corrected)
         elif word == "angle":
             modifiers.append(quantity(cursor))
         elif word in _MODIFIERS:
@@ -90,7 +94,14 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
             cursor.finish()
     word = _CANONICAL.get(head.word, head.word)
     ends = ending.condition, ending.timeout, ending.store
-    return Motion(word, via, target, tuple(modifiers), tuple(triggers), *ends, head.start, cursor.end)
+    settings, outputs = tuple(modifiers), tuple(triggers)
+    return Motion(word, via, target, settings, outputs, *ends, corrected, head.start, cursor.end)
+
+
+def _tracking(cursor: Cursor, given: Tracking | None) -> Tracking:
+    if given is not None:
+        cursor.fail("another modifier", "`track` stands once in a motion: it is corrected by one sensor")
+    return tracking(cursor)
 
 
 @dataclass(slots=True)

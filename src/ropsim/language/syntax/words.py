@@ -103,7 +103,10 @@ RESERVED = HEADS | frozenset(
 VIA = "via"
 """Stands before the points on the way of a motion; elsewhere it may be a name."""
 
-MOTION_MODIFIERS = frozenset(["angle", "at", "store", "timeout"])
+ALONG, GAIN = "along", "gain"
+"""Stand behind `track` and its value."""
+
+MOTION_MODIFIERS = frozenset(["angle", "at", "store", "timeout", "track", ALONG, GAIN])
 """Words behind the target of a motion that hold for this motion only and for no other statement."""
 
 INSIDE = (

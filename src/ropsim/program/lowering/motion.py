@@ -8,7 +8,7 @@ from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
 from ropsim.program.lowering.expressions import evaluate, static_type
 from ropsim.program.lowering.robot import lower_settings, lower_timeout
-from ropsim.program.move import Guard, Move, Trigger
+from ropsim.program.move import Guard, Move, Tracking, Trigger
 from ropsim.program.scope import Scope
 
 _Prefix = tuple[str, str, str]
@@ -27,6 +27,8 @@ def lower_move(scope: Scope, move: Move) -> None:
     if single and move.via:
         if move.guard is not None:
             raise unsound("a motion through points has no condition that ends it", move.span)
+        if move.tracking is not None:
+            raise unsound("a motion through points is not corrected by a sensor", move.span)
         _through(scope, move)
         return
     saves = not move.settings.is_empty
@@ -35,7 +37,7 @@ def lower_move(scope: Scope, move: Move) -> None:
         lower_settings(scope, move.settings)
     if single:
         _evaluate(scope, move, move.target)
-        _prefix(scope, _operands(scope, move.triggers, move.guard))
+        _prefix(scope, _operands(scope, move.triggers, move.guard, move.tracking))
         _single(scope, move, move.target)
     else:
         _curved(scope, move)
@@ -82,13 +84,22 @@ def _through(scope: Scope, move: Move) -> None:
     emit("MODAL.RESTORE")
 
 
-def _operands(scope: Scope, triggers: tuple[Trigger, ...], guard: Guard | None = None) -> tuple[_Prefix, ...]:
-    """Emit code that leaves on the stack what triggers and guard need, the first one on top.
+def _operands(
+    scope: Scope,
+    triggers: tuple[Trigger, ...],
+    guard: Guard | None = None,
+    tracking: Tracking | None = None,
+) -> tuple[_Prefix, ...]:
+    """Emit code that leaves on the stack what triggers, guard and tracking need, the first one on top.
 
     Returns:
         The instructions that take it from there.
     """
     found = []
+    if tracking is not None:
+        evaluate(scope, tracking.value, Type.REAL)
+        evaluate(scope, tracking.gain, Type.REAL)
+        found.append(("TRACK", tracking.direction.value, scope.channel(tracking.signal).name))
     if guard is not None:
         channel = scope.channel(guard.signal)
         evaluate(scope, guard.value, channel.type)
@@ -139,7 +150,7 @@ def _curved(scope: Scope, move: Move) -> None:
         _evaluate(scope, move, point)
     if move.angle is not None:
         evaluate(scope, move.angle, Type.REAL)
-    _prefix(scope, _operands(scope, move.triggers, move.guard))
+    _prefix(scope, _operands(scope, move.triggers, move.guard, move.tracking))
     if move.kind == MotionKind.SPLINE:
         scope.emitter.emit("MOVE.SPL", len(move.via) + 1)
     else:

@@ -10,6 +10,7 @@ from ropsim.language.syntax.statements.acting import SetMode as SetMode
 from ropsim.language.syntax.statements.acting import SetSignal as SetSignal
 from ropsim.language.syntax.statements.acting import Setting as Setting
 from ropsim.language.syntax.statements.acting import Stop as Stop
+from ropsim.language.syntax.statements.acting import Tracking as Tracking
 from ropsim.language.syntax.statements.acting import Trigger as Trigger
 from ropsim.language.syntax.statements.acting import WaitTime as WaitTime
 from ropsim.language.syntax.statements.acting import With as With

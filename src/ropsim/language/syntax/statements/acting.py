@@ -38,10 +38,23 @@ class Trigger:
 
 
 @dataclass(frozen=True, slots=True)
+class Tracking:
+    """`track signal = value [along [-]x|y|z] [gain k]`; without `along` the direction is empty."""
+
+    signal: Name
+    value: Node
+    direction: str
+    gain: Node | None
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """`mov`, `lin`, `circ` or `spline` to a target, through points on the way.
 
-    `condition` and `timeout` end it before, `store` is a variable for the pose at its end.
+    `condition` and `timeout` end it before, `store` is a variable for the pose at its end,
+    `tracking` what corrects its path.
     """
 
     word: str
@@ -52,6 +65,7 @@ class Motion:
     condition: Node | None
     timeout: Node | None
     store: Name | None
+    tracking: Tracking | None
     start: int
     end: int
 

@@ -1,0 +1,77 @@
+"""The correction of a path: how far it is shifted, and its next step within limits."""
+
+import math
+from dataclasses import dataclass
+
+_GENTLE = 0.7
+"""Share of the acceleration with which a correction comes to a stop that is known before."""
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """A shift of the path along a direction of the tool, over motion time.
+
+    Attributes:
+        value: [m].
+        speed: its derivative [m/s].
+    """
+
+    value: float = 0.0
+    speed: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class CorrectionRoom:
+    """What a correction may do in its next step.
+
+    Attributes:
+        lower: least shift [m].
+        upper: greatest shift [m].
+        speed: greatest speed to either side [m/s].
+        acceleration: greatest change of that [m/s²].
+    """
+
+    lower: float
+    upper: float
+    speed: float
+    acceleration: float
+
+
+def next_correction(
+    now: Correction, speed: float, room: CorrectionRoom, left: float, period: float
+) -> Correction:
+    """Return the correction one step on; in between its speed changes evenly.
+
+    It takes up the speed that is wanted, as quickly as allowed, and no more of it than lets it stand at the
+    bounds of the shift and at the end of the move: from speed v it stands after v²/(2·a). It brakes in time
+    for less than the acceleration that is allowed, as that may become less on the way.
+
+    Args:
+        now: at the beginning of the step.
+        speed: that is wanted at its end [m/s].
+        room: what is allowed.
+        left: motion time behind the step, at whose end the correction stands [s].
+        period: motion time of the step [s]; 0 where the motion is held, and so is the correction.
+    """
+    if period <= 0.0:
+        return now
+    a = room.acceleration
+    top = min(room.speed, _GENTLE * a * left)
+    wished = min(max(speed, -top), top)
+    coasted = now.value + now.speed * period / 2.0
+    margin = a * period * period / 8.0  # the last step of a braking may be a part of one
+    gentle = _GENTLE * a
+    wished = min(wished, _braking(room.upper - margin - coasted, gentle, period))
+    wished = max(wished, -_braking(coasted - margin - room.lower, gentle, period))
+    wished = min(max(wished, -room.speed), room.speed)
+    after = min(max(wished, now.speed - a * period), now.speed + a * period)
+    if left <= 0.0:
+        after = 0.0
+    return Correction(now.value + (now.speed + after) / 2.0 * period, after)
+
+
+def _braking(way: float, a: float, period: float) -> float:
+    """Return the speed v after a step with v·T/2 + v²/(2·a) = way, negative where there is none left."""
+    step = a * period / 2.0
+    speed = math.sqrt(step * step + 2.0 * a * abs(way)) - step
+    return math.copysign(speed, way)

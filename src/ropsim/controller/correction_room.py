@@ -1,0 +1,177 @@
+"""How much of a correction the joints of an arm leave room for, and what shifts its references."""
+
+import numpy as np
+
+from ropsim.controller.correction import Correction, CorrectionRoom
+from ropsim.kinematics import forward, forward_batch, jacobian_at
+from ropsim.model import CorrectionLimits, RobotModel
+from ropsim.spatial import Array, Pose, record
+
+SHARE = 0.1
+"""Share of the speeds and accelerations of the joints that a correction may take."""
+PLANNED_SPEED, PLANNED_ACCELERATION = 0.8, 0.7
+"""Shares of them for the move itself; what is left is for how the correction bends the path of the joints."""
+
+_MARGIN = 1e-3
+"""Distance from a joint limit at which a correction ends [rad | m]."""
+_LOOK_SIDEWAYS = 4e-3
+"""How much further a correction must be possible for it to grow, half of it for it to stay [m]."""
+_SLOWEST = 5e-3
+"""Speed that the joints must leave to a correction, or the posture is too near a singular one [m/s]."""
+_TINY = 1e-12
+_STEPS = 6
+_CLOSED = 1e-9
+"""What may be left between a pose and that of the joints [m, rad]."""
+
+
+@record
+class ShiftedJoints:
+    """What a correction adds to the reference of the joints at one time.
+
+    Attributes:
+        q: coordinates [rad | m], shape (n,).
+        qd: speeds [rad/s | m/s], shape (n,).
+    """
+
+    q: Array
+    qd: Array
+
+
+@record
+class ShiftedArm:
+    """An arm whose tool is shifted along a direction of its own, by all joints but its external axes.
+
+    Attributes:
+        robot: the arm.
+        X_MT: the tool.
+        direction: in the tool frame, of length 1, shape (3,).
+    """
+
+    robot: RobotModel
+    X_MT: Pose
+    direction: Array
+
+    @property
+    def still(self) -> ShiftedJoints:
+        """Return what no correction adds: zeros."""
+        zeros = np.zeros(self.robot.n)
+        return ShiftedJoints(zeros, zeros)
+
+    def pose(self, q: Array) -> Pose:
+        """Return X_BT of the tool at coordinates q [rad | m], shape (n,)."""
+        return forward(self.robot, q) @ self.X_MT
+
+    def room(self, limits: CorrectionLimits, q: Array, value: float) -> CorrectionRoom:
+        """Return how far and how quickly the path may be shifted here.
+
+        A step dc of the correction turns the joints by g·dc with J·g = (u, 0). Speeds and accelerations keep
+        to `SHARE` of those of the joints, the shift to their ranges. Where the arm cannot go in the direction
+        without turning the tool, there is none.
+
+        Args:
+            limits: of the controller.
+            q: joint coordinates with the correction [rad | m], shape (n,).
+            value: correction now [m].
+        """
+        robot, J = self.robot, self._jacobian(q)
+        u = np.concatenate((self._matrix(q)[:3, :3] @ self.direction, np.zeros(3)))
+        g = _least(J, u)
+        if float(np.abs(J @ g - u).max()) > 1e-6:
+            return CorrectionRoom(min(value, 0.0), max(value, 0.0), 0.0, limits.acceleration)
+        sizes = np.maximum(np.abs(g), _TINY)
+        speed = min(limits.speed, SHARE * float((robot.max_speeds / sizes).min()))
+        acceleration = min(limits.acceleration, SHARE * float((robot.max_accelerations / sizes).min()))
+        above = (robot.upper_limits - _MARGIN - q) / sizes
+        below = (q - robot.lower_limits - _MARGIN) / sizes
+        up = float(np.where(g > 0.0, above, below)[np.abs(g) > _TINY].min())
+        down = float(np.where(g > 0.0, below, above)[np.abs(g) > _TINY].min())
+        return CorrectionRoom(
+            max(-limits.size, value - down), min(limits.size, value + up), speed, acceleration
+        )
+
+    def bounds(
+        self, limits: CorrectionLimits, q_ahead: Array, value: float, side: float, guess: ShiftedJoints
+    ) -> tuple[float, float]:
+        """Return the least and the greatest shift that keeps away from singular postures and joint limits.
+
+        The shift may grow where 4 mm more of it were possible, stays where 2 mm more were, else goes back.
+
+        Args:
+            limits: of the controller.
+            q_ahead: planned coordinates some time ahead [rad | m], shape (n,).
+            value: correction now [m].
+            side: 1 or -1, to which it grows.
+            guess: what it adds to the joints now.
+        """
+        bound = limits.size
+        if not self._is_free(limits, q_ahead, value + side * _LOOK_SIDEWAYS, guess):
+            bound = abs(value)
+            if not self._is_free(limits, q_ahead, value + side * _LOOK_SIDEWAYS / 2.0, guess):
+                bound = max(bound - _LOOK_SIDEWAYS, 0.0)
+        return (-limits.size, bound) if side > 0.0 else (-bound, limits.size)
+
+    def _is_free(self, limits: CorrectionLimits, q: Array, value: float, guess: ShiftedJoints) -> bool:
+        """Return whether the arm could go on from a shift to both sides."""
+        added = self.shifted(q, np.zeros(self.robot.n), Correction(value), 1.0, guess)
+        if added is None:
+            return False
+        room = self.room(limits, q + added.q, 0.0)
+        return room.speed >= min(_SLOWEST, limits.speed) and room.lower < 0.0 < room.upper
+
+    def shifted(
+        self, q: Array, qd: Array, correction: Correction, rate: float, guess: ShiftedJoints
+    ) -> ShiftedJoints | None:
+        """Return what a correction adds to a reference; None where no joint coordinates are near that do it.
+
+        Newton's method from the last answer, on the branch of the planned joints; axes that are redundant
+        turn as little as possible.
+
+        Args:
+            q: planned coordinates [rad | m], shape (n,).
+            qd: planned speeds [rad/s | m/s], shape (n,).
+            correction: the shift over motion time.
+            rate: motion time that passes per time.
+            guess: what was added before.
+        """
+        if correction.value == 0.0 and correction.speed == 0.0:
+            return self.still
+        X_BT = self._matrix(q)
+        R = X_BT[:3, :3]
+        u = R @ self.direction
+        target = X_BT[:3, 3] + u * correction.value
+        at = q + guess.q
+        for _ in range(_STEPS):
+            now = self._matrix(at)
+            wrong = np.concatenate((target - now[:3, 3], _turn(R @ now[:3, :3].T)))
+            if float(np.abs(wrong).max()) <= _CLOSED:
+                break
+            at = at + _least(self._jacobian(at), wrong)
+        else:
+            return None
+        v, w = np.split(self._full_jacobian(q) @ qd, 2)
+        twist = np.concatenate((v + u * (correction.speed * rate) + np.cross(w, u * correction.value), w))
+        speeds = _least(self._jacobian(at), twist - self._full_jacobian(at) @ qd)
+        return ShiftedJoints(at - q, speeds)
+
+    def _matrix(self, q: Array) -> Array:
+        """Return X_BT at coordinates q [rad | m], shape (4, 4)."""
+        return np.asarray(forward_batch(self.robot, q[None])[0] @ self.X_MT.matrix())
+
+    def _full_jacobian(self, q: Array) -> Array:
+        return jacobian_at(self.robot, q, self.X_MT)
+
+    def _jacobian(self, q: Array) -> Array:
+        """Return the Jacobian of the TCP with external axes that stand, shape (6, n)."""
+        J = self._full_jacobian(q)
+        J[:, list(self.robot.external)] = 0.0
+        return J
+
+
+def _least(J: Array, twist: Array) -> Array:
+    """Return the smallest joint step that makes a step of the tool."""
+    return np.asarray(np.linalg.lstsq(J, twist, rcond=1e-9)[0])
+
+
+def _turn(R: Array) -> Array:
+    """Return the rotation vector of a small rotation [rad], shape (3,)."""
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2.0

@@ -1,0 +1,149 @@
+"""Steps of a path correction: its limits, how it stands at the end, and what it adds to the joints."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.controller import (
+    Correction,
+    CorrectionRoom,
+    Sample,
+    ShiftedArm,
+    ShiftedJoints,
+    StandardPathCorrector,
+    next_correction,
+    shifted_reference,
+)
+from ropsim.flow import JointReference, PathTracking, ToolDirection
+from ropsim.kinematics import forward
+from ropsim.model import CorrectionLimits
+from ropsim.spatial import Pose
+
+PERIOD = 4e-3
+ROOM = CorrectionRoom(-0.02, 0.02, 0.02, 0.5)
+EXACT = 1e-12
+ROBOT = robots.load("puma560")
+X_MT = Pose(np.array([0.05, 0.0, 0.1]))
+POSTURE = np.array([0.2, 0.6, -2.0, 0.4, 0.7, -0.2])  # away from singular postures and limits
+
+
+def walk(speeds: list[float], room: CorrectionRoom = ROOM, left: float = 10.0) -> list[Correction]:
+    found = [Correction()]
+    for number, one in enumerate(speeds):
+        rest = left - (number + 1) * PERIOD
+        found.append(next_correction(found[-1], one, room, rest, PERIOD))
+    return found
+
+
+def test_a_correction_keeps_size_speed_and_acceleration_at_every_step() -> None:
+    rng = np.random.default_rng(3)
+    wanted = np.repeat(rng.uniform(-1.0, 1.0, 20), 500).tolist()
+    found = walk(wanted, left=1e9)
+    values, speeds = (np.array([getattr(one, name) for one in found]) for name in ("value", "speed"))
+    assert np.abs(values).max() <= ROOM.upper
+    assert np.abs(values).max() > 0.999 * ROOM.upper  # the limit is used
+    assert np.abs(speeds).max() <= ROOM.speed
+    assert np.abs(np.diff(speeds)).max() <= ROOM.acceleration * PERIOD + EXACT
+    assert np.allclose(np.diff(values), (speeds[1:] + speeds[:-1]) / 2.0 * PERIOD, atol=EXACT)
+
+
+def test_a_correction_stands_when_the_move_ends() -> None:
+    steps = 100
+    found = walk([1.0] * steps, left=steps * PERIOD)
+    speeds = np.array([one.speed for one in found])
+    assert speeds.max() == pytest.approx(ROOM.speed)
+    assert speeds[-1] == 0.0
+    assert np.abs(np.diff(speeds)).max() <= ROOM.acceleration * PERIOD + EXACT
+
+
+def test_a_correction_waits_while_the_motion_is_held() -> None:
+    now = Correction(0.003, 0.01)
+    assert next_correction(now, 1.0, ROOM, 1.0, 0.0) == now
+
+
+def test_a_correction_goes_back_where_its_room_has_become_smaller() -> None:
+    narrow = CorrectionRoom(-0.02, 0.005, 0.02, 0.5)
+    found = [Correction(0.01)]
+    for _ in range(400):
+        found.append(next_correction(found[-1], 1.0, narrow, 10.0, PERIOD))
+    assert found[-1].value == pytest.approx(0.005, abs=1e-5)
+    assert abs(found[-1].speed) < 1e-3
+
+
+def test_the_standard_corrector_integrates_the_difference_and_keeps_what_it_has_without_a_reading() -> None:
+    corrector, tracking = StandardPathCorrector(CorrectionLimits()), PathTracking("gap", 0.012, gain=5.0)
+    read = Sample(0.015, valid=True, age=0.0)
+    assert corrector.correct(read, tracking, Pose(), 0.001) == pytest.approx(5.0 * 0.003)
+    lost = Sample(0.015, valid=False, age=0.0)
+    assert corrector.correct(lost, tracking, Pose(), 0.001) == 0.0
+
+
+@pytest.mark.parametrize("direction", list(ToolDirection))
+def test_the_joints_shift_the_tool_along_its_direction_and_do_not_turn_it(direction: ToolDirection) -> None:
+    arm = ShiftedArm(ROBOT, X_MT, np.array(direction.vector))
+    added = arm.shifted(POSTURE, np.zeros(6), Correction(0.02), 1.0, arm.still)
+    assert added is not None
+    X_TS = (forward(ROBOT, POSTURE) @ X_MT).inverse() @ forward(ROBOT, POSTURE + added.q) @ X_MT
+    assert np.allclose(X_TS.position, 0.02 * np.array(direction.vector), atol=1e-9)
+    assert np.allclose(X_TS.rotation(), np.eye(3), atol=1e-9)
+
+
+def test_the_speeds_that_a_correction_adds_are_the_derivative_of_what_it_adds() -> None:
+    arm = ShiftedArm(ROBOT, X_MT, np.array([0.0, 0.0, 1.0]))
+    qd, step = np.array([0.3, -0.2, 0.5, 0.4, -0.6, 0.2]), 1e-5
+
+    def added(time: float) -> ShiftedJoints:
+        correction = Correction(0.01 + 0.015 * time, 0.015)
+        found = arm.shifted(POSTURE + qd * time, qd, correction, 1.0, arm.still)
+        assert found is not None
+        return found
+
+    slope = (added(step).q - added(-step).q) / (2.0 * step)
+    assert np.allclose(added(0.0).qd, slope, atol=2e-4 * np.abs(slope).max())
+
+
+def test_a_correction_has_room_up_to_the_range_of_a_joint() -> None:
+    arm = ShiftedArm(ROBOT, X_MT, np.array([0.0, 0.0, 1.0]))
+    limits = CorrectionLimits(size=0.5, speed=0.02, acceleration=0.5)
+    near = POSTURE.copy()
+    near[4] = ROBOT.upper_limits[4] - 1.001e-3
+    room = arm.room(limits, near, 0.0)
+    assert min(room.upper, -room.lower) < 1e-4 < max(room.upper, -room.lower)
+
+
+def test_a_correction_near_a_singular_posture_is_slow() -> None:
+    arm = ShiftedArm(ROBOT, X_MT, np.array([1.0, 0.0, 0.0]))
+    straight = POSTURE.copy()
+    straight[4] = 1e-3
+    limits = CorrectionLimits()
+    assert arm.room(limits, straight, 0.0).speed < 0.2 * arm.room(limits, POSTURE, 0.0).speed
+
+
+def test_an_arm_that_cannot_shift_its_tool_without_turning_it_has_no_room() -> None:
+    planar = robots.load("two_link")
+    for direction in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)):
+        arm = ShiftedArm(planar, Pose(), np.array(direction))
+        assert arm.room(CorrectionLimits(), np.full(2, 0.3), 0.0).speed == 0.0
+    scara = robots.load("scara")
+    upright = ShiftedArm(scara, Pose(), np.array([0.0, 0.0, 1.0]))
+    assert upright.room(CorrectionLimits(), scara.home, 0.0).speed > 0.0
+
+
+def test_references_to_which_nothing_is_added_are_the_same() -> None:
+    rows = np.full((4, 6), -0.0)
+    reference = JointReference(rows, rows, rows)
+    still = ShiftedJoints(np.zeros(6), np.zeros(6))
+    assert shifted_reference(reference, still, still, 1e-3) is reference
+
+
+def test_what_is_added_has_no_step_in_speed_from_slice_to_slice() -> None:
+    rows = np.zeros((4, 1))
+    reference = JointReference(rows, rows, rows)
+    parts = [ShiftedJoints(np.array([q]), np.array([v])) for q, v in ((0.0, 0.0), (1e-5, 5e-3), (4e-5, 8e-3))]
+    joined = [shifted_reference(reference, *pair, 1e-3) for pair in pairwise(parts)]
+    q, qd = (np.concatenate([getattr(one, name)[:, 0] for one in joined]) for name in ("q", "qd"))
+    assert q[3] == 1e-5
+    assert qd[3] == 5e-3
+    assert np.allclose(np.diff(q), (qd[1:] + qd[:-1]) / 2.0 * 1e-3, atol=1e-6)

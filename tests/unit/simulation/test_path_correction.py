@@ -1,0 +1,353 @@
+"""Paths that a sensor corrects: what remains, which limits hold, and that nothing else changes."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import pytest
+
+import ropsim
+from ropsim import icr, robots
+from ropsim.cellfile import read_cell
+from ropsim.controller import PathCorrector, Sample, standard_chain
+from ropsim.core import SourceText
+from ropsim.flow import InputChange, OverrideChange, PathTracking, Recording
+from ropsim.kinematics import forward_batch
+from ropsim.model import (
+    Box,
+    Cell,
+    ControllerModel,
+    CorrectionLimits,
+    DistanceSensor,
+    FixedObject,
+    Shape,
+    Signal,
+    Tool,
+)
+from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.spatial import Array, Pose
+from ropsim.workbench import environment_of
+from support.cells import one_station
+
+ROBOT = robots.load("puma560")
+CONTROLLER = robots.default_controller("puma560")
+TOP = 0.1
+"""Height of the surface below the middle of the paths [m]."""
+TICK = 4e-3
+"""Interpolation tick [s]."""
+SPEED, GAIN, GAP = 0.05, 10.0, 0.01
+START = "mov (460, 150, {z}; ry 160 deg)"
+LINE = "lin (540, 150, {z}; ry 160 deg) speed 50 mm/s"
+TRACK = "track gap = 10 mm"
+TILT = np.array([np.sin(np.deg2rad(160.0)), 0.0, np.cos(np.deg2rad(160.0))])
+"""Direction in which the tool looks."""
+NEAR = 1e-6
+"""What rows of a recording may be off by [m]."""
+
+
+def surface(slope: float) -> FixedObject:
+    half = np.arctan(slope) / 2.0
+    turned = Pose(np.array([0.5, 0.0, TOP]), np.array([np.cos(half), 0.0, -np.sin(half), 0.0]))
+    return FixedObject("table", turned @ Pose(np.array([0.0, 0.0, -0.05])), (Shape(Box((0.8, 1.0, 0.1))),))
+
+
+def cell_with(slope: float = 0.0, controller: ControllerModel = CONTROLLER) -> Cell:
+    sensor = DistanceSensor("", 0.3, 0.05)
+    return one_station(
+        "c",
+        ROBOT,
+        controller,
+        tools={"": Tool("")},
+        start=ROBOT.home,
+        signals={
+            "gap": Signal("gap", is_input=True, analog=True, sensor=sensor),
+            "hand": Signal("hand", is_input=True, analog=True, changes=((2.0, 0.001), (2.5, 0.0))),
+        },
+        objects=(surface(slope),),
+    )
+
+
+FLAT = cell_with()
+
+
+def program(cell: Cell, *lines: str) -> icr.Program:
+    text = "\n".join(("program p", "units mm, deg, s", *lines))
+    compiled = ropsim.language.compile(text, environment_of(cell))
+    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
+    assert compiled.icr is not None
+    return compiled.icr
+
+
+def recorded(cell: Cell, *lines: str, options: RunOptions | None = None) -> Recording:
+    wanted = options or RunOptions(Fidelity.KINEMATIC, record_hz=1000)
+    return run(cell, {"robot": program(cell, *lines)}, wanted)
+
+
+def codes(recording: Recording) -> set[str]:
+    return {one.code for one in recording.findings} - {"M511"}
+
+
+@dataclass
+class Corrected:
+    """The part of a recording in which a sensor corrects a path.
+
+    Attributes:
+        recording: the whole.
+        rows: of that part.
+    """
+
+    recording: Recording
+    rows: slice = field(init=False)
+
+    def __post_init__(self) -> None:
+        found = np.flatnonzero(~np.isnan(self.recording.rows("correction")))
+        self.rows = slice(int(found[0]), int(found[-1]) + 1)
+
+    def of(self, name: str) -> Array:
+        values: Array = self.recording.rows(name)[self.rows]
+        return values
+
+    def gap(self, slope: float = 0.0) -> Array:
+        """Distance to the surface along the tool, less than the one wanted [m], by geometry of our own."""
+        normal = np.array([-slope, 0.0, 1.0]) / np.hypot(slope, 1.0)
+        heights = (self.of("attained_position") - [0.5, 0.0, TOP]) @ normal
+        gaps: Array = heights / -(TILT @ normal) - GAP
+        return gaps
+
+
+def line_at(height: float) -> tuple[str, str]:
+    """Lines whose tool is `height` above the distance wanted, seen along the tool [mm]."""
+    z = 1e3 * TOP - (10.0 + height) * TILT[2]
+    return START.format(z=f"{z:.9f}"), LINE.format(z=f"{z:.9f}")
+
+
+def test_a_constant_difference_decays_with_the_time_constant_of_the_gain() -> None:
+    start, line = line_at(1.0)
+    found = Corrected(recorded(FLAT, start, f"{line} {TRACK} gain 10"))
+    error = found.gap()
+    assert error[0] == pytest.approx(1e-3, abs=1e-5)
+    ratio = np.log(error[300] / error[500]) / 0.2
+    assert ratio == pytest.approx(GAIN * (1.0 + GAIN * TICK), rel=5e-3)  # acts one tick after it is read
+    assert np.abs(error[-200:]).max() < 1e-9
+    assert found.of("correction")[-1] == pytest.approx(1e-3, abs=1e-9)
+    assert codes(found.recording) == set()
+
+
+@pytest.mark.parametrize("gain", [10.0, 20.0])
+def test_on_a_slope_the_difference_that_remains_is_its_rise_by_the_gain(gain: float) -> None:
+    slope = 0.05
+    start, line = line_at(0.0)
+    found = Corrected(recorded(cell_with(slope), start, f"{line} {TRACK} gain {gain:g}"))
+    middle = slice(1100, 1400)
+    shift = found.of("correction")[middle]
+    rate = (shift[-1] - shift[0]) / (len(shift) - 1) / 1e-3
+    # the tool looks along TILT: shifting it by c moves it along x, too
+    assert rate == pytest.approx(-SPEED * slope / (slope * TILT[0] - TILT[2]), rel=1e-3)
+    assert found.gap(slope)[middle] == pytest.approx(rate / gain, rel=0.03)
+
+
+def test_the_path_error_is_that_from_the_corrected_path() -> None:
+    start, line = line_at(5.0)
+    found = Corrected(recorded(FLAT, start, f"{line} {TRACK}"))
+    assert found.of("correction").max() > 4.9e-3
+    assert found.of("path_error").max() < NEAR
+
+
+def test_a_move_that_is_not_corrected_is_the_same_as_without_a_sensor_in_the_cell() -> None:
+    start, line = line_at(0.0)
+    flat = recorded(FLAT, start, f"{line} {TRACK}")  # it reads what it is to read
+    bare = recorded(FLAT, start, line)
+    assert "correction" not in bare.channels
+    moved = Corrected(flat)
+    assert np.abs(moved.of("correction")).max() < 1e-10
+    assert flat.rows("attained_position")[-1] == pytest.approx(bare.rows("attained_position")[-1], abs=1e-10)
+
+
+def test_a_move_before_one_that_is_corrected_keeps_its_bits() -> None:
+    start, line = line_at(5.0)
+    one, two = recorded(FLAT, start, f"{line} {TRACK}"), recorded(FLAT, start, line)
+    before = Corrected(one).rows.start
+    assert before > 500
+    assert np.array_equal(one.rows("q_ref")[:before], two.rows("q_ref")[:before])
+
+
+def test_a_value_that_a_hand_sets_moves_the_tool_as_a_sensor_does_and_nothing_while_it_is_right() -> None:
+    start, line = line_at(0.0)
+    found = Corrected(recorded(FLAT, start, f"{line} track hand = 0 gain 2"))
+    changed = int((2.0 - (found.recording.time[found.rows.start])) * 1e3)
+    assert not found.of("correction")[: changed - 1].any()
+    assert found.of("correction")[-1] == pytest.approx(2.0 * 0.001 * 0.5, rel=0.02)
+    plain = recorded(FLAT, start, f"{line} track hand = 0.0 gain 2", options=None)
+    assert np.array_equal(plain.rows("q_ref"), found.recording.rows("q_ref"))
+
+
+def test_limits_of_the_correction_hold_at_every_tick_and_the_one_of_its_size_is_told() -> None:
+    limits = CorrectionLimits(size=0.004, speed=0.015, acceleration=0.3)
+    start, line = line_at(8.0)
+    found = Corrected(
+        recorded(cell_with(0.0, replace(CONTROLLER, correction=limits)), start, f"{line} {TRACK} gain 30")
+    )
+    shift = np.concatenate(([0.0], found.of("correction")))[::4]
+    speed = np.diff(shift) / 4e-3
+    assert shift.max() <= limits.size
+    assert shift[-1] == pytest.approx(limits.size, abs=1e-5)
+    assert np.abs(speed).max() <= limits.speed * (1.0 + 1e-9)
+    assert np.abs(np.diff(speed)).max() / 4e-3 <= limits.acceleration * (1.0 + 1e-6)
+    (told,) = [one for one in found.recording.findings if one.code == "S747"]
+    assert told.span is not None
+    assert told.span.line == 4
+    assert "reached 4 mm" in told.message
+    assert told.data["limit_m"] == limits.size
+    assert found.of("path_error").max() < NEAR
+
+
+@pytest.mark.parametrize("fidelity", list(Fidelity))
+def test_references_with_a_correction_keep_the_limits_of_the_joints_and_have_no_step(
+    fidelity: Fidelity,
+) -> None:
+    start, line = line_at(15.0)
+    fast = line.replace("50 mm/s", "2000 mm/s acc 20000 mm/s2")
+    options = RunOptions(fidelity, record_hz=1000)
+    found = Corrected(recorded(cell_with(0.3), start, f"{fast} {TRACK} gain 25", options=options))
+    q, qd = found.of("q_ref"), found.of("qd_ref")
+    assert np.abs(found.of("correction")).max() > 1e-3
+    assert (np.abs(qd) <= ROBOT.max_speeds).all()
+    assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
+    assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
+    assert not qd[-1].any()
+
+
+def test_a_move_behind_a_corrected_one_takes_the_correction_back_without_a_jump() -> None:
+    start, line = line_at(5.0)
+    recording = recorded(FLAT, start, f"{line} {TRACK}", "lin (500, 0, 150; ry 160 deg)")
+    q, qd = recording.rows("q_ref"), recording.rows("qd_ref")
+    assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
+    end = forward_batch(ROBOT, q[-1:])[0, :3, 3]
+    assert end == pytest.approx([0.5, 0.0, 0.15], abs=NEAR)
+
+
+def held(*overrides: tuple[float, float]) -> RunOptions:
+    changes = tuple(OverrideChange(*one) for one in overrides)
+    return RunOptions(Fidelity.KINEMATIC, record_hz=1000, overrides=changes)
+
+
+def test_a_run_that_is_held_and_slowed_meanwhile_ends_at_the_same_place_and_does_not_drift() -> None:
+    slope = 0.1
+    start, line = line_at(3.0)
+    lines = start, f"{line} {TRACK}"
+    free = Corrected(recorded(cell_with(slope), *lines))
+    stood = Corrected(
+        recorded(cell_with(slope), *lines, options=held((2.0, 0.0), (2.7, 1.0), (3.0, 0.3), (3.5, 1.0)))
+    )
+    assert stood.recording.time[-1] > free.recording.time[-1] + 0.8
+    assert stood.of("attained_position")[-1] == pytest.approx(free.of("attained_position")[-1], abs=2e-6)
+    first = stood.recording.time[stood.rows.start]
+    while_held = stood.of("correction")[int((2.5 - first) * 1e3) : int((2.6 - first) * 1e3)]
+    assert (while_held == while_held[0]).all()
+    q, qd = stood.of("q_ref"), stood.of("qd_ref")
+    assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
+    assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
+
+
+def test_a_run_with_inputs_of_an_earlier_one_has_the_same_bits() -> None:
+    start, line = line_at(3.0)
+    inputs = (InputChange(1.8, "gap", 0.013), InputChange(2.2, "gap", 0.008))
+    options = RunOptions(Fidelity.DYNAMIC, record_hz=1000, inputs=inputs)
+    one, two = (recorded(FLAT, start, f"{line} {TRACK}", options=options) for _ in range(2))
+    shift = Corrected(one).of("correction")
+    assert shift.max() > 3e-3 > -1e-3 > shift[-1]  # the hand is stronger than the sensor
+    for name, channel in one.channels.items():
+        assert np.array_equal(channel.values, two.channels[name].values, equal_nan=True)
+
+
+@pytest.mark.parametrize("way", ["(760, 170, 300; ry 90 deg)", "(760, 180, 300; ry 90 deg)"])
+def test_a_correction_stops_before_the_arm_is_stretched_out_and_goes_back_where_the_path_leads_there(
+    way: str,
+) -> None:
+    recording = recorded(
+        FLAT, "mov (760, 150, 300; ry 90 deg)", f"lin {way} speed 10 mm/s track hand = -0.01"
+    )
+    found = Corrected(recording)
+    (told,) = [one for one in recording.findings if one.code == "S748"]
+    assert told.span is not None
+    assert told.span.line == 4
+    assert 5e-3 < found.of("correction").max() < 0.02
+    assert codes(recording) == {"S748"}
+    assert (np.abs(found.of("qd_ref")) <= ROBOT.max_speeds).all()
+
+
+def test_a_zone_before_and_at_a_corrected_move_is_a_stop() -> None:
+    start, line = line_at(2.0)
+    recording = recorded(
+        FLAT,
+        f"{start} speed 30 %",
+        "lin (450, 0, 150; ry 160 deg) blend 10 mm",
+        f"{line} blend 10 mm {TRACK}",
+        "lin (500, 0, 200; ry 160 deg)",
+    )
+    said = [one.message for one in recording.findings if one.code == "M560"]
+    assert [text.rpartition(": ")[2] for text in said] == [
+        "a sensor corrects the next move",
+        "a sensor corrects the move",
+    ]
+
+
+class Towards:
+    """A corrector that goes to one shift, whatever is measured; a PathCorrector."""
+
+    def __init__(self, wanted: float) -> None:
+        self.wanted = wanted
+
+    def correct(self, measured: Sample, tracking: PathTracking, X_BT: Pose, correction: float) -> float:
+        del measured, tracking, X_BT
+        return 12.0 * (self.wanted - correction)
+
+
+def with_corrector(corrector: PathCorrector) -> RunOptions:
+    chain = replace(standard_chain(FLAT, FLAT.first), corrector=corrector)
+    return RunOptions(Fidelity.KINEMATIC, record_hz=1000, chains={FLAT.first.name: chain})
+
+
+def test_a_corrector_of_a_user_takes_the_place_of_the_standard_one_within_the_same_limits() -> None:
+    start, line = line_at(0.0)
+    found = Corrected(recorded(FLAT, start, f"{line} {TRACK}", options=with_corrector(Towards(0.004))))
+    shift = found.of("correction")
+    assert shift[-1] == pytest.approx(0.004, abs=1e-5)
+    assert np.abs(np.diff(shift)).max() <= 0.02 * 1e-3 * (1.0 + 1e-9)
+
+
+def test_a_corrector_that_answers_no_number_is_told_and_nothing_is_shifted() -> None:
+    start, line = line_at(3.0)
+    recording = recorded(FLAT, start, f"{line} {TRACK}", options=with_corrector(Towards(np.nan)))
+    (told,) = [one for one in recording.findings if one.code == "C603"]
+    assert "`Towards` returned nan as speed of a correction" in told.message
+    assert not Corrected(recording).of("correction").any()
+
+
+def test_a_path_along_which_an_external_axis_goes_is_not_corrected() -> None:
+    text = """
+[robot]
+model = "puma560"
+positioner = { radius = 260, height = 400, base = { position = [600, 0, 0] } }
+[signals.hand]
+input = 1
+analog = true
+[frames.plate]
+parent = "positioner"
+position = [0, 0, 0]
+"""
+    cell, _ = read_cell(SourceText("cell.toml", text), "c")
+    assert cell is not None
+    near = "loc a = (-170, 0, 160, 180, 0, 0) in plate"
+    lines = near, "mov a external (0)", "lin a external (20) track hand = 0.0", "lin a offset (0, 20, 0)"
+    recording = run(cell, {cell.first.name: program(cell, *lines)}, RunOptions(Fidelity.KINEMATIC))
+    (told,) = [one for one in recording.findings if one.code == "M587"]
+    assert told.span is not None
+    assert told.span.line == 5
+    assert "correction" not in recording.channels
+    still = near, "mov a external (20)", "lin a offset (0, 20, 0) track hand = -0.01"
+    recording = run(cell, {cell.first.name: program(cell, *still)}, RunOptions(Fidelity.KINEMATIC))
+    assert "M587" not in codes(recording)
+    assert np.nanmax(recording.rows("correction")) > 1e-3
+    corrected = ~np.isnan(recording.rows("correction"))
+    assert np.ptp(recording.rows("q_ref")[corrected, 6]) < 1e-12  # the positioner stands
+    assert np.nanmax(recording.rows("path_error")) < NEAR
