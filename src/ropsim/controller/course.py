@@ -1,13 +1,14 @@
 """The course of a stretch: runs of pieces, each walked from rest to rest, one overlapping the next."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.stages import along_with, joint_stage, tool_stage
+from ropsim.controller.stages import Stages, along_with, joint_stages, tool_stages
 from ropsim.motion import (
     JointPath,
     JointSection,
@@ -34,7 +35,7 @@ class Piece:
         joints: its path in joint space.
         tool: its path of the tool, in the base frame or that of the coordination; None where it has none.
         X_MT: the tool.
-        stage: bounds along it.
+        stages: bounds along it, part by part; none where it has a time law of its own.
         corner: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
         begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
@@ -44,7 +45,7 @@ class Piece:
     joints: JointPath
     tool: ToolPath | None
     X_MT: Pose
-    stage: Stage
+    stages: Stages
     corner: Rounding | None = None
     coordination: Coordination | None = None
     begin: float = 0.0
@@ -56,7 +57,7 @@ class Run:
 
     Attributes:
         pieces: in order.
-        law: when the motion is where on them.
+        law: when the motion is where on them; it counts pieces, whatever the stages of each.
         start: motion time at which it begins [s].
         overlap: for how long the run before still lasts then [s].
     """
@@ -101,12 +102,7 @@ def course_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead:
     runs: list[Run] = []
     overlap: Overlap | None = None
     for pieces, corner in _runs(legs, corners):
-        alone = pieces[0].joints
-        law = (
-            alone.law
-            if isinstance(alone, SynchronisedJoints)
-            else plan_time_law(_with_horizons(pieces, look_ahead))
-        )
+        law = _law(pieces, look_ahead)
         before = runs[-1] if runs else None
         both = 0.0
         if before and overlap:
@@ -155,16 +151,28 @@ def _ends(runs: Sequence[Run], legs: int) -> list[float]:
     return ends
 
 
+def _law(pieces: Sequence[Piece], look_ahead: int) -> TimeLaw:
+    """Return the time law of a run: planned stage by stage, told piece by piece."""
+    alone = pieces[0].joints
+    if isinstance(alone, SynchronisedJoints):
+        return alone.law
+    law = plan_time_law(_with_horizons(pieces, look_ahead))
+    counts = [len(piece.stages) for piece in pieces]
+    return law if max(counts) == 1 else law.in_parts(counts)
+
+
 def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
-    """Return the bounds of the pieces of a run, each with the last piece that is known at its end."""
-    last = {piece.leg: number for number, piece in enumerate(pieces)}
+    """Return the stages of the pieces of a run, with the last stage that is known where a piece ends.
+
+    Within a piece no more gets known: who can stop after it can stop before.
+    """
+    ends = np.cumsum([len(piece.stages) for piece in pieces]).tolist()
+    last = {piece.leg: end - 1 for piece, end in zip(pieces, ends, strict=True)}
     final = pieces[-1].leg
-    stages = []
-    for number, piece in enumerate(pieces):
-        known = last[min(piece.leg + look_ahead, final)]
-        one = piece.stage
-        ratio = 0.0 if number == 0 else one.ratio
-        stages.append(Stage(one.length, one.speed, one.acceleration, one.jerk, ratio, known))
+    stages: list[Stage] = []
+    for piece in pieces:
+        stages += piece.stages
+        stages[-1] = replace(stages[-1], horizon=last[min(piece.leg + look_ahead, final)])
     return stages
 
 
@@ -175,16 +183,16 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
     limits, coordination = leg.planned.limits, leg.planned.coordination
     if tool is None:
-        stage = joint_stage(joints, limits.joints)
-        return Piece(number, joints, None, leg.planned.X_MT, stage, begin=first)
+        stages = () if isinstance(joints, SynchronisedJoints) else joint_stages(joints, limits.joints)
+        return Piece(number, joints, None, leg.planned.X_MT, stages, begin=first)
     if coordination and not whole:
         coordination = coordination.part(first, last)
-    stage = along_with(tool_stage(tool, limits.tool), coordination)
-    return Piece(number, joints, tool, leg.planned.X_MT, stage, coordination=coordination, begin=first)
+    stages = along_with(tool_stages(tool, limits.tool), coordination)
+    return Piece(number, joints, tool, leg.planned.X_MT, stages, coordination=coordination, begin=first)
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
     one, other = before.planned.limits.tool, behind.planned.limits.tool
     least = ToolLimits(*(min(getattr(one, name), getattr(other, name)) for name in ToolLimits.__slots__))
-    stage, X_MT = along_with(tool_stage(corner.tool, least), corner.coordination), before.planned.X_MT
-    return Piece(number, corner.joints, corner.tool, X_MT, stage, corner, corner.coordination)
+    stages, X_MT = along_with(tool_stages(corner.tool, least), corner.coordination), before.planned.X_MT
+    return Piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination)

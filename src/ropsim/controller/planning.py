@@ -15,7 +15,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
-from ropsim.controller.stages import along_with, joint_stage, tool_stage
+from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.stretch_legs import legs_of
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
@@ -124,14 +124,16 @@ def _time_alone(leg: Leg) -> float:
         return 0.0
     if isinstance(leg.joints, SynchronisedJoints):
         return leg.joints.length
-    stage = joint_stage(leg.joints, limits.joints)
-    if leg.tool:
-        stage = along_with(tool_stage(leg.tool, limits.tool), leg.planned.coordination)
-    speed, acceleration, jerk = (
-        max(bound, _SMALLEST) for bound in (stage.speed, stage.acceleration, stage.jerk)
+    stages = (
+        along_with(tool_stages(leg.tool, limits.tool), leg.planned.coordination)
+        if leg.tool
+        else joint_stages(leg.joints, limits.joints)
     )
-    way = stage.length
-    return max(way / speed, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
+    way = sum(stage.length for stage in stages)
+    cruise = sum(stage.length / max(stage.speed, _SMALLEST) for stage in stages)
+    acceleration = max(_SMALLEST, *(stage.acceleration for stage in stages))
+    jerk = max(_SMALLEST, *(stage.jerk for stage in stages))
+    return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
 def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) -> list[Corner | None]:

@@ -1,115 +1,148 @@
-"""Bounds of speed, acceleration and jerk along a piece of a stretch."""
-
-from dataclasses import replace
+"""Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
 
 import numpy as np
 
+from ropsim.controller.bends import TINY, Bends, bends_of, bent_speeds
 from ropsim.controller.coordination import Coordination
-from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath
+from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
 from ropsim.spatial import Array
 
+Stages = tuple[Stage, ...]
+
 _PLACES = np.linspace(0.0, 1.0, 33)
-_TINY = 1e-300
+_STRAIGHT = 1e-9
+"""A path of the tool whose direction changes by less from end to end is straight."""
+_MIXED = 0.5
+"""Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
+_ALIKE = np.array([1.1, 2.0, 2.0])
+"""Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
+_SAME_PLACE = 1e-9
+"""Share of a path below which two ends of stages are one."""
 
-_BENT, _ALONG = 0.92, 0.08
-"""Shares of a joint's acceleration for the bend of its path and for changes of speed along it."""
-_TOOL_BENT, _TOOL_ALONG = 0.9, 0.43
-"""The same for the tool, where both are at right angles: 0.9² + 0.43² < 1."""
-_JERK_BENT = 0.9
-"""Share of a jerk for the bend at most; of the rest, half is for changes of speed in the bend."""
 
-
-def joint_stage(path: JointPath, limits: JointMotionLimits) -> Stage:
-    """Return the bounds of a path in joint space; for a straight one they are exact.
+def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
+    """Return the bounds along a path in joint space; for a straight one they are exact.
 
     Args:
         path: of the joints.
         limits: of every joint.
     """
     points = path.joints(_PLACES * path.length)
-    d1, d2 = np.abs(points.d1).max(axis=0), np.abs(points.d2).max(axis=0)
-    speed = _least(limits.speed, d1)
-    if not d2.any():
-        return Stage(path.length, speed, _least(limits.acceleration, d1), _least(limits.jerk, d1))
-    d3 = np.abs(_slopes(points.d2, path.length)).max(axis=0)
-    return _bent(path.length, speed, (d1, d2, d3), limits.acceleration, limits.jerk, (_BENT, _ALONG))
+    if not points.d2.any():
+        return _straight(path.length, np.abs(points.d1).max(axis=0), limits)
+
+    def look(places: Array) -> tuple[Array, Array]:
+        rows = path.joints(places)
+        return rows.d1[:, :, None], rows.d2[:, :, None]
+
+    return _bent(bends_of(look, _PLACES * path.length, limits), limits)
 
 
-def tool_stage(path: ToolPath, limits: ToolLimits) -> Stage:
-    """Return the bounds of a path of the tool.
+def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
+    """Return the bounds along a path of the tool.
 
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
     """
-    points = path.tool(_PLACES * path.length)
-    d1, d2 = _sizes(points.d1), _sizes(points.d2)
-    speeds = np.array([limits.speed, limits.orientation_speed])
-    accelerations = np.array([limits.acceleration, limits.orientation_acceleration])
-    jerks = np.array([limits.jerk, limits.orientation_jerk])
-    speed = _least(speeds, d1)
-    if float((d2 * path.length).max()) <= 1e-9 * float(d1.max()):
-        return Stage(path.length, speed, _least(accelerations, d1), _least(jerks, d1))
-    d3 = _sizes(_slopes(points.d2, path.length))
-    return _bent(path.length, speed, (d1, d2, d3), accelerations, jerks, (_TOOL_BENT, _TOOL_ALONG))
+    both = JointMotionLimits(
+        np.array([limits.speed, limits.orientation_speed]),
+        np.array([limits.acceleration, limits.orientation_acceleration]),
+        np.array([limits.jerk, limits.orientation_jerk]),
+    )
+
+    def look(places: Array) -> tuple[Array, Array]:
+        rows = path.tool(places)
+        return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
+
+    d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
+    if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
+        return _straight(path.length, d1, both)
+    return _bent(bends_of(look, grid(path), both), both)
 
 
-def along_with(stage: Stage, coordination: Coordination | None) -> Stage:
-    """Return the bounds of a path of the tool on which external axes go along, theirs too.
+def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
+    """Return the bounds along a path of the tool on which external axes go along, theirs too.
 
     Args:
-        stage: of the path.
+        stages: of the path.
         coordination: the axes; None where they stand.
     """
     if coordination is None:
-        return stage
-    axes = joint_stage(coordination.axes, coordination.limits)
-    return replace(
-        stage,
-        speed=min(stage.speed, axes.speed),
-        acceleration=min(stage.acceleration, axes.acceleration),
-        jerk=min(stage.jerk, axes.jerk),
+        return stages
+    axes = joint_stages(coordination.axes, coordination.limits)
+    ways = [np.cumsum([one.length for one in each]) for each in (stages, axes)]
+    length = float(ways[0][-1])
+    ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
+    near = _SAME_PLACE * length
+    ends = ends[(np.diff(ends, prepend=0.0) > near) & (ends < length - near)]
+    middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
+    here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1).tolist() for way in ways)
+    lengths = np.diff(ends, prepend=0.0, append=length).tolist()
+    return tuple(
+        _least(length, stages[i], axes[k]) for length, i, k in zip(lengths, here, there, strict=True)
     )
 
 
-def _slopes(rows: Array, length: float) -> Array:
-    """Return slopes of rows at `_PLACES` by the length: between them, and at both ends."""
-    between = np.diff(rows, axis=0) * ((len(_PLACES) - 1) / length)
-    start, end = 1.5 * between[0] - 0.5 * between[1], 1.5 * between[-1] - 0.5 * between[-2]
-    return np.vstack((start, between, end))
+def _least(length: float, one: Stage, other: Stage) -> Stage:
+    return Stage(
+        length,
+        min(one.speed, other.speed),
+        min(one.acceleration, other.acceleration),
+        min(one.jerk, other.jerk),
+    )
 
 
-def _bent(
-    length: float,
-    speed: float,
-    derivatives: tuple[Array, Array, Array],
-    accelerations: Array,
-    jerks: Array,
-    shares: tuple[float, float],
-) -> Stage:
+def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
+    speed, acceleration, jerk = (
+        float((limit / np.maximum(d1, TINY)).min())
+        for limit in (limits.speed, limits.acceleration, limits.jerk)
+    )
+    return (Stage(length, speed, acceleration, jerk),)
+
+
+def _bent(bends: Bends, limits: JointMotionLimits) -> Stages:
     """Return bounds that hold together on a bent path.
 
-    With d1, d2, d3 the largest derivatives of the path by its length s: acceleration d2·v² + d1·a, jerk
-    d3·v³ + 3·d2·v·a + d1·j. What the bend does not take is left for changes of speed; a part of the tool
-    that is not bent has all of it.
+    With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
+    d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
     """
-    d1, d2, d3 = derivatives
-    bent, along = shares
-    v = min(
-        speed,
-        _least(bent * accelerations, d2) ** 0.5,
-        _least(_JERK_BENT * jerks, d3) ** (1.0 / 3.0),
+    second, third = bends.along
+    second_across, third_across = bends.across
+    A, J, d1 = limits.acceleration, limits.jerk, np.maximum(bends.d1, TINY)
+    slow = np.minimum((limits.speed / d1).min(axis=1), bent_speeds(bends, limits))
+    v = slow[:, None]
+    room = np.sqrt(np.maximum(A**2 - (second_across * v**2) ** 2, 0.0)) - second * v**2
+    along, across = third * v**3, third_across * v**3
+    left = _MIXED * (np.sqrt(J**2 - across**2) - along)
+    mixed = np.minimum(
+        left / np.maximum(second * v, TINY),
+        (np.sqrt(np.maximum(J**2 - (along + left) ** 2, 0.0)) - across) / np.maximum(second_across * v, TINY),
     )
-    jerks = jerks - d3 * v**3
-    free = np.maximum(along * accelerations, accelerations - d2 * v**2)
-    a = min(_least(free, d1), _least(0.5 * jerks, 3.0 * d2 * v))
-    return Stage(length, v, a, _least(jerks - 3.0 * d2 * v * a, d1))
+    a = np.minimum(room / d1, mixed / 3.0).min(axis=1)
+    across += 3.0 * second_across * v * a[:, None]
+    along += 3.0 * second * v * a[:, None]
+    j = ((np.sqrt(np.maximum(J**2 - across**2, 0.0)) - along) / d1).min(axis=1)
+    return _joined(bends.lengths, np.column_stack((slow, a, j)))
 
 
-def _least(limits: Array, sizes: Array) -> float:
-    return float((limits / np.maximum(sizes, _TINY)).min())
+def _joined(lengths: Array, bounds: Array) -> Stages:
+    """Return stages of cells, of neighbours with similar bounds one.
 
-
-def _sizes(rows: Array) -> Array:
-    """Return the largest sizes of the parts of position and of orientation of rows (k, 6), shape (2,)."""
-    return np.array([np.linalg.norm(part, axis=1).max() for part in (rows[:, :3], rows[:, 3:])])
+    Args:
+        lengths: of the cells, shape (k,).
+        bounds: of their speeds, accelerations and jerks, shape (k, 3).
+    """
+    ratios = _ALIKE.tolist()
+    stages: list[Stage] = []
+    least: list[float] = []
+    most: list[float] = []
+    for length, cell in zip(lengths.tolist(), bounds.tolist(), strict=True):
+        low, high = list(map(min, least, cell)), list(map(max, most, cell))
+        if stages and all(b <= ratio * a for a, b, ratio in zip(low, high, ratios, strict=True)):
+            least, most = low, high
+            stages[-1] = Stage(stages[-1].length + length, low[0], low[1], low[2])
+        else:
+            least = most = cell
+            stages.append(Stage(length, cell[0], cell[1], cell[2]))
+    return tuple(stages)

@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.kinematics import forward_batch
 from ropsim.model import RobotModel
-from ropsim.motion import JointPath, ToolPath, ToolPoints, pose_derivatives
+from ropsim.motion import JointPath, ToolPath, ToolPoints, grid, pose_derivatives
 from ropsim.spatial import Array, Pose, record
 
 _STEP = 0.01
@@ -34,6 +34,10 @@ class WristPath:
     def length(self) -> float:
         """Return the length in the unit of the way."""
         return self.way.length
+
+    def own_grid(self) -> Array:
+        """Return the grid of the way, at whose points the joints have theirs, shape (m,)."""
+        return grid(self.way)
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,).

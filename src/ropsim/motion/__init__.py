@@ -66,6 +66,7 @@ from ropsim.motion.paths import arc as arc
 from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import evenly as evenly
+from ropsim.motion.paths import grid as grid
 from ropsim.motion.paths import leave as leave
 from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points

@@ -118,6 +118,23 @@ class TimeLaw:
         law_rows_kernel.times_at(self.segments, self.ends, piece, asked, out)
         return out
 
+    def in_parts(self, counts: Sequence[int]) -> "TimeLaw":
+        """Return the same motion over longer pieces, each of several pieces of this one with the same unit.
+
+        Args:
+            counts: of how many, in order, each 1 or more; their sum is p.
+        """
+        firsts = np.cumsum([0, *counts[:-1]])
+        last_segments = np.append(np.flatnonzero(np.diff(self.segments[0])), self.segments.shape[1] - 1)
+        gone = np.append(0.0, np.cumsum(self.segments[7, last_segments]))
+        begins = gone[:-1] - np.repeat(gone[firsts], counts)
+        numbers, here = np.repeat(np.arange(len(counts)), counts), self.pieces
+        segments = self.segments.copy()
+        segments[0] = numbers[here]
+        segments[2] += begins[here]
+        segments[7] += begins[here]
+        return TimeLaw(segments, self.ends[np.append(firsts[1:], len(self.ends)) - 1])
+
 
 def plan_time_law(stages: Sequence[Stage]) -> TimeLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.

@@ -10,6 +10,7 @@ from ropsim.controller.corners import Corner, Overlap, Stop, corner_between
 from ropsim.controller.course import Course, course_of
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import ModalState, MoveInstruction
+from ropsim.motion import plan_time_law
 from support.motion import CHAIN, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)
@@ -61,6 +62,38 @@ def test_a_line_whose_start_is_rounded_goes_over_into_the_next_move_as_one_from_
     assert len(rounded.runs[0].pieces) == 3
     assert rounded.runs[1].overlap > 0.05
     assert rounded.runs[1].overlap == pytest.approx(stopped.runs[2].overlap, rel=0.02)
+
+
+def test_a_law_counts_the_pieces_of_its_run_whatever_their_stages() -> None:
+    done, _ = course([lin(goal, ZONE) for goal in GOALS])
+    (run,) = done.runs
+    assert [len(piece.stages) > 1 for piece in run.pieces] == [False, True, False, True, False]
+    rows = run.law.at(np.nextafter(run.law.ends, 0.0))
+    assert rows.pieces.tolist() == [0, 1, 2, 3, 4]
+    assert rows.places == pytest.approx([piece.joints.length for piece in run.pieces], rel=1e-9)
+    for piece in run.pieces:
+        assert sum(stage.length for stage in piece.stages) == pytest.approx(piece.joints.length, rel=ROUNDING)
+
+
+def test_what_is_known_counts_where_a_piece_ends() -> None:
+    """Who can stop there can stop before, so that no stage before needs to count it.
+
+    With the horizon at each stage, motions are levelled off at each of them to be sure, which takes longer.
+    """
+    steps = [shifted(HERE, -0.004 * k, 0.004 * k, 5e-4 * (k % 2)) for k in range(1, 9)]
+    done, _ = course([lin(goal, ModalState(zone=0.002)) for goal in steps], look_ahead=1)
+    (run,) = done.runs
+    last = np.cumsum([len(piece.stages) for piece in run.pieces]) - 1
+    of_leg = {piece.leg: int(end) for piece, end in zip(run.pieces, last, strict=True)}
+    everywhere = [
+        replace(stage, horizon=of_leg[min(piece.leg + 1, len(steps) - 1)])
+        for piece in run.pieces
+        for stage in piece.stages
+    ]
+    nowhere = [replace(stage, horizon=-1) for stage in everywhere]
+    longest, shortest = (plan_time_law(stages).duration for stages in (everywhere, nowhere))
+    assert shortest < run.law.duration <= longest * (1.0 + ROUNDING)
+    assert longest < 1.05 * run.law.duration
 
 
 def test_moves_end_in_the_middle_of_corners_and_overlaps() -> None:

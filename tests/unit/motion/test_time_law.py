@@ -220,6 +220,21 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     assert (np.diff(times) > 0.0).all()
 
 
+def test_told_in_longer_parts_it_is_the_same_motion() -> None:
+    law = plan_time_law([replace(one, ratio=1.0) for one in WAY])
+    parts = law.in_parts([1, 3, 2])
+    t = np.linspace(0.0, law.duration, 1001)
+    rows, told = law.at(t), parts.at(t)
+    lengths = [one.length for one in WAY]
+    before = np.array([0.0, 0.0, lengths[1], lengths[1] + lengths[2], 0.0, lengths[4]])
+    assert told.pieces.tolist() == np.array([0, 1, 1, 1, 2, 2])[rows.pieces].tolist()
+    np.testing.assert_allclose(told.places, rows.places + before[rows.pieces], rtol=ROUNDING)
+    assert (told.speeds == rows.speeds).all()
+    assert (told.accelerations == rows.accelerations).all()
+    assert parts.ends.tolist() == law.ends[[0, 3, 5]].tolist()
+    assert parts.times_of(1, [lengths[1]])[0] == pytest.approx(law.ends[1], rel=ROUNDING)
+
+
 def test_times_of_places_beyond_the_ends_are_those_of_the_ends() -> None:
     law = plan_time_law(WAY)
     assert law.times_of(0, [-1.0, 0.0]).tolist() == [0.0, 0.0]

@@ -9,6 +9,7 @@ from ropsim.motion.paths.corner import corner as corner
 from ropsim.motion.paths.curve import Curve as Curve
 from ropsim.motion.paths.differences import numeric_points as numeric_points
 from ropsim.motion.paths.differences import pose_derivatives as pose_derivatives
+from ropsim.motion.paths.grid import grid as grid
 from ropsim.motion.paths.joint_curve import JointCurve as JointCurve
 from ropsim.motion.paths.joint_curve import evenly as evenly
 from ropsim.motion.paths.joint_curve import smoothly as smoothly

@@ -11,6 +11,7 @@ from ropsim.motion.paths.path import ToolPoints
 from ropsim.motion.paths.rotation_vector import series
 from ropsim.spatial import Array, frozen, record
 
+_EVERY = 4  # steps of the arc length from one place of the grid to the next
 _GRID = 16, 512  # least and most steps of each segment in the search for the nearest place
 _STEP = 1e-3  # [m] of that search between, so that ways that come near each other are told apart
 _PLACES = 200_000  # at most, of all segments together
@@ -47,6 +48,14 @@ class Curve:
     def knots(self) -> Array:
         """Return the places at which segments begin and end [m], rising from 0, shape (c + 1,)."""
         return self.way.ends[:: self.way.steps]
+
+    def own_grid(self) -> Array:
+        """Return places that are even in the parameter of the polynomials, shape (m,).
+
+        So they are close where the way all but turns back, and four times as close on curves with segments of
+        uneven speed.
+        """
+        return self.way.ends[::_EVERY]
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""

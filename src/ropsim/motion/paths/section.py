@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.motion.paths.grid import grid_of_part
 from ropsim.motion.paths.nearest import distances
 from ropsim.motion.paths.path import JointPath, JointPoints, ToolPath, ToolPoints
 from ropsim.spatial import Array, record
@@ -52,6 +53,10 @@ class ToolSection:
     def length(self) -> float:
         """Return the length in the unit of the path."""
         return self.end - self.begin
+
+    def own_grid(self) -> Array:
+        """Return the grid of the path as far as it lies in the section, shape (m,)."""
+        return grid_of_part(self.path, self.begin, self.length)
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""

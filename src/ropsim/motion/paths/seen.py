@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.motion.paths.grid import grid
 from ropsim.motion.paths.path import ToolPath, ToolPoints
 from ropsim.spatial import Array, Pose, record
 
@@ -22,6 +23,10 @@ class Seen:
     def length(self) -> float:
         """Return the length of the path."""
         return self.path.length
+
+    def own_grid(self) -> Array:
+        """Return the grid of the path, shape (m,)."""
+        return grid(self.path)
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
