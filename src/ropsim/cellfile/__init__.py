@@ -1,6 +1,10 @@
 """The cell file: `cell.toml` to a cell, every mistake told by its place, and where names stand in it."""
 
 from ropsim.cellfile.cell import read_cell as read_cell
+from ropsim.cellfile.controller_limits import Limits as Limits
+from ropsim.cellfile.controller_limits import limits_section as limits_section
+from ropsim.cellfile.controller_limits import with_limits as with_limits
+from ropsim.cellfile.controller_limits import written_limits as written_limits
 from ropsim.cellfile.places import mesh_in_cell_file as mesh_in_cell_file
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
 from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file

@@ -8,7 +8,8 @@ from ropsim.model import JointType
 _METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
 _RADIANS = {"deg": math.pi / 180.0, "rad": 1.0}
 
-_MOST = {JointType.PRISMATIC: (20.0, 1e3), JointType.REVOLUTE: (100.0, 1e4)}  # [m/s, m/s² | rad/s, rad/s²]
+_MOST = {JointType.PRISMATIC: (20.0, 1e3, 1e5), JointType.REVOLUTE: (100.0, 1e4, 1e6)}
+"""Of an axis [m/s, m/s², m/s³ | rad/s, rad/s², rad/s³]."""
 
 _TWO_TURNS = 4.0 * math.pi + 1e-9  # 720° must pass in spite of rounding
 
@@ -77,7 +78,7 @@ class Units:
         return Quantity(self.length, metres(self.length), 1e-6, 100.0)
 
     def rate(self, type_: JointType, order: int) -> Quantity:
-        """Return the speed (order 1) or acceleration (order 2) of one axis, up to what none exceeds."""
+        """Return the speed, acceleration or jerk (order 1, 2, 3) of one axis, up to what none exceeds."""
         most = _MOST[type_][order - 1]
         return (self.path if type_ is JointType.PRISMATIC else self.orientation)(order, most)
 

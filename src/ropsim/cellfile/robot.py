@@ -24,9 +24,11 @@ from ropsim.model import (
     axes_words,
     coupled_limits,
     gain_names,
+    with_axis_limits,
 )
 from ropsim.spatial import Array, Pose, frozen, record
 
+_LIMITS = ("joint_speed", "joint_acceleration", "joint_jerk")
 _GAIN = NUMBER.within(0.0, 1e6)
 _SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
@@ -106,6 +108,7 @@ def _section(
     start = _start(table, model, units) if start_given else model.home
     table.finish()
     controller = replace(_controller(settings, controller, model, units), speed_override=override)
+    model = _limited(settings, model, units)
     settings.finish()
     return RobotSection(_with_base(model, X_WB), controller, start)
 
@@ -202,6 +205,20 @@ def _controller(
         correction=_correction(table, controller.correction, units),
         origins=tuple(_with_given(origin, given) for origin in controller.origins),
     )
+
+
+def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
+    """Return the model with the limits of the joints that the settings give; the standard gains stay."""
+    known = (model.max_speeds, model.max_accelerations, model.max_jerks)
+    limits = [
+        _per_joint(table, key, [units.rate(joint.measure, order) for joint in model.axis_joints], own, model)
+        for order, (key, own) in enumerate(zip(_LIMITS, known, strict=True), start=1)
+    ]
+    given = [key for key in _LIMITS if key in table]
+    if not given:
+        return model
+    origin = ParameterOrigin(", ".join(given), "derived", "as in the cell file")
+    return replace(with_axis_limits(model, *limits), origins=(*model.origins, origin))
 
 
 def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigin:

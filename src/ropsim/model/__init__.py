@@ -7,6 +7,7 @@ from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
 from ropsim.model.axes_words import axes_words as axes_words
 from ropsim.model.axes_words import external_words as external_words
+from ropsim.model.axis_limits import with_axis_limits as with_axis_limits
 from ropsim.model.base_frame import in_base as in_base
 from ropsim.model.bearers import bearers as bearers
 from ropsim.model.bearers import carriages as carriages

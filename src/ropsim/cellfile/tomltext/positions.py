@@ -239,3 +239,9 @@ class _Walk:
         found = pattern.match(self.text, self.at)
         self.at = found.end() if found else self.at
         return self.at
+
+
+def offsets(source: SourceText) -> tuple[Mapping[Path, tuple[int, int]], Mapping[Path, tuple[int, int]]]:
+    """Return where keys and values of a valid TOML text begin and end in its lines, joined by line feeds."""
+    walk = _Places(source).walk
+    return walk.keys, walk.values
