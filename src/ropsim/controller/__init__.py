@@ -59,6 +59,7 @@ from ropsim.controller.sensed_cell import SensedCell as SensedCell
 from ropsim.controller.sensor_interface import CellSensors as CellSensors
 from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.shifted_reference import shifted_reference as shifted_reference
+from ropsim.controller.stretch_order import StretchOrder as StretchOrder
 from ropsim.controller.trigger_ticks import PlannedTrigger as PlannedTrigger
 from ropsim.controller.work_frames import WorkFrames as WorkFrames
 from ropsim.controller.zone_findings import stopped_by as stopped_by

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.controller import CellSensors, NothingSensed, Sample
+from ropsim.controller import CellSensors, NothingSensed, Sample, StretchOrder
 from ropsim.core import Diagnostic
 from ropsim.flow import Event, InputChange, Placement
 from ropsim.model import Cell, Part, Tool
@@ -36,6 +36,7 @@ class CellRun:
         parts: where the parts are.
         hz: ticks of the cell's clock per second; every control tick of every station is one of them.
         progress: is told after every move what was done.
+        ordered: is told of every stretch before it is planned, with the name of its station.
         at_work: the programs that have not ended, by station.
         watch: looks on.
         events: what happened.
@@ -58,6 +59,7 @@ class CellRun:
     parts: Placements
     hz: int
     progress: Callable[[str], None]
+    ordered: Callable[[str, StretchOrder], None]
     at_work: dict[str, Iterator[None]] = field(default_factory=dict)
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)

@@ -4,7 +4,15 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ropsim.controller import MotionPlan, MotionState, PlannedMove, critical_limits, plan, stopped_by
+from ropsim.controller import (
+    MotionPlan,
+    MotionState,
+    PlannedMove,
+    StretchOrder,
+    critical_limits,
+    plan,
+    stopped_by,
+)
 from ropsim.core import Diagnostic
 from ropsim.flow import (
     MessageEvent,
@@ -36,6 +44,7 @@ def move(run: CellRun, at: StationRun, stretch: Stretch, world: SimulatedWorld) 
     done, moves = 0, stretch.moves
     run.findings += stopped_by(moves[-1], why_it_ends(stretch))
     while done < len(moves) and not at.is_over:
+        run.ordered(at.station.name, StretchOrder(moves[done:], at.q_command, at.payload))
         planned, refusal = plan(at.chain, moves[done:], MotionState.at_rest(at.q_command), at.payload)
         if planned is not None:
             texts = [stretch.said_before(done + number) for number in range(len(planned.moves))]

@@ -3,11 +3,16 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface
+from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface, StretchOrder
 from ropsim.flow import Fidelity, InputChange, OverrideChange
 from ropsim.simulation.adapting import Adaptation, as_programmed
 from ropsim.simulation.row_log import MOST_ROWS
 from ropsim.simulation.watch import NobodyWatches, Watch
+
+
+def unheard(station: str, order: StretchOrder) -> None:
+    """Take no notice of what is planned."""
+    del station, order
 
 
 def silent(text: str) -> None:
@@ -24,6 +29,7 @@ class RunOptions:
         record_hz: recorded rows per second; every row falls on a control tick, so it may be a few more.
         longest: simulated time after which a program is stopped [s].
         progress: is told after every move what was done.
+        ordered: is told of every stretch before it is planned, with the name of its station.
         chains: other entities between instruction and joint controller, by station; the others take the
             standard ones.
         laws: other joint controllers than those of the cell, by station.
@@ -41,6 +47,7 @@ class RunOptions:
     record_hz: int = 250
     longest: float = 3600.0
     progress: Callable[[str], None] = silent
+    ordered: Callable[[str, StretchOrder], None] = unheard
     chains: Mapping[str, MotionChain] = field(default_factory=dict)
     laws: Mapping[str, CompiledLaw | PythonLaw] = field(default_factory=dict)
     sensors: SensorInterface | None = None

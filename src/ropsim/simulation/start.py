@@ -64,6 +64,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         parts=parts,
         hz=hz,
         progress=options.progress,
+        ordered=options.ordered,
         watch=options.watch,
         findings=list(findings),
         placements=list(at_start(scenery.tree, parts, scenery.objects)),

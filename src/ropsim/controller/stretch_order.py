@@ -1,0 +1,23 @@
+"""What planning a stretch is given: its moves, where the arm stands, and what it carries."""
+
+from ropsim.flow import MoveInstruction
+from ropsim.model import Payload
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class StretchOrder:
+    """A stretch before it is planned.
+
+    Attributes:
+        moves: in order; all but the last may be flown by.
+        q_start: command joint coordinates at its start [rad | m], shape (n,).
+        payload: tool and part as one body.
+    """
+
+    moves: tuple[MoveInstruction, ...]
+    q_start: Array
+    payload: Payload
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q_start", frozen(self.q_start))
