@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ropsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from ropsim import calibration as calibration
     from ropsim import cellfile as cellfile
     from ropsim import controller as controller
     from ropsim import core as core
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 __all__ = [
     "RopsimError",
     "__version__",
+    "calibration",
     "cellfile",
     "controller",
     "core",

@@ -22,6 +22,7 @@ BANDS = {
     "simulation": {"S7"},
     "model": {"X8"},
     "robots": {"X8"},
+    "calibration": {"X8"},
     "workbench": {"X8"},
     "cellfile": {"X8"},
     "records": {"X8"},

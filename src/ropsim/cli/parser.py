@@ -47,6 +47,7 @@ def build_parser() -> argparse.ArgumentParser:
     _new(commands)
     _check(commands)
     _run(commands)
+    _calibrate(commands)
     _icr(commands)
     _robot(commands)
     _explain(commands)
@@ -119,6 +120,24 @@ def _run(commands: Commands) -> None:
         help="also run with one change, may stand several times: "
         "speed=120%%, acceleration=80%%, payload=3kg, tool=2kg, zones=stop, zones=each",
     )
+
+
+def _calibrate(commands: Commands) -> None:
+    parser = _command(
+        commands,
+        "calibrate",
+        "calibrate:calibrate",
+        "fit the limits of a cell to a logged trace of its robot",
+        "The trace is a CSV table of times and joint coordinates, logged while the robot ran the program.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or one of its programs")
+    parser.add_argument(
+        "trace", metavar="TRACE.csv", help="`time [s], j1 [deg], j2 [deg], …`, one line per sample"
+    )
+    parser.add_argument(
+        "--program", metavar="NAME", help="name of the program that ran (default: the cell's)"
+    )
+    parser.add_argument("--write", action="store_true", help="write the limits into cell.toml")
 
 
 def _icr(commands: Commands) -> None:

@@ -1,5 +1,7 @@
 """What people see of a run: summary, terminal report, HTML report, diagnostics as text."""
 
+from ropsim.views.columns import TableCell as TableCell
+from ropsim.views.columns import columns_text as columns_text
 from ropsim.views.comparison import Alternative as Alternative
 from ropsim.views.comparison import Comparison as Comparison
 from ropsim.views.comparison import comparison_text as comparison_text
@@ -37,6 +39,7 @@ from ropsim.views.scene.shapes import MeshSource as MeshSource
 from ropsim.views.scene.shapes import plain_pose as plain_pose
 from ropsim.views.shown_placements import ShownPlacements as ShownPlacements
 from ropsim.views.style import Style as Style
+from ropsim.views.style import Tone as Tone
 from ropsim.views.summary import Summary as Summary
 from ropsim.views.summary import summarize as summarize
 from ropsim.views.task_summary import TaskSummary as TaskSummary

@@ -9,14 +9,14 @@ from ropsim.views.style import Style, Tone, paint
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class TableCell:
     """A text in a column, with a tone where it needs attention."""
 
     text: str
     tone: Tone | None = None
 
 
-def columns_text(header: tuple[str, ...], rows: Sequence[tuple[Cell, ...]], style: Style) -> list[str]:
+def columns_text(header: tuple[str, ...], rows: Sequence[tuple[TableCell, ...]], style: Style) -> list[str]:
     """Return a table: the first column aligned left, all others right, two spaces between them.
 
     Args:
@@ -25,7 +25,7 @@ def columns_text(header: tuple[str, ...], rows: Sequence[tuple[Cell, ...]], styl
         style: whether cells have colours.
     """
     titles = [
-        tuple(Cell(text, Tone.QUIET) for text in line)
+        tuple(TableCell(text, Tone.QUIET) for text in line)
         for line in zip_longest(*(title.split("\n") for title in header), fillvalue="")
     ]
     lines = [*titles, *rows]
@@ -33,7 +33,7 @@ def columns_text(header: tuple[str, ...], rows: Sequence[tuple[Cell, ...]], styl
     return [_line(line, widths, style) for line in lines]
 
 
-def _line(row: tuple[Cell, ...], widths: list[int], style: Style) -> str:
+def _line(row: tuple[TableCell, ...], widths: list[int], style: Style) -> str:
     parts = []
     for k, (cell, size) in enumerate(zip(row, widths, strict=True)):
         space = " " * (size - width(cell.text))

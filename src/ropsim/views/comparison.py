@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ropsim.core import Diagnostic
 from ropsim.views.characters import clean, fit
-from ropsim.views.columns import Cell, columns_text
+from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.figures import UNKNOWN, seconds
 from ropsim.views.markup import table, text
 from ropsim.views.style import Style, Tone
@@ -54,12 +54,28 @@ def comparison_text(comparison: Comparison, style: Style) -> str:
     """Return the table for a terminal of 80 columns, ending in a line feed; nothing for no alternatives."""
     if not comparison.alternatives:
         return ""
-    rows = [(Cell("as it is"), Cell(seconds(comparison.cycle_time)), Cell(""), Cell(""), Cell(""))]
+    rows = [
+        (
+            TableCell("as it is"),
+            TableCell(seconds(comparison.cycle_time)),
+            TableCell(""),
+            TableCell(""),
+            TableCell(""),
+        )
+    ]
     for one in comparison.alternatives:
         tone = Tone.WARNING if one.findings else None
         time, difference, share = _figures(comparison, one)
-        change = Cell(fit(clean(one.change), _NAMES))
-        rows.append((change, Cell(time), Cell(difference), Cell(share), Cell(_findings(one), tone)))
+        change = TableCell(fit(clean(one.change), _NAMES))
+        rows.append(
+            (
+                change,
+                TableCell(time),
+                TableCell(difference),
+                TableCell(share),
+                TableCell(_findings(one), tone),
+            )
+        )
     title = ("what if", "cycle time s", "difference s", "%", "new findings")
     return "\n".join(line.replace("\u00a0", " ") for line in columns_text(title, rows, style)) + "\n"
 

@@ -3,7 +3,7 @@
 import math
 
 from ropsim.views.characters import clean, fit
-from ropsim.views.columns import Cell, columns_text
+from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.cycle import CriticalShare, CycleParts, CycleTime
 from ropsim.views.figures import MILLIMETRES, UNKNOWN, percent, seconds, with_unit
 from ropsim.views.style import Style
@@ -24,7 +24,7 @@ def cycle_lines(cycle: CycleTime, style: Style) -> list[str]:
     title = ("time in s", "total", "motion", "zones", "settling", "gripper", "waits", "other")
     rows = [_parts_row(task.name or NO_STATEMENT, task.parts) for task in tasks[:SHOWN_TASKS]]
     if len(tasks) > SHOWN_TASKS:
-        rows.append((Cell(f"… {len(tasks) - SHOWN_TASKS} more"), *(Cell("") for _ in title[1:])))
+        rows.append((TableCell(f"… {len(tasks) - SHOWN_TASKS} more"), *(TableCell("") for _ in title[1:])))
     rows.append(_parts_row("all", cycle.whole))
     return [*columns_text(title, rows, style), *_slowest(cycle, style)]
 
@@ -42,7 +42,7 @@ def zone_text(zone: float) -> str:
     return with_unit(zone, MILLIMETRES, 1) if zone > 0.0 else "stop"
 
 
-def _parts_row(name: str, parts: CycleParts) -> tuple[Cell, ...]:
+def _parts_row(name: str, parts: CycleParts) -> tuple[TableCell, ...]:
     times = (
         parts.total,
         parts.motion,
@@ -52,7 +52,7 @@ def _parts_row(name: str, parts: CycleParts) -> tuple[Cell, ...]:
         parts.waits,
         parts.other,
     )
-    return (Cell(fit(clean(name), _NAMES)), *(Cell(seconds(time)) for time in times))
+    return (TableCell(fit(clean(name), _NAMES)), *(TableCell(seconds(time)) for time in times))
 
 
 def _slowest(cycle: CycleTime, style: Style) -> list[str]:
@@ -60,12 +60,12 @@ def _slowest(cycle: CycleTime, style: Style) -> list[str]:
     whole = cycle.whole.total
     rows = [
         (
-            Cell(f"line {line.line}"),
-            Cell(str(line.passes)),
-            Cell(seconds(line.parts.total)),
-            Cell(percent(line.parts.total / whole if whole > 0.0 else math.nan)),
-            Cell(zone_text(line.zone) if line.parts.motion + line.parts.blending > 0.0 else ""),
-            Cell(critical_text(line.critical) if line.parts.motion + line.parts.blending > 0.0 else ""),
+            TableCell(f"line {line.line}"),
+            TableCell(str(line.passes)),
+            TableCell(seconds(line.parts.total)),
+            TableCell(percent(line.parts.total / whole if whole > 0.0 else math.nan)),
+            TableCell(zone_text(line.zone) if line.parts.motion + line.parts.blending > 0.0 else ""),
+            TableCell(critical_text(line.critical) if line.parts.motion + line.parts.blending > 0.0 else ""),
         )
         for line in cycle.lines[:SHOWN_LINES]
         if line.line

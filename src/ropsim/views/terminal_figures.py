@@ -4,7 +4,7 @@ import math
 
 from ropsim.flow import SLOW
 from ropsim.views.characters import clean, fit, width
-from ropsim.views.columns import Cell, columns_text
+from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.figures import (
     PERCENT,
     UNKNOWN,
@@ -86,11 +86,11 @@ def task_lines(tasks: tuple[TaskSummary, ...], style: Style) -> list[str]:
     top = min((task.depth for task in tasks), default=0)
     rows = [
         (
-            Cell(fit("  " * min(task.depth - top, 4) + clean(task.name), NAMES)),
-            Cell(str(task.calls)),
-            Cell(seconds(task.total)),
-            Cell(seconds(task.mean)),
-            Cell(seconds(task.longest)),
+            TableCell(fit("  " * min(task.depth - top, 4) + clean(task.name), NAMES)),
+            TableCell(str(task.calls)),
+            TableCell(seconds(task.total)),
+            TableCell(seconds(task.mean)),
+            TableCell(seconds(task.longest)),
         )
         for task in tasks[:SHOWN_TASKS]
     ]
@@ -131,27 +131,27 @@ def more(count: int, noun: str) -> list[str]:
     return [f"  … and {plural(count, 'more ' + noun)}"] if count > 0 else []
 
 
-def _joint_row(joint: JointSummary) -> tuple[Cell, ...]:
+def _joint_row(joint: JointSummary) -> tuple[TableCell, ...]:
     facts = joint.facts
     coordinate = coordinate_scale(facts.type)
     near = joint.nearest
     return (
-        Cell(fit(clean(joint.name), NAMES)),
-        Cell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
+        TableCell(fit(clean(joint.name), NAMES)),
+        TableCell(fixed(joint.effort.size, effort_scale(facts.type), 1)),
         _limit_cell(joint.effort_share, joint.effort_closeness),
-        Cell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
+        TableCell(fixed(joint.speed.size, speed_scale(facts.type), 1)),
         _limit_cell(joint.speed_share, joint.speed_closeness),
         _margin_cell(f"{fixed(near.margin, coordinate, 1)} {near.side}", near.margin),
-        Cell(str(near.line) if near.line else ""),
-        Cell(fixed(joint.following_max.size, coordinate, 3)),
+        TableCell(str(near.line) if near.line else ""),
+        TableCell(fixed(joint.following_max.size, coordinate, 3)),
     )
 
 
-def _limit_cell(share: float, closeness: Closeness) -> Cell:
-    return Cell(percent(share) + _SIGNS[closeness], _SIGN_TONES.get(closeness))
+def _limit_cell(share: float, closeness: Closeness) -> TableCell:
+    return TableCell(percent(share) + _SIGNS[closeness], _SIGN_TONES.get(closeness))
 
 
-def _margin_cell(text: str, margin: float) -> Cell:
+def _margin_cell(text: str, margin: float) -> TableCell:
     if not math.isfinite(margin):
-        return Cell(text.split(maxsplit=1)[0])
-    return Cell(f"!! {text}", Tone.ERROR) if margin < 0.0 else Cell(text)
+        return TableCell(text.split(maxsplit=1)[0])
+    return TableCell(f"!! {text}", Tone.ERROR) if margin < 0.0 else TableCell(text)

@@ -1,5 +1,6 @@
 """Projects: open, compile, simulate, report. The façade that every front end uses."""
 
+from ropsim.workbench.calibrated_project import CalibratedProject as CalibratedProject
 from ropsim.workbench.checked_text import CheckedText as CheckedText
 from ropsim.workbench.checked_text import check_text as check_text
 from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ropsim.flow import Recording
     from ropsim.simulation import RunOptions
     from ropsim.views import Comparison
+    from ropsim.workbench.calibrated_project import CalibratedProject
     from ropsim.workbench.report import Report
 
 
@@ -215,6 +216,29 @@ class Project:
         cell, codes = self.runnable(self.programs(program))
         options = options or RunOptions()
         return compare(recording or run(cell, codes, options), cell, codes, wanted, options)
+
+    def calibrate(
+        self, trace: str | Path, program: str | None = None
+    ) -> tuple["CalibratedProject | None", tuple[Diagnostic, ...]]:
+        """Return the limits under which a program lasts as long as in a trace, and what was found.
+
+        Args:
+            trace: a table of times and joint coordinates, logged while the robot ran the program.
+            program: name of the one that ran; None for that of the first station.
+
+        Returns:
+            The calibration, None where there is none; and the findings. Nothing is written.
+
+        Raises:
+            ProjectError: no such program, no cell, or an error in one of them.
+            CalibrationError: X840 or X841, the trace cannot be opened.
+        """
+        from ropsim.workbench.calibrating import calibrate_project
+
+        cell, codes = self.runnable(self.programs(program))
+        station = cell.station_of(program) if program else cell.first
+        assert self.cell_text is not None  # a project with a cell has its text
+        return calibrate_project(cell, codes, station, self.cell_text, trace)
 
     def runnable(self, programs: Mapping[str, CompiledProgram]) -> tuple[Cell, dict[str, icr.Program]]:
         """Return the cell and the verified code of compiled programs, by station.

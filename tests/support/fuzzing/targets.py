@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 
-from support.fuzzing import meshes, recordings, server, texts
+from support.fuzzing import meshes, recordings, server, texts, traces
 from support.fuzzing.target import Target
 
 TARGETS: Mapping[str, Target] = {
-    one.name: one for one in (*meshes.TARGETS, *texts.TARGETS, *recordings.TARGETS, *server.TARGETS)
+    one.name: one
+    for one in (*meshes.TARGETS, *texts.TARGETS, *recordings.TARGETS, *server.TARGETS, *traces.TARGETS)
 }

@@ -1,0 +1,96 @@
+"""What calibration found: limits before and after, and the times of each stretch."""
+
+import math
+from dataclasses import dataclass
+
+from ropsim.calibration.knowledge import Knowledge, LimitKnowledge
+from ropsim.calibration.limits import MotionSettings
+from ropsim.core import Diagnostic, Span
+from ropsim.spatial import record
+
+
+@dataclass(frozen=True, slots=True)
+class StretchTimes:
+    """How long a stretch lasted, in the trace and as planned.
+
+    Attributes:
+        first: where its first move stands in the program.
+        last: where its last one stands.
+        visit: how often its last move has been made then.
+        logged: in the trace [s].
+        before: with the limits of the project [s].
+        after: with the limits that were found [s].
+        error: of the joints after, at equal times, root of the mean square [rad | m].
+    """
+
+    first: Span | None
+    last: Span | None
+    visit: int
+    logged: float
+    before: float
+    after: float
+    error: float
+
+    @property
+    def remaining(self) -> float:
+        """Return by which share of its time it is planned longer than it lasted."""
+        return self.after / self.logged - 1.0
+
+
+@record
+class Calibration:
+    """A calibration.
+
+    Attributes:
+        station: name of the station.
+        axes: names of its axes.
+        before: limits of the project.
+        after: limits that were found; those that the trace does not tell are as before.
+        known: what the trace says of each limit.
+        look_ahead: what it says of the look-ahead.
+        stretches: times of those that were compared, in order.
+        made: how many stretches with a motion the program has.
+        findings: warnings and hints.
+    """
+
+    station: str
+    axes: tuple[str, ...]
+    before: MotionSettings
+    after: MotionSettings
+    known: LimitKnowledge
+    look_ahead: Knowledge
+    stretches: tuple[StretchTimes, ...]
+    made: int
+    findings: tuple[Diagnostic, ...]
+
+    @property
+    def logged(self) -> float:
+        """Return the time in motion in the trace [s]."""
+        return sum(one.logged for one in self.stretches)
+
+    @property
+    def time_before(self) -> float:
+        """Return the same with the limits of the project [s]."""
+        return sum(one.before for one in self.stretches)
+
+    @property
+    def time_after(self) -> float:
+        """Return the same with the limits that were found [s]."""
+        return sum(one.after for one in self.stretches)
+
+    @property
+    def remaining(self) -> float:
+        """Return the share by which the time of a stretch is still wrong, root of the mean square."""
+        squares = [one.remaining**2 for one in self.stretches]
+        return math.sqrt(sum(squares) / len(squares))
+
+    @property
+    def worst(self) -> StretchTimes:
+        """Return the stretch whose time is most wrong, in share."""
+        return max(self.stretches, key=lambda one: abs(one.remaining))
+
+    @property
+    def error(self) -> float:
+        """Return how far the joints are from the trace at equal times, root of the mean square [rad | m]."""
+        whole = sum(one.logged for one in self.stretches)
+        return math.sqrt(sum(one.error**2 * one.logged for one in self.stretches) / whole)

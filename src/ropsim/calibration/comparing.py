@@ -1,0 +1,77 @@
+"""Which stretches of a program a trace has."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ropsim.calibration.diagnostics import NOT_IN_TRACE, OTHER_TRACE, CalibrationError
+from ropsim.calibration.limits import MotionSettings
+from ropsim.calibration.logged_stretch import LoggedStretch, logged_stretch
+from ropsim.calibration.matching import match
+from ropsim.calibration.replanning import Replan
+from ropsim.calibration.rests import rests_of
+from ropsim.calibration.trace import Trace
+from ropsim.controller import StretchOrder
+from ropsim.core import Diagnostic
+from ropsim.model import Joint
+
+_ENOUGH = 0.5
+"""Share of the stretches that a trace must have to be one of the program."""
+_TOLD = 3
+
+
+def compared(
+    replan: Replan,
+    orders: Sequence[StretchOrder],
+    known: MotionSettings,
+    joints: Sequence[Joint],
+    trace: Trace,
+) -> tuple[list[LoggedStretch], int, tuple[Diagnostic, ...]]:
+    """Return what the trace has of the stretches, how many move, and X894 for those that are missing.
+
+    Args:
+        replan: plans the stretches.
+        orders: the stretches.
+        known: limits of the project.
+        joints: of the axes, n of them.
+        trace: of the axes.
+
+    Raises:
+        CalibrationError: X889, it has less than half of them.
+    """
+    motions = {number: replan(number, known) for number in range(len(orders))}
+    moving = {number: motion for number, motion in motions.items() if motion and motion.ticks > 1}
+    if not moving:
+        raise CalibrationError(OTHER_TRACE.at(None, "the program has no motion that can be compared"))
+    numbers = list(moving)
+    ends = np.array([moving[numbers[0]].q_start, *(moving[number].q_end for number in numbers)])
+    rests = rests_of(trace)
+    found: dict[int, LoggedStretch | None] = {}
+    for passage in match(rests, ends, joints):
+        number = numbers[passage.stretch]
+        found[number] = logged_stretch(trace, rests, passage, moving[number], number)
+    if len(found) < _ENOUGH * len(numbers):
+        message = (
+            f"the trace has {len(found)} of the {len(numbers)} motions of the program between two stops; "
+            f"it stands {rests.count} times"
+        )
+        hint = "is it a trace of this program on this robot, in the units of its header?"
+        raise CalibrationError(OTHER_TRACE.at(None, message, hint=hint))
+    usable = [one for one in found.values() if one is not None]
+    lost = [number for number in numbers if found.get(number) is None]
+    return usable, len(numbers), _lost(lost, orders, len(numbers))
+
+
+def _lost(lost: Sequence[int], orders: Sequence[StretchOrder], count: int) -> tuple[Diagnostic, ...]:
+    """Return X894 where stretches are missing, at the first one."""
+    if not lost:
+        return ()
+    spans = [orders[number].moves[-1].origin.span for number in lost]
+    lines = list(dict.fromkeys(str(span.line) for span in spans if span))
+    more = f" and {len(lines) - _TOLD} more" if len(lines) > _TOLD else ""
+    message = (
+        f"{len(lost)} of {count} motions are not in the trace, or stood on their way: to line"
+        f"{'s' if len(lines) > 1 else ''} {', '.join(lines[:_TOLD])}{more}"
+    )
+    hint = "log without stops by hand, at full override"
+    return (NOT_IN_TRACE.at(spans[0], message, hint=hint, data={"stretches": len(lost)}),)

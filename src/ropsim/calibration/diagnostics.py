@@ -1,0 +1,82 @@
+"""Diagnostics of calibration (X888, X889, X894, X898, X899)."""
+
+from ropsim.core import RopsimError, Severity, define
+
+BAD_TRACE = define(
+    "X888",
+    "bad-trace",
+    Severity.ERROR,
+    "a logged trace that cannot be read",
+    """
+`ropsim calibrate` reads a table as text: a line for each sample, first the time, then the coordinate of every
+axis, in the order of the robot or under its name. Comma, semicolon or tab stand between the columns; with
+semicolon and tab, numbers may have a decimal comma. Units stand in the header, such as `time [s];j1
+[deg];j2 [deg]`; without one times are seconds, turning axes degrees and sliding ones millimetres.
+
+    time [s],j1 [deg],j2 [deg],j3 [deg]
+    0.000,0.000,75.000,-180.000
+    0.008,0.002,75.001,-179.998
+
+The time must rise from line to line, at 20 to 2000 samples per second. Lines with an empty or undefined
+value are left out, as long as they are less than a tenth of all.
+""",
+)
+
+OTHER_TRACE = define(
+    "X889",
+    "trace-does-not-match",
+    Severity.ERROR,
+    "a trace that is not of this program on this robot",
+    """
+The places where the program stands were looked for among the places where the trace stands, in order. Too
+few of them are there to compare times: the trace is of another program, of another robot, of a few moves
+only, or its units are not those of its header.
+
+Log the whole program, from its start position to its end, and give the very text that ran on the robot. A
+robot whose joints count from other zeros or the other way round has to be converted first.
+""",
+)
+
+NOT_IN_TRACE = define(
+    "X894",
+    "stretch-not-compared",
+    Severity.WARNING,
+    "moves of the program that were not compared with the trace",
+    """
+Moves between two stops were not found in the trace, stood longer than a tenth of a second on their way, or
+went another way than they are planned. Their times say nothing about the robot and were not used.
+
+Pauses between moves do no harm. Look whether somebody held the robot, slowed it down by its override, or
+whether points were corrected on the robot and not in the program.
+""",
+)
+
+MISFIT = define(
+    "X899",
+    "trace-not-reached",
+    Severity.WARNING,
+    "a motion lasts longer or shorter than in the trace, even with the best limits",
+    """
+No limits of joints and paths make this motion last as long as in the trace, to two per cent. Robots slow
+down for reasons that are not limits: heat, near singularities, a maker's motion law with other ramps, or a
+speed that the program gives and the robot does not keep.
+
+The other limits are still the best ones; the finding names the line and how much is left.
+""",
+)
+
+GAPS = define(
+    "X898",
+    "trace-with-gaps",
+    Severity.HINT,
+    "lines of a trace were left out",
+    """
+Lines with an empty or undefined value, or with too few columns, were left out; the motion between their
+neighbours is taken as straight. A few do no harm. Many make speeds and accelerations less certain: look at
+the logger.
+""",
+)
+
+
+class CalibrationError(RopsimError):
+    """A trace that cannot be used; carries the finding."""

@@ -1,0 +1,142 @@
+"""What a trace says of each limit: its value, that it is no less, or nothing."""
+
+from collections.abc import Sequence
+from enum import Enum
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.calibration.demands import RAISED, is_felt, largest
+from ropsim.calibration.limits import MotionSettings
+from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.replanning import Replan
+from ropsim.spatial import Array, frozen, record
+
+_TICKS = 1.5
+"""Control ticks by which a motion must change for that."""
+_NEAR = 0.4
+"""Share of a limit from which on a motion may be at it: on bent ways limits are kept from afar."""
+_HALVINGS = 7
+_LOWEST = 1.0 / 64.0
+_STANDS = 1e-3
+"""Share of its limit up to which an axis counts as standing."""
+
+
+class Knowledge(Enum):
+    """How a limit is known from a trace."""
+
+    FITTED = "fitted"
+    AT_LEAST = "at least"
+    NOT_SEEN = "not seen"
+
+
+@record
+class LimitKnowledge:
+    """What is known of all limits, in the order of `MotionSettings.all`.
+
+    Attributes:
+        kinds: how each is known.
+        values: it, or what it is at least; 0 where it was not seen, shape (3n + 6,).
+    """
+
+    kinds: tuple[Knowledge, ...]
+    values: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "values", frozen(self.values))
+
+
+def felt(replan: Replan, logged: Sequence[LoggedStretch], settings: MotionSettings) -> npt.NDArray[np.intp]:
+    """Return the numbers of the limits that stretches are at: with a higher one they would go otherwise.
+
+    Args:
+        replan: plans the stretches.
+        logged: the stretches.
+        settings: limits in force.
+    """
+    found = []
+    may = {one.number: _may_be_at(replan, one, settings) for one in logged}
+    for limit in range(len(settings.all)):
+        raised = settings.all
+        raised[limit] *= RAISED
+        higher = settings.with_all(raised)
+        if any(_is_other(replan, one, settings, higher) for one in logged if may[one.number][limit]):
+            found.append(limit)
+    return np.array(found, dtype=np.intp)
+
+
+def _may_be_at(replan: Replan, logged: LoggedStretch, settings: MotionSettings) -> Array:
+    """Return which limits a stretch may be at, shape (3n + 6,): those it comes near, and all of the tool."""
+    motion = replan(logged.number, settings)
+    if motion is None:
+        return np.zeros(len(settings.all))
+    on_tool_path = any(move.on_tool_path for move in motion.moves)
+    joints = largest(motion, settings) >= _NEAR * settings.joints
+    return np.concatenate((joints.ravel(), np.full(settings.tool.size, on_tool_path)))
+
+
+def _is_other(
+    replan: Replan, logged: LoggedStretch, settings: MotionSettings, higher: MotionSettings
+) -> bool:
+    motion, other = replan(logged.number, settings), replan(logged.number, higher)
+    return motion is not None and other is not None and is_felt(logged, motion, other)
+
+
+def knowledge(
+    replan: Replan,
+    numbers: Sequence[int],
+    settings: MotionSettings,
+    asked: Array,
+    fitted: npt.NDArray[np.intp],
+) -> LimitKnowledge:
+    """Return what is known of each limit.
+
+    Args:
+        replan: plans the stretches.
+        numbers: of the stretches.
+        settings: limits that were fitted.
+        asked: largest speeds, accelerations and jerks of the joints in the trace, shape (3, n).
+        fitted: numbers of the limits that set the time of a stretch.
+    """
+    limits = settings.all
+    least = np.concatenate((np.minimum(asked, settings.joints).ravel(), np.zeros(settings.tool.size)))
+    for limit in range(asked.size, len(limits)):
+        if limit not in fitted:
+            least[limit] = _least_without_effect(replan, numbers, settings, limit)
+    kinds = []
+    for limit, value in enumerate(limits.tolist()):
+        if limit in fitted:
+            kinds.append(Knowledge.FITTED)
+            least[limit] = value
+        elif least[limit] > _STANDS * value:
+            kinds.append(Knowledge.AT_LEAST)
+        else:
+            kinds.append(Knowledge.NOT_SEEN)
+            least[limit] = 0.0
+    return LimitKnowledge(tuple(kinds), least)
+
+
+def _least_without_effect(
+    replan: Replan, numbers: Sequence[int], settings: MotionSettings, limit: int
+) -> float:
+    """Return the lowest value of a limit that changes no time; 0 where even a tiny one changes none."""
+    known = {number: _ticks(replan, number, settings) for number in numbers}
+
+    def matters(share: float) -> bool:
+        lowered = settings.all
+        lowered[limit] *= share
+        lower = settings.with_all(lowered)
+        return any(_ticks(replan, number, lower) >= known[number] + _TICKS for number in numbers)
+
+    if not matters(_LOWEST):
+        return 0.0
+    low, high = np.log(_LOWEST), 0.0
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if matters(float(np.exp(middle))) else (low, middle)
+    return float(settings.all[limit] * np.exp(high))
+
+
+def _ticks(replan: Replan, number: int, settings: MotionSettings) -> float:
+    motion = replan(number, settings)
+    return float(motion.ticks) if motion else np.inf

@@ -1,0 +1,67 @@
+"""The limits that calibration looks for, and a station under them."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.model import PathDefaults, Station, with_axis_limits
+from ropsim.spatial import Array, frozen, record
+
+ORDERS = 3
+"""Speed, acceleration, jerk."""
+
+
+@record
+class MotionSettings:
+    """What a controller keeps to.
+
+    Attributes:
+        joints: speed, acceleration and jerk of each axis [rad | m, by s, s², s³], shape (3, n).
+        tool: the same on tool paths where the program says nothing, of the TCP [m] and of the orientation
+            [rad], shape (3, 2).
+        look_ahead: how many moves beyond the present one are known.
+    """
+
+    joints: Array
+    tool: Array
+    look_ahead: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "joints", frozen(self.joints))
+        object.__setattr__(self, "tool", frozen(self.tool))
+
+    @property
+    def all(self) -> Array:
+        """Return all limits in one row, joints first, shape (3n + 6,)."""
+        return np.concatenate((self.joints.ravel(), self.tool.ravel()))
+
+    def with_all(self, limits: Array) -> "MotionSettings":
+        """Return settings with other limits, in the order of `all`."""
+        count = self.joints.size
+        joints, tool = limits[:count].reshape(self.joints.shape), limits[count:].reshape(self.tool.shape)
+        return MotionSettings(joints, tool, self.look_ahead)
+
+    def scaled(self, joints: Array, tool: Array) -> "MotionSettings":
+        """Return settings whose speeds, accelerations and jerks are multiplied, each by shape (3,)."""
+        return MotionSettings(self.joints * joints[:, None], self.tool * tool[:, None], self.look_ahead)
+
+
+def settings_of(station: Station) -> MotionSettings:
+    """Return what the controller of a station keeps to."""
+    robot, path = station.robot, station.controller.path
+    tool = [
+        [path.speed, path.orientation_speed],
+        [path.acceleration, path.orientation_acceleration],
+        [path.jerk, path.orientation_jerk],
+    ]
+    joints = np.array([robot.max_speeds, robot.max_accelerations, robot.max_jerks])
+    return MotionSettings(joints, np.array(tool), station.controller.look_ahead)
+
+
+def with_settings(station: Station, settings: MotionSettings) -> Station:
+    """Return a station whose controller keeps to other limits."""
+    (v, w), (a, wa), (j, wj) = settings.tool.tolist()
+    controller = replace(
+        station.controller, path=PathDefaults(v, a, j, w, wa, wj), look_ahead=settings.look_ahead
+    )
+    return replace(station, robot=with_axis_limits(station.robot, *settings.joints), controller=controller)

@@ -1,0 +1,115 @@
+"""The part of a trace in which one stretch is made."""
+
+import math
+
+import numpy as np
+
+from ropsim.calibration.matching import Passage
+from ropsim.calibration.replanning import coordinates
+from ropsim.calibration.rests import Rests
+from ropsim.calibration.trace import Trace
+from ropsim.controller import MotionPlan
+from ropsim.spatial import Array, frozen, record
+
+_AROUND = 0.15
+"""Longest time before and behind a stretch that is looked at [s]."""
+_MOST_SAMPLES = 500
+"""Samples of a stretch that are compared at most; more are thinned out."""
+_LONGEST_STAND = 0.1
+"""Longest stand on the way of a stretch [s]; beyond it somebody held the robot."""
+_NOISE = 6.0
+"""The same in steps of the encoders."""
+_BEGUN = 0.01
+"""Share of the way from which on a stretch has begun, and up to which it has not ended."""
+
+
+@record
+class LoggedStretch:
+    """What was logged of a stretch.
+
+    Attributes:
+        number: of the stretch.
+        time: since its first sample here [s], shape (k,).
+        q: joint coordinates [rad | m], shape (k, n); they begin and end where the program does.
+        noise: of each axis [rad | m], shape (n,).
+    """
+
+    number: int
+    time: Array
+    q: Array
+    noise: Array
+
+    def __post_init__(self) -> None:
+        for name in ("time", "q", "noise"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    def crossings(self, q: Array) -> tuple[float, float]:
+        """Return when a motion leaves its start, and when it comes to its end [s]; NaN where it does neither.
+
+        Args:
+            q: joint coordinates at the times of this stretch [rad | m], shape (k, n).
+        """
+        left, ahead = np.abs(q - q[0]).max(axis=1), np.abs(q - q[-1]).max(axis=1)
+        way = min(float(np.abs(self.q - end).max()) for end in (self.q[0], self.q[-1]))
+        level = max(_BEGUN * way, _NOISE * float(self.noise.max()))
+        return _first(self.time, left, level), _first(-self.time[::-1], ahead[::-1], level) * -1.0
+
+
+def logged_stretch(
+    trace: Trace, rests: Rests, passage: Passage, motion: MotionPlan, number: int
+) -> LoggedStretch | None:
+    """Return what was logged of a stretch, None where the robot stood on its way.
+
+    Encoders, zero positions and tools differ a little from the model, so both ends of the stretch are put
+    where the program has them, and what lies between is shifted in proportion to its way.
+
+    Args:
+        trace: whole.
+        rests: its stops.
+        passage: where the stretch is.
+        motion: the stretch as planned.
+        number: of the stretch.
+    """
+    (begun, left), (come, gone) = rests.spans[passage.start], rests.spans[passage.end]
+    stands = rests.spans[passage.start + 1 : passage.end]
+    stood = max((float(trace.time[last] - trace.time[first]) for first, last in stands), default=0.0)
+    if come - left < 3 or stood > _LONGEST_STAND:
+        return None
+    around = math.ceil(_AROUND / trace.period)
+    first = max(left - around, (begun + left) // 2)
+    last = min(come + around, (come + gone + 1) // 2)
+    thin = max(1, (last + 1 - first) // _MOST_SAMPLES)
+    samples = np.arange(first, last + 1, thin)
+    q = trace.q[samples]
+    ends = np.array([rests.q[passage.start], rests.q[passage.end]])
+    wrong = ends - np.array([motion.q_start, motion.q_end])
+    way = np.linalg.norm(np.diff(q, axis=0), axis=1)
+    share = np.concatenate(([0.0], np.cumsum(way)))[:, None] / max(float(way.sum()), 1e-12)
+    shifted = q - wrong[0] - share * (wrong[1] - wrong[0])
+    return LoggedStretch(number, trace.time[samples] - trace.time[first], shifted, rests.noise)
+
+
+def duration(logged: LoggedStretch, motion: MotionPlan, start: float) -> float:
+    """Return how long a stretch lasted in the trace [s].
+
+    Its first and last hundredth are hidden by the steps of the encoders: there it is taken to last as long
+    as a planned motion does that fits it; only what lies between is measured.
+
+    Args:
+        logged: the stretch.
+        motion: that fits it.
+        start: when that begins, on the times of the stretch [s].
+    """
+    seen = logged.crossings(logged.q)
+    told = logged.crossings(coordinates(motion, logged.time - start))
+    return motion.duration + (seen[1] - seen[0]) - (told[1] - told[0])
+
+
+def _first(time: Array, way: Array, level: float) -> float:
+    """Return when a way first comes to a level, between two samples in proportion [s]."""
+    beyond = np.flatnonzero(way > level)
+    if not beyond.size or beyond[0] == 0:
+        return float(time[0]) if beyond.size else math.nan
+    k = int(beyond[0])
+    share = (level - way[k - 1]) / (way[k] - way[k - 1])
+    return float(time[k - 1] + share * (time[k] - time[k - 1]))

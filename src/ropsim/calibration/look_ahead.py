@@ -1,0 +1,80 @@
+"""How many moves ahead the controller of a trace knows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ropsim.calibration.knowledge import Knowledge
+from ropsim.calibration.limits import MotionSettings
+from ropsim.calibration.logged_stretch import LoggedStretch
+from ropsim.calibration.refining import fits_under, total_error
+from ropsim.calibration.replanning import Replan
+from ropsim.controller import StretchOrder
+
+MOST = 40
+"""Largest look-ahead that is told from a larger one."""
+
+_TICKS = 1.5
+_AS_GOOD = 1.02
+"""Factor of the squared error within which a look-ahead is as good as the best one."""
+
+
+@dataclass(frozen=True, slots=True)
+class FoundLookAhead:
+    """A look-ahead that was looked for.
+
+    Attributes:
+        value: number of moves.
+        kind: whether it is that, at least that, or not told by the trace.
+    """
+
+    value: int
+    kind: Knowledge
+
+
+def with_look_ahead(settings: MotionSettings, value: int) -> MotionSettings:
+    """Return settings with another look-ahead."""
+    return replace(settings, look_ahead=value)
+
+
+def choices(orders: Sequence[StretchOrder], numbers: Sequence[int]) -> range:
+    """Return the look-aheads that may differ: none beyond the longest stretch does."""
+    longest = max((len(orders[number].moves) for number in numbers), default=1)
+    return range(min(longest, MOST + 1))
+
+
+def depends(replan: Replan, number: int, settings: MotionSettings, most: int) -> bool:
+    """Return whether a stretch lasts longer where the controller knows less of it."""
+    least, all_of_it = (
+        replan(number, with_look_ahead(settings, value)) for value in (0, max(most, settings.look_ahead))
+    )
+    return bool(least and all_of_it and least.ticks >= all_of_it.ticks + _TICKS)
+
+
+def best_look_ahead(
+    replan: Replan,
+    logged: Sequence[LoggedStretch],
+    settings: MotionSettings,
+    among: Sequence[int],
+    known: int,
+) -> FoundLookAhead:
+    """Return the look-ahead under which stretches go most as in the trace.
+
+    Args:
+        replan: plans the stretches.
+        logged: stretches that depend on it.
+        settings: limits in force.
+        among: look-aheads, rising.
+        known: look-ahead that is kept where others are no better.
+    """
+    errors = {
+        value: total_error(fits_under(replan, logged, with_look_ahead(settings, value))) for value in among
+    }
+    least = min(errors.values(), default=0.0)
+    good = [value for value, error in errors.items() if error <= _AS_GOOD * least]
+    if not logged or len(good) == len(errors):
+        return FoundLookAhead(known, Knowledge.NOT_SEEN)
+    if good[-1] < among[-1]:
+        value = min(good, key=lambda one: (errors[one], one))
+        return FoundLookAhead(value, Knowledge.FITTED)
+    kept = max(known, good[0])
+    return FoundLookAhead(kept, Knowledge.AT_LEAST)

@@ -1,0 +1,82 @@
+"""Planning the stretches of a program again, under other limits."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from ropsim.calibration.limits import MotionSettings, with_settings
+from ropsim.controller import (
+    MotionChain,
+    MotionPlan,
+    MotionState,
+    StandardPathPlanner,
+    StretchOrder,
+    plan,
+    standard_chain,
+)
+from ropsim.model import Cell, Station
+from ropsim.spatial import Array
+
+Replan = Callable[[int, MotionSettings], MotionPlan | None]
+"""From the number of a stretch and settings to its motion; None where that cannot be made whole."""
+
+_KEPT = 512
+
+
+def replanner(cell: Cell, station: Station, orders: Sequence[StretchOrder]) -> Replan:
+    """Return what plans the stretches of a program under any settings, from where they were begun.
+
+    Args:
+        cell: static model.
+        station: that makes the moves.
+        orders: the stretches.
+    """
+    made_for = standard_chain(cell, station)
+
+    @lru_cache(maxsize=8)
+    def chain(settings: MotionSettings) -> MotionChain:
+        changed = with_settings(station, settings)
+        robot, controller = changed.robot, changed.controller
+        planner = made_for.planner
+        assert isinstance(planner, StandardPathPlanner)
+        planner = replace(planner, robot=robot, controller=controller)
+        return replace(made_for, planner=planner, robot=robot, controller=controller)
+
+    @lru_cache(maxsize=_KEPT)
+    def planned(number: int, settings: MotionSettings) -> MotionPlan | None:
+        order = orders[number]
+        made, refusal = plan(chain(settings), order.moves, MotionState.at_rest(order.q_start), order.payload)
+        return made if refusal is None else None
+
+    return planned
+
+
+def coordinates(motion: MotionPlan, times: Array) -> Array:
+    """Return where the joints are [rad | m], shape (k, n); before and behind the motion at its ends.
+
+    Args:
+        motion: planned.
+        times: since its start [s], shape (k,).
+    """
+    q = motion.reference.q
+    rows = np.clip(times / motion.period, 0.0, float(motion.ticks))
+    low = np.minimum(rows.astype(np.intp), motion.ticks - 1)
+    share = (rows - low)[:, None]
+    before = np.where((low > 0)[:, None], q[np.maximum(low - 1, 0)], motion.q_start)
+    return before + share * (q[low] - before)
+
+
+def difference(motion: MotionPlan, other: MotionPlan) -> float:
+    """Return how far two motions of one way are from each other at most, begun together [rad | m]."""
+    rows: Array = np.arange(1.0, max(motion.ticks, other.ticks) + 1.0) * motion.period
+    return float(np.abs(coordinates(motion, rows) - coordinates(other, rows)).max())
+
+
+def speeds(motion: MotionPlan, times: Array) -> Array:
+    """Return the speeds of the joints [rad/s | m/s], shape (k, n); see `coordinates`."""
+    rows = times / motion.period
+    inside = (rows > 0.0) & (rows < motion.ticks)
+    low = np.clip(rows.astype(np.intp), 0, motion.ticks - 1)
+    return np.where(inside[:, None], motion.reference.qd[low], 0.0)

@@ -1,0 +1,125 @@
+"""Where a trace stands: the places between which the robot moves."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.calibration.trace import Trace
+from ropsim.spatial import Array, frozen, record
+
+SMOOTHING = 0.016
+"""Half of the time over which speeds are taken [s]."""
+
+_VALLEY = 8.0
+"""How many times faster the robot is before and behind a stop than in it."""
+_NOISE = 3.0
+"""Speeds up to so many times that of the noise are none."""
+_LOUDEST = 1e-3
+"""Largest speed of the noise of an axis, as a share of the speed that counts as its largest."""
+_LEAST_SPEED = 1e-4
+"""Share of the largest speed of an axis up to which it stands."""
+_COARSEST = 2e-3
+"""Largest step of an encoder that is believed [rad | m]."""
+
+
+@record
+class Rests:
+    """Stops, in order of time.
+
+    Attributes:
+        spans: numbers of the first and of the last sample of each, m of them.
+        q: where it is [rad | m], shape (m, n).
+        noise: of each axis at rest [rad | m], shape (n,).
+    """
+
+    spans: tuple[tuple[int, int], ...]
+    q: Array
+    noise: Array
+
+    def __post_init__(self) -> None:
+        for name in ("q", "noise"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    @property
+    def count(self) -> int:
+        """Return how many there are."""
+        return len(self.spans)
+
+
+def rests_of(trace: Trace) -> Rests:
+    """Return the stops of a trace: its ends, and the valleys of its speed.
+
+    The speed is that of the axis that is nearest to its own largest one. A valley is a stop where the robot
+    is much faster before and behind it, so that stops of a single sample are found between quick moves, and
+    slow moves between long ones. A robot that only slows down gives a stop too many; where the program
+    stands tells them apart.
+
+    Args:
+        trace: of n axes.
+    """
+    noise = _noise(trace.q)
+    speeds, floor = _speeds(trace, noise)
+    spans = _valleys(speeds, floor)
+    q = np.array([trace.q[first : last + 1].mean(axis=0) for first, last in spans])
+    return Rests(tuple(spans), q, noise)
+
+
+def _noise(q: Array) -> Array:
+    """Return the step of the encoder of each axis, or its noise where that is more [rad | m], shape (n,)."""
+    steps = np.abs(np.diff(q, axis=0))
+    found = []
+    for column in steps.T:
+        moving = column[column > 1e-12]
+        step = float(np.quantile(moving, 0.02)) if moving.size else 0.0
+        found.append(min(step, _COARSEST))
+    bends = np.quantile(np.abs(np.diff(q, n=2, axis=0)), 0.2, axis=0)
+    return np.asarray(np.maximum(np.array(found), np.minimum(bends, _COARSEST)))
+
+
+def _speeds(trace: Trace, noise: Array) -> tuple[Array, float]:
+    """Return the speed at each sample as a share of the largest one, shape (k,), and that of noise."""
+    around = max(1, round(SMOOTHING / trace.period))
+    number = np.arange(len(trace.time))
+    before, behind = np.maximum(number - around, 0), np.minimum(number + around, len(number) - 1)
+    spans = (trace.time[behind] - trace.time[before])[:, None]
+    speeds = np.abs(trace.q[behind] - trace.q[before]) / spans
+    of_noise = noise / (2.0 * around * trace.period)
+    largest = np.maximum(speeds.max(axis=0), of_noise / _LOUDEST + 1e-9)
+    floor = max(_NOISE * float((of_noise / largest).max()), _LEAST_SPEED)
+    return np.asarray((speeds / largest).max(axis=1)), floor
+
+
+def _valleys(speeds: Array, floor: float) -> list[tuple[int, int]]:
+    """Return first and last sample of each valley; the trace begins and ends with one."""
+    slow = np.flatnonzero(speeds <= floor)
+    spans: list[tuple[int, int]] = []
+    least, top, at, in_valley = np.inf, 0.0, 0, True
+    bottoms: list[int] = []
+    for number, speed in enumerate(np.maximum(speeds, floor).tolist()):
+        if in_valley:
+            if speed < least:
+                least, at = speed, number
+            if speed > _VALLEY * least:
+                bottoms.append(at)
+                in_valley, top = False, speed
+        else:
+            top = max(top, speed)
+            if speed < top / _VALLEY:
+                in_valley, least, at = True, speed, number
+    bottoms.append(at if in_valley else len(speeds) - 1)
+    for bottom in bottoms:
+        if speeds[bottom] > floor:
+            spans.append((bottom, bottom))
+            continue
+        place = int(np.searchsorted(slow, bottom))
+        spans.append(_run(slow, place))
+    return spans
+
+
+def _run(slow: npt.NDArray[np.intp], place: int) -> tuple[int, int]:
+    """Return first and last of the numbers that follow one another around a place of a rising list."""
+    low = high = place
+    while low > 0 and slow[low - 1] == slow[low] - 1:
+        low -= 1
+    while high + 1 < len(slow) and slow[high + 1] == slow[high] + 1:
+        high += 1
+    return int(slow[low]), int(slow[high])

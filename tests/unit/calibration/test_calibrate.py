@@ -1,0 +1,124 @@
+"""Calibration: a robot with other limits is logged, and its limits come back."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from ropsim.calibration import Calibration, Knowledge, MotionSettings, Trace, calibrate, settings_of
+from ropsim.calibration.replanning import replanner
+from support.logged_traces import OTHER, RATE, logged, site
+
+FACTORS = (1.0, 0.7, 1.3)
+"""Of speed, acceleration and jerk: the robot beside its model."""
+NEAR = 0.02
+"""Of a limit: what encoders of 0.002° at 125 Hz leave open."""
+NEAR_TIME = 0.005
+"""Of the time of a motion."""
+
+
+def robot_settings(look_ahead: int = 2) -> MotionSettings:
+    """Return what the robot keeps to."""
+    known = settings_of(site().station)
+    factors = np.array(FACTORS)
+    return MotionSettings(known.joints * factors[:, None], known.tool * factors[:, None], look_ahead)
+
+
+@cache
+def trace() -> Trace:
+    return logged(site(), robot_settings())
+
+
+@cache
+def calibrated() -> Calibration:
+    made = site()
+    found, findings = calibrate(made.cell, made.station, made.orders, trace())
+    assert found is not None
+    assert findings == ()
+    return found
+
+
+def test_limits_that_bind_come_back() -> None:
+    found, true = calibrated(), robot_settings().all
+    fitted = [k for k, kind in enumerate(found.known.kinds) if kind is Knowledge.FITTED]
+    assert {1, 6, 12} <= set(fitted)  # speed of joint 2, acceleration and jerk of joint 1
+    assert len([k for k in fitted if k >= 18]) >= 2  # acceleration and jerk of the path
+    assert found.after.all[fitted] == pytest.approx(true[fitted], rel=NEAR)
+
+
+def test_limits_that_do_not_bind_are_lower_bounds_and_stay() -> None:
+    found, true = calibrated(), robot_settings().all
+    known = settings_of(site().station).all
+    least = [k for k, kind in enumerate(found.known.kinds) if kind is Knowledge.AT_LEAST]
+    assert least
+    assert (found.known.values[least] <= true[least] * (1.0 + NEAR)).all()
+    assert (found.after.all[least] >= known[least] * (1.0 - 1e-9)).all()
+
+
+def test_the_look_ahead_comes_back_exactly() -> None:
+    assert calibrated().before.look_ahead == 10
+    assert calibrated().after.look_ahead == 2
+    assert calibrated().look_ahead is Knowledge.FITTED
+
+
+def test_every_motion_lasts_as_long_as_in_the_trace() -> None:
+    found, made = calibrated(), site()
+    replan = replanner(made.cell, made.station, made.orders)
+    true = [replan(number, robot_settings()) for number in range(len(made.orders))]
+    lasts = [one.duration for one in true if one is not None]
+    assert found.made == len(found.stretches) == len(lasts)
+    assert [one.logged for one in found.stretches] == pytest.approx(lasts, rel=NEAR_TIME)
+    assert [one.after for one in found.stretches] == pytest.approx(lasts, rel=NEAR_TIME)
+    assert max(abs(one.before / one.logged - 1.0) for one in found.stretches) > 0.03
+    assert found.remaining < NEAR_TIME
+
+
+def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None:
+    made = site()
+    known = settings_of(made.station)
+    found, _ = calibrate(made.cell, made.station, made.orders, logged(made, known))
+    assert found is not None
+    assert found.after.all == pytest.approx(known.all, rel=NEAR)
+    assert found.after.look_ahead == known.look_ahead
+    assert found.look_ahead is Knowledge.AT_LEAST
+
+
+def test_longer_pauses_between_the_motions_change_nothing() -> None:
+    made, known = site(), trace()
+    rests = np.flatnonzero(np.abs(np.diff(known.q, axis=0)).max(axis=1) == 0.0)
+    middle = int(rests[len(rests) // 2])
+    pause = np.repeat(known.q[middle : middle + 1], int(3.0 * RATE), axis=0)
+    q = np.vstack((known.q[:middle], pause, known.q[middle:]))
+    found, _ = calibrate(made.cell, made.station, made.orders, Trace(np.arange(len(q)) / RATE, q))
+    assert found is not None
+    assert found.after.look_ahead == 2
+    assert found.after.all == pytest.approx(calibrated().after.all, rel=NEAR)
+
+
+def test_a_trace_of_another_program_is_refused() -> None:
+    other = site(OTHER)
+    found, findings = calibrate(
+        site().cell, site().station, site().orders, logged(other, settings_of(other.station))
+    )
+    assert found is None
+    assert [one.code for one in findings] == ["X889"]
+
+
+def test_a_trace_in_which_nothing_moves_is_refused() -> None:
+    still = Trace(np.arange(500) / RATE, np.zeros((500, 6)))
+    found, findings = calibrate(site().cell, site().station, site().orders, still)
+    assert found is None
+    assert [one.code for one in findings] == ["X889"]
+
+
+def test_a_motion_that_was_held_is_left_out_and_said() -> None:
+    made, known = site(), trace()
+    speeds = np.abs(np.diff(known.q[:, 0]))
+    middle = int(speeds.argmax())
+    pause = np.repeat(known.q[middle : middle + 1], int(0.5 * RATE), axis=0)
+    q = np.vstack((known.q[:middle], pause, known.q[middle:]))
+    found, findings = calibrate(made.cell, made.station, made.orders, Trace(np.arange(len(q)) / RATE, q))
+    assert found is not None
+    assert len(found.stretches) == found.made - 1
+    assert [one.code for one in findings] == ["X894"]
+    assert findings[0].span is not None
