@@ -24,6 +24,19 @@ def robot_settings(look_ahead: int = 2) -> MotionSettings:
     return MotionSettings(known.joints * factors[:, None], known.tool * factors[:, None], look_ahead)
 
 
+SHORT = """\
+program main
+units mm, deg, s
+mov (500, -200, 300; down)
+wait 0.2
+mov (350, 300, 500; down)
+wait 0.2
+mov (600, 300, 200; down)
+wait 0.2
+mov joints(0, 75, -180, 0, -75, 60)
+"""
+
+
 @cache
 def trace() -> Trace:
     return logged(site(), robot_settings())
@@ -71,6 +84,20 @@ def test_every_motion_lasts_as_long_as_in_the_trace() -> None:
     assert [one.after for one in found.stretches] == pytest.approx(lasts, rel=NEAR_TIME)
     assert max(abs(one.before / one.logged - 1.0) for one in found.stretches) > 0.03
     assert found.remaining < NEAR_TIME
+
+
+def test_one_weak_joint_is_told_from_the_others() -> None:
+    """Joint 1 alone accelerates half as much; joints that move beside it are not blamed."""
+    made = site(SHORT)
+    known = settings_of(made.station)
+    joints = known.joints.copy()
+    joints[1, 0] *= 0.5
+    weak = MotionSettings(joints, known.tool, known.look_ahead)
+    found, findings = calibrate(made.cell, made.station, made.orders, logged(made, weak))
+    assert found is not None
+    assert findings == ()
+    assert found.after.joints[1, 0] == pytest.approx(joints[1, 0], rel=NEAR)
+    assert found.after.joints[:2, 1:] == pytest.approx(joints[:2, 1:], rel=NEAR)
 
 
 def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None:

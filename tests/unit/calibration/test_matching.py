@@ -57,6 +57,12 @@ def test_one_cycle_of_several_is_taken_whole() -> None:
     assert found[0].end == found[1].start == found[0].start + 1
 
 
+def test_none_of_many_stops_is_lost_by_rounding() -> None:
+    places = np.random.default_rng(3).uniform(-2.0, 2.0, 300)
+    nearly = places + np.random.default_rng(4).uniform(-0.01, 0.01, 300)
+    assert len(match(rests(*nearly), ends(*places), ARM)) == 299
+
+
 @pytest.mark.parametrize("noise", [0.0, 2e-5])
 @pytest.mark.parametrize("stand", [0.0, 0.02, 1.0])
 def test_stops_are_found_whether_long_or_of_a_moment(stand: float, noise: float) -> None:

@@ -97,3 +97,9 @@ def test_units_of_the_file_are_written() -> None:
 def test_values_that_stand_are_replaced_where_they_stand() -> None:
     text = "[a]\nx = [1, # one\n 2]\ny = 3\n"
     assert with_values(SourceText("t", text), ("a",), {"x": "4", "z": "5"}) == "[a]\nz = 5\nx = 4\ny = 3\n"
+
+
+def test_several_values_are_replaced_at_once() -> None:
+    text = "[a]\nx = 1 # one\ny = 3\nz = 5\n"
+    made = with_values(SourceText("t", text), ("a",), {"x": "[40, 50]", "z": "6", "y": "-70"})
+    assert made == "[a]\nx = [40, 50] # one\ny = -70\nz = 6\n"
