@@ -60,6 +60,7 @@ CASES = [
     pytest.param(ROBOT + TOOL + "mass = -1\n", "X806", "-1", "", id="negative mass"),
     pytest.param(ROBOT + "speed_override = 0\n", "X806", "0", "", id="no speed"),
     pytest.param(ROBOT + "[controller]\ncontrol_hz = 1\n", "X806", "1", "", id="1 Hz"),
+    pytest.param(ROBOT + "[controller]\ncorrection_size = 0\n", "X806", "0", "", id="no correction"),
     pytest.param(ROBOT + "[frames.f]\nposition = [nan, 0, 0]\n", "X807", "nan", "", id="nan"),
     pytest.param(ROBOT + "speed_override = inf\n", "X807", "inf", "", id="inf"),
     pytest.param(ROBOT + "[units]\nlength = 'feet'\n", "X808", "'feet'", "", id="feet"),

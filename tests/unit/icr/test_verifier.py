@@ -218,6 +218,32 @@ def test_a_guard_compares_one_channel_and_is_the_only_one_of_its_move(guard: str
     assert code in found if code else not found
 
 
+TRACK = "PUSH REAL 1.0\n  PUSH REAL 10.0\n  TRACK z force\n  "
+
+
+@pytest.mark.parametrize(
+    ("track", "move", "code"),
+    [
+        (TRACK, "MOVE.LIN", ""),
+        (TRACK.replace(" z ", " -x "), "MOVE.LIN", ""),
+        (TRACK + GUARD, "MOVE.LIN", ""),
+        (TRACK + TRACK, "MOVE.LIN", "I429"),
+        (TRACK, "HOME", "I429"),
+        (TRACK + "HALT\n  ", "MOVE.LIN", "I429"),
+        (TRACK.replace("10.0", "0.0"), "MOVE.LIN", "I426"),
+        (TRACK.replace("force", "part"), "MOVE.LIN", "I414"),
+        (TRACK.replace("PUSH REAL 1.0\n  ", ""), "MOVE.LIN", "I415"),
+    ],
+)
+def test_a_correction_names_a_number_and_belongs_to_one_path_of_the_tool(
+    track: str, move: str, code: str
+) -> None:
+    text = changed(f"  {move}\n", f"  {track.strip()}\n  {move}\n")
+    names = "GUARD IO JNT LIN PTP TRACK ZONE" if "GUARD" in track else "IO JNT LIN PTP TRACK ZONE"
+    found = set(codes(text.replace("IO JNT LIN PTP ZONE", names)))
+    assert code in found if code else not found
+
+
 @pytest.mark.parametrize(
     ("trigger", "code"),
     [

@@ -1,6 +1,7 @@
 """Paths that a sensor corrects: what remains, which limits hold, and that nothing else changes."""
 
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -23,7 +24,8 @@ from ropsim.model import (
     Signal,
     Tool,
 )
-from ropsim.simulation import Fidelity, RunOptions, run
+from ropsim.simulation import Fidelity, RunOptions, RunView, run
+from ropsim.simulation.watch import NobodyWatches
 from ropsim.spatial import Array, Pose
 from ropsim.workbench import environment_of
 from support.cells import one_station
@@ -120,6 +122,12 @@ def line_at(height: float) -> tuple[str, str]:
     return START.format(z=f"{z:.9f}"), LINE.format(z=f"{z:.9f}")
 
 
+@cache
+def over_the_flat(height: float, clause: str = "") -> Recording:
+    start, line = line_at(height)
+    return recorded(FLAT, start, f"{line} {clause}")
+
+
 def test_a_constant_difference_decays_with_the_time_constant_of_the_gain() -> None:
     start, line = line_at(1.0)
     found = Corrected(recorded(FLAT, start, f"{line} {TRACK} gain 10"))
@@ -146,16 +154,13 @@ def test_on_a_slope_the_difference_that_remains_is_its_rise_by_the_gain(gain: fl
 
 
 def test_the_path_error_is_that_from_the_corrected_path() -> None:
-    start, line = line_at(5.0)
-    found = Corrected(recorded(FLAT, start, f"{line} {TRACK}"))
+    found = Corrected(over_the_flat(5.0, TRACK))
     assert found.of("correction").max() > 4.9e-3
     assert found.of("path_error").max() < NEAR
 
 
 def test_a_move_that_is_not_corrected_is_the_same_as_without_a_sensor_in_the_cell() -> None:
-    start, line = line_at(0.0)
-    flat = recorded(FLAT, start, f"{line} {TRACK}")  # it reads what it is to read
-    bare = recorded(FLAT, start, line)
+    flat, bare = over_the_flat(0.0, TRACK), over_the_flat(0.0)  # it reads what it is to read
     assert "correction" not in bare.channels
     moved = Corrected(flat)
     assert np.abs(moved.of("correction")).max() < 1e-10
@@ -163,8 +168,7 @@ def test_a_move_that_is_not_corrected_is_the_same_as_without_a_sensor_in_the_cel
 
 
 def test_a_move_before_one_that_is_corrected_keeps_its_bits() -> None:
-    start, line = line_at(5.0)
-    one, two = recorded(FLAT, start, f"{line} {TRACK}"), recorded(FLAT, start, line)
+    one, two = over_the_flat(5.0, TRACK), over_the_flat(5.0)
     before = Corrected(one).rows.start
     assert before > 500
     assert np.array_equal(one.rows("q_ref")[:before], two.rows("q_ref")[:before])
@@ -176,8 +180,6 @@ def test_a_value_that_a_hand_sets_moves_the_tool_as_a_sensor_does_and_nothing_wh
     changed = int((2.0 - (found.recording.time[found.rows.start])) * 1e3)
     assert not found.of("correction")[: changed - 1].any()
     assert found.of("correction")[-1] == pytest.approx(2.0 * 0.001 * 0.5, rel=0.02)
-    plain = recorded(FLAT, start, f"{line} track hand = 0.0 gain 2", options=None)
-    assert np.array_equal(plain.rows("q_ref"), found.recording.rows("q_ref"))
 
 
 def test_limits_of_the_correction_hold_at_every_tick_and_the_one_of_its_size_is_told() -> None:
@@ -279,7 +281,7 @@ def test_a_zone_before_and_at_a_corrected_move_is_a_stop() -> None:
     start, line = line_at(2.0)
     recording = recorded(
         FLAT,
-        f"{start} speed 30 %",
+        start,
         "lin (450, 0, 150; ry 160 deg) blend 10 mm",
         f"{line} blend 10 mm {TRACK}",
         "lin (500, 0, 200; ry 160 deg)",
@@ -351,3 +353,75 @@ position = [0, 0, 0]
     corrected = ~np.isnan(recording.rows("correction"))
     assert np.ptp(recording.rows("q_ref")[corrected, 6]) < 1e-12  # the positioner stands
     assert np.nanmax(recording.rows("path_error")) < NEAR
+
+
+def test_a_condition_ends_a_motion_that_is_corrected_and_the_shift_stays() -> None:
+    start, line = line_at(0.0)
+    lines = start, f"{line} track hand = -0.001 until gap < 8 mm store there", "print there.x"
+    recording = recorded(FLAT, *lines)
+    found = Corrected(recording)
+    shift = found.of("correction")
+    assert 1.9e-3 < shift[-1] < 4e-3  # the rest while the arm brakes
+    assert codes(recording) == set()
+    q, qd = recording.rows("q_ref"), recording.rows("qd_ref")
+    assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
+    assert (np.abs(np.diff(found.of("qd_ref"), axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
+    assert found.of("attained_position")[-1, 0] < 0.54
+
+
+@dataclass
+class Hand(NobodyWatches):
+    """Presses a key and sets the override of a live run when it has come to given times [s]."""
+
+    acts: list[tuple[float, str, float]]
+
+    @property
+    def may_press(self) -> bool:
+        """Return True, so that slices are short."""
+        return True
+
+    def advanced(self, run: RunView) -> None:
+        while self.acts and run.time >= self.acts[0][0]:
+            _, what, value = self.acts.pop(0)
+            if what == "override":
+                run.set_override(value)
+            else:
+                run.press(what, run.farthest + 1, value)
+
+
+def test_a_live_run_with_keys_and_overrides_is_repeated_to_the_bit() -> None:
+    start, line = line_at(3.0)
+    hand = Hand([(1.7, "gap", 0.013), (1.9, "override", 0.37), (2.2, "override", 1.0), (2.5, "gap", 0.008)])
+    live = recorded(
+        FLAT, start, f"{line} {TRACK}", options=RunOptions(Fidelity.KINEMATIC, record_hz=1000, watch=hand)
+    )
+    assert len(live.facts.inputs) == 2
+    assert len(live.facts.overrides) == 2
+    options = RunOptions(
+        Fidelity.KINEMATIC, record_hz=1000, inputs=live.facts.inputs, overrides=live.facts.overrides
+    )
+    again = recorded(FLAT, start, f"{line} {TRACK}", options=options)
+    for name in ("q_ref", "qd_ref", "correction", "path_error"):
+        assert np.array_equal(live.rows(name), again.rows(name), equal_nan=True)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_fast_motions_with_wild_signals_and_overrides_keep_the_limits_of_the_joints(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    times = np.sort(rng.uniform(1.0, 3.0, 12)).tolist()
+    changes = tuple(zip(times, rng.uniform(-0.05, 0.05, 12).tolist(), strict=True))
+    limits = CorrectionLimits(size=0.03, speed=0.3, acceleration=5.0)
+    cell = cell_with(0.0, replace(CONTROLLER, correction=limits))
+    hand = Signal("hand", is_input=True, analog=True, changes=changes)
+    cell = replace(cell, signals={**cell.signals, "hand": hand})
+    ends = [f"({x:.1f}, {y:.1f}, 250; ry 150 deg)" for x, y in rng.uniform((400, -200), (550, 200), (2, 2))]
+    axis = ("x", "-y", "z")[seed - 1]
+    fast = f"lin {ends[1]} speed 600 mm/s acc 8 m/s2 track hand = 0.0 along {axis} gain 25"
+    options = held((1.7, 0.4), (1.9, 0.0), (2.1, 1.0))
+    found = Corrected(recorded(cell, f"mov {ends[0]}", fast, options=options))
+    q, qd, shift = found.of("q_ref"), found.of("qd_ref"), found.of("correction")
+    assert 1e-3 < np.abs(shift).max() <= limits.size
+    assert (np.abs(qd) <= ROBOT.max_speeds).all()
+    assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
+    assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
+    assert found.of("path_error").max() < 1e-5  # rows between two interpolation ticks
