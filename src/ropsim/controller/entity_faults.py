@@ -16,9 +16,9 @@ ENTITY_FAILS = define(
     "a path planner, interpolator, inverse transform or path corrector of your own does not do its work",
     """
 An entity of the controller that you have put into the chain, or a path of your own, raised an exception or
-returned what nobody can follow: arrays of another shape, numbers that are not finite, a path that begins
-elsewhere. The move is skipped and the program goes on, so that one run shows every such line; where a path
-corrector fails, the move goes on with the shift that it has.
+returned what nobody can follow: arrays of another shape, numbers that are not finite, a path that begins or
+ends elsewhere, derivatives that are not those of its poses. The move is skipped and the program goes on, so
+that one run shows every such line; where a path corrector fails, the move goes on with the shift that it has.
 
 The message names the entity and what it did. docs/how-to/own-planner.md says what each entity is given and
 has to return.

@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded, is_our_own, refused
+from ropsim.controller.path_truth import wrong_derivatives
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JointPath, JointPoints, ToolPath, ToolPoints
 from ropsim.spatial import Array
@@ -75,9 +76,10 @@ def unusable_tool_path(path: ToolPath, move: MoveInstruction) -> Refusal | None:
         return positions
     shapes = {"matrices": (_LOOKS, 4, 4), "d1": (_LOOKS, 6), "d2": (_LOOKS, 6)}
     arrays = {name: np.asarray(getattr(points, name)) for name in shapes}
-    return _unusable_arrays(
+    wrong = _unusable_arrays(
         path, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
     )
+    return wrong or wrong_derivatives(path, places, points, move)
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:

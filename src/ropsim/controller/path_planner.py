@@ -14,12 +14,13 @@ from ropsim.controller.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
 from ropsim.controller.move_check import check_joints, check_kind, check_values
 from ropsim.controller.moving_frames import MovingFrame
 from ropsim.controller.path_faults import unusable_tool_path
+from ropsim.controller.path_truth import misplaced_tool_path
 from ropsim.controller.planned_path import MoveLimits, PlannedPath
 from ropsim.controller.posture_choice import JointRange, choose, nearest_turns
 from ropsim.controller.posture_wish import no_such_posture, wished
 from ropsim.controller.target_refusals import no_arm, numeric_hint, out_of_range, out_of_reach, posture_change
 from ropsim.controller.work_frames import WorkFrames
-from ropsim.controller.wrist_planner import LED_KINDS, WristPlanner
+from ropsim.controller.wrist_planner import WristPlanner
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse
@@ -166,14 +167,14 @@ class StandardPathPlanner:
         if path is None and not axes:
             return so_far
         path = Standing(X_end) if path is None else path
-        wrong = unusable_tool_path(path, move)
+        wrong = unusable_tool_path(path, move) or misplaced_tool_path(path, request)
         if wrong:
             return wrong
         if axes:
             share = self.controller.speed_override
             along = coordination_along(path, self.robot, q_start, q_there, frame, share)
             so_far = replace(so_far, coordination=along)
-        if self.controller.orientation is OrientationMode.WRIST_ANGLES and move.kind in LED_KINDS:
+        if self.controller.orientation is OrientationMode.WRIST_ANGLES:
             return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
         return replace(so_far, tool=path)
 
@@ -189,8 +190,8 @@ class StandardPathPlanner:
         moves = bool(moved_axes(self.robot, q_start, there))
         there = there if moves else q_start
         X_BT = self._work.frame_pose(move.modal, there) @ move.target
-        if moves and move.angle is not None:
-            return there, X_BT  # the target tells where the arc lies; the axes do not end there
+        if move.angle is not None:
+            return there, X_BT  # the target tells where the arc lies; neither arm nor axes end there
         branches = self._branches(move, X_BT @ X_MT.inverse(), there)
         if isinstance(branches, Refusal):
             return branches

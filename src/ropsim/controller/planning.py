@@ -16,6 +16,7 @@ from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
+from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
 from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
@@ -51,6 +52,9 @@ def plan(
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
         it cannot be made, None where all can.
     """
+    wrong = check_start(state, chain.robot, stretch[0])
+    if wrong:
+        return None, wrong
     legs, refusal = legs_of(chain, stretch, state.q)
     while legs:
         planned = _planned(chain, legs, state, payload)

@@ -13,14 +13,11 @@ from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_lead
 from ropsim.controller.wrist_points import WristPoints, points_of
 from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.core import Diagnostic
-from ropsim.flow import MotionKind, MoveInstruction, PoseSetpoints
+from ropsim.flow import MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, Limits, inverse, posture, singular_distances, solver_of
 from ropsim.model import RobotModel
 from ropsim.motion import NO_WRIST_ANGLES, ToolPath, Traced, monotone
 from ropsim.spatial import Array, Pose, record
-
-LED_KINDS = frozenset({MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE})
-"""Kinds of moves that the wrist may lead."""
 
 
 @record

@@ -1,0 +1,109 @@
+"""Paths of one's own that say something else than they do; starts that are none."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from ropsim.controller import (
+    MotionChain,
+    MotionPlan,
+    MotionState,
+    PathRequest,
+    Refusal,
+    StandardPathPlanner,
+    plan,
+    plan_move,
+)
+from ropsim.flow import ModalState, MotionKind, MoveInstruction
+from ropsim.motion import Line, ToolPoints
+from ropsim.spatial import Array, Pose
+from support.motion import CHAIN, LINE, START, interface_pose, lin, shifted
+
+HERE = interface_pose(START)
+THERE = shifted(HERE, -0.1, 0.1, 0.0)
+
+
+@dataclass(frozen=True)
+class Told:
+    """A line of somebody else's that says its derivatives are other ones."""
+
+    line: Line
+    first: float = 1.0
+    second: float = 0.0
+
+    @property
+    def length(self) -> float:
+        return self.line.length
+
+    def tool(self, s: Array) -> ToolPoints:
+        points = self.line.tool(s)
+        return ToolPoints(points.matrices, points.d1 * self.first, points.d2 + self.second)
+
+    def positions(self, s: Array) -> Array:
+        return self.line.positions(s)
+
+    def distance(self, points: Array) -> Array:
+        return self.line.distance(points)
+
+
+def chain_with(first: float = 1.0, second: float = 0.0, start: float = 0.0, end: float = 0.0) -> MotionChain:
+    """Return a chain whose lines are somebody else's, moved at their ends [m]."""
+
+    def make(request: PathRequest) -> Told:
+        ends = (shifted(request.X_start, 0.0, 0.0, start), shifted(request.X_end, 0.0, 0.0, end))
+        return Told(Line(*ends), first, second)
+
+    planner = CHAIN.planner
+    assert isinstance(planner, StandardPathPlanner)
+    return replace(CHAIN, planner=replace(planner, kinds={**planner.kinds, "LIN": make}))
+
+
+def test_a_path_that_is_what_it_says_is_flown() -> None:
+    assert isinstance(plan_move(chain_with(), lin(THERE), START), MotionPlan)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"first": 0.5}, "returned `d1` that is not the derivative"),
+        ({"first": 1.05}, "returned `d1` that is not the derivative"),
+        ({"second": 1.0}, "returned `d2` that is not the derivative"),
+        ({"start": 1e-3}, "`Told` is a path that begins 1 mm from where the tool is"),
+        ({"end": 0.05}, "`Told` is a path that ends 50 mm from its target"),
+    ],
+)
+def test_a_path_that_is_another_one_than_it_says_is_refused(wrong: dict[str, float], told: str) -> None:
+    found = plan_move(chain_with(**wrong), lin(THERE), START)
+    assert isinstance(found, Refusal)
+    assert found.diagnostics[0].code == "C603"
+    assert told in found.diagnostics[0].message
+
+
+@pytest.mark.parametrize(
+    ("state", "told"),
+    [
+        (MotionState(START, np.full(6, 0.5), np.zeros(6)), "allowed are zeros"),
+        (MotionState(START, np.zeros(6), np.full(6, 1.0)), "allowed are zeros"),
+        (MotionState(START, np.full(6, np.nan), np.zeros(6)), "allowed are finite numbers"),
+        (MotionState(START * np.nan, np.zeros(6), np.zeros(6)), "allowed are finite numbers"),
+        (MotionState(START, np.zeros(3), np.zeros(6)), "speeds of shape (3,), allowed is (6,)"),
+    ],
+)
+def test_a_stretch_is_planned_from_rest_only(state: MotionState, told: str) -> None:
+    found, refusal = plan(CHAIN, [lin(THERE)], state)
+    assert found is None
+    assert refusal is not None
+    assert refusal.diagnostics[0].code == "C605"
+    assert told in refusal.diagnostics[0].message
+    assert refusal.diagnostics[0].span == LINE
+
+
+def test_the_target_of_an_arc_with_an_angle_may_be_out_of_reach() -> None:
+    """It tells where the circle lies; the arc ends before."""
+    far = Pose(HERE.position + np.array([3.0, 0.1, 0.0]), HERE.orientation)
+    near = shifted(HERE, 0.01, 0.05, 0.0)
+    arc = MoveInstruction(MotionKind.CIRC, far, ModalState(), via=(near,), angle=0.02)
+    assert isinstance(plan_move(CHAIN, arc, START), MotionPlan)
+    to_its_end = plan_move(CHAIN, replace(arc, angle=None), START)
+    assert isinstance(to_its_end, Refusal)
