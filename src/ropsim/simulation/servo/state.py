@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from ropsim.controller import LawTraits
 from ropsim.dynamics import DriveChain
 from ropsim.simulation.fields import Field, fields
@@ -151,7 +149,3 @@ class ServoState:
             if field.name == name:
                 return self.values[field.place]
         raise KeyError(name)
-
-    def is_finite(self) -> bool:
-        """Return whether every number is finite."""
-        return bool(np.isfinite(self.values).all())
