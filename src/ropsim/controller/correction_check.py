@@ -7,7 +7,7 @@ from ropsim.controller.entities import Refusal
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.controller.leg import Leg
 from ropsim.controller.wording import passes
-from ropsim.motion import PATH_NOT_CORRECTED, JointBounds
+from ropsim.motion import PATH_NOT_CORRECTED
 
 
 def correction_refusal(leg: Leg) -> Refusal | None:
@@ -34,7 +34,6 @@ def correction_refusal(leg: Leg) -> Refusal | None:
 def beside_correction(bounds: ArmBounds) -> ArmBounds:
     """Return what the joints may do for a move itself, where a correction is added to it."""
     joints = bounds.joints
-    kept = JointBounds(
-        joints.speed * PLANNED_SPEED, joints.acceleration * PLANNED_ACCELERATION, joints.jerk, joints.effort
-    )
+    speed, acceleration = joints.speed * PLANNED_SPEED, joints.acceleration * PLANNED_ACCELERATION
+    kept = replace(joints, speed=speed, acceleration=acceleration)
     return replace(bounds, joints=kept)

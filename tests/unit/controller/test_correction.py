@@ -1,5 +1,6 @@
 """Steps of a path correction: its limits, how it stands at the end, and what it adds to the joints."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.controller import (
+    PLANNED_ACCELERATION,
     Correction,
     CorrectionRoom,
     Sample,
@@ -16,9 +18,12 @@ from ropsim.controller import (
     next_correction,
     shifted_reference,
 )
+from ropsim.controller.correction_check import beside_correction
+from ropsim.controller.correction_room import PLANNED_SPEED, SHARE
+from ropsim.controller.kept_limits import arm_bounds
 from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
-from ropsim.model import CorrectionLimits
+from ropsim.model import CorrectionLimits, Payload
 from ropsim.spatial import Pose
 
 PERIOD = 4e-3
@@ -147,3 +152,42 @@ def test_what_is_added_has_no_step_in_speed_from_slice_to_slice() -> None:
     assert q[3] == 1e-5
     assert qd[3] == 5e-3
     assert np.allclose(np.diff(q), (qd[1:] + qd[:-1]) / 2.0 * 1e-3, atol=1e-6)
+
+
+def test_the_standard_corrector_does_not_swing_past_however_great_its_gain_and_the_difference() -> None:
+    limits = CorrectionLimits(size=0.05, speed=1.0, acceleration=0.5)
+    corrector = StandardPathCorrector(limits)
+    room = CorrectionRoom(-limits.size, limits.size, limits.speed, limits.acceleration)
+    for gain in (5.0, 20.0, 30.0):
+        tracking, now, shifts = PathTracking("gap", 0.0, gain=gain), Correction(), []
+        for _ in range(2000):
+            measured = Sample(0.02 - now.value, valid=True, age=0.0)
+            wanted = corrector.correct(measured, tracking, Pose(), now.value)
+            assert abs(wanted) <= limits.acceleration / gain * (1.0 + EXACT)
+            now = next_correction(now, wanted, room, 10.0, PERIOD)
+            shifts.append(now.value)
+        assert shifts[-1] == pytest.approx(0.02, abs=1e-6)
+        assert max(shifts) < 0.02 + 2e-5
+
+
+def test_a_correction_takes_its_share_of_the_speeds_and_accelerations_of_the_joints_and_no_more() -> None:
+    arm = ShiftedArm(ROBOT, X_MT, np.array([0.0, 0.0, 1.0]))
+    room = arm.room(CorrectionLimits(size=0.5, speed=100.0, acceleration=1e4), POSTURE, 0.0)
+    step = 1e-5
+    added = arm.shifted(POSTURE, np.zeros(6), Correction(step), 1.0, arm.still)
+    assert added is not None
+    joints = np.abs(added.q) / step  # of the joints, by one of the correction
+    assert (joints * room.speed / ROBOT.max_speeds).max() == pytest.approx(SHARE, rel=1e-3)
+    assert (joints * room.acceleration / ROBOT.max_accelerations).max() == pytest.approx(SHARE, rel=1e-3)
+
+
+def test_what_a_move_leaves_to_a_correction_is_speed_and_acceleration_and_all_else_is_as_before() -> None:
+    bounds = arm_bounds(ROBOT, Payload())
+    kept = beside_correction(bounds)
+    assert kept.joints.speed == pytest.approx(PLANNED_SPEED * ROBOT.max_speeds)
+    assert kept.joints.acceleration == pytest.approx(PLANNED_ACCELERATION * ROBOT.max_accelerations)
+    back = replace(kept.joints, speed=bounds.joints.speed, acceleration=bounds.joints.acceleration)
+    assert back == bounds.joints
+    assert kept.effort is bounds.effort
+    assert PLANNED_SPEED + SHARE < 1.0
+    assert PLANNED_ACCELERATION + SHARE < 1.0
