@@ -45,6 +45,11 @@ def test_a_stop_on_the_way_lies_within_its_motion() -> None:
     assert stretches(found) == [(0, 0, 2), (1, 2, 3)]
 
 
+def test_of_two_visits_of_a_place_the_one_next_to_the_others_is_taken_though_it_fits_a_little_less() -> None:
+    found = match(rests(0.0, 0.7, 0.2, 0.002, 1.0, 0.5), ends(0.0, 1.0, 0.5), ARM)
+    assert stretches(found) == [(0, 3, 4), (1, 4, 5)]
+
+
 def test_motions_to_a_stop_that_is_not_there_are_left_out() -> None:
     found = match(rests(0.0, 0.5, 0.2, 0.8), ends(0.0, 1.0, 0.5, 0.2, 0.8), ARM)
     assert [one[0] for one in stretches(found)] == [2, 3]

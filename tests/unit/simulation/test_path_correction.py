@@ -272,9 +272,12 @@ def test_a_correction_stops_before_the_arm_is_stretched_out_and_goes_back_where_
     (told,) = [one for one in recording.findings if one.code == "S748"]
     assert told.span is not None
     assert told.span.line == 4
-    assert 5e-3 < found.of("correction").max() < 0.02
+    shift, qd = found.of("correction"), found.of("qd_ref")
+    assert 5e-3 < shift.max() < 0.02
+    assert shift[-1] < shift.max() - 1e-3
     assert codes(recording) == {"S748"}
-    assert (np.abs(found.of("qd_ref")) <= ROBOT.max_speeds).all()
+    assert (np.abs(qd) <= ROBOT.max_speeds).all()
+    assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
 
 
 def test_a_zone_before_and_at_a_corrected_move_is_a_stop() -> None:
