@@ -102,6 +102,22 @@ def test_one_weak_joint_is_told_from_the_others() -> None:
     assert found.after.joints[:2, 1:] == pytest.approx(joints[:2, 1:], rel=NEAR)
 
 
+def test_joints_that_all_differ_are_told_apart_and_limits_that_nothing_tells_are_not_lowered() -> None:
+    """A joint that a stretch asks less of than another one does is not at its limit there."""
+    made = site(SHORT)
+    known = settings_of(made.station)
+    factors = np.random.default_rng(0).uniform(0.45, 1.3, known.joints.shape)
+    other = MotionSettings(known.joints * factors, known.tool, known.look_ahead)
+    found, findings = calibrate(made.cell, made.station, made.orders, logged(made, other))
+    assert found is not None
+    assert findings == ()
+    fitted = np.array([kind is Knowledge.FITTED for kind in found.known.kinds])
+    assert fitted.any()
+    assert found.after.all[fitted] == pytest.approx(other.all[fitted], rel=NEAR)
+    assert (found.after.all[~fitted] >= known.all[~fitted] * (1.0 - 1e-9)).all()
+    assert found.remaining < NEAR_TIME
+
+
 def test_a_robot_that_keeps_to_its_limits_changes_nothing_that_matters() -> None:
     made = site()
     known = settings_of(made.station)

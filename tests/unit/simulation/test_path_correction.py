@@ -428,3 +428,19 @@ def test_fast_motions_with_wild_signals_and_overrides_keep_the_limits_of_the_joi
     assert (np.abs(np.diff(qd, axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
     assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
     assert found.of("path_error").max() < 1e-5  # rows between two interpolation ticks
+
+
+@pytest.mark.parametrize(
+    ("end", "speed"), [("(550, 150, 250; ry 150 deg)", 900), ("(400, -149, 250; ry 150 deg)", 2)]
+)
+def test_a_motion_that_is_held_while_its_correction_is_at_its_quickest_brakes_within_the_limits(
+    end: str, speed: int
+) -> None:
+    """Quick motions take most of the accelerations for themselves, slow ones could stop at once."""
+    limits = CorrectionLimits(size=0.03, speed=1.0, acceleration=20.0)
+    cell = cell_with(0.0, replace(CONTROLLER, correction=limits))
+    start = "mov (400, -150, 250; ry 150 deg)"
+    line = f"lin {end} speed {speed} mm/s acc 8 m/s2 track hand = 0.05 along -y gain 25"
+    found = Corrected(recorded(cell, start, line, options=held((1.6, 0.0), (1.8, 1.0))))
+    assert np.abs(found.of("correction")).max() > 1e-3
+    assert (np.abs(np.diff(found.of("qd_ref"), axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
