@@ -87,17 +87,16 @@ class Correcting:
         """
         period = 1.0 / self.at.hz
         sample = self.world.sample(self.tracking.channel)
-        self.now = self._next(sample, reference, walked, left)
-        before = self.added
+        now, before = self._next(sample, reference, walked, left), self.added
         q, qd = reference.q[-1], reference.qd[-1]
-        added = self.arm.shifted(q, qd, self.now, rate, before)
+        added = self.arm.shifted(q, qd, now, rate, before)
         if added is None:
             self._note_arm()
-            self.now = Correction(self.now.value)
+            now = Correction(self.now.value)
             added = ShiftedJoints(before.q, self.arm.still.qd)
         elif (np.abs(qd + added.qd) > self.at.station.robot.max_speeds).any():
             self._note_arm()
-        self.added = added
+        self.now, self.added = now, added
         self._enter(self.at.tick + reference.ticks)
         return shifted_reference(reference, before, added, period)
 

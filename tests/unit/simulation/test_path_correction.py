@@ -9,7 +9,14 @@ import pytest
 import ropsim
 from ropsim import icr, robots
 from ropsim.cellfile import read_cell
-from ropsim.controller import PathCorrector, Sample, standard_chain
+from ropsim.controller import (
+    Correction,
+    PathCorrector,
+    Sample,
+    ShiftedArm,
+    ShiftedJoints,
+    standard_chain,
+)
 from ropsim.core import SourceText
 from ropsim.flow import InputChange, OverrideChange, PathTracking, Recording
 from ropsim.kinematics import forward_batch
@@ -444,3 +451,28 @@ def test_a_motion_that_is_held_while_its_correction_is_at_its_quickest_brakes_wi
     found = Corrected(recorded(cell, start, line, options=held((1.6, 0.0), (1.8, 1.0))))
     assert np.abs(found.of("correction")).max() > 1e-3
     assert (np.abs(np.diff(found.of("qd_ref"), axis=0)) <= ROBOT.max_accelerations * 1e-3).all()
+
+
+def test_a_correction_stands_while_the_arm_cannot_follow_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    follow = ShiftedArm.shifted
+
+    def nowhere_in_the_middle(
+        arm: ShiftedArm, q: Array, qd: Array, correction: Correction, rate: float, guess: ShiftedJoints
+    ) -> ShiftedJoints | None:
+        if 0.475 < arm.pose(q).position[0] < 0.485:
+            return None
+        return follow(arm, q, qd, correction, rate, guess)
+
+    monkeypatch.setattr(ShiftedArm, "shifted", nowhere_in_the_middle)
+    start, line = line_at(15.0)
+    found = Corrected(recorded(FLAT, start, f"{line.replace('540', '495')} {TRACK}"))
+    walked = found.of("attained_position")[:, 0]
+    shift = found.of("correction")
+    before = int(np.argmax(shift != 0.0))
+    assert before < 100
+    stood = np.flatnonzero(np.abs(np.diff(shift[before:])) < 1e-15)
+    assert len(stood) > 150  # of 10 mm at 50 mm/s, that is 200 ms
+    assert np.ptp(stood) < 220
+    assert shift[-1] > shift[before + stood[-1]] + 1e-3
+    assert np.ptp(walked) > 0.03
+    assert "S748" in codes(found.recording)
