@@ -45,7 +45,7 @@ TICK = 4e-3
 """Interpolation tick [s]."""
 SPEED, GAIN, GAP = 0.05, 10.0, 0.01
 START = "mov (460, 150, {z}; ry 160 deg)"
-LINE = "lin (540, 150, {z}; ry 160 deg) speed 50 mm/s"
+LINE = "lin ({x}, 150, {z}; ry 160 deg) speed 50 mm/s"
 TRACK = "track gap = 10 mm"
 TILT = np.array([np.sin(np.deg2rad(160.0)), 0.0, np.cos(np.deg2rad(160.0))])
 """Direction in which the tool looks."""
@@ -123,10 +123,10 @@ class Corrected:
         return gaps
 
 
-def line_at(height: float) -> tuple[str, str]:
-    """Lines whose tool is `height` above the distance wanted, seen along the tool [mm]."""
-    z = 1e3 * TOP - (10.0 + height) * TILT[2]
-    return START.format(z=f"{z:.9f}"), LINE.format(z=f"{z:.9f}")
+def line_at(height: float, length: float = 80.0) -> tuple[str, str]:
+    """Lines of a length whose tool is `height` above the distance wanted, seen along the tool [mm]."""
+    z, end = f"{1e3 * TOP - (10.0 + height) * TILT[2]:.9f}", f"{460.0 + length:g}"
+    return START.format(z=z), LINE.format(x=end, z=z)
 
 
 @cache
@@ -191,7 +191,7 @@ def test_a_value_that_a_hand_sets_moves_the_tool_as_a_sensor_does_and_nothing_wh
 
 def test_limits_of_the_correction_hold_at_every_tick_and_the_one_of_its_size_is_told() -> None:
     limits = CorrectionLimits(size=0.004, speed=0.015, acceleration=0.3)
-    start, line = line_at(8.0)
+    start, line = line_at(8.0, 50.0)
     found = Corrected(
         recorded(cell_with(0.0, replace(CONTROLLER, correction=limits)), start, f"{line} {TRACK} gain 30")
     )
@@ -226,7 +226,7 @@ def test_references_with_a_correction_keep_the_limits_of_the_joints_and_have_no_
 
 
 def test_a_move_behind_a_corrected_one_takes_the_correction_back_without_a_jump() -> None:
-    start, line = line_at(5.0)
+    start, line = line_at(5.0, 40.0)
     recording = recorded(FLAT, start, f"{line} {TRACK}", "lin (500, 0, 150; ry 160 deg)")
     q, qd = recording.rows("q_ref"), recording.rows("qd_ref")
     assert np.abs(np.diff(q, axis=0) - (qd[1:] + qd[:-1]) / 2.0 * 1e-3).max() < NEAR
@@ -288,12 +288,12 @@ def test_a_correction_stops_before_the_arm_is_stretched_out_and_goes_back_where_
 
 
 def test_a_zone_before_and_at_a_corrected_move_is_a_stop() -> None:
-    start, line = line_at(2.0)
+    start, line = line_at(2.0, 0.0)
     recording = recorded(
         FLAT,
         start,
         "lin (450, 0, 150; ry 160 deg) blend 10 mm",
-        f"{line} blend 10 mm {TRACK}",
+        f"{line.replace('460, 150', '465, 10')} blend 10 mm {TRACK}",
         "lin (500, 0, 200; ry 160 deg)",
     )
     said = [one.message for one in recording.findings if one.code == "M560"]
@@ -320,7 +320,7 @@ def with_corrector(corrector: PathCorrector) -> RunOptions:
 
 
 def test_a_corrector_of_a_user_takes_the_place_of_the_standard_one_within_the_same_limits() -> None:
-    start, line = line_at(0.0)
+    start, line = line_at(0.0, 50.0)
     found = Corrected(recorded(FLAT, start, f"{line} {TRACK}", options=with_corrector(Towards(0.004))))
     shift = found.of("correction")
     assert shift[-1] == pytest.approx(0.004, abs=1e-5)
@@ -328,7 +328,7 @@ def test_a_corrector_of_a_user_takes_the_place_of_the_standard_one_within_the_sa
 
 
 def test_a_corrector_that_answers_no_number_is_told_and_nothing_is_shifted() -> None:
-    start, line = line_at(3.0)
+    start, line = line_at(3.0, 20.0)
     recording = recorded(FLAT, start, f"{line} {TRACK}", options=with_corrector(Towards(np.nan)))
     (told,) = [one for one in recording.findings if one.code == "C603"]
     assert "`Towards` returned nan as speed of a correction" in told.message
@@ -464,8 +464,8 @@ def test_a_correction_stands_while_the_arm_cannot_follow_it(monkeypatch: pytest.
         return follow(arm, q, qd, correction, rate, guess)
 
     monkeypatch.setattr(ShiftedArm, "shifted", nowhere_in_the_middle)
-    start, line = line_at(15.0)
-    found = Corrected(recorded(FLAT, start, f"{line.replace('540', '495')} {TRACK}"))
+    start, line = line_at(15.0, 35.0)
+    found = Corrected(recorded(FLAT, start, f"{line} {TRACK}"))
     walked = found.of("attained_position")[:, 0]
     shift = found.of("correction")
     before = int(np.argmax(shift != 0.0))
