@@ -1,5 +1,7 @@
 """The generic controller: path planner, interpolator, inverse transform, joint interpolation and control."""
 
+from ropsim.controller.added_joints import braked as braked
+from ropsim.controller.added_joints import is_within_limits as is_within_limits
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.chain import plan_move as plan_move
 from ropsim.controller.chain import standard_chain as standard_chain

@@ -14,7 +14,9 @@ from ropsim.controller import (
     Sample,
     ShiftedArm,
     ShiftedJoints,
+    braked,
     guarded,
+    is_within_limits,
     next_correction,
     refused,
     shifted_reference,
@@ -48,6 +50,7 @@ class Correcting:
         values: what it was at these [m].
         by_size: time at which the limit of its size was reached first [s]; None where it was not.
         by_arm: the same for what the joints allow.
+        is_lost: whether the joints could not keep what the path is shifted by; the motion is to end then.
         faults: what the corrector did wrong, at the most once.
     """
 
@@ -63,6 +66,7 @@ class Correcting:
     values: list[float] = field(default_factory=list)
     by_size: float | None = None
     by_arm: float | None = None
+    is_lost: bool = False
     faults: tuple[Diagnostic, ...] = ()
 
     def __post_init__(self) -> None:
@@ -88,14 +92,14 @@ class Correcting:
         period = 1.0 / self.at.hz
         sample = self.world.sample(self.tracking.channel)
         now, before = self._next(sample, reference, walked, left), self.added
-        q, qd = reference.q[-1], reference.qd[-1]
-        added = self.arm.shifted(q, qd, now, rate, before)
-        if added is None:
+        robot, time = self.at.station.robot, reference.ticks * period
+        added = None
+        if not self.is_lost:
+            added = self.arm.shifted(reference.q[-1], reference.qd[-1], now, rate, before)
+        if added is None or not is_within_limits(before, added, time, robot):
             self._note_arm()
-            now = Correction(self.now.value)
-            added = ShiftedJoints(before.q, self.arm.still.qd)
-        elif (np.abs(qd + added.qd) > self.at.station.robot.max_speeds).any():
-            self._note_arm()
+            self.is_lost = True
+            now, added = Correction(self.now.value), braked(before, time, robot)
         self.now, self.added = now, added
         self._enter(self.at.tick + reference.ticks)
         return shifted_reference(reference, before, added, period)
@@ -115,6 +119,7 @@ class Correcting:
             found.append(self._finding(CORRECTION_AT_LIMIT, text, hint, limits.size))
         if self.by_arm is not None:
             text = f"and the arm let it go no further at {self.by_arm:.2f} s"
+            text += "; the motion was ended where the joints could not keep it" if self.is_lost else ""
             hint = "keep away from joint limits and singular postures, or correct along another axis"
             found.append(self._finding(CORRECTION_STOPPED_BY_ARM, text, hint, limits.size))
         return tuple(found)

@@ -72,7 +72,9 @@ CORRECTION_STOPPED_BY_ARM = define(
 A correction may take a tenth of the speed and of the acceleration of the joints, and none may come nearer
 than 0.001 rad or 1 mm to a limit of its range. Here a joint was there, or the arm is near a singular posture
 in which a small shift of the tool turns a joint a lot, or the arm has too few joints to shift the tool in
-this direction without turning it. The correction grows no further; the path goes on.
+this direction without turning it. The correction grows no further; the path goes on. Where the joints cannot
+even keep what the path is shifted by, within the fifth of their speed and three tenths of their acceleration
+that the move leaves, the motion is braked and ends there, and the program goes on with the next one.
 
 **How to mend it.** Take up another posture before the path, shift the work, or let the tool be corrected
 along another of its axes.

@@ -60,7 +60,8 @@ class Follower:
         limits: how quickly the override may act.
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
-        ended: whether a condition has ended the move; the motion is braked then.
+        ended: whether a condition has ended the move, or a correction that the joints cannot keep; the motion is
+            braked then.
         passed: places to which it has come [control ticks of motion time], each with its tick.
     """
 
@@ -105,6 +106,7 @@ class Follower:
         at = self.at
         while self.clock.place < place:
             self.ended = self.ended or (self.lookout is not None and self.lookout.ends())
+            self.ended = self.ended or (self.correcting is not None and self.correcting.is_lost)
             override = self.run.override(at.due)
             over = self._is_over(override)
             if (over or self.ended) and (self.is_held or self.clock.place == 0.0):
