@@ -60,8 +60,7 @@ class Follower:
         limits: how quickly the override may act.
         correcting: corrects the path of the move that is made by a sensor; None where nothing does.
         lookout: looks at the condition of the move that is made; None where it has none.
-        ended: whether a condition has ended the move, or a correction that the joints cannot keep; the motion is
-            braked then.
+        ended: whether a condition has ended the move, or a correction that the joints cannot keep; it brakes.
         passed: places to which it has come [control ticks of motion time], each with its tick.
     """
 
