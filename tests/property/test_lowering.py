@@ -5,7 +5,15 @@ from hypothesis import strategies as st
 
 from ropsim import icr
 from ropsim.core import Span
-from ropsim.flow import Comparison, GripAction, ModalState, MotionKind, PostureRequest, Side
+from ropsim.flow import (
+    Comparison,
+    GripAction,
+    ModalState,
+    MotionKind,
+    PostureRequest,
+    Side,
+    ToolDirection,
+)
 from ropsim.program import (
     Assign,
     AssignComponent,
@@ -42,6 +50,7 @@ from ropsim.program import (
     Statement,
     Stop,
     Task,
+    Tracking,
     Trigger,
     Unary,
     ValueType,
@@ -165,6 +174,10 @@ guards = st.none() | st.one_of(
         st.none() | places,
     ),
 )
+gains = positive | st.just(Variable("x", REAL))
+trackings = st.none() | st.builds(
+    Tracking, st.just("force"), expressions[REAL], gains, st.sampled_from(ToolDirection)
+)
 stores = st.sampled_from(["", "", "p"])
 plain: st.SearchStrategy[Statement] = st.one_of(
     st.builds(
@@ -176,6 +189,7 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         points(0),
         st.none(),
         triggers,
+        st.none(),
         st.none(),
         stores,
     ),
@@ -189,6 +203,7 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         st.none(),
         triggers,
         guards,
+        trackings,
         stores,
     ),
     st.builds(
@@ -201,6 +216,7 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         st.none(),
         triggers,
         guards,
+        trackings,
         stores,
     ),
     st.builds(
@@ -210,8 +226,11 @@ plain: st.SearchStrategy[Statement] = st.one_of(
         modal,
         spans,
         st.tuples(expressions[POSE]),
-        st.none() | positive | st.just(Variable("x", REAL)),
+        st.none() | gains,
         triggers,
+        guards,
+        trackings,
+        stores,
     ),
     st.builds(Move, st.just(MotionKind.PTP), st.just(Home()), modal, spans, points(0), st.none(), triggers),
     st.builds(Grip, st.sampled_from(GripAction), st.sampled_from(["", "jaws"]), spans),
