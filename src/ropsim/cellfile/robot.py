@@ -241,8 +241,8 @@ def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:
 
 def _correction(table: TomlTable, limits: CorrectionLimits, units: Units) -> CorrectionLimits:
     return CorrectionLimits(
-        table.number("correction_size", units.position.within(1e-6, 0.5), limits.size),
-        table.number("correction_speed", units.path(1, 1.0), limits.speed),
+        table.number("correction_size", units.position.within(1e-6, 0.05), limits.size),
+        table.number("correction_speed", units.path(1, 0.1), limits.speed),
         table.number("correction_acceleration", units.path(2, 20.0), limits.acceleration),
     )
 

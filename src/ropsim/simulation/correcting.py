@@ -27,6 +27,7 @@ from ropsim.simulation.diagnostics import CORRECTION_AT_LIMIT, CORRECTION_STOPPE
 from ropsim.simulation.move_span import FollowedCorrection
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
+from ropsim.spatial import Array
 
 _LOOK_AHEAD = 0.2
 """Motion time for which it is looked ahead whether the arm can be shifted [s]."""
@@ -96,13 +97,19 @@ class Correcting:
         added = None
         if not self.is_lost:
             added = self.arm.shifted(reference.q[-1], reference.qd[-1], now, rate, before)
-        if added is None or not is_within_limits(before, added, time, robot):
+        if added is None or not self._can_be(reference.q[-1], before, added, time):
             self._note_arm()
             self.is_lost = True
             now, added = Correction(self.now.value), braked(before, time, robot)
         self.now, self.added = now, added
         self._enter(self.at.tick + reference.ticks)
         return shifted_reference(reference, before, added, period)
+
+    def _can_be(self, q: Array, before: ShiftedJoints, after: ShiftedJoints, time: float) -> bool:
+        """Return whether joints may be at a reference q, shape (n,), with what is added after a slice [s]."""
+        robot, there = self.at.station.robot, q + after.q
+        inside = (there >= robot.lower_limits) & (there <= robot.upper_limits)
+        return bool(inside.all()) and is_within_limits(before, after, time, robot)
 
     def followed(self) -> FollowedCorrection:
         """Return the correction over the ticks of the station, as far as it has come."""
@@ -153,8 +160,8 @@ class Correcting:
     def _wanted(self, sample: Sample, reference: JointReference) -> float:
         """Return the speed that the corrector asks for [m/s]; 0 once it has failed."""
         corrector, move, value = self.at.chain.corrector, self.planned.move, self.now.value
-        if self.faults:
-            return 0.0
+        if self.faults or not math.isfinite(float(sample.value)):
+            return 0.0  # what is no number is no measurement
         X_BT = self.arm.pose(reference.q[-1])
         ask = partial(corrector.correct, sample, self.tracking, X_BT, value)
         answer = guarded(corrector, lambda: float(ask()), (float,), move)
