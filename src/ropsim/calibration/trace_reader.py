@@ -71,7 +71,8 @@ def _read(content: bytes, joints: Sequence[Joint], name: str) -> tuple[Trace, tu
             lines.append(line)
             values.append(row)
     if missing > _MOST_MISSING * (missing + len(values)):
-        message = f"{missing} of {missing + len(values)} lines of `{name}` lack a value or have a wild one, allowed is a tenth"
+        lines_missing = f"{missing} of {missing + len(values)} lines of `{name}`"
+        message = f"{lines_missing} lack a value or have a wild one, allowed is a tenth"
         raise _error(message, "log all axes at one rate", name, 0)
     if len(values) < _LEAST_ROWS:
         message = f"`{name}` has {len(values)} samples, needed are {_LEAST_ROWS} at least"
@@ -161,7 +162,8 @@ def _check_coordinates(q: Array, lines: Sequence[int], name: str) -> None:
 
 
 def _gaps(missing: int, rows: int, name: str) -> Diagnostic:
-    message = f"{missing} of {missing + rows} lines of `{name}` lack a value or have a wild one, and were left out"
+    lines_missing = f"{missing} of {missing + rows} lines of `{name}`"
+    message = f"{lines_missing} lack a value or have a wild one, and were left out"
     return GAPS.at(None, message, data={"lines": missing})
 
 
