@@ -57,9 +57,16 @@ def compared(
         )
         hint = "is it a trace of this program on this robot, in the units of its header?"
         raise CalibrationError(OTHER_TRACE.at(None, message, hint=hint))
-    usable = [one for one in found.values() if one is not None]
-    lost = [number for number in numbers if found.get(number) is None]
+    own = {number for number in numbers if not _hangs_on_sensors(orders, number)}
+    usable = [one for number, one in found.items() if one is not None and number in own]
+    lost = [number for number in numbers if found.get(number) is None or number not in own]
     return usable, len(numbers), _lost(lost, orders, len(numbers))
+
+
+def _hangs_on_sensors(orders: Sequence[StretchOrder], number: int) -> bool:
+    """Return whether a sensor says where a stretch leads, or where it begins."""
+    before = orders[number - 1].moves if number else ()
+    return any(move.tracking or move.guard for move in (*before, *orders[number].moves))
 
 
 def _lost(lost: Sequence[int], orders: Sequence[StretchOrder], count: int) -> tuple[Diagnostic, ...]:
@@ -70,8 +77,8 @@ def _lost(lost: Sequence[int], orders: Sequence[StretchOrder], count: int) -> tu
     lines = list(dict.fromkeys(str(span.line) for span in spans if span))
     more = f" and {len(lines) - _TOLD} more" if len(lines) > _TOLD else ""
     message = (
-        f"{len(lost)} of {count} motions are not in the trace, or stood on their way: to line"
+        f"{len(lost)} of {count} motions are not in the trace, stood meanwhile or hang on a sensor: to line"
         f"{'s' if len(lines) > 1 else ''} {', '.join(lines[:_TOLD])}{more}"
     )
-    hint = "log without stops by hand, at full override"
+    hint = "log without stops by hand, at full override; motions with `until` or `track` are not compared"
     return (NOT_IN_TRACE.at(spans[0], message, hint=hint, data={"stretches": len(lost)}),)

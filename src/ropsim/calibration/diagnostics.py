@@ -44,7 +44,8 @@ NOT_IN_TRACE = define(
     "moves of the program that were not compared with the trace",
     """
 Moves between two stops were not found in the trace, stood longer than a tenth of a second on their way, or
-went another way than they are planned. Their times say nothing about the robot and were not used.
+went another way than they are planned. Their times say nothing about the robot and were not used. Nor are
+motions used whose end or path a sensor decides (`until`, `track`), and those that begin behind them.
 
 Pauses between moves do no harm. Look whether somebody held the robot, slowed it down by its override, or
 whether points were corrected on the robot and not in the program.

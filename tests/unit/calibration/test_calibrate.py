@@ -1,5 +1,6 @@
 """Calibration: a robot with other limits is logged, and its limits come back."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from ropsim.calibration import Calibration, Knowledge, MotionSettings, Trace, calibrate, settings_of
 from ropsim.calibration.replanning import replanner
+from ropsim.flow import PathTracking
 from support.logged_traces import OTHER, RATE, logged, site
 
 FACTORS = (1.0, 0.7, 1.3)
@@ -167,3 +169,18 @@ def test_a_motion_that_was_held_is_left_out_and_said() -> None:
     assert len(found.stretches) == found.made - 1
     assert [one.code for one in findings] == ["X894"]
     assert findings[0].span is not None
+
+
+def test_motions_that_a_sensor_leads_and_those_behind_them_are_left_out_and_said() -> None:
+    made = site()
+    number = len(made.orders) // 2
+    led = replace(made.orders[number].moves[-1], tracking=PathTracking("height", 0.01))
+    order = replace(made.orders[number], moves=(*made.orders[number].moves[:-1], led))
+    orders = (*made.orders[:number], order, *made.orders[number + 1 :])
+    logs = logged(made, settings_of(made.station))
+    every, _ = calibrate(made.cell, made.station, made.orders, logs)
+    found, findings = calibrate(made.cell, made.station, orders, logs)
+    assert every is not None
+    assert found is not None
+    assert len(every.stretches) - 2 <= len(found.stretches) < len(every.stretches)
+    assert "X894" in {one.code for one in findings}

@@ -124,3 +124,9 @@ def test_the_neutral_program_carries_the_clause_through_its_text() -> None:
     assert findings == ()
     assert again is not None
     assert disassemble(again) == text
+
+
+@pytest.mark.parametrize(("value", "told"), [("12", ["T313"]), ("12 N", ["T313"]), ("12 mm", []), ("0", [])])
+def test_a_value_that_is_not_of_what_the_sensor_measures_is_told(value: str, told: list[str]) -> None:
+    measuring = replace(SIGNALS, measured={"height": "length"})
+    assert codes(f"{UNITS}lin infeed track height = {value}\n", measuring) == told
