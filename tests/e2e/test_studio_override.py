@@ -89,8 +89,9 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     bar.get_by_role("button", name="Hold").click()
     bar.get_by_role("slider", name="Override").fill("100")
     bar.get_by_role("button", name="Step").click()
-    assert any(not moves(hand) for _ in range(20))  # at the end of the step, some seconds away
-    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")
+    hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
+    hand.page.wait_for_function("() => __ropsim.state().live === 'held'")  # at its end, some seconds away
+    assert not moves(hand)
     bar.get_by_role("button", name="End live run").click()
     hand.page.wait_for_function(OVER)
     with hand.page.expect_download() as download:
