@@ -1,5 +1,6 @@
 """Which column of a trace holds what, in which unit."""
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +11,7 @@ from ropsim.model import Joint, JointType
 
 _TITLE = re.compile(r"([^\[(]*)(?:[\[(]([^\])]*)[\])])?")
 _TIMES = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6}
-_TURNS = {"deg": 0.017453292519943295, "°": 0.017453292519943295, "rad": 1.0, "mrad": 1e-3}
+_TURNS = {"deg": math.radians(1.0), "°": math.radians(1.0), "rad": 1.0, "mrad": 1e-3}
 _LENGTHS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 _TIME_NAMES = frozenset({"time", "t", "timestamp", "zeit", "seconds"})
 _BEFORE = ("", "j", "q", "a", "joint", "axis", "achse", "jointposition", "position")

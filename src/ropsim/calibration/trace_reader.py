@@ -84,7 +84,7 @@ def _read(content: bytes, joints: Sequence[Joint], name: str) -> tuple[Trace, tu
     return Trace(table[:, 0] - table[0, 0], table[:, 1:]), findings
 
 
-def _lines(content: bytes, name: str) -> "list[tuple[int, str]]":
+def _lines(content: bytes, name: str) -> list[tuple[int, str]]:
     """Return the lines that hold something, with their numbers."""
     try:
         text = content.decode("utf-8-sig")

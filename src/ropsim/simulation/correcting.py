@@ -92,15 +92,15 @@ class Correcting:
         """
         period = 1.0 / self.at.hz
         sample = self.world.sample(self.tracking.channel)
-        now, before = self._next(sample, reference, walked, left), self.added
-        robot, time = self.at.station.robot, reference.ticks * period
-        added = None
+        before, time = self.added, reference.ticks * period
+        now, added = Correction(self.now.value), None
         if not self.is_lost:
+            now = self._next(sample, reference, walked, left)
             added = self.arm.shifted(reference.q[-1], reference.qd[-1], now, rate, before)
         if added is None or not self._can_be(reference.q[-1], before, added, time):
             self._note_arm()
             self.is_lost = True
-            now, added = Correction(self.now.value), braked(before, time, robot)
+            now, added = Correction(self.now.value), braked(before, time, self.at.station.robot)
         self.now, self.added = now, added
         self._enter(self.at.tick + reference.ticks)
         return shifted_reference(reference, before, added, period)

@@ -96,7 +96,6 @@ def _with_cell(calibration: Calibration, text: SourceText, station: Station) -> 
 
 
 def _differs(station: Station, wanted: MotionSettings) -> bool:
-
     return bool(changed_limits(settings_of(station), wanted))
 
 

@@ -85,7 +85,8 @@ class _Nodding:
         return np.outer(s, [0.0, 1.0, 0.0])
 
     def distance(self, points: Array) -> Array:
-        raise NotImplementedError
+        nearest = np.outer(np.clip(points[:, 1], 0.0, self.length), [0.0, 1.0, 0.0])
+        return np.asarray(np.linalg.norm(points - nearest, axis=1))
 
 
 def test_a_way_that_is_straight_is_not_slowed_where_the_tool_nods_a_little() -> None:

@@ -11,7 +11,7 @@ from ropsim.controller.corners import Rounding, Stop, corner_between
 from ropsim.controller.leg import Leg
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import Payload
-from ropsim.spatial import Array
+from ropsim.spatial import Array, Pose
 from support.motion import PUMA, START, planned_stretch, references
 from support.walks import shares
 from support.wrist_angles import LEADING, TORCH, led, move_through, torch_places
@@ -92,7 +92,9 @@ def test_a_long_way_with_zones_keeps_to_its_lines() -> None:
         moves.append(move_through(MotionKind.LIN, [q], ZONED))
     done = planned_stretch(moves, START, LEADING)
     assert max(shares(PUMA, done, Payload()).values()) <= HELD
-    corners = [torch_places(np.array([START]))[0], *(move.target.position for move in moves)]  # type: ignore[union-attr]
+    targets = [move.target.position for move in moves if isinstance(move.target, Pose)]
+    assert len(targets) == len(moves)
+    corners = [torch_places(np.array([START]))[0], *targets]
     places = torch_places(done.reference.q)
     off = np.full(len(places), np.inf)
     for begin, end in pairwise(corners):

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from ropsim.controller import MotionChain, plan_move
+from ropsim.controller import MotionChain, Refusal, plan_move
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import posture
@@ -153,4 +153,5 @@ def test_an_end_that_the_arm_does_not_reach_in_its_posture_is_refused() -> None:
     found = plan_move(
         chain(0), to_room(robot, goal), np.array([0.26, 0.12, -1.81, 0.3, -0.83, 0.2, *start[6:]])
     )
-    assert [one.code for one in found.diagnostics] == ["M586"]  # type: ignore[union-attr]
+    assert isinstance(found, Refusal)
+    assert [one.code for one in found.diagnostics] == ["M586"]

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.wrist_path import WristPath
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import jacobian_at, posture, singular_distances
 from ropsim.model import OrientationMode, PathDefaults, Payload
 from ropsim.motion import Curve, JointPath
-from ropsim.spatial import Array
+from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PUMA, START, interface_pose, lin, planned, references, refused, shifted
 from support.walks import shares
@@ -47,7 +48,8 @@ def drawn(kind: MotionKind, seed: int) -> tuple[Array, MoveInstruction, list[Arr
 
 def knots(leg: Leg) -> Array:
     """Return the places of the points of a move, shape (k,)."""
-    way = leg.tool.way  # type: ignore[union-attr]
+    assert isinstance(leg.tool, WristPath)
+    way = leg.tool.way
     return way.knots if isinstance(way, Curve) else np.array([0.0, way.length])
 
 
@@ -96,7 +98,8 @@ def test_a_curve_has_the_poses_of_its_points_and_the_posture_of_its_start(seed: 
     at = leg.joints.joints(knots(leg)).q
     assert at == pytest.approx(np.vstack((q_start, *points)), abs=AS_TOLD)
     for q, X_BT in zip(at[1:], (*move.via, move.target), strict=True):
-        assert np.abs(torch_at(q).matrix() - X_BT.matrix()).max() <= AT_POSE  # type: ignore[union-attr]
+        assert isinstance(X_BT, Pose)
+        assert np.abs(torch_at(q).matrix() - X_BT.matrix()).max() <= AT_POSE
         assert posture(PUMA, q).words[:2] == posture(PUMA, q_start).words[:2]
 
 

@@ -3,10 +3,10 @@
 from typing import NoReturn
 
 from ropsim.flow import Comparison
-from ropsim.language.check import convert, fold, values
+from ropsim.language.check import fold, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.readings import check_reading
-from ropsim.language.check.types import BOOL, TIME, Type, article, known
+from ropsim.language.check.readings import reading
+from ropsim.language.check.types import BOOL, TIME
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
@@ -55,7 +55,8 @@ def _condition(body: Body, node: nodes.Node) -> tuple[str, Comparison, Expressio
             if used is None:
                 order, used, other = _SWAPPED[order], _signal(body, right), left
             if used is not None:
-                return _number(body, node, used), order, _compared(body, used.name, other)
+                signal = _number(body, node, used)
+                return signal, order, reading(body, signal, other, "compared with a number")
         case nodes.Binary(op="<=" | ">="):
             hint = f"write `{node.op[0]}`: the motion ends when the signal goes past the value"
             body.fail(kinds.WRONG_TYPE, node, f"`until` of a motion does not compare by `{node.op}`", hint)
@@ -80,16 +81,6 @@ def _number(body: Body, node: nodes.Node, signal: SignalUse) -> str:
         message, hint = f"the signal `{signal.name}` is a truth value", f"write `until {signal.name} is on`"
         body.fail(kinds.WRONG_TYPE, node, message, hint)
     return signal.name
-
-
-def _compared(body: Body, signal: str, node: nodes.Node) -> Expression:
-    """Return the number with which an analog signal is compared, in SI units."""
-    value = values.check(body, node)
-    kind = known(value.type)
-    if isinstance(kind, Type) and not kind.is_number:
-        body.fail(kinds.WRONG_TYPE, node, f"a signal is compared with a number, found {article(kind)}")
-    check_reading(body, signal, value, node)
-    return convert.real(value)
 
 
 def _signal(body: Body, node: nodes.Node) -> SignalUse | None:

@@ -2,13 +2,34 @@
 
 import math
 
-from ropsim.language.check import fold, units
+from ropsim.language.check import convert, fold, units, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.types import Type, Value, known
+from ropsim.language.check.types import Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
+from ropsim.program import Expression
 
 _DIMENSIONS = {"length": units.LENGTH, "force": units.FORCE}
+
+
+def reading(body: Body, signal: str, node: nodes.Node, purpose: str) -> Expression:
+    """Return the number beside an analog signal, in SI units; T313 where it is not what it looks like.
+
+    Args:
+        body: where it stands.
+        signal: analog, of a sensor or not.
+        node: the number.
+        purpose: what a signal has with it, in words.
+
+    Raises:
+        RejectedError: it is no number.
+    """
+    value = values.check(body, node)
+    kind = known(value.type)
+    if isinstance(kind, Type) and not kind.is_number:
+        body.fail(kinds.WRONG_TYPE, node, f"a signal is {purpose}, found {article(kind)}")
+    check_reading(body, signal, value, node)
+    return convert.real(value)
 
 
 def check_reading(body: Body, signal: str, value: Value, place: nodes.Node) -> None:

@@ -1,10 +1,10 @@
 """What corrects the path of a motion: an analog signal, the value that it is to have, and how."""
 
 from ropsim.flow import STANDARD_GAIN, ToolDirection
-from ropsim.language.check import convert, fold, values
+from ropsim.language.check import fold, values
 from ropsim.language.check.body import Body
-from ropsim.language.check.readings import check_reading
-from ropsim.language.check.types import NUMBER, Type, article, known
+from ropsim.language.check.readings import reading
+from ropsim.language.check.types import NUMBER
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -29,7 +29,8 @@ def tracking(body: Body, node: syntax.Motion) -> Tracking | None:
         body.fail(kinds.WRONG_TYPE, clause, message, "write each part as a motion of its own, or a `spline`")
     direction = ToolDirection(clause.direction or ToolDirection.Z)
     signal = _signal(body, clause.signal)
-    return Tracking(signal.name, _value(body, signal.name, clause.value), _gain(body, clause.gain), direction)
+    value = reading(body, signal.name, clause.value, "given a number to have")
+    return Tracking(signal.name, value, _gain(body, clause.gain), direction)
 
 
 def _signal(body: Body, node: nodes.Name) -> SignalUse:
@@ -43,16 +44,6 @@ def _signal(body: Body, node: nodes.Name) -> SignalUse:
     found = "a truth value" if isinstance(symbol, SignalUse) else "no signal"
     hint = "name a signal that the cell file gives as `analog`"
     body.fail(kinds.WRONG_TYPE, node, f"`track` needs an analog signal, `{node.text}` is {found}", hint)
-
-
-def _value(body: Body, signal: str, node: nodes.Node) -> Expression:
-    """Return the number that the signal is to have, in SI units."""
-    value = values.check(body, node)
-    kind = known(value.type)
-    if isinstance(kind, Type) and not kind.is_number:
-        body.fail(kinds.WRONG_TYPE, node, f"a signal is given a number to have, found {article(kind)}")
-    check_reading(body, signal, value, node)
-    return convert.real(value)
 
 
 def _gain(body: Body, node: nodes.Node | None) -> Expression:
