@@ -17,6 +17,12 @@ TEXTS = (
     "texts => __ropsim.state().settled"
     " && Object.entries(texts).every(([name, text]) => __ropsim.text(name) === text)"
 )
+#: A text is that of its file again, and what can be shown of a run of it is shown.
+REVERTED = (
+    "name => { const now = __ropsim.state();"
+    " return !now.unsaved.includes(name) && now.settled"
+    " && (now.current || now.runState !== 'done' || !now.recorded) }"
+)
 #: The editor holds a text and takes what is typed.
 WRITABLE = ".cm-content[aria-label]:not([aria-readonly])"
 TELLING = {
@@ -266,9 +272,8 @@ class StudioPage:
             self.page.wait_for_function("() => __ropsim.state().settled")
             self.document(name.removeprefix("programs/"))
             self.page.evaluate("() => __ropsim.command('file.revert')")
-            self.page.wait_for_function(
-                "name => !__ropsim.state().unsaved.includes(name) && __ropsim.state().settled", arg=name
-            )
+            self.page.wait_for_function(REVERTED, arg=name)
+            self.drawn()  # what was shown of the run before may have moved the text
 
     def has_texts(self, texts: Mapping[str, str]) -> None:
         """Wait until the page has these texts by name and the run of them."""

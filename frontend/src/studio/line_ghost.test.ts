@@ -1,12 +1,13 @@
 import { expect, test } from 'vitest'
 import { Cursor } from '../run/cursor'
 import { LiveRun } from '../run/live_run'
+import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import type { LiveLayout } from '../wire/messages'
-import { LineGhost } from './line_ghost'
+import { LineGhost, type LineWires } from './line_ghost'
 import { Picture } from './picture'
 import { RunLines } from './run_lines'
-import { createStudioStore } from './state'
+import { createStudioStore, type StudioStore } from './state'
 
 const DOCUMENT = 'programs/main.task'
 const LINE = { name: 'line', column: '', unit: '', description: '', group: '', subject: '', held: true }
@@ -18,14 +19,19 @@ const LAYOUT: LiveLayout = {
 }
 const SCENE = { bodies: [], stations: [] } as unknown as SceneDescription
 
+const TEXT = 'mov a\nmov b'
+
 function ghostOf(run: LiveRun): LineGhost {
-  const lines = new RunLines({ text: () => 'mov a\nmov b', documentOf: () => DOCUMENT })
-  const cursor = new Cursor()
-  return new LineGhost(createStudioStore(), new Picture(cursor), {
-    run: () => run,
+  return ghostIn(createStudioStore(), { run: () => run, text: () => TEXT })
+}
+
+function ghostIn(store: StudioStore, { run, text }: Pick<LineWires, 'run' | 'text'>): LineGhost {
+  return new LineGhost(store, new Picture(new Cursor()), {
+    run,
     time: () => 0,
     documentOf: () => DOCUMENT,
-    lines,
+    text,
+    lines: new RunLines({ text, documentOf: () => DOCUMENT }),
     mark: () => {},
   })
 }
@@ -53,4 +59,35 @@ test('each station runs a line of its own', () => {
     { document: DOCUMENT, line: 1 },
     { document: DOCUMENT, line: 2 },
   ])
+})
+
+/** A run of one move on line 2. */
+function moved(): LiveRun {
+  const run = begun()
+  const span = { source: 'main.task', line: 2, column: 1, end_line: 2, end_column: 6 }
+  run.events.push({ kind: 'move', time: 1, duration: 2, text: '', station: 'robot', span, data: {} })
+  return run
+}
+
+test('a line that was asked for before its run shows its ghost when the run comes', () => {
+  const store = createStudioStore()
+  let run: Run | null = null
+  const ghost = ghostIn(store, { run: () => run, text: () => TEXT })
+  ghost.show(DOCUMENT, 2)
+  expect(store.getState().ghost).toBeNull()
+  run = moved()
+  ghost.renew()
+  expect(store.getState().ghost).toMatchObject({ line: 2, time: 3 })
+})
+
+test('a line that was asked for in another text is not that line any more', () => {
+  const store = createStudioStore()
+  let run: Run | null = null
+  let text = TEXT
+  const ghost = ghostIn(store, { run: () => run, text: () => text })
+  ghost.show(DOCUMENT, 2)
+  text = `delay 1 s\n${TEXT}`
+  run = moved()
+  ghost.renew()
+  expect(store.getState().ghost).toBeNull()
 })

@@ -10,8 +10,17 @@ export interface LineWires {
   readonly run: () => Run | null
   readonly time: () => number
   readonly documentOf: (source: string) => string
+  readonly text: (document: string) => string
   readonly lines: RunLines
   readonly mark: () => void
+}
+
+interface Wanted {
+  readonly document: string
+  readonly line: number
+  readonly pass: number | undefined
+  /** Text in which that is the line. */
+  readonly text: string
 }
 
 export class LineGhost {
@@ -20,6 +29,8 @@ export class LineGhost {
   readonly #wires: LineWires
   /** Line of the ghost as the run counts it. */
   #line = 0
+  /** What was asked for last: a run that is not here yet may have it. */
+  #wanted: Wanted | null = null
 
   constructor(store: StudioStore, picture: Picture, wires: LineWires) {
     this.#store = store
@@ -36,6 +47,7 @@ export class LineGhost {
 
   /** Draw the robot where a line had done its work; pass from 1, else the one nearest to the cursor. */
   show(document: string, line: number, pass?: number): void {
+    this.#wanted = { document, line, pass, text: this.#wires.text(document) }
     const passes = this.passes(document, line)
     const index = pass === undefined ? nearestPass(passes, this.#wires.time()) : pass - 1
     const chosen = passes[index]
@@ -44,13 +56,14 @@ export class LineGhost {
   }
 
   clear(): void {
+    this.#wanted = null
     if (this.#store.getState().ghost) this.#set(null)
   }
 
   /** Another run is shown: the same pass of the same line in it. */
   renew(): void {
-    const { ghost } = this.#store.getState()
-    if (ghost) this.show(ghost.document, ghost.line, ghost.pass)
+    const wanted = this.#store.getState().ghost ?? this.#waiting()
+    if (wanted) this.show(wanted.document, wanted.line, wanted.pass)
   }
 
   /** The text was edited: the ghost stays with its line. */
@@ -73,6 +86,12 @@ export class LineGhost {
       const line = this.#wires.lines.toText(document, there)
       return line === null ? [] : [{ document, line }]
     })
+  }
+
+  /** The line that was asked for before there was a run of it, as long as its text stands. */
+  #waiting(): Wanted | null {
+    const wanted = this.#wanted
+    return wanted && wanted.text === this.#wires.text(wanted.document) ? wanted : null
   }
 
   #set(ghost: GhostLine | null): void {

@@ -94,6 +94,7 @@ export class Studio {
       run: () => this.run,
       time: () => cursor.time,
       documentOf: source => this.documentOf(source),
+      text: document => this.text(document),
       lines: this.lines,
       mark,
     })
