@@ -7,7 +7,7 @@ import pytest
 from measuring import Measure, processor_seconds
 from scipy.interpolate import CubicSpline
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, Kept, keep_limits, time_optimal
+from ropsim.motion import Beyond, JointBounds, JointPoints, Kept, Ways, keep_limits, no_ways, time_optimal
 from ropsim.spatial import Array
 
 N = 6
@@ -96,6 +96,9 @@ class Warped:
         s2 = (LENGTH / self.duration**2 * 420.0 * (z * (1.0 - z)) ** 2 * (1.0 - 2.0 * z))[:, None]
         d1, d2 = self._path(s, 1), self._path(s, 2)
         return JointPoints(self._path(s), d1 * s1, d2 * s1**2 + d1 * s2)
+
+    def ways(self, phi: Array) -> Ways:
+        return no_ways(len(phi))
 
 
 def test_limits_that_hold_cost_a_look_at_every_tick(benchmark: Any) -> None:

@@ -7,9 +7,11 @@ from ropsim.controller import MotionState, plan
 from ropsim.model import Payload
 from support.motion import references
 from support.walking_arms import CHAINS
-from support.walks import random_walk, shares
+from support.walks import random_walk, shares, tool_shares
 
 WITHIN = 1.0 + 1e-9  # of limits: rounding
+WITHIN_TOOL = 1.0 + 1e-4  # paths of joints are true to 1e-9 m between samples
+WITHIN_TOOL_JERK = 1.06  # where splines bend most, at single ticks; lines keep it like acceleration
 LOAD = Payload(2.0, np.array([0.02, -0.01, 0.08]))
 PERIOD = 1e-3  # [s]
 
@@ -26,6 +28,9 @@ def test_limits_hold_at_every_control_tick(name: str, seed: int) -> None:
         return
     asked = shares(chain.robot, planned, payload)
     assert max(asked.values()) <= WITHIN, asked
+    of_tool = tool_shares(chain.robot, planned)
+    assert max(of_tool["speed"], of_tool["acceleration"]) <= WITHIN_TOOL, of_tool
+    assert of_tool["jerk"] <= WITHIN_TOOL_JERK, of_tool
     q, qd, qdd = references(planned)
     bend = np.abs(np.diff(qdd, axis=0)).max(initial=0.0)
     steps, mean = np.diff(q, axis=0) / PERIOD, (qd[1:] + qd[:-1]) / 2.0

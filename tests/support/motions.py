@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import JointPoints
+from ropsim.motion import JointPoints, Ways, no_ways
 from ropsim.motion.limits.joint_bounds import Effort
 from ropsim.spatial import Array
 
@@ -34,6 +34,9 @@ class Waves:
         dd = -(self._size * self._circular**2 * np.sin(angle)).sum(axis=1)
         return JointPoints(q, d * r1, dd * r1**2 + d * r2)
 
+    def ways(self, phi: Array) -> Ways:
+        return no_ways(len(phi))
+
 
 class Passing:
     """One joint goes at 0.5 rad/s; the other turns by half a turn within a short way when that is midway."""
@@ -48,6 +51,9 @@ class Passing:
         d = np.hstack((np.full_like(r, 0.5), 1.0 / (b * (1.0 + y**2))))
         dd = np.hstack((np.zeros_like(r), -2.0 * y / (b * (1.0 + y**2)) ** 2))
         return JointPoints(q, d * r1, dd * r1**2 + d * r2)
+
+    def ways(self, phi: Array) -> Ways:
+        return no_ways(len(phi))
 
 
 def rest_to_rest(phi: Array, duration: float) -> tuple[Array, Array, Array]:

@@ -13,6 +13,7 @@ from ropsim.spatial import Array, Pose
 from support.motion import references
 
 _MARGIN = 0.1  # of the range of a joint, on either side
+_FEWEST_TICKS = 8
 _KINDS = MotionKind.PTP, MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE
 _POINTS = {MotionKind.PTP: 1, MotionKind.LIN: 1, MotionKind.CIRC: 2, MotionKind.SPLINE: 3}
 
@@ -61,6 +62,32 @@ def shares(robot: RobotModel, plan: MotionPlan, payload: Payload) -> dict[str, f
     if bounds.effort is not None and bounds.joints.effort is not None:
         asked["torque"] = (bounds.effort(q, qd, qdd), bounds.joints.effort)
     return {name: float((np.abs(values) / limit).max(initial=0.0)) for name, (values, limit) in asked.items()}
+
+
+def tool_shares(robot: RobotModel, plan: MotionPlan) -> dict[str, float]:
+    """Return the largest shares of the limits of the tool that a plan takes, by differences of TCP positions.
+
+    Looked at is what is on paths of the tool that no external axis moves, ticks at borders left out; at a
+    corner the limits of the move count that has the higher ones.
+    """
+    q = references(plan)[0]
+    worst = dict.fromkeys(("speed", "acceleration", "jerk"), 0.0)
+    begins = [0, *(move.last for move in plan.moves[:-1])]
+    for piece in plan.pieces:
+        if piece.path is None or piece.frame is not None or piece.last - piece.first < _FEWEST_TICKS:
+            continue
+        rows = q[piece.first + 1 : piece.last + 1]
+        places = (forward_batch(robot, rows) @ piece.X_MT.matrix())[:, :3, 3]
+        on = [
+            move.limits.tool
+            for begin, move in zip(begins, plan.moves, strict=True)
+            if move.limits and begin <= piece.last and move.last > piece.first
+        ]
+        for order, name in enumerate(worst, 1):
+            rates = np.diff(places, order, axis=0) / plan.period**order
+            limit = max(getattr(each, name) for each in on)
+            worst[name] = max(worst[name], float(np.linalg.norm(rates, axis=1).max() / limit))
+    return worst
 
 
 def _between(robot: RobotModel, share: Array) -> Array:

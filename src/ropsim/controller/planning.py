@@ -10,21 +10,22 @@ from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
+from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
 from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
+from ropsim.controller.parts import parts_of
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
-from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.controller.ticks import in_ticks, standing
 from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
-from ropsim.motion import Beyond, SynchronisedJoints, ToolLimits, keep_limits
+from ropsim.motion import Beyond, SynchronisedJoints, ToolLimits
 from ropsim.spatial import record
 
 NO_PAYLOAD = Payload()
@@ -87,7 +88,8 @@ def _planned(
         if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
-    course = course_of(legs, corners, chain.controller.look_ahead)
+    parts = parts_of(legs, corners, chain.controller.look_ahead)
+    course = course_of(parts, len(legs))
     period = chain.controller.rates.control_period
     if not course.runs:
         return standing(legs, state.q, period, findings)
@@ -97,11 +99,12 @@ def _planned(
     bounds = arm_bounds(chain.robot, payload)
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
-    kept = keep_limits(StretchMotion(course), bounds.joints, bounds.effort, period)
+    keeping = keeping_of(parts, len(legs), bounds, period, chain.controller.look_ahead)
+    course, kept = keeping.course, keeping.kept
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
-    findings += slowed_findings(legs, course.ends, kept.slowed, chain.robot)
+    findings += slowed_findings(legs, course.ends, keeping.slowed, chain.robot)
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     return in_ticks(chain, legs, zones, course, kept, findings)
 

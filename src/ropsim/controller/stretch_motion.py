@@ -3,7 +3,8 @@
 import numpy as np
 
 from ropsim.controller.course import Course, Run
-from ropsim.motion import JointPoints
+from ropsim.controller.pieces import piece_borders, stage_ends
+from ropsim.motion import JointPoints, LawRows, Ways
 from ropsim.spatial import Array, record
 
 
@@ -48,6 +49,25 @@ class StretchMotion:
             corner, before = end.joints(np.array([end.length])).q[0], until
         return JointPoints(*total)
 
+    def ways(self, phi: Array) -> Ways:
+        """Return how paths of the tool are walked; where runs overlap, nobody has said how the tool goes.
+
+        Args:
+            phi: motion times in rising order [s], shape (k,).
+        """
+        runs = self.course.runs
+        r = int(any(run.part.leads_tool for run in runs))
+        walked, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
+        for number, run in enumerate(runs):
+            if not run.part.leads_tool:
+                continue
+            first, until = np.searchsorted(phi, self.course.alone(number), "right").tolist()
+            first = first if number else 0
+            rows = run.law.at(phi[first:until] - run.start)
+            walked[:, first:until, 0] = rows.speeds, rows.accelerations
+            most[:, first:until, 0] = _most(run, rows)
+        return Ways(*walked, *most)
+
 
 def _walk(run: Run, times: Array, out: Array) -> None:
     """Write coordinates and derivatives by time at times since the start of a run, shapes (k,), (3, k, n).
@@ -65,3 +85,11 @@ def _walk(run: Run, times: Array, out: Array) -> None:
     out[2] *= v * v
     out[2] += out[1] * a
     out[1] *= v
+
+
+def _most(run: Run, rows: LawRows) -> Array:
+    """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
+    stages = [stage for piece in run.pieces for stage in piece.stages]
+    places = piece_borders(run.pieces)[rows.pieces] + rows.places
+    here = np.searchsorted(stage_ends(run.pieces)[:-1], places, "right")
+    return np.array([[stage.acceleration for stage in stages], [stage.jerk for stage in stages]])[:, here]

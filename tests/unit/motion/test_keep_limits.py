@@ -11,8 +11,10 @@ from ropsim.motion import (
     ProfileError,
     ProfileLimits,
     Quantity,
+    Ways,
     evaluate,
     keep_limits,
+    no_ways,
     plan_profile,
 )
 from ropsim.spatial import Array
@@ -31,6 +33,9 @@ class Profiled:
 
     def at(self, phi: Array) -> JointPoints:
         return JointPoints(*(each[:, None] for each in evaluate(self._profile, phi)))
+
+    def ways(self, phi: Array) -> Ways:
+        return no_ways(len(phi))
 
 
 def one(speed: float, acceleration: float, jerk: float, effort: float | None = None) -> JointBounds:
@@ -153,6 +158,41 @@ def test_a_motion_that_would_take_minutes_longer_is_refused() -> None:
     assert (found.joint, found.quantity, found.limit) == (0, Quantity.SPEED, 0.004)
 
 
+class Wound:
+    """A joint that turns quickly on the middle of a straight path, which is walked within its own limits."""
+
+    limits = ProfileLimits(0.5, 2.0, 20.0)
+
+    def __init__(self) -> None:
+        self._profile = plan_profile(1.0, self.limits)
+        self.duration = self._profile.duration
+
+    def at(self, phi: Array) -> JointPoints:
+        s, v, a = (each[:, None] for each in evaluate(self._profile, phi))
+        z = np.tanh((s - 0.5) / 0.05)
+        d1, d2 = 1.0 + 8.0 * (1.0 - z**2), -16.0 / 0.05 * z * (1.0 - z**2)
+        return JointPoints(s + 0.4 * z, d1 * v, d2 * v**2 + d1 * a)
+
+    def ways(self, phi: Array) -> Ways:
+        _, v, a = evaluate(self._profile, phi)
+        most = (np.full((len(phi), 1), each) for each in (self.limits.acceleration, self.limits.jerk))
+        return Ways(v[:, None], a[:, None], *most)
+
+
+def test_a_path_keeps_its_own_limits_where_a_joint_slows_it() -> None:
+    motion = Wound()
+    found = kept(keep_limits(motion, one(1.5, 30.0, 1000.0), None, TICK))
+    (part,) = found.slowed
+    assert part.share < 0.4
+    ways = motion.ways(found.phi)
+    times: Array = TICK * np.arange(float(len(found.phi)))
+    _, w, c = found.clock.at(times)
+    acceleration = ways.accelerations[:, 0] * w**2 + ways.speeds[:, 0] * c
+    assert np.abs(acceleration).max() <= motion.limits.acceleration * (1.0 + 1e-9)
+    assert np.abs(np.diff(acceleration)).max() / TICK <= motion.limits.jerk * (1.0 + 1e-9)
+    assert np.abs(found.rows.d1).max() <= 1.5 * (1.0 + 1e-9)
+
+
 class Broken:
     """A motion that is no number from a place on."""
 
@@ -161,6 +201,9 @@ class Broken:
     def at(self, phi: Array) -> JointPoints:
         q = np.where(phi < 0.5, 0.0, np.nan)[:, None]
         return JointPoints(q, q, q)
+
+    def ways(self, phi: Array) -> Ways:
+        return no_ways(len(phi))
 
 
 def test_bad_input_is_refused_in_words() -> None:

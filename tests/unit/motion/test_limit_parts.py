@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, keep_limits, time_optimal
+from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, keep_limits, no_ways, time_optimal
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.need import rates_needed
@@ -36,7 +36,8 @@ def going(d1: Array, d2: Array, rates: Array, changes: Array, still: Array) -> G
     """Return how a path of one joint is gone, with a tick in each second and a place at each."""
     times = np.arange(float(len(d1)))
     course = np.stack((times, rates, changes))
-    return Going(np.stack((d1, d2))[:, :, None], course, times, still)
+    points = JointPoints(np.zeros((len(d1), 1)), d1[:, None], d2[:, None])
+    return Going(points, no_ways(len(d1)), course, times, still)
 
 
 def test_jerk_of_the_path_is_a_lack_of_rate_and_that_of_the_course_one_of_width() -> None:

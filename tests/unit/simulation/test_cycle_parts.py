@@ -128,7 +128,7 @@ def test_a_slow_arc_is_set_by_the_speed_of_the_tool() -> None:
 
 @pytest.mark.parametrize(
     ("move", "is_bent"),
-    [("lin (350, 300, 300)", False), ("circ via (650, 0, 300) to (350, 300, 300)", True)],
+    [("lin (350, 300, 300)", False), ("circ via (400, 0, 500) to (350, 300, 300)", True)],
 )
 def test_a_path_that_asks_too_much_of_a_joint_is_set_by_that_joint(move: str, is_bent: bool) -> None:
     station = CELL.stations["robot"]

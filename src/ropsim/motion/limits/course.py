@@ -39,11 +39,14 @@ def window_times(asked: Demand, longest: float) -> Array:
     """Return how long windows last, so that jerk limits let accelerations swing in them [s], shape (m,).
 
     Args:
-        asked: what the plan asks of the joints.
+        asked: what the plan asks of joints and paths.
         longest: bound of the result [s].
     """
-    bounds, way = asked.bounds, np.abs(asked.points.d1) + np.finfo(np.float64).eps
-    along = np.minimum(np.min(bounds.acceleration / way, axis=1), _ENDLESS)
-    by_acceleration = along * np.max(way / bounds.jerk, axis=1)
-    by_speed = np.sqrt(np.max(np.minimum(bounds.speed, _ENDLESS) / bounds.jerk))
+    bounds, ways = asked.bounds, asked.ways
+    way = np.abs(asked.along()[0]) + np.finfo(np.float64).eps
+    jerk = np.hstack((np.broadcast_to(bounds.jerk, asked.points.q.shape), ways.most_jerks))
+    along = np.minimum(np.min(asked.most() / way, axis=1), _ENDLESS)
+    by_acceleration = along * np.max(way / jerk, axis=1)
+    fast = np.append(np.minimum(bounds.speed, _ENDLESS) / bounds.jerk, np.abs(ways.speeds) / ways.most_jerks)
+    by_speed = np.sqrt(np.max(fast))
     return np.asarray(_SWING * np.minimum(np.minimum(by_acceleration, by_speed), longest))

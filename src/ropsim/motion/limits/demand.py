@@ -1,4 +1,4 @@
-"""What a path asks of the joints, linear in the square of its speed and in its acceleration."""
+"""What a motion asks of joints and paths, linear in the square of its rate and in the change of that."""
 
 from dataclasses import dataclass
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from ropsim.motion.limits.fastest_kernel import fastest
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
+from ropsim.motion.limits.ways import Ways, no_ways
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array
 
@@ -23,15 +24,16 @@ _MOST_AHEAD = 0.6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Demand:
-    """What m places of a path with n joints ask; u is the acceleration along it, x the speed squared.
+    """What m places of a motion of n joints on r paths ask; u is the change of its rate, x the rate squared.
 
-    The acceleration of the joints is q'·u + q''·x, their torque inertia·u + (torque of steady speed); the
-    latter, at rest `still`, is taken as linear in x up to a speed that is given: exact there, for torques of
-    gravity, dry friction, viscous friction and of products of speeds alike.
+    The acceleration of the joints is q'·u + q''·x, that on a path likewise. Their torque is inertia·u +
+    (torque of steady speed); the latter, at rest `still`, is taken as linear in x up to a speed that is
+    given: exact there, for torques of gravity, dry and viscous friction and products of speeds alike.
 
     Attributes:
         points: the path, m places.
         bounds: of the joints.
+        ways: paths with limits of their own there.
         effort: torque of the joints, or None.
         inertia: torque of a unit of u [N m | N], shape (m, n), or (m, 0) where torque does not count.
         still: torque of creeping along [N m | N], of the same shape.
@@ -39,6 +41,7 @@ class Demand:
 
     points: JointPoints
     bounds: JointBounds
+    ways: Ways
     effort: Effort | None
     inertia: Array
     still: Array
@@ -46,7 +49,16 @@ class Demand:
     def without_torque(self) -> "Demand":
         """Return the same where torque does not count."""
         nothing = self.points.q[:, :0]
-        return Demand(self.points, self.bounds, None, nothing, nothing)
+        return Demand(self.points, self.bounds, self.ways, None, nothing, nothing)
+
+    def along(self) -> tuple[Array, Array]:
+        """Return first and second derivatives of joints and places on paths by motion time, (m, n + r)."""
+        return self.ways.beside(self.points)
+
+    def most(self) -> Array:
+        """Return the bounds of acceleration of joints and paths, shape (m, n + r)."""
+        joints = np.broadcast_to(self.bounds.acceleration, self.points.q.shape)
+        return np.ascontiguousarray(np.hstack((joints, self.ways.most_accelerations)))
 
     def fastest(self, caps: Array, near: Array, steps: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
@@ -61,13 +73,13 @@ class Demand:
             spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
         q, d1, d2 = self.points.q, self.points.d1, self.points.d2
-        most = self.bounds.acceleration * share[:, None] * (1.0 + SLACK)
-        A, B, lower, upper = np.ascontiguousarray(d1), np.ascontiguousarray(d2), -most, most
+        most = self.most() * share[:, None] * (1.0 + SLACK)
+        (A, B), lower, upper = self.along(), -most, most
         result = np.empty(len(caps))
         if self.effort is None or self.bounds.effort is None:
             fastest(A, B, lower, upper, caps, steps, result)
             return result
-        used, n = spared[:, None] * (1.0 + SLACK), q.shape[1]
+        used, n = spared[:, None] * (1.0 + SLACK), A.shape[1]
         lower = np.hstack((lower, np.minimum(used * (-self.bounds.effort - self.still), 0.0)))
         upper = np.hstack((upper, np.maximum(used * (self.bounds.effort - self.still), 0.0)))
         A, B = np.hstack((A, self.inertia)), np.hstack((B, np.empty_like(q)))
@@ -85,17 +97,25 @@ class Demand:
         return result
 
 
-def demand(points: JointPoints, bounds: JointBounds, effort: Effort | None) -> Demand:
+def demand(
+    points: JointPoints, bounds: JointBounds, effort: Effort | None, ways: Ways | None = None
+) -> Demand:
     """Return what a path asks of the joints.
+
+    Args:
+        points: the path, m places.
+        bounds: of the joints.
+        effort: torque of the joints, or None.
+        ways: paths with limits of their own there; None where there are none.
 
     Raises:
         ProfileError: M540, torques are no numbers.
     """
-    q, d1 = points.q, points.d1
+    q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
     if effort is None or bounds.effort is None:
-        return Demand(points, bounds, None, q[:, :0], q[:, :0])
+        return Demand(points, bounds, on, None, q[:, :0], q[:, :0])
     rest = np.zeros_like(q)
     speeds = np.minimum(bounds.speed, np.abs(d1).max(axis=0) + np.finfo(np.float64).tiny)
     creep = _CREEP / np.maximum(np.max(np.abs(d1) / speeds, axis=1), _CREEP)
     inertia = torques(effort, q, rest, d1) - torques(effort, q, rest, rest)
-    return Demand(points, bounds, effort, inertia, torques(effort, q, d1 * creep[:, None], rest))
+    return Demand(points, bounds, on, effort, inertia, torques(effort, q, d1 * creep[:, None], rest))

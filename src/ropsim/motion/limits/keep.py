@@ -1,4 +1,4 @@
-"""Limits of joints kept at every control tick: a planned motion is slowed where it asks too much."""
+"""Limits kept at every control tick: a planned motion is slowed where it asks too much of the joints."""
 
 import math
 
@@ -12,16 +12,15 @@ from ropsim.motion.limits.joint_bounds import Effort, JointBounds, Quantity
 from ropsim.motion.limits.kept import Beyond, Kept, Motion, Slowed
 from ropsim.motion.limits.motion_time import MotionTime, unslowed
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.reference import keeps_torque, load, reference, tick_times
+from ropsim.motion.limits.reference import Reference, as_planned, keeps_torque, reference
 from ropsim.motion.limits.refusal import too_heavy, too_slow
 from ropsim.motion.limits.shares import all_of_it, less, more_than_lacks
-from ropsim.motion.limits.strain import ROUNDING, strain
+from ropsim.motion.limits.strain import ROUNDING
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
 
 LONGEST_DELAY = 600.0
 """A motion that slowing would make longer by more than this [s] counts as one that no speed can do."""
-_MOST_TICKS = 1e8
 _ATTEMPTS = 30
 
 
@@ -34,7 +33,9 @@ def keep_limits(
     else is computed. Else the fastest course under the limits of speed, acceleration and torque is found
     backwards and forwards along the path; below it, a course without kinks by lowest values and means over
     windows; what that exceeds at control ticks is taken off the limits around there, and the same is done
-    again. If some is left after that, the whole motion is slowed by it, so that nothing remains.
+    again. If some is left after that, the whole motion is slowed by it, so that nothing remains. The limits
+    of the paths that the motion is on are kept along with those of the joints: slower and faster again within
+    them.
 
     Every place must be one at which the arm can creep, so that the motion can be halted anywhere. Where dry
     friction and gravity alone take more than the torque that there is, it is refused, though momentum might
@@ -53,19 +54,34 @@ def keep_limits(
     References:
         Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
     """
-    _check(motion.duration, period, grid)
-    phi = np.minimum(tick_times(motion.duration, period), motion.duration)
-    rows = motion.at(phi)
-    if rows.q.shape[1:] != bounds.speed.shape:
-        found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
-    plain = strain(rows, load(rows, bounds, effort), bounds, period)
+    return kept_from(as_planned(motion, bounds, effort, period), motion, bounds, effort, period, grid)
+
+
+def kept_from(
+    planned: Reference,
+    motion: Motion,
+    bounds: JointBounds,
+    effort: Effort | None,
+    period: float,
+    grid: float = 4e-3,
+) -> Kept | Beyond:
+    """Return the same as `keep_limits`, where the references of the plan are known.
+
+    Args:
+        planned: references of the motion, see `as_planned`.
+        motion: the plan.
+        bounds: what the joints can do.
+        effort: torques at the joints; None where they do not count.
+        period: of the control ticks [s].
+        grid: real time between two places that are planned with, about [s].
+    """
+    if not (math.isfinite(grid) and grid > 0.0):
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))
+    plain = planned.strain
     if plain.is_kept:
-        return Kept(unslowed(motion.duration), (), phi, rows)
-    speed, acceleration, jerk, _ = plain.used
-    estimate = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
-    places, points = places_of(motion, bounds, grid, phi, 1.0 / np.maximum(estimate, 1.0))
-    asked = demand(points, bounds, effort)
+        return Kept(unslowed(motion.duration), (), planned.phi, planned.rows)
+    places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
+    asked = demand(points, bounds, effort, motion.ways(places))
     first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
     return too_heavy(asked, places) or _slowed(motion, asked, first, places, period)
 
@@ -127,11 +143,3 @@ def _parts(clock: MotionTime, needed: Array) -> tuple[Slowed, ...]:
         share = float(clock.rates[first:end].min())
         parts.append(Slowed(float(begins), float(stops), share, int(joint), tuple(Quantity)[kind]))
     return tuple(parts)
-
-
-def _check(duration: float, period: float, grid: float) -> None:
-    numbers = (duration, period, grid)
-    if not all(math.isfinite(each) and each > 0.0 for each in numbers) or duration / period > _MOST_TICKS:
-        found = f"duration is {duration:g} s, control tick {period:g} s, grid {grid:g} s"
-        allowed = f"allowed are numbers above 0, and {_MOST_TICKS:g} ticks"
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, {allowed}"))

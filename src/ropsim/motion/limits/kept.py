@@ -4,12 +4,13 @@ from typing import Protocol
 
 from ropsim.motion.limits.joint_bounds import Quantity
 from ropsim.motion.limits.motion_time import MotionTime
+from ropsim.motion.limits.ways import Ways
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array, record
 
 
 class Motion(Protocol):
-    """A planned motion over motion time φ, at rest at both ends."""
+    """A planned motion over motion time φ, at rest at both ends, within the limits of its paths."""
 
     @property
     def duration(self) -> float:
@@ -17,6 +18,9 @@ class Motion(Protocol):
 
     def at(self, phi: Array) -> JointPoints:
         """Return the coordinates at motion times [s], (k,), and their derivatives by φ."""
+
+    def ways(self, phi: Array) -> Ways:
+        """Return how paths with limits of their own are walked at motion times [s], rising, (k,)."""
 
 
 @record

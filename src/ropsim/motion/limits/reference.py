@@ -1,31 +1,37 @@
 """References at control ticks, and what they use of the limits."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
 from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain
 from ropsim.motion.paths.path import JointPoints
-from ropsim.motion.profile import whole_periods
+from ropsim.motion.profile import ProfileError, whole_periods
 from ropsim.spatial import Array
+
+_MOST_TICKS = 1e8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Reference:
-    """A slowed motion at k control ticks.
+    """A motion at k control ticks.
 
     Attributes:
         phi: motion times [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time.
+        torque: that they take [N m | N], shape (k, n); None where it does not count.
         strain: what they use of the limits.
     """
 
     phi: Array
     rows: JointPoints
+    torque: Array | None
     strain: Strain
 
 
@@ -46,6 +52,28 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
     if torque is None or bounds.effort is None:
         return True
     return bool((np.abs(torque) <= bounds.effort * (1.0 + ROUNDING)).all())
+
+
+def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, period: float) -> Reference:
+    """Return the references of a motion that is not slowed.
+
+    Args:
+        motion: the plan, at rest at both ends.
+        bounds: what the joints can do.
+        effort: torques at the joints; None where they do not count.
+        period: of the control ticks [s].
+
+    Raises:
+        ProfileError: M540, the duration or the period is not above 0, or the motion or its torques are none.
+    """
+    _check(motion.duration, period)
+    phi = np.minimum(tick_times(motion.duration, period), motion.duration)
+    rows = motion.at(phi)
+    if rows.q.shape[1:] != bounds.speed.shape:
+        found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
+    torque = load(rows, bounds, effort)
+    return Reference(phi, rows, torque, strain(rows, torque, bounds, period))
 
 
 def reference(
@@ -71,6 +99,14 @@ def reference(
     accelerations = points.d2 * (w * w)
     accelerations += points.d1 * c
     rows = JointPoints(points.q, points.d1 * w, accelerations)
-    going = Going(np.stack((points.d1, points.d2)), course, places, demand.still)
+    going = Going(points, motion.ways(course[0]), course, places, demand.still)
     torque = load(rows, demand.bounds, demand.effort)
-    return Reference(course[0], rows, strain(rows, torque, demand.bounds, period, going, more))
+    return Reference(course[0], rows, torque, strain(rows, torque, demand.bounds, period, going, more))
+
+
+def _check(duration: float, period: float) -> None:
+    numbers = (duration, period)
+    if not all(math.isfinite(each) and each > 0.0 for each in numbers) or duration / period > _MOST_TICKS:
+        found = f"duration is {duration:g} s, control tick {period:g} s"
+        allowed = f"allowed are numbers above 0, and {_MOST_TICKS:g} ticks"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, {allowed}"))

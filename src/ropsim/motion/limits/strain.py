@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.joint_bounds import JointBounds
 from ropsim.motion.limits.strain_kernel import strain_of
+from ropsim.motion.limits.ways import Ways, no_ways, steps_allowed
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
 from ropsim.spatial import Array
@@ -20,13 +21,15 @@ class Going:
     """How a path is gone at k control ticks.
 
     Attributes:
-        path: first and second derivatives of the joints by motion time, shape (2, k, n).
+        points: the joints by motion time, k rows.
+        ways: paths with limits of their own, likewise.
         course: motion times [s], rates, and changes of these [1/s], shape (3, k).
         places: motion times between which lacks are told [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
-    path: Array
+    points: JointPoints
+    ways: Ways
     course: Array
     places: Array
     still: Array
@@ -37,7 +40,7 @@ class Strain:
     """What is used of the limits at k control ticks.
 
     Attributes:
-        used: by the joint that uses most, 1.0 for all of it, in the order of `Quantity`, shape (4, k).
+        used: by the joint or path that uses most, 1.0 for all of it, in the order of `Quantity`, (4, k).
         peaks: the most of each, shape (4,); where torque is too much, of that alone which slowing changes.
         lacks: logarithms of what rate and acceleration are to be divided by, windows to be multiplied with,
             and torque to be divided by, at m places, shape (4, m).
@@ -51,6 +54,13 @@ class Strain:
     def is_kept(self) -> bool:
         """Return whether no limit is exceeded but by rounding."""
         return bool(self.used.max() <= 1.0 + ROUNDING)
+
+    @property
+    def rates(self) -> Array:
+        """Return the rate at each tick at which limits would about hold, in ]0, 1], shape (k,)."""
+        speed, acceleration, jerk, _ = self.used
+        needed = np.maximum(speed, np.maximum(np.sqrt(acceleration), np.cbrt(jerk)))
+        return np.asarray(1.0 / np.maximum(needed, 1.0))
 
     @property
     def factor(self) -> float:
@@ -80,25 +90,27 @@ def strain(
     Raises:
         ProfileError: M540, references are no numbers.
     """
-    k, n = rows.q.shape
-    qd, qdd = np.ascontiguousarray(rows.d1), np.ascontiguousarray(rows.d2)
+    k = len(rows.q)
     if torque is None or bounds.effort is None:
         torque = np.empty((k, 0))
     if going is None:
         ends, still = np.array([0.0, np.inf]), np.zeros((2, torque.shape[1]))
-        going = Going(np.stack((qd, qdd)), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
-    effort = np.full(n, np.inf) if bounds.effort is None else bounds.effort
-    limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])
+        going = Going(rows, no_ways(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
+    w, c = going.course[1][:, None], going.course[2][:, None]
+    ways = going.ways
+    qd = np.ascontiguousarray(np.hstack((rows.d1, ways.speeds * w)))
+    qdd = np.ascontiguousarray(np.hstack((rows.d2, ways.accelerations * (w * w) + ways.speeds * c)))
+    path = np.stack(ways.beside(going.points))
     used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
     strain_of(
         qd,
         qdd,
         torque,
-        going.path,
+        path,
         going.course,
         going.places,
         going.still,
-        limits,
+        _limits(bounds, going, period),
         1.0 + ROUNDING,
         more,
         used,
@@ -110,3 +122,21 @@ def strain(
         found = f"the motion is {rows.q[row]}, {rows.d1[row]}, {rows.d2[row]} at tick {row}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are finite numbers"))
     return Strain(used, peaks, lacks)
+
+
+def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
+    """Return limits of joints and paths, shape (4, 1, n), or (4, k, n + r) where there are paths.
+
+    They are those of speed, acceleration, change of acceleration in one tick, and torque.
+    """
+    n, ways = len(bounds.speed), going.ways
+    k, r = ways.speeds.shape
+    effort = np.full(n, np.inf) if bounds.effort is None else bounds.effort
+    joints = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])[:, None, :]
+    if r == 0:
+        return joints
+    limits = np.full((4, k, n + r), np.inf)
+    limits[:, :, :n] = joints
+    limits[1, :, n:] = np.maximum(ways.most_accelerations, np.abs(ways.accelerations))
+    limits[2, :, n:] = steps_allowed(ways, going.course[0], period)
+    return limits

@@ -11,7 +11,7 @@ _MOST_AT_ONCE = 2.0
 
 
 @kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,::1], f8, f8,"
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8, f8,"
     " f8[:,::1], f8[::1], f8[:,::1])"
 )
 def strain_of(
@@ -29,7 +29,7 @@ def strain_of(
     peaks: Array,
     lacks: Array,
 ) -> None:
-    """Compute strains and lacks of k control ticks of n joints; what is no number counts as infinite.
+    """Compute strains and lacks of n joints and r paths at k control ticks; no number counts as infinity.
 
     Jerk is the difference of accelerations of neighbouring ticks, at the later one of the two; joints rest
     before the first and after the last tick. It has three causes: the path itself asks for a lower rate,
@@ -37,35 +37,37 @@ def strain_of(
     windows. Of a torque that is too much only what dry friction and gravity leave can be given up.
 
     Args:
-        qd: speeds [rad/s | m/s], shape (k, n).
-        qdd: accelerations [rad/s² | m/s²], shape (k, n).
-        torque: [N m | N], shape (k, n), or (k, 0) where it does not count.
-        path: first and second derivatives by motion time, shape (2, k, n).
+        qd: speeds of joints [rad/s | m/s], then of places on paths, shape (k, n + r).
+        qdd: accelerations [rad/s² | m/s²] likewise, shape (k, n + r).
+        torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
+        path: first and second derivatives by motion time, shape (2, k, n + r).
         course: motion times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
         places: motion times [s], rising, shape (m,).
         still: torque of creeping at the places [N m | N], shape (m, n), or (m, 0).
-        limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, n).
+        limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, k, n + r),
+            or (4, 1, n + r) where they are the same at all ticks.
         allowed: what may be used of a limit, 1 and rounding.
         more: added to the logarithm of each excess.
-        used: 0; becomes what the joint that uses most uses, 1 for all, in the order of `Quantity`, (4, k).
+        used: 0; becomes what is used by what uses most, 1 for all, in the order of `Quantity`, (4, k).
         peaks: 0; becomes the greatest excess of each, shape (4,).
         lacks: 0; becomes logarithms of what rate and acceleration are to be divided by, windows to be
             multiplied with, and torque to be divided by, at the places on both sides of the ticks, (4, m).
     """
-    way, last = 0, places.shape[0] - 2
+    way, last, constant = 0, places.shape[0] - 2, limits.shape[1] == 1
     for k in range(qd.shape[0]):
         before = max(k - 1, 0)
         while way < last and places[way + 1] <= course[0, k]:
             way += 1
+        here = 0 if constant else k
         for j in range(qd.shape[1]):
             jump = abs(qdd[k, j]) if k == 0 else abs(qdd[k, j] - qdd[before, j])
             if k == qd.shape[0] - 1:
                 jump = max(jump, abs(qdd[k, j]))
-            load = abs(torque[k, j]) if torque.shape[1] > 0 else 0.0
+            load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
             values = (abs(qd[k, j]), abs(qdd[k, j]), jump, load)
             for kind in range(4):
                 value = values[kind]
-                share = value / limits[kind, j]
+                share = value / limits[kind, here, j]
                 if not share < math.inf:
                     share = math.inf
                 used[kind, k] = max(used[kind, k], share)
@@ -76,7 +78,7 @@ def strain_of(
                     past = (course[0, k] - places[way]) / (places[way + 1] - places[way])
                     held = still[way, j] + past * (still[way + 1, j] - still[way, j])
                     held = math.copysign(held, held * torque[k, j])
-                    share = (value - held) / max(limits[3, j] - held, _TINY)
+                    share = (value - held) / max(limits[3, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
                 of_rate, of_swing = 0.0, 0.0

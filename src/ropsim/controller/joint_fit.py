@@ -1,0 +1,140 @@
+"""Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.controller.bands import Bands, bands_of
+from ropsim.controller.course import Course, Run, course_of
+from ropsim.controller.joint_caps import Walked, joint_caps
+from ropsim.controller.kept_limits import ArmBounds
+from ropsim.controller.parts import Part
+from ropsim.controller.pieces import piece_borders
+from ropsim.controller.slowed_bands import slowed_in
+from ropsim.controller.stretch_motion import StretchMotion
+from ropsim.motion import ROUNDING, Quantity, Reference, Slowed, as_planned, places_of
+from ropsim.spatial import record
+
+_SPACING = 4e-3
+"""Motion time of a band, about [s]."""
+_ATTEMPTS = 40
+_ROUNDS = 10
+"""How often a part is slowed as a whole that still exceeds a limit then."""
+_LESS = 1e-4
+"""What is taken off beyond an excess; each attempt takes more."""
+_TORQUE = list(Quantity).index(Quantity.TORQUE)
+_LEAST = 1e-3
+"""Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
+
+
+@record
+class Fit:
+    """A course, and what it takes of the joints.
+
+    Attributes:
+        course: of the stretch.
+        reference: at control ticks, and what it uses of the limits.
+        slowed: where it is slower than its bounds would have it.
+    """
+
+    course: Course
+    reference: Reference
+    slowed: tuple[Slowed, ...]
+
+
+def as_bounds_allow(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float) -> Fit:
+    """Return the course through parts of a stretch, whatever joints say to it.
+
+    Args:
+        parts: of the stretch.
+        legs: number of its moves.
+        arm: limits of the joints.
+        period: of the control ticks [s].
+    """
+    course = course_of(parts, legs)
+    return Fit(course, as_planned(StretchMotion(course), arm.joints, arm.effort, period), ())
+
+
+def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Fit:
+    """Return the course with its bounds brought down where joints could not follow.
+
+    The limits that the program gives for the tool stay those of every time law. Where joints leave next to
+    nothing of the speed, the course stays as it was; so does one without a path of the tool.
+
+    Args:
+        planned: the course as the bounds of its parts alone would have it.
+        legs: number of its moves.
+        arm: limits of the joints.
+        period: of the control ticks [s].
+        look_ahead: how many moves beyond the present one are known.
+    """
+    now = planned
+    if planned.reference.strain.is_kept or not any(run.part.leads_tool for run in planned.course.runs):
+        return planned
+    bands, looked_at = _bands(planned, arm), arm
+    if planned.reference.strain.peaks[_TORQUE] <= 1.0:
+        looked_at = replace(arm, effort=None)  # it takes time, and slower motions hardly need more of it
+    for attempt in range(_ATTEMPTS + _ROUNDS):
+        ticks = {number: found for number in bands if len(found := _exceeding(now, number))}
+        if not ticks and looked_at is not arm:
+            looked_at, now = arm, as_bounds_allow(_parts(now), legs, arm, period)
+            continue
+        if not ticks:
+            return replace(now, slowed=slowed_in(planned.course, now.course, bands))
+        for number, found in ticks.items():
+            if attempt < _ATTEMPTS:
+                used = 1.0 - _LESS * (1 + attempt)
+                walked = _walked(now, now.course.runs[number], found)
+                bands[number] = bands[number].lowered(joint_caps(walked, looked_at, period, used))
+            else:
+                bands[number] = bands[number].slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+            if bands[number].share < _LEAST:
+                return planned
+        changed = [
+            bands[number].replanned(look_ahead) if number in ticks else run.part
+            for number, run in enumerate(now.course.runs)
+        ]
+        now = as_bounds_allow(changed, legs, looked_at, period)
+    return planned
+
+
+def _parts(fit: Fit) -> list[Part]:
+    return [run.part for run in fit.course.runs]
+
+
+def _bands(fit: Fit, arm: ArmBounds) -> dict[int, Bands]:
+    """Return the bands of all parts that are planned with stages, by their number."""
+    reference = fit.reference
+    motion, rates = StretchMotion(fit.course), reference.strain.rates
+    places, _ = places_of(motion, arm.joints, _SPACING, reference.phi, rates)
+    runs = enumerate(fit.course.runs)
+    return {number: bands_of(run.part, places - run.start) for number, run in runs if run.part.has_stages}
+
+
+def _exceeding(fit: Fit, number: int) -> npt.NDArray[np.intp]:
+    """Return the control ticks in a run at which a limit is exceeded, without tick 0."""
+    reference = fit.reference
+    run = fit.course.runs[number]
+    first, until = np.searchsorted(reference.phi, (run.start, run.end), "right").tolist()
+    first = max(first, 1)
+    used = reference.strain.used[:, first:until].max(axis=0, initial=0.0)
+    return np.asarray(first + np.flatnonzero(used > 1.0 + ROUNDING), dtype=np.intp)
+
+
+def _walked(fit: Fit, run: Run, ticks: npt.NDArray[np.intp]) -> Walked:
+    reference, pairs = fit.reference, np.stack((ticks - 1, ticks))
+    rows, n = reference.rows, reference.rows.q.shape[1]
+    law = run.law.at((reference.phi[pairs] - run.start).ravel())
+    d = np.empty((2, len(law.places), n))
+    for number in np.unique(law.pieces).tolist():
+        here = np.flatnonzero(law.pieces == number)
+        points = run.pieces[number].joints.joints(law.places[here])
+        d[0, here], d[1, here] = points.d1, points.d2
+    d1, d2 = d.reshape(2, 2, len(ticks), n)
+    places = piece_borders(run.pieces)[law.pieces] + law.places
+    places, speeds, accelerations = (each.reshape(2, -1) for each in (places, law.speeds, law.accelerations))
+    torque = None if reference.torque is None else reference.torque[ticks]
+    at_ticks = rows.q[ticks], rows.d1[ticks], rows.d2[pairs]
+    return Walked(places, speeds, accelerations, d1, d2, *at_ticks, torque)

@@ -1,0 +1,61 @@
+"""The motion of a stretch within the limits of the joints, and within those that the program gives."""
+
+from collections.abc import Sequence
+
+from ropsim.controller.course import Course
+from ropsim.controller.joint_fit import Fit, as_bounds_allow, fitted
+from ropsim.controller.kept_limits import ArmBounds
+from ropsim.controller.parts import Part
+from ropsim.controller.stretch_motion import StretchMotion
+from ropsim.motion import Beyond, Kept, Slowed, kept_from
+from ropsim.spatial import record
+
+_LONGER = 1.03
+"""A motion that is fitted to the joints may take so many times as long before another way is tried."""
+
+
+@record
+class Keeping:
+    """A course, and its motion within all limits.
+
+    Attributes:
+        course: of the stretch.
+        kept: its motion; Beyond where no speed can do.
+        slowed: where it is slower than it was planned.
+    """
+
+    course: Course
+    kept: Kept | Beyond
+    slowed: tuple[Slowed, ...]
+
+    @property
+    def duration(self) -> float:
+        """Return how long the motion lasts [s]; infinity where there is none."""
+        return self.kept.clock.duration if isinstance(self.kept, Kept) else float("inf")
+
+
+def keeping_of(parts: Sequence[Part], legs: int, arm: ArmBounds, period: float, look_ahead: int) -> Keeping:
+    """Return the motion through the parts of a stretch.
+
+    Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
+    goes slower there may do it in less; the quicker one counts.
+
+    Args:
+        parts: of the stretch.
+        legs: number of its moves.
+        arm: limits of the joints.
+        period: of the control ticks [s].
+        look_ahead: how many moves beyond the present one are known.
+    """
+    planned = as_bounds_allow(parts, legs, arm, period)
+    fit = fitted(planned, legs, arm, period, look_ahead)
+    quick = _keeping(fit, arm, period)
+    if fit is planned or quick.duration <= _LONGER * planned.course.duration:
+        return quick
+    return min(quick, _keeping(planned, arm, period), key=lambda one: one.duration)
+
+
+def _keeping(fit: Fit, arm: ArmBounds, period: float) -> Keeping:
+    motion = StretchMotion(fit.course)
+    kept = kept_from(fit.reference, motion, arm.joints, arm.effort, period)
+    return Keeping(fit.course, kept, fit.slowed + (kept.slowed if isinstance(kept, Kept) else ()))

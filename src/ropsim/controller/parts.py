@@ -1,0 +1,79 @@
+"""Parts of a stretch, each walked from rest to rest, with their time laws."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.controller.corners import Corner, Overlap
+from ropsim.controller.leg import Leg
+from ropsim.controller.pieces import Piece, pieces_of
+from ropsim.motion import Stage, SynchronisedJoints, TimeLaw, plan_time_law
+from ropsim.spatial import record
+
+
+@record
+class Part:
+    """Pieces that are walked together from rest to rest, and how.
+
+    Attributes:
+        pieces: in order.
+        law: when the motion is where on them; it counts pieces, whatever the stages of each.
+        over: how it goes over into the next one; None where it stops.
+    """
+
+    pieces: tuple[Piece, ...]
+    law: TimeLaw
+    over: Overlap | None
+
+    @property
+    def has_stages(self) -> bool:
+        """Return whether its time law is planned with stages; else its path is one of time."""
+        return bool(self.pieces[0].stages)
+
+    @property
+    def leads_tool(self) -> bool:
+        """Return whether it is on a path of the tool, so that limits of the tool hold."""
+        return self.pieces[0].tool is not None
+
+
+def parts_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> tuple[Part, ...]:
+    """Return the parts of a stretch between which the arm stops or motions overlap.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them; None where the arm stops there, or where one has no length.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    return tuple(part_of(pieces, over, look_ahead) for pieces, over in pieces_of(legs, corners))
+
+
+def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:
+    """Return pieces with their time law: planned stage by stage, told piece by piece.
+
+    Args:
+        pieces: that are walked together from rest to rest.
+        over: how they go over into the next ones; None where they stop.
+        look_ahead: how many moves beyond the present one are known.
+    """
+    alone = pieces[0].joints
+    if isinstance(alone, SynchronisedJoints):
+        return Part(tuple(pieces), alone.law, over)
+    law = plan_time_law(_with_horizons(pieces, look_ahead))
+    counts = [len(piece.stages) for piece in pieces]
+    return Part(tuple(pieces), law if max(counts) == 1 else law.in_parts(counts), over)
+
+
+def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
+    """Return the stages of the pieces of a run, with the last stage that is known where a piece ends.
+
+    Within a piece no more gets known: who can stop after it can stop before.
+    """
+    ends = np.cumsum([len(piece.stages) for piece in pieces]).tolist()
+    last = {piece.leg: end - 1 for piece, end in zip(pieces, ends, strict=True)}
+    final = pieces[-1].leg
+    stages: list[Stage] = []
+    for piece in pieces:
+        stages += piece.stages
+        stages[-1] = replace(stages[-1], horizon=last[min(piece.leg + look_ahead, final)])
+    return stages

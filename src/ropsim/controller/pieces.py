@@ -1,0 +1,109 @@
+"""Pieces of a stretch: parts of the paths of moves, and the ways round corners between them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ropsim.controller.coordination import Coordination
+from ropsim.controller.corners import Corner, Overlap, Rounding
+from ropsim.controller.leg import Leg
+from ropsim.controller.stages import Stages, along_with, joint_stages, tool_stages
+from ropsim.motion import JointPath, JointSection, SynchronisedJoints, ToolLimits, ToolPath, ToolSection
+from ropsim.spatial import Array, Pose, record
+
+_NOTHING = 1e-9
+"""Share of a path below which nothing is left of it between two corners."""
+
+
+@record
+class Piece:
+    """A part of the course.
+
+    Attributes:
+        leg: number of the move that it belongs to; a corner belongs to the move before it.
+        joints: its path in joint space.
+        tool: its path of the tool, in the base frame or that of the coordination; None where it has none.
+        X_MT: the tool.
+        stages: bounds along it, part by part; none where it has a time law of its own.
+        corner: that it leads round; None for a part of the path of a move.
+        coordination: external axes that go along with the path of the tool; None where they stand.
+        begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
+    """
+
+    leg: int
+    joints: JointPath
+    tool: ToolPath | None
+    X_MT: Pose
+    stages: Stages
+    corner: Rounding | None = None
+    coordination: Coordination | None = None
+    begin: float = 0.0
+
+
+def pieces_of(
+    legs: Sequence[Leg], corners: Sequence[Corner | None]
+) -> list[tuple[list[Piece], Overlap | None]]:
+    """Return the pieces that are walked together, and how they go over into the next ones; None for a stop.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them; None where the arm stops there, or where one has no length.
+    """
+    runs: list[tuple[list[Piece], Overlap | None]] = []
+    pieces: list[Piece] = []
+    enters = 0.0
+    for number, leg in enumerate(legs):
+        corner = corners[number] if number < len(corners) else None
+        if leg.joints is None:
+            continue
+        leaves = corner.leave if isinstance(corner, Rounding) else leg.joints.length
+        if leaves - enters > _NOTHING * leg.joints.length:
+            pieces.append(_straight(number, leg, enters, leaves))
+        if isinstance(corner, Rounding):
+            pieces.append(_round(number, leg, legs[number + 1], corner))
+            enters = corner.enter
+        else:
+            runs.append((pieces, corner))
+            pieces, enters = [], 0.0
+    return runs
+
+
+def stage_ends(pieces: Sequence[Piece]) -> Array:
+    """Return the places at which the stages of pieces end, counted from the start of the first one, (p,).
+
+    Args:
+        pieces: that are walked together.
+    """
+    return np.cumsum([stage.length for piece in pieces for stage in piece.stages])
+
+
+def piece_borders(pieces: Sequence[Piece]) -> Array:
+    """Return the places at which pieces begin, from the start on, and the end of the last one, (c + 1,).
+
+    Args:
+        pieces: that are walked together.
+    """
+    ends = np.append(0.0, stage_ends(pieces))
+    return np.asarray(ends[np.cumsum([0, *(len(piece.stages) for piece in pieces)])])
+
+
+def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
+    assert leg.joints is not None
+    whole = first == 0.0 and last == leg.joints.length
+    joints = leg.joints if whole else JointSection(leg.joints, first, last)
+    tool = leg.tool if whole or leg.tool is None else ToolSection(leg.tool, first, last)
+    limits, coordination = leg.planned.limits, leg.planned.coordination
+    if tool is None:
+        stages = () if isinstance(joints, SynchronisedJoints) else joint_stages(joints, limits.joints)
+        return Piece(number, joints, None, leg.planned.X_MT, stages, begin=first)
+    if coordination and not whole:
+        coordination = coordination.part(first, last)
+    stages = along_with(tool_stages(tool, limits.tool), coordination)
+    return Piece(number, joints, tool, leg.planned.X_MT, stages, coordination=coordination, begin=first)
+
+
+def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:
+    one, other = before.planned.limits.tool, behind.planned.limits.tool
+    least = ToolLimits(*(min(getattr(one, name), getattr(other, name)) for name in ToolLimits.__slots__))
+    stages, X_MT = along_with(tool_stages(corner.tool, least), corner.coordination), before.planned.X_MT
+    return Piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination)

@@ -1,0 +1,83 @@
+"""Bands of a part: bounds that joints bring down, and the time law with them."""
+
+import numpy as np
+import pytest
+
+from ropsim.controller.bands import Bands, bands_of
+from ropsim.controller.joint_caps import ACCELERATION, SPEED, Caps
+from ropsim.controller.leg import Leg, leg_of
+from ropsim.controller.parts import Part, parts_of
+from ropsim.motion import Quantity
+from support.motion import CHAIN, START, interface_pose, lin, shifted
+
+AHEAD = 10
+
+
+def part() -> Part:
+    leg = leg_of(CHAIN, lin(shifted(interface_pose(START), -0.1, 0.1, 0.0)), START)
+    assert isinstance(leg, Leg)
+    return parts_of([leg], [], AHEAD)[0]
+
+
+PART = part()
+LENGTH = PART.pieces[0].joints.length
+BANDS = bands_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60))
+
+
+def caps(kind: int, value: float, first: float, last: float, joint: int = 2) -> Caps:
+    numbers = (np.array([one]) for one in (joint, 3))
+    return Caps(np.array([kind]), np.array([value]), np.array([[first], [last]]), *numbers)
+
+
+def test_cells_lie_between_the_places_at_given_times() -> None:
+    times = np.linspace(0.0, PART.law.duration, 8)
+    bands = bands_of(PART, times)
+    assert bands.borders == pytest.approx(PART.law.at(times).places)
+    (stage,) = PART.pieces[0].stages
+    assert bands.bounds == pytest.approx(
+        np.array([[stage.speed], [stage.acceleration], [stage.jerk]]) * np.ones(7)
+    )
+
+
+def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
+    again = BANDS.replanned(AHEAD)
+    assert len(again.pieces[0].stages) == 1
+    assert again.law.duration == pytest.approx(PART.law.duration, rel=1e-12)
+
+
+def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:
+    assert BANDS.slower(0.5).replanned(AHEAD).law.duration == pytest.approx(2.0 * PART.law.duration, rel=1e-9)
+    assert BANDS.slower(0.5).share == pytest.approx(0.5)
+
+
+def test_a_cap_counts_from_the_cell_of_its_first_place_to_that_of_its_last() -> None:
+    low = BANDS.lowered(caps(SPEED, 0.01, 0.4 * LENGTH, 0.6 * LENGTH))
+    lower = low.bounds[SPEED] < BANDS.bounds[SPEED]
+    on = (BANDS.borders[1:] > 0.4 * LENGTH) & (BANDS.borders[:-1] <= 0.6 * LENGTH)
+    assert lower.tolist() == on.tolist()
+    assert (low.bounds[1:] == BANDS.bounds[1:]).all()
+    assert {low.cause(int(band)) for band in np.flatnonzero(on)} == {(2, Quantity.TORQUE)}
+    assert (low.causes[:, ~on] == -1).all()
+
+
+def test_the_lowest_cap_stays_with_its_cause() -> None:
+    once = BANDS.lowered(caps(ACCELERATION, 0.02, 0.5 * LENGTH, 0.5 * LENGTH, joint=1))
+    twice = once.lowered(caps(ACCELERATION, 0.03, 0.5 * LENGTH, 0.5 * LENGTH, joint=4))
+    assert twice == once
+
+
+def test_the_motion_keeps_what_the_cells_allow() -> None:
+    low = BANDS.lowered(caps(SPEED, 0.01, 0.4 * LENGTH, 0.6 * LENGTH))
+    slow = low.replanned(AHEAD)
+    assert slow.law.duration > PART.law.duration
+    rows = slow.law.at(np.linspace(0.0, slow.law.duration, 2000))
+    band = np.clip(np.searchsorted(low.borders, rows.places, "right") - 1, 0, low.bounds.shape[1] - 1)
+    inside = np.abs(rows.places[:, None] - low.borders).min(axis=1) > 1e-9
+    assert (rows.speeds[inside] <= low.bounds[SPEED, band[inside]] * (1.0 + 1e-9)).all()
+    assert (np.abs(rows.accelerations[inside]) <= low.bounds[ACCELERATION, band[inside]] * (1.0 + 1e-9)).all()
+
+
+def test_no_border_lies_next_to_another() -> None:
+    times = PART.law.times_of(0, np.array([0.0, 1e-12, 0.5 * LENGTH, LENGTH - 1e-12, LENGTH]))
+    bands: Bands = bands_of(PART, times)
+    assert bands.borders == pytest.approx([0.0, 0.5 * LENGTH, LENGTH])

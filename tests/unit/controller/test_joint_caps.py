@@ -1,0 +1,115 @@
+"""How slow a path must be walked where joints cannot follow: by speed, bend, acceleration, jerk or torque."""
+
+import numpy as np
+import pytest
+
+from ropsim.controller.joint_caps import ACCELERATION, JERK, SPEED, Caps, Walked, joint_caps
+from ropsim.controller.kept_limits import ArmBounds
+from ropsim.motion import JointBounds, Quantity
+from ropsim.spatial import Array
+
+TICK = 1e-3
+ENDLESS = 1e9
+NUMBERS = list(Quantity)
+
+
+def bounds(
+    speed: float = ENDLESS, acceleration: float = ENDLESS, jerk: float = ENDLESS, effort: float | None = None
+) -> ArmBounds:
+    torque = None if effort is None else np.array([effort])
+    joints = JointBounds(np.array([speed]), np.array([acceleration]), np.array([jerk]), torque)
+    return ArmBounds(joints, None if effort is None else lambda _q, _qd, qdd: 3.0 * qdd + 2.0)
+
+
+def walked(
+    v: tuple[float, float],
+    a: tuple[float, float],
+    d1: tuple[float, float] = (1.0, 1.0),
+    d2: tuple[float, float] = (0.0, 0.0),
+    others: float = 0.0,
+) -> Walked:
+    """Return a path of one joint at one tick and at the one before it, beside the motion of `others`."""
+
+    def pair(values: tuple[float, float]) -> Array:
+        return np.array(values)[:, None]
+
+    first, second = pair(d1)[:, :, None], pair(d2)[:, :, None]
+    speeds, accelerations = pair(v)[:, :, None], pair(a)[:, :, None]
+    qdd = second * speeds**2 + first * accelerations + others
+    qd = (first * speeds)[1]
+    return Walked(
+        pair((0.3, 0.31)), pair(v), pair(a), first, second, np.zeros((1, 1)), qd, qdd, 3.0 * qdd[1] + 2.0
+    )
+
+
+def only(caps: Caps) -> tuple[int, object, Quantity]:
+    assert caps.kinds.shape == (1,)
+    assert caps.places.tolist() == [[0.3], [0.31]]
+    assert caps.joints.tolist() == [0]
+    return int(caps.kinds[0]), float(caps.values[0]), NUMBERS[int(caps.quantities[0])]
+
+
+def test_a_joint_that_is_too_fast_bounds_the_speed() -> None:
+    found = only(joint_caps(walked((2.0, 2.0), (0.0, 0.0), d1=(3.0, 3.0)), bounds(speed=5.0), TICK, 1.0))
+    assert found == (SPEED, pytest.approx(5.0 / 3.0), Quantity.SPEED)
+
+
+def test_what_is_left_of_an_excess_is_aimed_at_a_share_of_the_limit() -> None:
+    found = only(joint_caps(walked((2.0, 2.0), (0.0, 0.0), d1=(3.0, 3.0)), bounds(speed=5.0), TICK, 0.9))
+    assert found[1] == pytest.approx(4.5 / 3.0)
+
+
+def test_an_acceleration_that_the_bend_asks_for_bounds_the_speed() -> None:
+    """q" v² + q' a is 4 v² + 1: with the limit 13, v² may be 3."""
+    found = only(
+        joint_caps(walked((2.0, 2.0), (1.0, 1.0), d2=(4.0, 4.0)), bounds(acceleration=13.0), TICK, 1.0)
+    )
+    assert found == (SPEED, pytest.approx(np.sqrt(3.0)), Quantity.ACCELERATION)
+
+
+def test_an_acceleration_along_the_path_bounds_that_alone() -> None:
+    """With q" v² = -1 and q' = 2, the limit 7 leaves an acceleration of -3 of -4 along the path."""
+    way = walked((1.0, 1.0), (-4.0, -4.0), d1=(2.0, 2.0), d2=(-1.0, -1.0))
+    found = only(joint_caps(way, bounds(acceleration=7.0), TICK, 1.0))
+    assert found == (ACCELERATION, pytest.approx(3.0), Quantity.ACCELERATION)
+
+
+def test_no_more_than_a_half_is_given_up_at_once() -> None:
+    found = only(joint_caps(walked((1.0, 1.0), (8.0, 8.0)), bounds(acceleration=1.0), TICK, 1.0))
+    assert found[1] == pytest.approx(4.0)
+
+
+def test_a_change_of_the_bend_in_a_tick_bounds_the_speed_by_its_cube() -> None:
+    way = walked((2.0, 2.0), (0.0, 0.0), d2=(0.0, 0.01))  # q" v² changes by 0.04 in a tick
+    found = only(joint_caps(way, bounds(jerk=32.0), TICK, 1.0))
+    assert found == (SPEED, pytest.approx(2.0 * np.cbrt(0.8)), Quantity.JERK)
+
+
+def test_a_change_of_speed_on_a_bend_bounds_the_acceleration() -> None:
+    """q" (v² - v₀²) is 5 · 0.0004 · 2 (to second order); a is -1.5 and 2 there."""
+    way = walked((1.0, 1.0004), (2.0, 2.0), d2=(5.0, 5.0))
+    share = 3.0 / (5.0 * (1.0004**2 - 1.0) / TICK)
+    found = only(joint_caps(way, bounds(jerk=3.0), TICK, 1.0))
+    assert found == (ACCELERATION, pytest.approx(2.0 * share, rel=1e-6), Quantity.JERK)
+
+
+def test_a_change_of_acceleration_along_the_path_bounds_the_jerk() -> None:
+    found = only(joint_caps(walked((1.0, 1.0), (2.0, 2.05), d1=(2.0, 2.0)), bounds(jerk=80.0), TICK, 1.0))
+    assert found == (JERK, pytest.approx(40.0), Quantity.JERK)
+
+
+def test_of_a_torque_only_what_motion_takes_can_be_given_up() -> None:
+    """3 q̈ + 2 with q̈ = a = 4 is 14; with the limit 8, a may be 2."""
+    found = only(joint_caps(walked((1.0, 1.0), (4.0, 4.0)), bounds(effort=8.0), TICK, 1.0))
+    assert found == (ACCELERATION, pytest.approx(2.0), Quantity.TORQUE)
+
+
+def test_where_motions_overlap_the_other_one_may_have_to_be_slower() -> None:
+    """Nearly all of the acceleration is that of another motion: nothing here could mend it."""
+    caps = joint_caps(walked((1.0, 1.0), (0.01, 0.01), others=9.0), bounds(acceleration=5.0), TICK, 1.0)
+    assert len(caps.kinds) == 0
+
+
+def test_within_the_limits_nothing_is_bounded() -> None:
+    caps = joint_caps(walked((1.0, 1.0), (1.0, 1.001)), bounds(2.0, 2.0, 2.0, 9.0), TICK, 1.0)
+    assert len(caps.kinds) == 0
