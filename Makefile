@@ -5,6 +5,8 @@ VENV = PYTHON='$(PYTHON)' sh tools/venv.sh
 DEMO = examples/palletizing
 # One worker per core, at most four; tests of a module stay together, in the order of tests/conftest.py.
 SIDE_BY_SIDE = -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
+# Hundreds of processes are started: modules that are compiled once save each of them half of its start.
+KEEP_COMPILED = PYTHONDONTWRITEBYTECODE=
 
 help:
 	@echo 'make demo    compile, plan, simulate and report the palletizing cell ($(DEMO))'
@@ -21,7 +23,7 @@ demo:
 
 test:
 	@$(VENV) test
-	.venv/bin/python -m pytest $(SIDE_BY_SIDE)
+	$(KEEP_COMPILED) .venv/bin/python -m pytest $(SIDE_BY_SIDE)
 
 check:
 	@$(VENV) test check

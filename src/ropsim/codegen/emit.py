@@ -48,6 +48,8 @@ def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scala
 
     Operations that no result needs are left out. A value that is used once is written in place, others get
     a name. All inputs are read before the first result is written, so that results may overwrite inputs.
+    Names are numbered as they come, so that the same operations give the same text whatever was traced
+    beside them: what is compiled of it is found again.
 
     Args:
         name: of the function.
@@ -71,8 +73,8 @@ def emit(name: str, arguments: Sequence[str], results: Sequence[tuple[str, Scala
         if keep:
             texts[node.index] = text if node.op in {"const", *_CALLS} else f"({text})"
         else:
-            texts[node.index] = f"t{node.index}"
-            body.append(f"t{node.index} = {text}")
+            texts[node.index] = local = f"t{len(body)}"
+            body.append(f"{local} = {text}")
     body += [f"{target} = {texts[value.index]}" for target, value in results]
     lines = "".join(f"    {line}\n" for line in body or ["pass"])
     signature = f"void({', '.join('f8[::1]' for _ in arguments)})"

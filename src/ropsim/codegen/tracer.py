@@ -188,5 +188,5 @@ def maximum(a: Scalar, b: Scalar) -> Scalar:
 
 
 def _ordered(a: Scalar, b: Scalar) -> tuple[Scalar, Scalar]:
-    """Return both in order of creation: sums and products of two are the same either way round, exactly."""
-    return (a, b) if a.index <= b.index else (b, a)
+    """Return constants first, then in order of creation: either way round the result is the same, exactly."""
+    return (a, b) if (a.value is None, a.index) <= (b.value is None, b.index) else (b, a)

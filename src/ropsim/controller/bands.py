@@ -13,6 +13,8 @@ from ropsim.spatial import Array, record
 
 _STEPS = np.array([0.01, 0.04, 0.08])
 """Logarithms of the steps in which bounds are brought down, so that neighbours are often the same."""
+_BESIDE = 2
+"""Bands beside one that are brought down with it: what is slower comes later to what lies behind."""
 _SAME_PLACE = 1e-7
 """Share of a part below which two borders are one."""
 
@@ -53,7 +55,8 @@ class Bands:
             caps: what joints allow, and where.
         """
         last = len(self.borders) - 2
-        first, until = np.clip(np.searchsorted(self.borders, caps.places, "right") - 1, 0, last)
+        first, until = np.searchsorted(self.borders, caps.places, "right") - 1
+        first, until = np.clip((first - _BESIDE, until + _BESIDE), 0, last)
         count = until - first + 1
         band = np.repeat(first - np.cumsum(count) + count, count) + np.arange(int(count.sum()))
         kind, value = np.repeat(caps.kinds, count), np.repeat(caps.values, count)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.codegen import Engine, Tracer, emit, load, sin
+from ropsim.codegen import Engine, Tracer, cos, emit, load, sin
 
 
 def test_operations_that_no_result_needs_are_left_out() -> None:
@@ -20,6 +20,18 @@ def test_a_shared_value_is_computed_once() -> None:
     shared = sin(x)
     text = emit("f", ("x", "out"), [("out[0]", shared + 1.0), ("out[1]", shared * x)]).text
     assert text.count("math.sin") == 1
+
+
+def test_the_same_operations_give_the_same_text_whatever_was_traced_beside_them() -> None:
+    def text(beside: int) -> str:
+        tracer = Tracer()
+        x, y = tracer.variables("x", 2)
+        for count in range(beside):
+            cos(y + float(count))
+        shared = sin(x + y)
+        return emit("f", ("x", "out"), [("out[0]", shared + 1.0), ("out[1]", shared * x)]).text
+
+    assert text(beside=0) == text(beside=1000)
 
 
 def test_constants_are_written_exactly() -> None:
