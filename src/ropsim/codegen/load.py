@@ -9,7 +9,7 @@ import numpy as np
 
 from ropsim.codegen.caller import Compiled
 from ropsim.codegen.compiled import compiled
-from ropsim.codegen.emit import Bounds, SourceFunction
+from ropsim.codegen.emit import Bounds, Form, SourceFunction
 from ropsim.codegen.engine import Engine
 from ropsim.codegen.signature import Signature
 
@@ -41,7 +41,7 @@ def _load(name: str, functions: tuple[SourceFunction, ...], engine: Engine) -> C
 
     def build() -> tuple[Any, Compiled]:
         scope = _run(source, name, {})
-        return scope["entry"], scope[last.name]
+        return scope["entry"], scope["compiled"]
 
     return compiled(name, source, signature, build)
 
@@ -51,17 +51,36 @@ _OPTIONS = {
     Bounds.CHECKED: 'error_model="numpy", boundscheck=True',
 }
 
+_HEAD = """\
+import math
+
+import numba
+import numpy as np
+
+from ropsim.codegen.straight_line import straight_line
+"""
 _INSIDE = ", no_cpython_wrapper=True, no_cfunc_wrapper=True"
 """Of functions that only compiled code calls."""
 
 
 def compiled_source(functions: Sequence[SourceFunction]) -> str:
     """Return the text of a module whose functions numba compiles when it is run; `entry` calls the last."""
-    parts = ["import math\n\nimport numba\nimport numpy as np\n"]
     *inner, last = functions
-    parts += [f'@numba.njit("{one.signature}", {_OPTIONS[one.bounds]}{_INSIDE})\n{one.text}' for one in inner]
+    parts = [_HEAD, *(_inside(one) for one in inner)]
+    if last.form is Form.STRAIGHT_LINE:
+        parts.append(_inside(last))
+        taken = ", ".join(f"a{k}" for k in range(len(Signature.parse(last.signature).arguments)))
+        last = SourceFunction("last", last.signature, f"def last({taken}):\n    {last.name}({taken})\n")
     parts.append(f'@numba.njit("{last.signature}", {_OPTIONS[last.bounds]})\n{last.text}')
-    return "\n\n".join((*parts, Signature.parse(last.signature).entry_text(last.name)))
+    parts.append(Signature.parse(last.signature).entry_text(last.name))
+    return "\n\n".join((*parts, f"compiled = {last.name}\n"))
+
+
+def _inside(function: SourceFunction) -> str:
+    """Return the text of a function that only compiled code calls."""
+    if function.form is Form.STRAIGHT_LINE:
+        return f'{function.name} = straight_line("""\\\n{function.text}""")\n'
+    return f'@numba.njit("{function.signature}", {_OPTIONS[function.bounds]}{_INSIDE})\n{function.text}'
 
 
 def _run(source: str, name: str, scope: dict[str, Any]) -> dict[str, Any]:

@@ -74,9 +74,18 @@ def test_a_payload_compiles_nothing_and_changes_the_motion() -> None:
 def test_another_structure_is_compiled() -> None:
     robot, model = puma()
     _compilations(robot, model, Payload())
-    moved = replace(robot, joints=(replace(robot.joints[0], offset=0.01), *robot.joints[1:]))
+    first, second, *others = robot.joints
+    moved = replace(robot, joints=(first, replace(second, offset=0.01), *others))
     count, _ = _compilations(moved, model, Payload())
     assert count == 1
+
+
+def test_where_an_upright_axis_has_its_zero_is_the_same_structure() -> None:
+    robot, model = puma()
+    _compilations(robot, model, Payload())
+    turned = replace(robot, joints=(replace(robot.joints[0], offset=0.01), *robot.joints[1:]))
+    count, _ = _compilations(turned, model, Payload())
+    assert count == 0
 
 
 def test_a_warm_process_simulates_without_numba(servo_script: str) -> None:
