@@ -41,7 +41,6 @@ const soon = ViewPlugin.fromClass(
 
 export class LanguageClient {
   readonly #client: LSPClient
-  readonly #link: LanguageLink
   readonly #onProblems: (problems: readonly Problem[]) => void
   readonly #published = new Map<string, Published>()
   #names: ReadonlyMap<string, string> = new Map()
@@ -79,11 +78,10 @@ export class LanguageClient {
         keymap.of(jumpToDefinitionKeymap),
       ],
     })
-    this.#link = new LanguageLink(address, {
+    new LanguageLink(address, {
       onReady: transport => this.#client.connect(transport),
       onLost: () => this.#client.disconnect(),
-    })
-    this.#link.open()
+    }).open()
   }
 
   extension(document: OpenedDocument) {
@@ -116,10 +114,6 @@ export class LanguageClient {
   /** What runs have found in the document that is shown, for the marks that follow. */
   setFound(problems: readonly Problem[]): void {
     this.#found = problems
-  }
-
-  destroy(): void {
-    this.#link.close()
   }
 
   get #workspace(): ProjectWorkspace {

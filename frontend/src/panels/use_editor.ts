@@ -6,32 +6,45 @@ import type { Place, Studio } from '../studio/studio'
 
 export type Loading = 'loading' | 'ready' | { readonly failed: string }
 
-/** Put an editor into `host`; it follows the documents, marks and rights of the studio. */
+/** One editor for as long as the page lives: a panel that is closed or made anew loses no history. */
+const editors = new WeakMap<Studio, Promise<ProgramEditor>>()
+
+/** Put the editor into `host`; it follows the documents, marks and rights of the studio. */
 export function useEditor(host: RefObject<HTMLDivElement | null>): Loading {
   const studio = useStudio()
   const [editor, setEditor] = useState<ProgramEditor | null>(null)
   const [loading, setLoading] = useState<Loading>('loading')
   useEffect(() => {
-    let made: ProgramEditor | null = null
+    let shown: ProgramEditor | null = null
     let isGone = false
-    import('../editor/program_editor').then(
-      module => {
+    editorOf(studio).then(
+      one => {
         if (isGone || !host.current) return
-        made = new module.ProgramEditor(host.current, optionsOf(studio))
-        setEditor(made)
+        shown = one
+        one.attach(host.current)
+        setEditor(one)
         setLoading('ready')
       },
       (reason: unknown) => setLoading({ failed: reason instanceof Error ? reason.message : String(reason) }),
     )
     return () => {
       isGone = true
-      made?.destroy()
+      shown?.detach()
       setEditor(null)
     }
   }, [studio, host])
   useDocuments(editor)
   useMarks(editor)
   return loading
+}
+
+function editorOf(studio: Studio): Promise<ProgramEditor> {
+  const made =
+    editors.get(studio) ??
+    import('../editor/program_editor').then(module => new module.ProgramEditor(optionsOf(studio)))
+  editors.set(studio, made)
+  made.catch(() => editors.delete(studio))
+  return made
 }
 
 function optionsOf(studio: Studio) {
