@@ -9,7 +9,7 @@ from measuring import Measure
 
 from ropsim import robots
 from ropsim.codegen import Engine, SourceFunction, load
-from ropsim.dynamics import ACCELERATIONS, arm_numbers, chain_numbers, structure_of
+from ropsim.dynamics import arm_numbers, chain_acceleration_code, chain_numbers, structure_of
 from ropsim.model import PREVIOUS, RobotModel
 
 REPEAT = SourceFunction(
@@ -36,7 +36,7 @@ def microseconds(n: int) -> float:
     """Return the time of one forward dynamics of n joints in a compiled loop [µs], best of seven."""
     robot = snake(n)
     chain = chain_numbers(structure_of(robot), arm_numbers(robot))
-    repeat = load("repeat_chain", (*ACCELERATIONS, REPEAT), Engine.NUMBA)
+    repeat = load("repeat_chain", (*chain_acceleration_code(), REPEAT), Engine.NUMBA)
     q, zeros, qdd = np.full(n, 0.1), np.zeros(n), np.zeros(n)
     times = 40_000 // n
     best = np.inf

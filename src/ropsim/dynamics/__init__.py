@@ -33,7 +33,7 @@ from ropsim.dynamics.effort_rows import EffortRows as EffortRows
 from ropsim.dynamics.effort_rows import effort_rows as effort_rows
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
-from ropsim.dynamics.long_arm import ACCELERATIONS as ACCELERATIONS
+from ropsim.dynamics.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS

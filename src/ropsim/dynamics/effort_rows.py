@@ -18,7 +18,7 @@ from ropsim.codegen import (
 )
 from ropsim.dynamics.arm_functions import identifier
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
-from ropsim.dynamics.long_arm import TORQUES, chain_numbers
+from ropsim.dynamics.long_arm import chain_numbers, chain_torque_code
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.newton_euler import trace_inverse
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
@@ -110,7 +110,7 @@ def _effort_rows(robot: Mechanism, payload: Payload | None, engine: Engine) -> E
     structure, numbers = structure_of(robot), arm_numbers(robot, payload)
     if structure.is_long:
         sides = sides_code(structure)
-        inner = (*TORQUES, *sides.functions)
+        inner = (*chain_torque_code(), *sides.functions)
         constants = np.concatenate([sides.constants(numbers), chain_numbers(structure, numbers)])
         text = _LONG_ROWS.format(count=sides.count)
     else:

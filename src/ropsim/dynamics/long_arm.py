@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Callable
+from functools import cache
 from inspect import getsource
 
 import numpy as np
@@ -30,19 +31,36 @@ def _source(function: Callable[..., None], **types: str) -> SourceFunction:
     return SourceFunction(function.__name__, f"void({words})", ast.unparse(module))
 
 
-_STEPS = (
-    _source(steps.place_joint, **_TYPES),
-    _source(steps.carry_motion, **_TYPES),
-    _source(steps.carry_force, **_TYPES),
-    _source(steps.move_joint, **_TYPES),
-    _source(steps.momentum, **_TYPES),
-    _source(steps.turn_momentum, **_TYPES),
-    _source(steps.spatial_inertia, **_TYPES),
-    _source(steps.carry_inertia, **_TYPES, into="f8[:,::1]"),
-)
-TORQUES = (*_STEPS, _source(chain_torques))
-ACCELERATIONS = (*_STEPS, _source(chain_accelerations))
-MASS_MATRIX = (*TORQUES, _source(chain_mass_matrix))
+@cache
+def _steps() -> tuple[SourceFunction, ...]:
+    return (
+        _source(steps.place_joint, **_TYPES),
+        _source(steps.carry_motion, **_TYPES),
+        _source(steps.carry_force, **_TYPES),
+        _source(steps.move_joint, **_TYPES),
+        _source(steps.momentum, **_TYPES),
+        _source(steps.turn_momentum, **_TYPES),
+        _source(steps.spatial_inertia, **_TYPES),
+        _source(steps.carry_inertia, **_TYPES, into="f8[:,::1]"),
+    )
+
+
+@cache
+def chain_torque_code() -> tuple[SourceFunction, ...]:
+    """Return the functions of inverse dynamics; `chain_torques` is the last."""
+    return (*_steps(), _source(chain_torques))
+
+
+@cache
+def chain_acceleration_code() -> tuple[SourceFunction, ...]:
+    """Return the functions of forward dynamics; `chain_accelerations` is the last."""
+    return (*_steps(), _source(chain_accelerations))
+
+
+@cache
+def chain_mass_matrix_code() -> tuple[SourceFunction, ...]:
+    """Return the functions of the mass matrix; `chain_mass_matrix` is the last."""
+    return (*chain_torque_code(), _source(chain_mass_matrix))
 
 
 def chain_numbers(structure: ArmStructure, numbers: Array) -> Array:
@@ -83,7 +101,7 @@ class LongArmFunctions:
 
     def rigid_inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques of the rigid bodies only."""
-        self._code(TORQUES)(q, qd, qdd, wrench, self._chain, tau)
+        self._code(chain_torque_code())(q, qd, qdd, wrench, self._chain, tau)
 
     def inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques with friction and motor inertia."""
@@ -94,11 +112,11 @@ class LongArmFunctions:
     def forward(self, q: Array, qd: Array, tau: Array, qdd: Array) -> None:
         """Enter the accelerations with friction and motor inertia."""
         friction, inertia = self._sides(qd)
-        self._code(ACCELERATIONS)(q, qd, tau - friction, inertia, self._chain, qdd)
+        self._code(chain_acceleration_code())(q, qd, tau - friction, inertia, self._chain, qdd)
 
     def mass_matrix(self, q: Array, M: Array) -> None:
         """Enter the mass matrix by rows with motor inertia, `M` of shape (n·n,)."""
-        self._code(MASS_MATRIX)(q, self._chain, M)
+        self._code(chain_mass_matrix_code())(q, self._chain, M)
         M[:: self._n + 1] += self._sides(np.zeros(self._n))[1]
 
     def _code(self, functions: tuple[SourceFunction, ...]) -> Compiled:

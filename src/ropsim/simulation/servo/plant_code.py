@@ -8,10 +8,10 @@ import numpy as np
 from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
 from ropsim.controller import LawTraits
 from ropsim.dynamics import (
-    ACCELERATIONS,
     ArmStructure,
     Carried,
     arm_numbers,
+    chain_acceleration_code,
     chain_numbers,
     sides_of,
     structure_of,
@@ -54,7 +54,7 @@ def derivative(x, u, constants, dx):
         dx[j] = side[j]
 """
         derivative = SourceFunction("derivative", "void(f8[::1], f8[::1], f8[::1], f8[::1])", text)
-        return (*self.drives.functions, *ACCELERATIONS, derivative)
+        return (*self.drives.functions, *chain_acceleration_code(), derivative)
 
     def constants(self, numbers: Array) -> Array:
         """Return what the functions take for the numbers of an arm of this structure."""
