@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 
 from ropsim.core import Span
-from ropsim.flow import MotionKind
+from ropsim.flow import MessageInstruction, MotionKind
+from ropsim.icr import run
 from ropsim.language import TaskSignature
 from ropsim.program import Assign, Call, Constant, Local, Move, Settings, Task, ValueType, Variable
 from support.tasks import CELL, codes, compiled
@@ -87,3 +88,39 @@ def test_globals_are_seen_in_tasks_when_declared() -> None:
     assert [v.name for v in result.program.main_locals] == ["n"]
     assert result.program.tasks[0].locals == ()
     assert codes("program p\nn = 2\ntask t\nm = n + 1\nendp\nt") == ["N202"]
+
+
+BOTH = """program p
+task Show(n: int, same: bool = false) -> int
+  print n, same
+  return n
+endp
+n = 3
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("Show 5, n == 3", "5 true"),
+        ("Show(5, n == 4)", "5 false"),
+        ("Show (n = 7)", "7 false"),
+        ("k = Show(n = 7)", "7 false"),
+        ("k = Show(7, n == 3)", "7 true"),
+        ("Show(7, (n = 3))", "7 true"),
+        ("Show(7, same = (n = 3 and true))", "7 true"),
+    ],
+)
+def test_one_sign_gives_arguments_by_name_and_two_compare(call: str, expected: str) -> None:
+    code = compiled(BOTH + call).icr
+    assert code is not None
+    assert [m.text for m in run(code).instructions if isinstance(m, MessageInstruction)] == [expected]
+
+
+@pytest.mark.parametrize("call", ["Show n == 3", "Show(n == 3)", "k = Show(n == 3)", "Show((n = 3))"])
+def test_a_comparison_is_never_an_argument_by_name(call: str) -> None:
+    assert codes(BOTH + call) == ["T301"]
+
+
+def test_a_parenthesis_that_is_no_list_of_arguments_holds_a_comparison() -> None:
+    assert codes("program p\nn = 3\nm = 4\nx = (n = 3)\nif (n = 3) and (m = 4) then print x") == []

@@ -9,7 +9,7 @@ from ropsim.language.syntax import nodes
 from ropsim.program import Expression, SignalValue, ValueType
 
 _NAMES = {"+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod"}
-_COMPARE = {"=": "eq", "<>": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+_COMPARE = {"=": "eq", "==": "eq", "<>": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 
 
 def negative(body: Body, value: Value, node: nodes.Unary) -> Value:
@@ -39,7 +39,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
     Raises:
         RejectedError: the operands do not go together.
     """
-    if node.op in ("=", "<>") and BOOL in (known(left.type), known(right.type)):
+    if node.op in ("=", "==", "<>") and BOOL in (known(left.type), known(right.type)):
         a = convert.to(body, left, BOOL, node.left, f"the left side of `{node.op}`")
         b = convert.to(body, right, BOOL, node.right, f"the right side of `{node.op}`")
         return Value(_equal(a, b, node.op), BOOL)
@@ -137,7 +137,7 @@ def _equal(a: Expression, b: Expression, op: str) -> Expression:
         "and", fold.unary("not", a, ValueType.BOOL), fold.unary("not", b, ValueType.BOOL)
     )
     same = fold.conjunction("or", fold.conjunction("and", a, b), neither)
-    return same if op == "=" else fold.unary("not", same, ValueType.BOOL)
+    return same if op != "<>" else fold.unary("not", same, ValueType.BOOL)
 
 
 def _value(kind: AnyType) -> ValueType:

@@ -45,11 +45,11 @@ def _condition(body: Body, node: nodes.Node) -> tuple[str, Comparison, Expressio
             signal, comparison, value = _condition(body, operand)
             if comparison is Comparison.IS:
                 return signal, comparison, fold.unary("not", value, ValueType.BOOL)
-        case nodes.Binary(op="=" | "<>", left=left, right=right):
+        case nodes.Binary(op="=" | "==" | "<>", left=left, right=right):
             side, other = (right, left) if _signal(body, left) is None else (left, right)
             _level(body, side, fold.TRUE)
             value = values.expect(body, other, BOOL, f"what `{node.op}` compares a signal with")
-            return _level(body, side, value if node.op == "=" else fold.unary("not", value, ValueType.BOOL))
+            return _level(body, side, value if node.op != "<>" else fold.unary("not", value, ValueType.BOOL))
         case nodes.Binary(op="<" | ">", left=left, right=right):
             order, used, other = _ORDER[node.op], _signal(body, left), right
             if used is None:

@@ -19,9 +19,13 @@ _END = Token("end", "", "", 0, 0)
 
 
 class Cursor:
-    """Reads tokens from left to right; raises `LineFaultError` where the line is wrong."""
+    """Reads tokens from left to right; raises `LineFaultError` where the line is wrong.
 
-    __slots__ = ("depth", "index", "length", "line", "operators", "tokens")
+    Attributes:
+        arguments_at: place of the parenthesis of the arguments of a call, whose members may have names.
+    """
+
+    __slots__ = ("arguments_at", "depth", "index", "length", "line", "operators", "tokens")
 
     def __init__(self, tokens: list[Token], line: str) -> None:
         self.tokens = tokens
@@ -30,6 +34,7 @@ class Cursor:
         self.length = len(tokens)
         self.operators = 0
         self.depth = 0
+        self.arguments_at = -1
 
     @property
     def token(self) -> Token:

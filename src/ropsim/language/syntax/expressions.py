@@ -27,7 +27,7 @@ from ropsim.language.syntax.nodes import (
 )
 from ropsim.language.syntax.words import EXTERNAL, RESERVED
 
-_COMPARISONS = {"=": "=", "==": "=", "<>": "<>", "!=": "<>", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+_COMPARISONS = {"=": "=", "==": "==", "<>": "<>", "!=": "<>", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 _SUMS = frozenset(("+", "-", "above", "offset", "rel"))
 _TERMS = frozenset(("*", "/", "mod"))
 _LITERALS = frozenset(("true", "false", "on", "off", "here", "home"))
@@ -227,14 +227,19 @@ def _joints(cursor: Cursor) -> Joints:
 
 
 def parenthesis(cursor: Cursor) -> Node:
-    """Read `( … )`: grouping with one plain member, else a tuple."""
+    """Read `( … )`: grouping with one plain member, else a tuple.
+
+    `name = value` is an argument by name where the parenthesis is the argument list of a call, elsewhere a
+    comparison.
+    """
     start = cursor.start
+    member = item if cursor.index == cursor.arguments_at else _unnamed
     cursor.open_parenthesis()
     items: list[Item] = []
     if cursor.word != ")":
-        items.append(item(cursor))
+        items.append(member(cursor))
         while cursor.accept(","):
-            items.append(item(cursor))
+            items.append(member(cursor))
     turns: tuple[Turn, ...] = ()
     posture = None
     if cursor.accept(";"):
@@ -251,6 +256,10 @@ def item(cursor: Cursor) -> Item:
     if token.kind == "word" and cursor.look(1).word == "=" and token.word not in RESERVED:
         cursor.index += 2
         return Item(Name(token.text, token.start, token.end), expression(cursor))
+    return Item(None, expression(cursor))
+
+
+def _unnamed(cursor: Cursor) -> Item:
     return Item(None, expression(cursor))
 
 

@@ -120,6 +120,7 @@ def plain(cursor: Cursor) -> Statement:
 
 def _arguments(cursor: Cursor, name: Name, start: int) -> Statement:
     arguments = []
+    cursor.arguments_at = cursor.index
     if not cursor.at_end:
         arguments.append(item(cursor))
         while cursor.accept(","):

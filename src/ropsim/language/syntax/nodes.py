@@ -53,7 +53,7 @@ class Unary:
 
 @dataclass(frozen=True, slots=True)
 class Binary:
-    """`+ - * / mod and or = <> < > <= >=` and the pose operators `above`, `offset`, `rel`."""
+    """`+ - * / mod and or = == <> < > <= >=` and the pose operators `above`, `offset`, `rel`."""
 
     op: str
     left: "Node"
