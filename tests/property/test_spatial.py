@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -36,6 +37,16 @@ def test_angles_read_back_make_the_same_rotation_also_at_gimbal_lock(c: float, b
     again = quaternion.from_zyx(*quaternion.to_zyx(q))
     # asin near ±90° loses half of the digits
     assert abs(sum(x * y for x, y in zip(q, again, strict=True))) > 1 - 1e-7
+
+
+@settings(max_examples=500, derandomize=True)
+@given(poses(), st.floats(0.5, 2.0))
+def test_a_unit_quaternion_keeps_its_bits_and_any_other_becomes_one(pose: PoseTuple, scale: float) -> None:
+    w, x, y, z = quaternion.normalize(pose[3:])
+    assert quaternion.unit((w, x, y, z)) == (w, x, y, z)
+    assert quaternion.unit((-w * scale, -x * scale, -y * scale, -z * scale)) == pytest.approx(
+        (w, x, y, z) if w > 0.0 else (-w, -x, -y, -z), abs=ROUNDING
+    )
 
 
 @settings(max_examples=100, derandomize=True)

@@ -1,5 +1,6 @@
 """ICR 1.0, the neutral robot program: text form, verifier and stack machine."""
 
+from ropsim.icr.computing import computed as computed
 from ropsim.icr.dry_run import DryRun as DryRun
 from ropsim.icr.dry_run import run as run
 from ropsim.icr.errors import AssemblyError as AssemblyError

@@ -97,7 +97,7 @@ def _value(constant: Constant) -> Datum:
         return constant.value
     w, x, y, z = quaternion_part
     at = 3 if constant.type is Type.POSE else 0
-    return (*constant.value[:at], *quaternion.normalize((w, x, y, z)), *constant.value[at + 4 :])
+    return (*constant.value[:at], *quaternion.unit((w, x, y, z)), *constant.value[at + 4 :])
 
 
 def _frame(program: Program, name: Datum) -> FrameTag:

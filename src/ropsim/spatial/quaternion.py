@@ -13,6 +13,9 @@ PoseTuple = tuple[float, float, float, float, float, float, float]
 
 IDENTITY: Quaternion = (1.0, 0.0, 0.0, 0.0)
 
+_ROUNDING = 1e-15
+"""By how much the square of a normalized quaternion misses 1: its squares are rounded, and their sums."""
+
 
 def normalize(q: Quaternion) -> Quaternion:
     """Return the unit quaternion along `q`, with w >= 0.
@@ -26,6 +29,17 @@ def normalize(q: Quaternion) -> Quaternion:
         raise ValueError("quaternion has no direction")
     w, x, y, z = w / length, x / length, y / length, z / length
     return (w, x, y, z) if w >= 0.0 else (-w, -x, -y, -z)
+
+
+def unit(q: Quaternion) -> Quaternion:
+    """Return the unit quaternion along `q`, with w >= 0; one that is so but for rounding keeps its bits.
+
+    Raises:
+        ValueError: the length is zero or not finite.
+    """
+    w, x, y, z = q
+    is_unit = abs(w * w + x * x + y * y + z * z - 1.0) < _ROUNDING and w >= 0.0
+    return q if is_unit else normalize(q)
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:

@@ -90,10 +90,10 @@ def _joints(body: Body, node: nodes.Joints) -> Value:
         value = values.check(body, item)
         is_length = axes[k] == "length" if k < len(axes) else known(value.type) == LENGTH
         expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k + 1}"))
-    numbers = [fold.number_of(e) for e in expressions]
-    if None in numbers:
+    numbers = tuple(float(n) for n in map(fold.number_of, expressions) if n is not None)
+    if len(numbers) < len(expressions):
         return Value(MakeJoints(tuple(expressions)), JOINTS)
-    return Value(Constant(tuple(float(n or 0.0) for n in numbers), ValueType.JOINTS), JOINTS)
+    return Value(Constant(numbers, ValueType.JOINTS), JOINTS)
 
 
 def _member(body: Body, node: nodes.Member) -> Value:

@@ -1,10 +1,7 @@
 """Makers of SIR expressions that compute constants at once."""
 
-import math
-from collections.abc import Callable
-
 from ropsim.flow import PostureRequest
-from ropsim.icr import Location, composed, pose_part
+from ropsim.icr import Location, composed, computed, pose_part
 from ropsim.program import (
     Binary,
     Component,
@@ -26,36 +23,41 @@ IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 
-_FUNCTIONS: dict[str, Callable[[float], float]] = {
-    "abs": abs,
-    "sqrt": math.sqrt,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "trunc": math.trunc,
-    "round": lambda x: math.floor(x + 0.5) if x >= 0.0 else -math.floor(0.5 - x),
-    "to_real": float,
-    "neg": lambda x: -x,
+_UNARY = {
+    "abs": "ABS",
+    "neg": "NEG",
+    "sqrt": "SQRT",
+    "sin": "SIN",
+    "cos": "COS",
+    "tan": "TAN",
+    "asin": "ASIN",
+    "acos": "ACOS",
+    "trunc": "TRUNC",
+    "round": "ROUND",
+    "to_real": "I2R",
 }
-_COMPARE: dict[str, Callable[[float, float], bool]] = {
-    "eq": lambda a, b: a == b,
-    "ne": lambda a, b: a != b,
-    "lt": lambda a, b: a < b,
-    "le": lambda a, b: a <= b,
-    "gt": lambda a, b: a > b,
-    "ge": lambda a, b: a >= b,
+_BINARY = {
+    "add": "ADD",
+    "sub": "SUB",
+    "mul": "MUL",
+    "div": "DIV",
+    "mod": "MOD",
+    "min": "MIN",
+    "max": "MAX",
+    "atan2": "ATAN2",
+    "eq": "EQ",
+    "ne": "NE",
+    "lt": "LT",
+    "le": "LE",
+    "gt": "GT",
+    "ge": "GE",
 }
-_ARITHMETIC: dict[str, Callable[[float, float], float]] = {
-    "add": lambda a, b: a + b,
-    "sub": lambda a, b: a - b,
-    "mul": lambda a, b: a * b,
-    "div": lambda a, b: a / b,
-    "min": min,
-    "max": max,
-    "atan2": math.atan2,
-}
+"""The instructions that lowering emits, so that a constant has the bits that the machine would compute."""
+
+_BY_TYPE = frozenset(_BINARY) - {"atan2"} | {"abs", "neg"}
+"""Operations that are two instructions, one for INT and one for REAL."""
+
+_SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "neg": "-"}
 
 
 def boolean(value: object) -> Constant:
@@ -103,17 +105,13 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
     """Return `op` of a number or truth value.
 
     Raises:
-        ValueError: the operand is outside the domain of the function.
+        ArithmeticError: the operand is outside the domain of the function, or the result has no place.
     """
     if isinstance(operand, Constant):
         if op == "not":
             return boolean(not operand.value)
-        number = number_of(operand)
-        if number is not None and op in _FUNCTIONS:
-            try:
-                return _constant(_FUNCTIONS[op](number), kind)
-            except ValueError as error:
-                raise ValueError(f"`{op}` of {number:g} is not defined") from error
+        if number_of(operand) is not None and op in _UNARY:
+            return _computed(op, _UNARY[op], kind, operand)
     return Unary(op, operand, kind)
 
 
@@ -121,36 +119,54 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
     """Return `left op right` of numbers.
 
     Raises:
-        ValueError: the result is not defined.
-        ArithmeticError: division by zero or overflow.
+        ArithmeticError: division by zero, or a result that has no place.
     """
     a, b = number_of(left), number_of(right)
     if b == 0 and op in ("div", "mod"):
         raise ZeroDivisionError("division by zero")
-    if a is not None and b is not None:
-        if op in _COMPARE:
-            return boolean(_COMPARE[op](a, b))
-        if op == "mod" and a >= 0 and b > 0:
-            return _constant(a % b, kind)
-        if op in _ARITHMETIC:
-            return _constant(_ARITHMETIC[op](a, b), kind)
+    if a is not None and b is not None and op in _BINARY:
+        return _computed(op, _BINARY[op], kind, left, right)
     return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
+
+
+def _computed(op: str, instruction: str, kind: ValueType, *operands: Expression) -> Expression:
+    """Return what the machine would compute of constant numbers."""
+    numbers = [n for n in map(number_of, operands) if n is not None]
+    is_real = kind is ValueType.REAL or any(operand.type is ValueType.REAL for operand in operands)
+    if op in ("round", "trunc", "to_real") and not any(isinstance(n, float) for n in numbers):
+        return whole(int(numbers[0])) if kind is ValueType.INT else real(numbers[0])
+    if op in _BY_TYPE:
+        instruction += ".R" if is_real else ".I"
+    given = [float(n) if is_real else n for n in numbers]
+    try:
+        value = computed(instruction, *given)
+    except ZeroDivisionError:
+        raise
+    except ArithmeticError as error:
+        raise ArithmeticError(str(error).replace(instruction, _SIGNS.get(op, op))) from None
+    assert isinstance(value, bool | int | float)
+    if kind is ValueType.BOOL:
+        return boolean(value)
+    return whole(int(value)) if kind is ValueType.INT else real(value)
 
 
 def _simplified(
     op: str, a: float | None, b: float | None, left: Expression, right: Expression
 ) -> Expression | None:
-    """Return the operand that is left when the other is neutral (x + 0, x * 1), or 0 for x * 0."""
-    if op == "add" and a == 0:
+    """Return the operand that is left when the other changes no bit of it and cannot trap.
+
+    That is x * 1 and x / 1, and of whole numbers x + 0 and x - 0. It is not x + 0.0, which makes 0.0 of
+    -0.0, and not x * 0, which would hide a division by zero in x.
+    """
+    is_whole = left.type is right.type is ValueType.INT
+    if op == "add" and a == 0 and is_whole:
         return right
-    if op in ("add", "sub") and b == 0:
+    if op in ("add", "sub") and b == 0 and is_whole:
         return left
     if op == "mul" and a == 1:
         return right
     if op in ("mul", "div") and b == 1:
         return left
-    if op == "mul" and 0 in (a, b):
-        return left if a == 0 else right
     return None
 
 
@@ -164,18 +180,15 @@ def conjunction(op: str, left: Expression, right: Expression) -> Expression:
 
 def vector(x: Expression, y: Expression, z: Expression) -> Expression:
     """Return the VEC of three REALs."""
-    values = tuple(number_of(e) for e in (x, y, z))
-    if None in values:
-        return MakeVector(x, y, z)
-    return Constant(tuple(float(v or 0.0) for v in values), ValueType.VEC)
+    values = [number_of(e) for e in (x, y, z)]
+    known = tuple(float(v) for v in values if v is not None)
+    return Constant(known, ValueType.VEC) if len(known) == 3 else MakeVector(x, y, z)
 
 
 def zyx(c: Expression, b: Expression, a: Expression) -> Expression:
     """Return the ORI Rz(c)·Ry(b)·Rx(a)."""
-    values = [number_of(e) for e in (c, b, a)]
-    if None in values:
-        return MakeZyx(c, b, a)
-    return Constant(quaternion.from_zyx(*(float(v or 0.0) for v in values)), ValueType.ORI)
+    known = [float(v) for v in map(number_of, (c, b, a)) if v is not None]
+    return Constant(quaternion.from_zyx(*known), ValueType.ORI) if len(known) == 3 else MakeZyx(c, b, a)
 
 
 def make_pose(position: Expression, orientation: Expression) -> Expression:
@@ -262,10 +275,10 @@ def external(location: Expression, values: tuple[Expression, ...]) -> Expression
         return InFrame(external(location.operand, values), location.frame)
     if isinstance(location, InPosture):
         return InPosture(external(location.operand, values), location.request)
-    pose_now, numbers = pose_of(location), [number_of(e) for e in values]
-    if pose_now is None or None in numbers:
+    pose_now, known = pose_of(location), [v for v in map(number_of, values) if v is not None]
+    if pose_now is None or len(known) < len(values):
         return MakeExternal(location, values)
-    return pose((*pose_now, *(float(n or 0.0) for n in numbers)))
+    return pose((*pose_now, *known))
 
 
 def component(operand: Expression, index: int) -> Expression:
@@ -278,9 +291,3 @@ def component(operand: Expression, index: int) -> Expression:
         return real(value[index])
     rz, ry, rx = quaternion.to_zyx(value[3:])
     return real((rx, ry, rz)[index - 3])
-
-
-def _constant(value: float, kind: ValueType) -> Constant:
-    if not math.isfinite(value):
-        raise OverflowError("the value is not finite")
-    return whole(int(value)) if kind is ValueType.INT else real(value)

@@ -181,9 +181,9 @@ class _Nest:
         for counter, step in zip(("col", "row", "layer"), self.pattern.steps, strict=False):
             index = fold.unary("to_real", fold.binary("sub", self._int(counter), fold.whole(1), _INT), _REAL)
             for k in range(3):
-                axes[k] = fold.binary(
-                    "add", axes[k], fold.binary("mul", index, fold.real(step[k]), _REAL), _REAL
-                )
+                if step[k]:
+                    way = fold.binary("mul", index, fold.real(step[k]), _REAL)
+                    axes[k] = fold.binary("add", axes[k], way, _REAL) if fold.number_of(axes[k]) != 0 else way
         orientation = Constant(self.pattern.origin[3:], ValueType.ORI)
         pose = fold.make_pose(fold.vector(axes[0], axes[1], axes[2]), orientation)
         values = tuple(map(fold.real, self.pattern.external))

@@ -152,7 +152,7 @@ def _constant(scope: Scope, constant: sir.Constant) -> Type:
         if kind in {Type.ORI, Type.POSE}:
             at = 3 if kind is Type.POSE else 0
             w, x, y, z = numbers[at : at + 4]
-            numbers = (*numbers[:at], *quaternion.normalize((w, x, y, z)), *numbers[at + 4 :])
+            numbers = (*numbers[:at], *quaternion.unit((w, x, y, z)), *numbers[at + 4 :])
         if kind is Type.JOINTS:
             scope.used.axes = scope.used.axes or len(numbers)
         value = numbers
