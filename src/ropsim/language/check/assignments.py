@@ -20,7 +20,7 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.program import Assign, AssignComponent, Block, Expression, SignalUse
+from ropsim.program import Assign, AssignComponent, Block, Constant, Expression, SignalUse
 from ropsim.program import Variable as VariableExpression
 
 
@@ -37,20 +37,37 @@ def assign(body: Body, node: syntax.Assign) -> Block:
 
 
 def load(body: Body, node: syntax.Load) -> Block:
-    """Return the copies of x, y, z (pitch, roll, or roll, pitch, yaw) of a location."""
-    source = values.expect(body, node.source, POSE, "the source of `load`")
+    """Return the copies of x, y, z (pitch, roll, or roll, pitch, yaw) of a location.
+
+    The location is read as a whole before any of them is written.
+    """
+    names = [name.text for name in node.names]
+    for place, name in enumerate(node.names):
+        if name.text in names[:place]:
+            hint = "give each number a variable of its own"
+            body.fail(name_kinds.DUPLICATE, name, f"`load` would write `{name.text}` twice", hint)
+    source, before = _read_once(body, values.expect(body, node.source, POSE, "the source of `load`"))
     numbers = components.numbers_in_frame(body, source)
     parts = [(fold.component(numbers, k), LENGTH) for k in range(3)]
     if len(node.names) == 5:
         parts += [(angle, ANGLE) for angle in components.pitch_roll(body, source)]
     elif len(node.names) == 6:
         parts += [(fold.component(numbers, k), ANGLE) for k in (3, 4, 5)]
-    result: list[Assign] = []
+    result: list[Assign] = [*before]
     for name, (expression, kind) in zip(node.names, parts, strict=False):
         variable = target(body, name, kind)
         fitted = convert.to(body, Value(expression, kind), variable.type, name, f"`{name.text}`")
         result.append(Assign(variable.name, fitted, body.statement_span))
     return tuple(result)
+
+
+def _read_once(body: Body, source: Expression) -> tuple[Expression, tuple[Assign, ...]]:
+    """Return a location to take numbers from, and what keeps it where its parts may change meanwhile."""
+    inner = fold.numbers_of(source)
+    if isinstance(inner, Constant | VariableExpression):
+        return source, ()
+    kept = body.hidden("load.source", POSE).name
+    return VariableExpression(kept, POSE.value), (Assign(kept, source, body.statement_span),)
 
 
 def initial(body: Body, node: syntax.VariableDeclaration) -> Block:
@@ -126,7 +143,7 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
 def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Block:
     """Change a component as seen in the frame in force, on a copy: `value` may read `name` itself."""
     here = VariableExpression(name, POSE.value)
-    copy = body.declare(f"{name}__seen", POSE).name
+    copy = body.hidden(f"{name}.seen", POSE).name
     seen = VariableExpression(copy, POSE.value)
     span = body.statement_span
     return (

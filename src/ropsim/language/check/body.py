@@ -23,9 +23,15 @@ class RejectedError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """An open loop; `flag` is the variable that a `break` must set, because the loop is nested in itself."""
+    """An open loop.
+
+    Attributes:
+        flag: the variable that a `break` must set, because the loop is nested in itself.
+        variable: the one that the loop gives its values, empty for none.
+    """
 
     flag: str = ""
+    variable: str = ""
 
 
 Expressions = Mapping[type, Callable[["Body", Any], Value]]
@@ -39,7 +45,9 @@ class Body:
         world: what the text declares.
         report: where findings go.
         expressions: how each kind of expression is checked.
-        names: parameters and variables of this body.
+        names: what the names of this body mean where the line in hand stands.
+        variables: all parameters and variables, by the names that they have in the structured program.
+        past: names of loop variables whose loop has ended.
         references: reference locations of the task, first, second …
         result: type of the value to return, or None.
         task: name of the task, empty for the control statements.
@@ -63,6 +71,8 @@ class Body:
         self.report = report
         self.expressions = expressions
         self.names: dict[str, Symbol] = {}
+        self.variables: dict[str, Variable] = {}
+        self.past: set[str] = set()
         self.references: tuple[str, ...] = ()
         self.result: Type | None = None
         self.task = task
@@ -106,13 +116,40 @@ class Body:
         """Return what a name means here."""
         return self.names.get(name) or self.world.symbols.get(name)
 
+    def enter(self, name: str, kind: AnyType) -> None:
+        """Enter a parameter."""
+        self.names[name] = self.variables[name] = Variable(name, kind)
+
     def declare(self, name: str, kind: AnyType | None = None) -> Variable:
         """Enter a variable of this body; without `kind` its type is what the first pass found."""
-        if self._settled is not None:
-            kind = self._settled.get(name, kind)
-        variable = Variable(name, kind if kind is not None else Unknown())
+        variable = self._made(self._free(name), kind)
         self.names[name] = variable
         return variable
+
+    def loop_variable(self, name: str, kind: AnyType) -> Variable:
+        """Return a variable of one loop; `with_name` lets the lines of the loop see it."""
+        return self._made(self._free(name), kind)
+
+    def hidden(self, name: str, kind: Type) -> Variable:
+        """Return a variable for what the compiler keeps itself, always the same one.
+
+        A name with a dot is one that no program can write.
+        """
+        return self.variables.get(name) or self._made(name, kind)
+
+    def _made(self, name: str, kind: AnyType | None) -> Variable:
+        if self._settled is not None:
+            kind = self._settled.get(name, kind)
+        variable = self.variables[name] = Variable(name, kind if kind is not None else Unknown())
+        return variable
+
+    def _free(self, name: str) -> str:
+        """Return a name that no other variable in sight has in the structured program."""
+        number, chosen = 1, name
+        while chosen in self.variables or isinstance(self.world.symbols.get(chosen), Variable):
+            number += 1
+            chosen = f"{name}.{number}"
+        return chosen
 
     def poison(self, name: str) -> None:
         """Enter a name whose uses are not to be reported, unless it has a meaning already."""
@@ -185,6 +222,19 @@ class Body:
             self.X_KC, self.moving = before
 
     @contextmanager
+    def with_name(self, name: str, symbol: Symbol) -> Iterator[None]:
+        """Let a name mean a variable of a loop for a while, whatever it means around the loop."""
+        before = self.names.get(name)
+        self.names[name] = symbol
+        try:
+            yield
+        finally:
+            del self.names[name]
+            if before is not None:
+                self.names[name] = before
+            self.past.add(name)
+
+    @contextmanager
     def in_loop(self, loop: Loop) -> Iterator[None]:
         """Allow `break` and `continue` for a while."""
         self.loops.append(loop)
@@ -197,13 +247,13 @@ class Body:
         """Return the variables other than `parameters`, with final types, in the order they came to be."""
         return tuple(
             Local(symbol.name, settled(symbol.type).value)
-            for symbol in self.names.values()
-            if isinstance(symbol, Variable) and symbol.name not in parameters
+            for symbol in self.variables.values()
+            if symbol.name not in parameters
         )
 
     def types(self) -> dict[str, Type]:
         """Return the final type of every variable."""
-        return {n: settled(s.type) for n, s in self.names.items() if isinstance(s, Variable)}
+        return {name: settled(variable.type) for name, variable in self.variables.items()}
 
 
 def settled(kind: AnyType) -> Type:

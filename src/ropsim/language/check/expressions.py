@@ -98,9 +98,10 @@ def _joints(body: Body, node: nodes.Joints) -> Value:
 
 def _member(body: Body, node: nodes.Member) -> Value:
     if isinstance(node.operand, nodes.Name) and node.name.text in _COUNTERS:
-        counter = body.names.get(f"{node.operand.text}__{node.name.text}")
-        if isinstance(counter, Variable):
-            return Value(VariableExpression(counter.name, ValueType.INT), INT, is_bare=True)
+        symbol = body.find(node.operand.text)
+        if isinstance(symbol, Variable) and symbol.has_counters:
+            counter = f"{symbol.name}.{node.name.text}"
+            return Value(VariableExpression(counter, ValueType.INT), INT, is_bare=True)
     value = values.check(body, node.operand)
     kind = known(value.type)
     if isinstance(kind, Unknown):

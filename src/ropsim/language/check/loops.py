@@ -1,6 +1,7 @@
 """Loops: `repeat`, `while`, `for` and `for each`."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from ropsim.language.check import convert, fold, values
 from ropsim.language.check.body import Body, Loop
@@ -49,8 +50,12 @@ def while_loop(body: Body, condition: Expression, inner: Block) -> Block:
     return (While(condition, inner, body.statement_span),)
 
 
-def for_header(body: Body, node: syntax.For) -> tuple[str, Expression, Expression, Expression]:
-    """Return variable, first, last and step of `for`, and declare the variable."""
+def for_header(body: Body, node: syntax.For) -> tuple[Variable, Expression, Expression, Expression]:
+    """Return variable, first, last and step of `for`.
+
+    A variable that has the name already is given the values, unless it is that of a loop around: else it is
+    one of this loop alone.
+    """
     first, last = values.check(body, node.first), values.check(body, node.last)
     step = values.check(body, node.step) if node.step is not None else None
     given = [v for v in (first, last, step) if v is not None]
@@ -63,10 +68,11 @@ def for_header(body: Body, node: syntax.For) -> tuple[str, Expression, Expressio
         if found != INT:
             kind = found
     symbol = body.find(node.name.text)
-    if isinstance(symbol, Variable) and not symbol.is_fixed:
+    around = {loop.variable for loop in body.loops}
+    if isinstance(symbol, Variable) and symbol.name not in around:
         variable = symbol
-    elif symbol is None or isinstance(symbol, Poison):
-        variable = body.declare(node.name.text, kind)
+    elif symbol is None or isinstance(symbol, Variable | Poison):
+        variable = body.loop_variable(node.name.text, kind)
     else:
         body.fail(
             name_kinds.NOT_ASSIGNABLE,
@@ -86,17 +92,18 @@ def for_header(body: Body, node: syntax.For) -> tuple[str, Expression, Expressio
                 f"`for` over {article(found)} needs a `step`",
                 "write `step` and a constant",
             )
-        return variable.name, low, high, fold.whole(1)
+        return variable, low, high, fold.whole(1)
     way = convert.to(body, step, variable.type, node.step, "the step of `for`")
     if convert.constant(body, way, node.step, "the step of `for`").value == 0:
         body.fail(kinds.OUT_OF_RANGE, node.step, "the step of `for` must not be zero")
-    return variable.name, low, high, way
+    return variable, low, high, way
 
 
 def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
     """Return nested loops over layers, rows and columns of a pattern.
 
-    The body sees `name` (the location) and `name.row`, `name.col`, `name.layer`, counted from 1.
+    The body sees `name` (the location) and `name.row`, `name.col`, `name.layer`, counted from 1; they are
+    variables of this loop alone, whatever `name` means around it.
 
     Raises:
         RejectedError: there is no such pattern.
@@ -106,18 +113,17 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
         patterns = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern)]
         body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern", patterns)
     name = node.name.text
-    if isinstance(body.find(name), Variable | Poison | None):
-        body.names[name] = Variable(name, POSE, is_fixed=True)
-    else:
+    if not isinstance(body.find(name), Variable | Poison | None):
         body.fail(
             name_kinds.NOT_ASSIGNABLE, node.name, f"`{name}` cannot be a loop variable", "choose another name"
         )
+    variable = replace(body.loop_variable(name, POSE), is_fixed=True, has_counters=True)
     for counter in ("row", "col", "layer", "pass", "line"):
-        body.names[f"{name}__{counter}"] = Variable(f"{name}__{counter}", INT, is_fixed=True)
-    flag = f"{name}__left"
-    with body.in_loop(Loop(flag)):
+        body.hidden(f"{variable.name}.{counter}", INT)
+    flag = f"{variable.name}.left"
+    with body.with_name(name, variable), body.in_loop(Loop(flag, variable.name)):
         inner = walk()
-    nest = _Nest(body, name, pattern, flag if _uses(inner, flag) else "")
+    nest = _Nest(body, variable.name, pattern, flag if _uses(inner, flag) else "")
     return nest.block(inner)
 
 
@@ -130,7 +136,7 @@ class _Nest:
         self.pattern = pattern
         self.flag = flag
         if flag:
-            body.names[flag] = Variable(flag, BOOL, is_fixed=True)
+            body.hidden(flag, BOOL)
         columns, rows, layers = pattern.counts
         self.counts = {"col": columns, "row": rows, "layer": layers}
 
@@ -159,17 +165,15 @@ class _Nest:
 
     def _turned(self, target: str, counter: str, count: int, number: Expression) -> Block:
         """Return `target` = counter in odd lines, counted backwards in even ones."""
-        forward = Assign(f"{self.name}__{target}", self._int(counter), self.span)
+        forward = Assign(f"{self.name}.{target}", self._int(counter), self.span)
         turned = fold.binary("sub", fold.whole(count + 1), self._int(counter), _INT)
-        backward = Assign(f"{self.name}__{target}", turned, self.span)
+        backward = Assign(f"{self.name}.{target}", turned, self.span)
         is_odd = Binary("eq", Binary("mod", number, fold.whole(2), _INT), fold.whole(1), ValueType.BOOL)
         return (If(((is_odd, (forward,)),), (backward,), self.span),)
 
     def _loop(self, counter: str, inner: Block, count: int | None = None) -> Block:
         last = self.counts[counter] if count is None else count
-        loop = For(
-            f"{self.name}__{counter}", fold.whole(1), fold.whole(last), fold.whole(1), inner, self.span
-        )
+        loop = For(f"{self.name}.{counter}", fold.whole(1), fold.whole(last), fold.whole(1), inner, self.span)
         if not self.flag or counter == "layer":
             return (loop,)
         left = VariableExpression(self.flag, ValueType.BOOL)
@@ -192,7 +196,7 @@ class _Nest:
         return fold.in_frame(location, self.pattern.moving) if self.pattern.moving else location
 
     def _int(self, counter: str) -> Expression:
-        return VariableExpression(f"{self.name}__{counter}", _INT)
+        return VariableExpression(f"{self.name}.{counter}", _INT)
 
 
 def _uses(block: Block, flag: str) -> bool:

@@ -98,7 +98,7 @@ def _enter(world: World, task: TaskText, types: Mapping[str, Type] | None, repor
     body.result = signature.result
     body.is_tolerant = not signature.is_known
     for formal in signature.formals:
-        body.names[formal.name] = Variable(formal.name, known(formal.type))
+        body.enter(formal.name, known(formal.type))
     if signature.references and signature.references[0] == "l":
         body.names.setdefault("l1", Variable("l", POSE))
     body.line = task.block.opener

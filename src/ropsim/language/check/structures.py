@@ -1,6 +1,7 @@
 """The walk through a body: lines to statements, blocks to one structured statement each."""
 
 from collections.abc import Iterable
+from contextlib import nullcontext
 
 from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
@@ -113,10 +114,13 @@ def _repeat(body: Body, tree: SyntaxBlock, node: syntax.Repeat) -> Block:
 
 
 def _for(body: Body, section: Section, node: syntax.For) -> Block:
-    name, first, last, step = loops.for_header(body, node)
-    inner = _loop_body(body, section)
+    variable, first, last, step = loops.for_header(body, node)
+    name = node.name.text
+    scope = nullcontext() if body.find(name) is variable else body.with_name(name, variable)
+    with scope, body.in_loop(Loop(variable=variable.name)):
+        inner = walk(body, section.body)
     body.line = section.header
-    return (ForStatement(name, first, last, step, inner, body.statement_span),)
+    return (ForStatement(variable.name, first, last, step, inner, body.statement_span),)
 
 
 def _with(body: Body, section: Section, node: syntax.With) -> Block:

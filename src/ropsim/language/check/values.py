@@ -88,6 +88,10 @@ def name(body: Body, node: nodes.Name) -> Value:
             raise RejectedError
     if body.is_tolerant:
         raise RejectedError
+    if node.text in body.past:
+        message = f"`{node.text}` is the variable of a loop that has ended"
+        hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
+        body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
     body.unknown(name_kinds.UNKNOWN_NAME, node, "name", visible(body))
 
 

@@ -69,11 +69,19 @@ class Pattern:
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """Something that can be read, and assigned unless `is_fixed`."""
+    """Something that can be read, and assigned unless `is_fixed`.
+
+    Attributes:
+        name: in the structured program.
+        type: known, or a cell that use tells.
+        is_fixed: whether it keeps the value that its loop gives it.
+        has_counters: whether `.row`, `.col` and `.layer` of it tell the place in a pattern.
+    """
 
     name: str
     type: AnyType
     is_fixed: bool = False
+    has_counters: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,8 +28,9 @@ UNKNOWN_NAME = define(
     """
 The name is no variable, constant, location or signal that can be seen from this line. Variables come to
 be by their first assignment, by `load`, as parameters, or by `var`; only those declared by `var` and
-`const` outside all tasks are seen inside tasks. Locations and signals come from the cell file or from
-`loc` and `signal`.
+`const` outside all tasks are seen inside tasks. The variable of `for` and `for each` is known in its loop
+only; one that has a value before a counting loop keeps the value of the last pass behind it. Locations and
+signals come from the cell file or from `loc` and `signal`.
 """,
 )
 UNKNOWN_FRAME = define(
@@ -70,7 +71,7 @@ DUPLICATE = define(
     "a name is declared twice",
     """
 Every task, frame, tool, location, signal, constant, variable, pattern and parameter has one
-declaration. The first one counts; rename or remove the other.
+declaration. The first one counts; rename or remove the other. `load` gives each of its names one number.
 """,
 )
 NOT_ASSIGNABLE = define(
