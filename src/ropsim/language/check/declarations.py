@@ -1,17 +1,18 @@
 """Declarations of a text: units, frames, tools, signals, constants, locations, variables, patterns."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable
 from types import NoneType
 
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, fold, poses, values
+from ropsim.language.check import convert, fold, hidden, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, known
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
+from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.report import Report
@@ -126,10 +127,43 @@ def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
                     )
             elif isinstance(node, _SYMBOLS):
                 _unique(body, node.name, declared)
-                world.symbols[node.name.text] = Poison()
-                world.symbols[node.name.text] = _symbol(body, node)
+                _declare(world, body, node)
         except RejectedError:
             continue
+
+
+def _declare(world: World, body: Body, node: "_SymbolNode") -> None:
+    """Enter a symbol; what the cell knows of its name holds, or is hidden and told.
+
+    Raises:
+        RejectedError: the declaration is wrong.
+    """
+    name = node.name.text
+    of_cell = world.symbols.get(name)
+    world.symbols[name] = Poison()
+    symbol = _symbol(body, node)
+    if isinstance(of_cell, SignalUse) and isinstance(symbol, SignalUse):
+        _check_signal(body, node.name, symbol, of_cell)
+    elif isinstance(of_cell, Value) and isinstance(node, syntax.LocationDeclaration):
+        _is_given(body, node.name, (name,), "location")
+        symbol = of_cell
+    elif of_cell is not None:
+        message = f"`{name}` hides {hidden.what(of_cell)} of that name, which the cell has"
+        body.warn(hidden_kinds.HIDDEN, node.name, message, "choose another name")
+    world.symbols[name] = symbol
+
+
+def _check_signal(body: Body, name: nodes.Name, said: SignalUse, of_cell: SignalUse) -> None:
+    """Report a signal that is not what the cell has under its name.
+
+    Raises:
+        RejectedError: it is another kind of signal.
+    """
+    if (said.is_input, said.type) != (of_cell.is_input, of_cell.type):
+        message = f"`{name.text}` is {hidden.what(of_cell)} of the cell, declared here as {hidden.what(said)}"
+        body.fail(
+            hidden_kinds.OTHER_SIGNAL, name, message, "declare it as the cell has it, or leave the line out"
+        )
 
 
 _SYMBOLS = (
@@ -239,8 +273,8 @@ def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:
     return pose_part(value)
 
 
-def _is_given(body: Body, name: nodes.Name, given: Mapping[str, PoseTuple], what: str) -> bool:
-    """Return whether the cell gives a frame or tool of that name; its calibrated pose holds then."""
+def _is_given(body: Body, name: nodes.Name, given: Container[str], what: str) -> bool:
+    """Return whether the cell gives a frame, tool or location of that name; its calibrated pose holds."""
     if name.text not in given:
         return False
     body.warn(

@@ -4,13 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ropsim.language.blocks import Block
-from ropsim.language.check import declarations, signatures, structures
+from ropsim.language.check import declarations, hidden, signatures, structures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
-from ropsim.language.check.world import Signature, Variable, World
+from ropsim.language.check.world import Poison, Signature, Variable, World
 from ropsim.language.environment import Environment
+from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.prose import Clause
@@ -109,6 +110,7 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
     signature = world.signatures[task.name]
     body = _enter(world, task, types, report)
     header_span = body.statement_span
+    _check_hidden(body, task, signature)
     contracts = []
     for line, clause in task.clauses:
         body.line = line
@@ -127,6 +129,19 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
     names = tuple(p.name for p in parameters)
     result = signature.result.value if signature.result is not None else None
     return Task(task.name, parameters, body.locals(names), result, block, tuple(contracts), header_span)
+
+
+def _check_hidden(body: Body, task: TaskText, signature: Signature) -> None:
+    """Warn of parameters that have the name of something that the whole text sees."""
+    if task.header is None:
+        return
+    places = {one.name.text: one.name for one in task.header.parameters or ()}
+    for formal in signature.formals:
+        symbol = body.world.symbols.get(formal.name)
+        if symbol is not None and not isinstance(symbol, Poison):
+            message = f"parameter `{formal.name}` hides {hidden.what(symbol)} of that name in the whole task"
+            hint = "rename the parameter"
+            body.warn(hidden_kinds.HIDDEN, places.get(formal.name, task.header), message, hint)
 
 
 def _check_counts(body: Body, task: TaskText, signature: Signature, clause: Clause) -> None:

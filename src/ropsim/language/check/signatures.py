@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, fold, implicit, values
+from ropsim.language.check import convert, fold, functions, implicit, values
 from ropsim.language.check.body import Body, RejectedError, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText
@@ -11,6 +11,7 @@ from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unkn
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Formal, Signature, World
 from ropsim.language.environment import TaskSignature
+from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
@@ -45,6 +46,10 @@ def of_text(world: World, task: TaskText, task_names: frozenset[str], report: Re
     header = task.header
     if header is None:
         return Signature(task.name, (), (), None, is_known=False)
+    if task.name.lower() in functions.NAMES:
+        message = f"`{task.name}` is a function of the language"
+        hint = "choose another name for the task"
+        report.at(hidden_kinds.FUNCTION_NAME, task.block.opener, header.name, message, hint)
     result = NAMED[header.result.text] if header.result is not None else None
     if header.parameters is not None:
         formals = _explicit(world, task, header.parameters, report)

@@ -157,10 +157,10 @@ GIVEN_BY_CELL = define(
     "N214",
     "given-by-cell",
     Severity.WARNING,
-    "a frame or tool of the program that the cell defines too",
+    "a frame, tool or location of the program that the cell defines too",
     """
-The cell file says where a frame or tool really is: it is calibrated there. Where a program declares one of
-the same name, the pose of the cell is used everywhere, and the declaration changes nothing.
+The cell file says where a frame, tool or location really is: it is calibrated there. Where a program declares
+one of the same name, the pose of the cell is used everywhere, and the declaration changes nothing.
 
 Remove the declaration, or give it a name of its own.
 """,
