@@ -1,84 +1,101 @@
-"""Contract clauses: prose after `needs` and `assumes`, and the few words of it that are understood."""
+"""Contract clauses: prose after `needs` and `assumes`, and where it ends."""
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from ropsim.flow import GripAction
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
-from ropsim.language.syntax.statements import Assign, Broken, Call, ContractClause
+from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.nodes import Binary, External, Function, Item, Member, Name, Rebase, Tuple
+from ropsim.language.syntax.statements import (
+    Assign,
+    Broken,
+    Call,
+    ContractClause,
+    Mode,
+    ProgramHeader,
+    TaskHeader,
+)
 from ropsim.language.syntax.words import HEADS, VERBS
 from ropsim.language.text import Line
 
-_NUMBERS = {
-    word: n
-    for n, word in enumerate(
-        ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
-    )
-}
-_COUNT = r"\b(\d{1,3}|" + "|".join(_NUMBERS) + r")\s+(?:reference\s+|scalar\s+)?"
-_LOCATIONS = re.compile(_COUNT + r"locations?\b", re.IGNORECASE)
-_PARAMETERS = re.compile(_COUNT + r"parameters?\b", re.IGNORECASE)
-_GRIPPER = re.compile(r"\bgripper\s+(?:is\s+|to\s+be\s+)?(open|close)d?\b", re.IGNORECASE)
-
-
-@dataclass(frozen=True, slots=True)
-class Clause:
-    """What is understood of a contract clause.
-
-    Attributes:
-        text: all its words on one line.
-        gripper: state the gripper must have, or None.
-        locations: number of reference locations, or None.
-        parameters: number of scalar parameters, or None.
-    """
-
-    text: str
-    gripper: GripAction | None
-    locations: int | None
-    parameters: int | None
-
-
-def understand(text: str) -> Clause:
-    """Return what a contract clause says; words that are not understood are documentation."""
-    words = " ".join(text.split())
-    gripper = _GRIPPER.search(words)
-    action = GripAction(gripper.group(1).lower()) if gripper else None
-    return Clause(words, action, _count(_LOCATIONS, words), _count(_PARAMETERS, words))
+_COMMENT = re.compile(r"#|//")
+_INSIDE = re.compile(r"\b(speed|acc|blend|fine|above|offset|rel|external|until|via|to|then)\b|[(=]")
+"""Words and signs inside of statements."""
+_FULL_STOP = re.compile(r"(?<!\d)\.\s+(?=\S)|(?<=\d)\.\s+(?=\D)")
 
 
 def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) -> Iterator[Line]:
     """Yield the lines with prose lines joined to their clause; report the faults of all others.
 
-    A clause runs on until a full stop at the end of a line, a line that starts with a statement word, an
-    assignment, a header in listing style, or the call of a known task. A prose line that looks like a
-    misspelt statement is kept as a broken one as well, so that nobody draws conclusions from its absence.
+    In a task of a classic text without parameter list a clause runs on until a full stop at the end of a
+    line, a line that starts with a statement word, an assignment, a header in listing style, or the call of a
+    known task. Everywhere else it ends with its line, so that no statement below can be taken for prose. A
+    prose line that looks like a misspelt statement is kept as a broken one as well, so that nobody draws
+    conclusions from its absence.
     """
+    read = list(lines)
+    is_classic = _is_classic(read)
+    runs_on = is_classic
     clause: Line | None = None
     swallowed: list[Line] = []
-    for line in lines:
+    for line in read:
         statement = line.statement
+        if isinstance(statement, TaskHeader):
+            runs_on = is_classic and statement.parameters is None
         if isinstance(statement, ContractClause):
             if clause:
                 yield clause
             clause = line
-        elif clause and statement is not None and _is_prose(line, task_names) and _is_open(clause):
+            _check_behind(line, task_names, report)
+        elif (
+            clause and runs_on and statement is not None and _is_prose(line, task_names) and _is_open(clause)
+        ):
             if _warned(line, task_names, report):
-                swallowed.append(replace(line, statement=Broken("", "", line.start, line.end)))
+                swallowed.append(replace(line, statement=Broken("", "", line.start, line.end), fault=None))
+            _check_behind(line, task_names, report)
             clause = _joined(clause, line)
         elif statement is not None:
+            if line.fault:
+                fault = line.fault
+                hint = _ENDS if clause and not runs_on and _is_prose(line, task_names) else fault.hint
+                report.at(fault.kind, line, fault, fault.message, hint)
             if clause:
                 yield clause
                 yield from swallowed
                 clause, swallowed = None, []
-            if line.fault:
-                fault = line.fault
-                report.at(fault.kind, line, fault, fault.message, fault.hint)
             yield line
     if clause:
         yield clause
         yield from swallowed
+
+
+_ENDS = "a contract ends with its line: begin the next line of it with `needs`, or `#` for a comment"
+
+
+def _is_classic(lines: Iterable[Line]) -> bool:
+    """Return whether the text is a classic one, as far as its lines tell."""
+    heads = {line.statement.word for line in lines if isinstance(line.statement, Mode)}
+    is_modern = "strict" in heads or any(isinstance(line.statement, ProgramHeader) for line in lines)
+    return "classic" in heads or not is_modern
+
+
+def _check_behind(line: Line, task_names: frozenset[str], report: Report) -> None:
+    """Report a statement that stands behind the full stop of a contract on its line."""
+    text = _COMMENT.split(line.logical.text)[0]
+    for stop in _FULL_STOP.finditer(text):
+        rest = text[stop.end() :]
+        statement, fault = parse_line(rest)
+        is_sentence = rest[:1].isupper() and not rest.split()[0].isupper()
+        if fault or statement is None or is_sentence or isinstance(statement, Broken | ContractClause):
+            continue
+        if isinstance(statement, Call) and statement.name.text not in task_names:
+            continue
+        place = Broken("", "", stop.end(), len(text.rstrip()))
+        message = f"`{rest.strip()[:40]}` stands behind a contract on its line and would not be carried out"
+        report.at(kinds.BEHIND_CONTRACT, line, place, message, "write it on a line of its own")
+        return
 
 
 def _is_open(clause: Line) -> bool:
@@ -104,16 +121,39 @@ def _joined(clause: Line, line: Line) -> Line:
 
 
 def _warned(line: Line, task_names: frozenset[str], report: Report) -> bool:
-    """Return whether a line looks like a misspelt statement, which is then reported."""
-    if not isinstance(line.statement, Call):
+    """Return whether a line looks like a statement, which is then reported."""
+    name, is_computed = _reading(line)
+    if name is None:
         return False
-    name = line.statement.name
     near = [word for word in (*VERBS, *sorted(task_names)) if _is_near(name.text.lower(), word.lower())]
+    message = f"`{name.text}` was read as prose of the contract above"
     if near:
-        message = f"`{name.text}` was read as prose of the contract above"
         hint = f"did you mean `{near[0]}`? else end the prose above with a full stop"
         report.at(kinds.PROSE, line, name, message, hint, fix=near[0])
-    return bool(near)
+        return True
+    if is_computed:
+        report.at(
+            kinds.PROSE, line, name, message, "define the task, or end the prose above with a full stop"
+        )
+    return is_computed
+
+
+def _reading(line: Line) -> tuple[Name | None, bool]:
+    """Return the first word of a prose line that may be a statement, and whether it can hardly be prose."""
+    match line.statement:
+        case Call(name=name, arguments=arguments):
+            return name, any(map(_is_computed, arguments))
+        case Broken(head=head, start=start) if head and _INSIDE.search(line.logical.text):
+            return Name(line.logical.text[start : start + len(head)], start, start + len(head)), False
+    return None, False
+
+
+def _is_computed(item: Item) -> bool:
+    """Return whether an argument is one that prose does not have, such as `l above 20` and `n = 3`."""
+    value = item.value
+    if isinstance(value, Binary):
+        return value.op not in ("and", "or")
+    return item.name is not None or isinstance(value, Tuple | Rebase | External | Member | Function)
 
 
 def _is_near(a: str, b: str) -> bool:
@@ -140,11 +180,3 @@ def edit_distance(a: str, b: str) -> int:
             row.append(cost)
         before, last = last, row
     return last[-1]
-
-
-def _count(pattern: re.Pattern[str], text: str) -> int | None:
-    match = pattern.search(text)
-    if not match:
-        return None
-    word = match.group(1).lower()
-    return int(word) if word.isdigit() else _NUMBERS[word]

@@ -10,11 +10,11 @@ from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
 from ropsim.language.check.world import Poison, Signature, Variable, World
+from ropsim.language.clause import Clause
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import syntax as syntax_kinds
 from ropsim.language.findings import types as kinds
-from ropsim.language.prose import Clause
 from ropsim.language.report import Report
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.task_form import TaskForm

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ropsim.language.blocks import Block
+from ropsim.language.clause import Clause, understand
 from ropsim.language.findings import names as name_kinds
-from ropsim.language.prose import Clause, understand
 from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax

@@ -151,9 +151,23 @@ PROSE = define(
     Severity.WARNING,
     "a line after `needs` or `assumes` looks like a misspelt statement",
     """
-The words after `needs` and `assumes` may run over several lines of prose, up to the first statement.
-This line was read as such prose, but it looks like a statement whose first word is misspelt. Correct
-the word, or end the prose before it with a full stop.
+In a classic task the words after `needs` and `assumes` may run over several lines of prose, up to the first
+statement. This line was read as such prose, but it looks like a statement whose first word is misspelt, or
+like the call of a task that is not defined. Correct the word, or end the prose before it with a full stop.
+""",
+)
+BEHIND_CONTRACT = define(
+    "L120",
+    "statement-behind-contract",
+    Severity.ERROR,
+    "a statement stands behind a contract on its line",
+    """
+All words on the line of `needs` and `assumes` belong to the contract. What stands behind a full stop there
+and reads as a statement would never be carried out. Write it on a line of its own.
+
+```
+needs gripper open. close     <- `close` is not carried out
+```
 """,
 )
 DEPTH = define(
