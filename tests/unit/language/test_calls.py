@@ -108,6 +108,7 @@ n = 3
         ("k = Show(n = 7)", "7 false"),
         ("k = Show(7, n == 3)", "7 true"),
         ("Show(7, (n = 3))", "7 true"),
+        ("k = Show(7, (n = 3))", "7 true"),
         ("Show(7, same = (n = 3 and true))", "7 true"),
     ],
 )
@@ -117,7 +118,7 @@ def test_one_sign_gives_arguments_by_name_and_two_compare(call: str, expected: s
     assert [m.text for m in run(code).instructions if isinstance(m, MessageInstruction)] == [expected]
 
 
-@pytest.mark.parametrize("call", ["Show n == 3", "Show(n == 3)", "k = Show(n == 3)", "Show((n = 3))"])
+@pytest.mark.parametrize("call", ["Show n == 3", "Show(n == 3)", "k = Show(n == 3)", "Show((n = 3))", "k = Show((n = 3))"])
 def test_a_comparison_is_never_an_argument_by_name(call: str) -> None:
     assert codes(BOTH + call) == ["T301"]
 

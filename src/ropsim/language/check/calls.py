@@ -84,9 +84,18 @@ def spread(
         or len(only.items) not in (3, 5, 6)
         or any(i.name is not None for i in only.items)
         or (first is not None and isinstance(first.value, nodes.Name) and is_location(first.value))
-        or (first is not None and isinstance(first.value, nodes.Tuple | nodes.Rebase | nodes.External))
+        or (first is not None and _is_place(first.value))
     )
     return only.items if is_list else arguments
+
+
+def _is_place(node: nodes.Node) -> bool:
+    """Return whether an expression is a location for certain, and so no number of one."""
+    if isinstance(node, nodes.Binary):
+        return node.op in ("above", "offset", "rel")
+    if isinstance(node, nodes.Literal):
+        return node.word == "here"
+    return isinstance(node, nodes.Tuple | nodes.Rebase | nodes.External)
 
 
 def _bind(

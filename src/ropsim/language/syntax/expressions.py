@@ -1,6 +1,7 @@
 """Expressions by recursive descent; one function per level of precedence, weakest first."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from ropsim.core import did_you_mean
 from ropsim.language.findings import syntax as kinds
@@ -230,7 +231,7 @@ def parenthesis(cursor: Cursor) -> Node:
     """Read `( … )`: grouping with one plain member, else a tuple.
 
     `name = value` is an argument by name where the parenthesis is the argument list of a call, elsewhere a
-    comparison.
+    comparison, which its parentheses keep one in any argument list.
     """
     start = cursor.start
     member = item if cursor.index == cursor.arguments_at else _unnamed
@@ -246,7 +247,8 @@ def parenthesis(cursor: Cursor) -> Node:
         turns, posture = _terms(cursor)
     cursor.close_parenthesis()
     if len(items) == 1 and not turns and posture is None and items[0].name is None:
-        return items[0].value
+        only = items[0].value
+        return replace(only, op="==") if isinstance(only, Binary) and only.op == "=" else only
     return Tuple(tuple(items), turns, posture, start, cursor.end)
 
 
