@@ -30,6 +30,7 @@ from ropsim.program import (
     Guard,
     Home,
     If,
+    InAxes,
     InFrame,
     InPosture,
     Local,
@@ -39,6 +40,7 @@ from ropsim.program import (
     MakeZyx,
     Message,
     Move,
+    Offset,
     Output,
     Program,
     Repeat,
@@ -68,6 +70,7 @@ BOOL, INT, REAL, POSE = ValueType.BOOL, ValueType.INT, ValueType.REAL, ValueType
 BUDGET = 5_000
 SIGNALS = (SignalUse("part", True, BOOL), SignalUse("force", True, REAL), SignalUse("lamp", False, BOOL))
 VARIABLES = {BOOL: "flag", INT: "k", REAL: "x", POSE: "p"}
+AXES = [(1.0, 0.0, 0.0, 0.0), (0.6, 0.0, 0.8, 0.0)]
 LOCALS = tuple(Local(name, kind) for kind, name in VARIABLES.items())
 
 spans = st.integers(1, 50).map(lambda line: Span.on_line("t.task", line, 1))
@@ -124,6 +127,12 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
     | binary(POSE, ["compose"], POSE)
     | unary(POSE, ["invert"], POSE)
     | st.builds(InFrame, st.deferred(lambda: expressions[POSE]), st.sampled_from(["plate", ""]))
+    | st.builds(InAxes, st.deferred(lambda: expressions[POSE]), st.sampled_from(AXES))
+    | st.builds(
+        Offset,
+        st.deferred(lambda: expressions[POSE]),
+        st.builds(MakeVector, values(REAL), values(INT), values(REAL)),
+    )
     | st.builds(
         InPosture,
         st.deferred(lambda: expressions[POSE]),
@@ -195,7 +204,20 @@ plain: st.SearchStrategy[Statement] = st.one_of(
     ),
     st.builds(
         Move,
-        st.sampled_from((MotionKind.PTP, MotionKind.LIN)),
+        st.just(MotionKind.PTP),
+        expressions[POSE],
+        modal,
+        spans,
+        st.just(()),
+        st.none(),
+        triggers,
+        guards,
+        st.none(),
+        stores,
+    ),
+    st.builds(
+        Move,
+        st.just(MotionKind.LIN),
         expressions[POSE],
         modal,
         spans,

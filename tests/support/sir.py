@@ -10,12 +10,14 @@ from ropsim.program import (
     Component,
     Constant,
     Guard,
+    InAxes,
     InPosture,
     MakeExternal,
     MakeJoints,
     MakePose,
     MakeVector,
     MakeZyx,
+    Offset,
     Program,
     Settings,
     SignalValue,
@@ -80,6 +82,10 @@ def _text(value: object) -> str:
             text = f"{type(value).__name__.lower()}[{', '.join(parts)}]"
         case PostureRequest():
             text = f"{'-'.join(value.words) or 'any'} turns {list(value.turns)}"
+        case InAxes(operand=operand, axes=axes):
+            text = f"in_axes[{_text(operand)}, ({_text(axes)})]"
+        case Offset(operand=operand, way=way):
+            text = f"offset[{_text(operand)}, {_text(way)}]"
         case InPosture():
             text = f"in_posture[{_text(value.operand)}, {_text(value.request)}]"
         case Trigger() | Guard():

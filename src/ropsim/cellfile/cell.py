@@ -80,7 +80,8 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
     frames = read_frames(root.named("frames"), axes, others, units)
     places_of = root.named("locations")
     external = read_external_values(places_of, stations, units)
-    locations, located = read_locations(places_of, frames, units)
+    locations, given = read_locations(places_of, frames, units)
+    located = {name: frame for name, frame in given.items() if frames[frame].parent != WORLD}
     classic = _classic(root.table("classic"), frames)
     around = Surroundings(units, locations, located)
     groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, around)
@@ -101,6 +102,7 @@ def _cell(root: TomlTable, folder_name: str) -> Cell | None:
         frames=frames,
         locations=locations,
         located=located,
+        given={name: frame for name, frame in given.items() if name not in located},
         parts=tuple(part for group in groups for part in group.parts),
         objects=objects,
         sinks=sinks,

@@ -32,13 +32,13 @@ def read_base(table: TomlTable, units: Units) -> Pose:
 def read_locations(
     tables: Mapping[str, TomlTable], frames: Mapping[str, Frame], units: Units
 ) -> tuple[dict[str, Pose], dict[str, str]]:
-    """Return the named tool poses X_WT, and the names of the frames that move in which some are given.
+    """Return the named tool poses X_WT, and the names of the frames in which some are given.
 
     A location may be given in one of `frames`; the pose of one in a frame that moves is X_KT.
     """
     found = {name: _location(table, frames, units) for name, table in tables.items()}
-    located = {name: frame for name, (_, frame) in found.items() if frame}
-    return {name: pose for name, (pose, _) in found.items()}, located
+    given = {name: frame for name, (_, frame) in found.items() if frame}
+    return {name: pose for name, (pose, _) in found.items()}, given
 
 
 def _location(table: TomlTable, frames: Mapping[str, Frame], units: Units) -> tuple[Pose, str]:
@@ -47,11 +47,8 @@ def _location(table: TomlTable, frames: Mapping[str, Frame], units: Units) -> tu
     down = TOOL_DOWN if table.flag("down", default=True) else quaternion.IDENTITY
     local = _pose(table, units, _orientation(table, units, down, ("rpy", "quaternion", "down")))
     table.finish()
-    if not frame:
-        return local, ""
-    if frames[frame].parent != WORLD:
-        return local, frame
-    return frames[frame].X_PK @ local, ""
+    is_still = bool(frame) and frames[frame].parent == WORLD
+    return (frames[frame].X_PK @ local if is_still else local), frame
 
 
 def _pose(table: TomlTable, units: Units, orientation: quaternion.Quaternion) -> Pose:

@@ -7,14 +7,17 @@ from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.handlers import Datum, Handler
 from ropsim.icr.location import (
     Location,
+    axes_of,
     composed,
     external_part,
     in_frame,
     in_posture,
     located,
+    offset,
     pose_part,
     posture_of,
     tag_of,
+    with_axes,
     with_turns,
 )
 from ropsim.icr.traps import TrapError, out_of_range
@@ -46,7 +49,8 @@ def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None
 def _make_external(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
     location = stack[-count - 1]
     values = tuple(stack[-count:])
-    stack[-count - 1 :] = [located(pose_part(location), values, posture_of(location), tag_of(location))]
+    own = posture_of(location), tag_of(location), axes_of(location)
+    stack[-count - 1 :] = [located(pose_part(location), values, *own)]
 
 
 def _orientation(w: float, x: float, y: float, z: float) -> Datum:
@@ -162,6 +166,8 @@ GEOMETRY: dict[str, Handler] = {
     "MKEXT": _make_external,
     "COMPOSE": _make(2, _compose),
     "INFRAME": in_frame,
+    "AXES": with_axes,
+    "OFFSET": offset,
     "POSTURE": in_posture,
     "TURNS": with_turns,
     "REFRAME": _make(2, _reframe),

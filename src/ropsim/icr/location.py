@@ -2,14 +2,17 @@
 
 A POSE on the stack is a tuple of seven numbers, in the task frame in force when it is moved to. Behind them
 stand values of external axes, where it has some, what it asks of the posture of the arm, where it asks for
-one, and the tag of a task frame of its own, where it has one.
+one, and the tag of a task frame of its own, where it has one, else the axes along which it is shifted, where
+they are not those of the task frame.
 """
 
+import math
 from dataclasses import replace
 from typing import NamedTuple
 
 from ropsim.flow import PostureRequest
 from ropsim.icr.handlers import Datum
+from ropsim.icr.traps import out_of_range
 from ropsim.spatial import Pose, PoseTuple, quaternion
 
 Location = tuple[Datum, ...]
@@ -29,6 +32,15 @@ class FrameTag(NamedTuple):
     X_BK: Pose
 
 
+class Axes(NamedTuple):
+    """The axes along which a location is shifted: a unit quaternion, seen in the task frame."""
+
+    w: float
+    x: float
+    y: float
+    z: float
+
+
 def pose_part(location: Location) -> PoseTuple:
     """Return the pose of a location."""
     x, y, z, qw, qx, qy, qz = location[:7]
@@ -38,7 +50,7 @@ def pose_part(location: Location) -> PoseTuple:
 def external_part(location: Location) -> tuple[float, ...]:
     """Return the values of external axes that a location carries [rad | m]; empty where it has none."""
     end = len(location)
-    while isinstance(location[end - 1], FrameTag | PostureRequest):
+    while isinstance(location[end - 1], FrameTag | PostureRequest | Axes):
         end -= 1
     return location[7:end]
 
@@ -48,6 +60,12 @@ def posture_of(location: Location) -> PostureRequest | None:
     return next((part for part in location[-2:] if isinstance(part, PostureRequest)), None)
 
 
+def axes_of(location: Location) -> Axes | None:
+    """Return the axes along which a location is shifted, None where they are those of its task frame."""
+    last = location[-1]
+    return last if isinstance(last, Axes) else None
+
+
 def tag_of(location: Location) -> FrameTag | None:
     """Return the task frame of its own of a location, None where it stands in the one in force."""
     last = location[-1]
@@ -55,30 +73,58 @@ def tag_of(location: Location) -> FrameTag | None:
 
 
 def located(
-    pose: PoseTuple, external: tuple[float, ...], posture: PostureRequest | None, tag: FrameTag | None
+    pose: PoseTuple,
+    external: tuple[float, ...],
+    posture: PostureRequest | None,
+    tag: FrameTag | None,
+    axes: Axes | None,
 ) -> Location:
-    """Return a location of its parts."""
-    return (*pose, *external, *(part for part in (posture, tag) if part is not None))
+    """Return a location of its parts; one in a frame of its own is shifted along that."""
+    last = axes if tag is None else tag
+    return (*pose, *external, *(part for part in (posture, last) if part is not None))
 
 
 def composed(left: Location, right: Location) -> Location:
     """Return X_AC of X_AB and X_BC.
 
     It carries the values of external axes of `left`, where that has none those of `right`, and so with the
-    posture and the task frame: a location keeps its own whether it is moved in its tool frame (it is `left`)
-    or brought into another frame (`right`).
+    posture, the axes and the task frame: a location keeps its own whether it is moved in its tool frame (it
+    is `left`) or brought into another frame (`right`).
     """
     pose = quaternion.compose(pose_part(left), pose_part(right))
     if len(left) == len(right) == 7:
         return pose
     external = external_part(left) or external_part(right)
-    return located(pose, external, posture_of(left) or posture_of(right), tag_of(left) or tag_of(right))
+    posture, tag = posture_of(left) or posture_of(right), tag_of(left) or tag_of(right)
+    return located(pose, external, posture, tag, axes_of(left) or axes_of(right))
 
 
 def in_frame(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
     """INFRAME; the operand is the tag, None for the task frame in force."""
     whole = stack[-1]
-    stack[-1] = located(pose_part(whole), external_part(whole), posture_of(whole), operand)
+    stack[-1] = located(pose_part(whole), external_part(whole), posture_of(whole), operand, None)
+
+
+def with_axes(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    """AXES: a location in a frame of its own keeps the axes of that."""
+    axes = Axes(*stack.pop())
+    stack[-1] = along(stack[-1], None if axes == quaternion.IDENTITY else axes)
+
+
+def along(location: Location, axes: Axes | None) -> Location:
+    """Return a location that is shifted along other axes."""
+    return located(pose_part(location), external_part(location), posture_of(location), tag_of(location), axes)
+
+
+def offset(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    """OFFSET along the axes of the location."""
+    way = stack.pop()
+    location, axes = stack[-1], axes_of(stack[-1])
+    x, y, z = way if axes is None else quaternion.rotate(axes, way)
+    at = (location[0] + x, location[1] + y, location[2] + z)
+    if not all(map(math.isfinite, at)):
+        raise out_of_range("the result of `OFFSET` is not finite")
+    stack[-1] = (*at, *location[3:])
 
 
 def in_posture(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
@@ -96,4 +142,4 @@ def with_turns(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
 
 
 def _asking(location: Location, request: PostureRequest) -> Location:
-    return located(pose_part(location), external_part(location), request, tag_of(location))
+    return located(pose_part(location), external_part(location), request, tag_of(location), axes_of(location))

@@ -173,6 +173,8 @@ _TABLE = """
 0414 MKEXT     count    *  P  EXT   [pose e1 .. en -> pose with n values of external axes]
 0415 POSTURE   posture  P   P  CONFIG [pose -> pose to be reached in a posture]; words of it with - between
 0416 TURNS     count    *   P  CONFIG [pose k1 .. kn -> pose with the turns of the first n axes]
+0417 AXES      -        PO  P  -     [pose axes -> the same place, shifted along these axes of the task frame]
+0418 OFFSET    -        PV  P  -     [pose way -> pose shifted along its axes, else those of its task frame]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]

@@ -39,6 +39,8 @@ class Environment:
         measured: what analog inputs measure by the sensors of the cell, `length` or `force`, by name.
         told: names of the devices by those of the inputs that they set.
         located: names of the frames that move in which locations are given, by the name of the location.
+        given: frames that stand still in which locations are given, X_BF, by the name of the location; the
+            base frame where none is named.
         signals: channels by name.
         tasks: library tasks by name.
         length: metres per bare unit where a text has no `units` line for lengths.
@@ -64,6 +66,7 @@ class Environment:
     external: tuple[str, ...] = ()
     moving: frozenset[str] = frozenset()
     located: Mapping[str, str] = field(default_factory=dict)
+    given: Mapping[str, PoseTuple] = field(default_factory=dict)
     others_tools: frozenset[str] = frozenset()
     measured: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, str] = field(default_factory=dict)

@@ -39,6 +39,7 @@ class Cell:
         frames: task frames by name.
         locations: named points (tool poses X_WT) by name; of one that is given in a frame that moves X_KT.
         located: names of the frames that move in which locations are given, by the name of the location.
+        given: names of the frames that stand still in which locations are given, likewise.
         parts: what can be grasped.
         objects: what stands around.
         sinks: where parts leave.
@@ -63,6 +64,7 @@ class Cell:
     classic: ClassicSettings = field(default_factory=ClassicSettings)
     external: Mapping[str, ExternalValues] = field(default_factory=dict)
     tools: tuple[str, ...] = ()
+    given: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def first(self) -> Station:

@@ -9,6 +9,7 @@ from ropsim.program.expressions import Component as Component
 from ropsim.program.expressions import Constant as Constant
 from ropsim.program.expressions import Expression as Expression
 from ropsim.program.expressions import Home as Home
+from ropsim.program.expressions import InAxes as InAxes
 from ropsim.program.expressions import InFrame as InFrame
 from ropsim.program.expressions import InPosture as InPosture
 from ropsim.program.expressions import MakeExternal as MakeExternal
@@ -16,6 +17,7 @@ from ropsim.program.expressions import MakeJoints as MakeJoints
 from ropsim.program.expressions import MakePose as MakePose
 from ropsim.program.expressions import MakeVector as MakeVector
 from ropsim.program.expressions import MakeZyx as MakeZyx
+from ropsim.program.expressions import Offset as Offset
 from ropsim.program.expressions import SignalValue as SignalValue
 from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable

@@ -142,6 +142,27 @@ class InFrame:
 
 
 @dataclass(frozen=True, slots=True)
+class InAxes:
+    """A POSE that `Offset` shifts along these axes: a unit quaternion, seen in the work frame.
+
+    They go wherever the location is kept and passed; one in a frame of its own is shifted along that.
+    """
+
+    operand: "Expression"
+    axes: tuple[float, float, float, float]
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
+class Offset:
+    """A POSE shifted by a VEC along its axes."""
+
+    operand: "Expression"
+    way: "Expression"
+    type: ValueType = ValueType.POSE
+
+
+@dataclass(frozen=True, slots=True)
 class Home:
     """The home position of the arm; only as the target of a PTP move."""
 
@@ -163,5 +184,7 @@ Expression = (
     | CommandPose
     | InPosture
     | InFrame
+    | InAxes
+    | Offset
     | Home
 )

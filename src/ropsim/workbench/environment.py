@@ -55,6 +55,7 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
         moving=frozenset(name for name, frame in cell.frames.items() if frame.parent != WORLD),
         located=cell.located,
+        given=_given(cell, at),
         measured={
             name: _READINGS[type(signal.sensor)]
             for name, signal in cell.signals.items()
@@ -64,6 +65,17 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         others_tools=frozenset(cell.tools) - set(at.tools),
         postures=_postures(at.robot),
     )
+
+
+def _given(cell: Cell, station: Station) -> Mapping[str, PoseTuple]:
+    """Return the frames X_BF in which locations are given that do not move: that of a key `frame`, else W."""
+    frames = {name: frame.X_PK for name, frame in cell.frames.items() if frame.parent == WORLD}
+    named = {
+        name: frames.get(cell.given.get(name, ""), Pose())
+        for name in cell.locations
+        if name not in cell.located
+    }
+    return _tuples(in_base(station.X_WB, named))
 
 
 def _postures(robot: RobotModel) -> tuple[tuple[str, ...], ...]:

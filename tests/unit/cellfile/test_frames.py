@@ -1,10 +1,14 @@
 """Task frames of a cell file: in the world, on a positioner, on a carriage, and where they cannot lie."""
 
+import math
+
 import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
+from ropsim.spatial import quaternion
+from ropsim.workbench.environment import environment_of
 
 HEAD = (
     '[robot]\nmodel = "puma560"\n'
@@ -33,13 +37,14 @@ def test_a_frame_on_a_positioner_is_given_in_the_frame_of_its_plate() -> None:
 
 def test_a_location_in_it_stays_relative() -> None:
     cell = right(FRAME + PLACE)
-    assert cell.located == {"corner": "fixture"}
+    assert (cell.located, cell.given) == ({"corner": "fixture"}, {})
     assert cell.locations["corner"].position.tolist() == pytest.approx([0.01, 0.02, 0.03])
 
 
 def test_a_frame_in_the_world_has_its_locations_there() -> None:
     cell = right(FRAME.replace('parent = "positioner"\n', "") + PLACE)
     assert (cell.located, cell.frames["fixture"].parent) == ({}, "")
+    assert cell.given == {"corner": "fixture"}
     assert cell.locations["corner"].position.tolist() == pytest.approx([0.11, 0.02, 0.05])
 
 
@@ -97,3 +102,15 @@ def test_without_external_axes_a_frame_is_told_what_the_station_needs() -> None:
     _, (found,) = read_cell(SourceText("cell.toml", text), "folder")
     assert (found.code, found.span and found.span.line) == ("X809", 5)
     assert "give the station a `positioner` or a `track`" in found.hint
+
+
+def test_programs_are_told_in_which_frame_each_location_is_given() -> None:
+    """Seen from the base of the robot, which is turned by 90°."""
+    turned = HEAD.replace("positioner", "base = { rpy = [0, 0, 90] }\npositioner")
+    still = FRAME.replace('parent = "positioner"\n', "rpy = [0, 0, 30]\n")
+    free = "[locations.free]\nposition = [400, 0, 0]\n"
+    cell, _ = read_cell(SourceText("cell.toml", turned + still + PLACE + free), "folder")
+    assert cell is not None
+    given = environment_of(cell).given
+    angles = {name: math.degrees(quaternion.to_zyx(frame[3:])[0]) for name, frame in given.items()}
+    assert angles == pytest.approx({"corner": -60.0, "free": -90.0})

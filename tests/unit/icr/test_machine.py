@@ -686,3 +686,50 @@ def test_poses_in_different_frames_are_not_compared(mnemonic: str) -> None:
     other = "PUSH POSE 0.1 0.2 0.8 0.0 1.0 0.0 0.0"
     for one, two, code in [("f", "f", ""), ("f", "g", "I465"), ("f", "-", "I465"), ("-", "g", "I465")]:
         assert trap(f"{TARGET}/INFRAME {one}/{other}/INFRAME {two}/{mnemonic}/POP/HALT") == code
+
+
+TURNED = "PUSH ORI 0.7071067811865476 0.0 0.0 0.7071067811865476/AXES"
+"""Along x of these axes is along y of the task frame."""
+WAY = "PUSH REAL 0.5/PUSH REAL 0.0/PUSH REAL 0.0/MKVEC/OFFSET"
+
+
+def shifted(text: str) -> tuple[float, ...]:
+    """Return the position [m] of the last move."""
+    target = moves(f"{text}/MOVE.PTP/HALT")[-1].target
+    assert isinstance(target, Pose)
+    return tuple(float(part) for part in target.position)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{TARGET}/{TURNED}/{WAY}",
+        f"{TARGET}/{TURNED}/PUSH POSE 0.0 0.0 0.0 1.0 0.0 0.0 0.0/COMPOSE/{WAY}",
+        f"PUSH POSE 0.0 0.0 0.0 1.0 0.0 0.0 0.0/{TARGET}/{TURNED}/COMPOSE/{WAY}",
+        f"{TARGET}/{TURNED}/PUSH REAL 0.3/SETC 2/{WAY}",
+        f"{TARGET}/{TURNED}/PUSH REAL 0.8/MKEXT 1/POSTURE left/PUSH INT 0/TURNS 1/{WAY}",
+        f"{TARGET}/{TURNED}/{TURNED}/{WAY}",
+    ],
+)
+def test_a_pose_keeps_the_axes_along_which_it_is_shifted(text: str) -> None:
+    assert shifted(text) == pytest.approx((0.1, 0.7, 0.3))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{TARGET}/{WAY}",
+        f"{TARGET}/{TURNED}/PUSH ORI 1.0 0.0 0.0 0.0/AXES/{WAY}",
+        f"{TARGET}/INFRAME g/{TURNED}/{WAY}",
+        f"{TARGET}/{TURNED}/INFRAME g/{WAY}",
+        f"{TARGET}/{TURNED}/INFRAME -/{WAY}",
+        f"{TARGET}/{TURNED}/MOVE.PTP/CURPOSE/{WAY}",
+    ],
+)
+def test_a_pose_without_axes_is_shifted_along_its_task_frame(text: str) -> None:
+    assert shifted(text) == pytest.approx((0.6, 0.2, 0.3))
+
+
+def test_the_place_of_a_shifted_pose_is_finite() -> None:
+    far = "PUSH REAL 1e308/PUSH REAL 0.0/PUSH REAL 0.0/MKVEC/OFFSET"
+    assert trap(f"{TARGET}/{far}/{far}/POP/HALT") == "I461"

@@ -118,7 +118,9 @@ def test_one_sign_gives_arguments_by_name_and_two_compare(call: str, expected: s
     assert [m.text for m in run(code).instructions if isinstance(m, MessageInstruction)] == [expected]
 
 
-@pytest.mark.parametrize("call", ["Show n == 3", "Show(n == 3)", "k = Show(n == 3)", "Show((n = 3))", "k = Show((n = 3))"])
+@pytest.mark.parametrize(
+    "call", ["Show n == 3", "Show(n == 3)", "k = Show(n == 3)", "Show((n = 3))", "k = Show((n = 3))"]
+)
 def test_a_comparison_is_never_an_argument_by_name(call: str) -> None:
     assert codes(BOTH + call) == ["T301"]
 

@@ -90,3 +90,80 @@ def test_an_unknown_frame_is_named_with_the_nearest() -> None:
     found = compiled("mov infeed in tabel", IN_FRAME).diagnostics
     assert [(d.code, d.hint) for d in found] == [("N203", "did you mean `table`?")]
     assert codes("set frame nowhere\nmov infeed", IN_FRAME) == ["N203"]
+
+
+ABOUT_Z = "units mm\nframe turned = (100, 0, 0; rz 90)\n"
+"""Its x axis is y of the base frame."""
+NAMED = ABOUT_Z + "loc a = (10, 0, 0) in turned\nvar g: loc = (10, 0, 0) in turned\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "lin (10, 0, 0) in turned offset (5, 0, 0)",
+        "lin a offset (5, 0, 0)",
+        "lin g offset (5, 0, 0)",
+        "q = a\nlin q offset (5, 0, 0)",
+        "q = (10, 0, 0) in turned\nlin q offset (5, 0, 0)",
+        "with frame turned\nq = (10, 0, 0)\nendwith\nlin q offset (5, 0, 0)",
+        "with frame turned\nlin (10, 0, 0)\nq = here\nendwith\nlin q offset (5, 0, 0)",
+        "with frame turned\nlin (10, 0, 0) store q\nendwith\nlin q offset (5, 0, 0)",
+        "q = a offset (2, 0, 0)\nlin q offset (3, 0, 0)",
+        "q = a\nq.y = q.y + 5\nlin q offset (0, 0, 0)",
+        "q = a\nlin q above 4 offset (5, 0, -4)",
+        "q = infeed\nq = a\nlin q offset (5, 0, 0)",
+        "q = (10, 0, 0)\nlin q in turned offset (5, 0, 0)",
+        "q = (10, 0, 0)\nr = q in turned\nlin r offset (5, 0, 0)",
+        "q = (0, 0, 0) in turned\nr = infeed in turned\nlin a rel (0, 0, 0) offset (5, 0, 0)",
+        "q = (0, 0, 0; rz 0) in turned\nlin a rel (0, 0, 0) rel (0, 0, 0) offset (5, 0, 0)",
+        "task T(q: loc)\nlin q offset (5, 0, 0)\nendp\nT a",
+        "task T(q: loc)\nlin q offset (5, 0, 0)\nendp\nT((10, 0, 0) in turned)",
+        "task T(q: loc = (10, 0, 0) in turned)\nlin q offset (5, 0, 0)\nendp\nT",
+        "task T(q: loc)\nset frame table\nlin q offset (5, 0, 0)\nendp\nT a",
+        "task T -> loc\nreturn (10, 0, 0) in turned\nendp\nq = T()\nlin q offset (5, 0, 0)",
+        "pattern s = grid 1 from (10, 0, 0) in turned step (1, 0, 0)\n"
+        "for each q in s\nlin q offset (5, 0, 0)\nendf",
+        "pattern s = grid 1 from (10, 0, 0) in turned step (1, 0, 0)\n"
+        "for each q in s\nr = q\nendf\nlin a offset (5, 0, 0)",
+    ],
+)
+def test_a_location_is_shifted_along_the_frame_in_which_it_was_given(text: str) -> None:
+    """Whether it is written there, named, kept, passed, returned or taken from a pattern."""
+    assert base_positions(NAMED + text)[-1] == pytest.approx((0.1, 0.015, 0.0), abs=ROUNDING)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "lin infeed offset (5, 0, 0)",
+        "set frame table\nlin infeed offset (5, 0, 0)",
+        "with frame table\nlin infeed offset (5, 0, 0)\nendwith",
+        "with frame table\nq = infeed\nlin q offset (5, 0, 0)\nendwith",
+        "open\nset frame table\nq = infeed\nlin q offset (5, 0, 0)",
+        "lin infeed\nlin here offset (5, 0, 0)",
+    ],
+)
+def test_a_location_of_the_cell_is_shifted_along_the_base_frame(text: str) -> None:
+    assert base_positions(f"units mm\n{text}")[-1] == pytest.approx((0.405, 0.3, 0.1), abs=ROUNDING)
+
+
+@pytest.mark.parametrize("text", ["lin infeed offset (5, 0, 0)", "q = infeed\nlin q offset (5, 0, 0)"])
+def test_a_location_that_the_cell_gives_in_a_frame_is_shifted_along_that(text: str) -> None:
+    inside = replace(IN_FRAME, given={"infeed": TURNED})
+    assert base_positions(f"units mm\n{text}", inside)[0] == pytest.approx((0.4, 0.305, 0.1), abs=ROUNDING)
+    work = replace(inside, frame="table")
+    assert base_positions(f"units mm\n{text}", work)[0] == pytest.approx((0.4, 0.305, 0.1), abs=ROUNDING)
+
+
+def test_here_is_shifted_along_the_frame_in_force() -> None:
+    here = "lin here offset (5, 0, 0)\n"
+    text = f"units mm\nlin infeed\nwith frame table\n{here}endwith\n{here}"
+    expected = [(0.4, 0.3, 0.1), (0.4, 0.305, 0.1), (0.405, 0.305, 0.1)]
+    for found, wanted in zip(base_positions(text), expected, strict=True):
+        assert found == pytest.approx(wanted, abs=ROUNDING)
+
+
+def test_the_axes_of_the_step_of_rel_are_not_those_of_the_location() -> None:
+    text = f"{NAMED}q = (0, 0, 0; rz 0) in turned\nlin infeed rel q\nr = infeed rel q\nlin r offset (5, 0, 0)"
+    moved, shifted = base_positions(text)
+    assert shifted == pytest.approx((moved[0] + 0.005, moved[1], moved[2]), abs=ROUNDING)

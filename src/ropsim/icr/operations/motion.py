@@ -15,7 +15,7 @@ from ropsim.flow import (
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.geometry import check_same_frame
 from ropsim.icr.handlers import Datum
-from ropsim.icr.location import Location, composed, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.location import Location, along, composed, external_part, pose_part, posture_of, tag_of
 from ropsim.icr.rules.operands import setting_fault
 from ropsim.icr.site import Operation, Site, barrier
 from ropsim.icr.state import Commanded, Finished, Registers
@@ -141,7 +141,7 @@ def _grip(registers: Registers, _world: World, site: Site) -> Instruction:
 def _command_pose(registers: Registers, _world: World, site: Site) -> Instruction | None:
     if (sync := barrier(registers, site)) is not None:
         return sync
-    registers.stack.append(_seen_now(registers))
+    registers.stack.append(along(_seen_now(registers), None))
     return None
 
 

@@ -1,6 +1,6 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
-from ropsim.language.check import calls, components, convert, fold, values
+from ropsim.language.check import calls, components, convert, fold, poses, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import (
     ANGLE,
@@ -33,7 +33,7 @@ def assign(body: Body, node: syntax.Assign) -> Block:
     value = values.check(body, node.value)
     variable = target(body, node.name, _type_of(value))
     expression = convert.to(body, value, variable.type, node.value, f"the value of `{node.name.text}`")
-    return (Assign(variable.name, expression, body.statement_span),)
+    return (Assign(variable.name, poses.kept(value, expression), body.statement_span),)
 
 
 def load(body: Body, node: syntax.Load) -> Block:
@@ -75,8 +75,9 @@ def initial(body: Body, node: syntax.VariableDeclaration) -> Block:
     symbol = body.world.symbols.get(node.name.text)
     if node.value is None or not isinstance(symbol, Variable):
         return ()
-    value = values.expect(body, node.value, symbol.type, f"the value of `{node.name.text}`")
-    return (Assign(symbol.name, value, body.statement_span),)
+    value = values.check(body, node.value)
+    expression = convert.to(body, value, symbol.type, node.value, f"the value of `{node.name.text}`")
+    return (Assign(symbol.name, poses.kept(value, expression), body.statement_span),)
 
 
 def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:

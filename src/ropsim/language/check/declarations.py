@@ -40,18 +40,22 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         dict(environment.tools),
     )
     X_KB = quaternion.invert(X_BK)
+    result.has_axes = bool(environment.moving) or any(
+        X_BF[3:] != X_BK[3:] for X_BF in (*frames.values(), *environment.given.values(), fold.IDENTITY)
+    )
     for name, X_BL in environment.locations.items():
-        result.symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL)
+        X_KF = quaternion.compose(X_KB, environment.given.get(name, fold.IDENTITY))
+        result.symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
     result.symbols.update(environment.signals)
     _declare_all(result, top, report)
     return result
 
 
-def _location(moving: str, X_KB: PoseTuple, pose: Location) -> Value:
+def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
     """Return a location of the cell in the work frame, or in the frame `moving` that it is given in."""
     if moving:
         return Value(fold.in_frame(fold.pose(pose), moving), POSE, X_KF=fold.IDENTITY)
-    return Value(fold.pose(composed(X_KB, pose)), POSE)
+    return Value(fold.pose(composed(X_KB, pose)), POSE, X_KF=X_KF)
 
 
 def _units(top: Iterable[Line], environment: Environment) -> UnitSystem:
@@ -253,7 +257,7 @@ def _pattern(body: Body, node: syntax.PatternDeclaration) -> Pattern:
         steps.append((_snapped(turned[0]), _snapped(turned[1]), _snapped(turned[2])))
     order = node.order.text if node.order is not None else "row"
     size = (counts[0], counts[1], counts[2])
-    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving, posture)
+    return Pattern(size, pose_part(origin), tuple(steps), order, external_part(origin), moving, posture, X_KF)
 
 
 def _constant_pose(body: Body, node: nodes.Node, what: str) -> PoseTuple:

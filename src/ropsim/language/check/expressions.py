@@ -22,7 +22,7 @@ from ropsim.language.check.units import UNITS
 from ropsim.language.check.world import Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import CommandPose, Constant, Home, MakeJoints, ValueType
+from ropsim.program import Constant, Home, MakeJoints, ValueType
 from ropsim.program import Variable as VariableExpression
 
 _COUNTERS = ("row", "col", "layer")
@@ -37,9 +37,9 @@ def _number(_: Body, node: nodes.Number) -> Value:
     return Value(fold.real(node.value), NUMBER, is_bare=True)
 
 
-def _literal(_: Body, node: nodes.Literal) -> Value:
+def _literal(body: Body, node: nodes.Literal) -> Value:
     if node.word == "here":
-        return Value(CommandPose(), POSE)
+        return Value(poses.here(body), POSE)
     if node.word == "home":
         return Value(Home(), JOINTS)
     return Value(fold.boolean(node.word in ("true", "on")), BOOL)

@@ -7,12 +7,14 @@ from ropsim.program import (
     Component,
     Constant,
     Expression,
+    InAxes,
     InFrame,
     InPosture,
     MakeExternal,
     MakePose,
     MakeVector,
     MakeZyx,
+    Offset,
     Unary,
     ValueType,
 )
@@ -267,6 +269,19 @@ def reframe(change: PoseTuple, location: Expression) -> Expression:
     if isinstance(numbers_of(location), Constant):
         return compose(pose(change), location)
     return Binary("reframe", pose(change), location, ValueType.POSE)
+
+
+def in_axes(location: Expression, X_KF: PoseTuple) -> Expression:
+    """Return a POSE that keeps the axes of the frame in which it was given; one that moves has its own."""
+    if isinstance(location, InFrame):
+        return location
+    inner = location.operand if isinstance(location, InAxes) else location
+    return InAxes(inner, X_KF[3:])
+
+
+def offset(location: Expression, way: Expression) -> Expression:
+    """Return a POSE shifted along the axes that it keeps."""
+    return Offset(location, way)
 
 
 def external(location: Expression, values: tuple[Expression, ...]) -> Expression:

@@ -1,6 +1,6 @@
 """Ways out: `break`, `continue` and `return`."""
 
-from ropsim.language.check import fold, values
+from ropsim.language.check import convert, fold, poses, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import article
 from ropsim.language.findings import syntax as kinds
@@ -38,5 +38,6 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
             node,
             f"`return` needs a value: task `{body.task}` returns {article(body.result)}",
         )
-    value = values.expect(body, node.value, body.result, "the value of `return`")
-    return (Return(value, body.statement_span),)
+    value = values.check(body, node.value)
+    expression = convert.to(body, value, body.result, node.value, "the value of `return`")
+    return (Return(poses.kept(value, expression), body.statement_span),)

@@ -193,7 +193,10 @@ class _Nest:
         values = tuple(map(fold.real, self.pattern.external))
         location = fold.external(pose, values) if values else pose
         location = fold.in_posture(location, self.pattern.posture)
-        return fold.in_frame(location, self.pattern.moving) if self.pattern.moving else location
+        if self.pattern.moving:
+            return fold.in_frame(location, self.pattern.moving)
+        is_turned = self.pattern.X_KF[3:] != fold.IDENTITY[3:]
+        return fold.in_axes(location, self.pattern.X_KF) if is_turned else location
 
     def _int(self, counter: str) -> Expression:
         return VariableExpression(f"{self.name}.{counter}", _INT)

@@ -2,7 +2,17 @@
 
 from ropsim.flow import MotionKind, PostureRequest, Side
 from ropsim.icr import external_part
-from ropsim.language.check import actions, assignments, convert, fold, guards, settings, trackings, values
+from ropsim.language.check import (
+    actions,
+    assignments,
+    convert,
+    fold,
+    guards,
+    poses,
+    settings,
+    trackings,
+    values,
+)
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import (
     ANGLE,
@@ -13,6 +23,7 @@ from ropsim.language.check.types import (
     AnyType,
     Type,
     Unknown,
+    Value,
     article,
     bind,
     known,
@@ -21,12 +32,14 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name, Node
 from ropsim.program import (
+    Assign,
     Block,
     Expression,
     MakeExternal,
     Move,
     Trigger,
     ValueType,
+    Variable,
 )
 
 _KINDS = {
@@ -56,7 +69,10 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
-    return (Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store),)
+    move = Move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store)
+    attained = Variable(store, POSE.value)
+    seen = poses.kept(Value(attained, POSE, X_KF=body.X_KC), attained)
+    return (move, Assign(store, seen, span)) if store and seen is not attained else (move,)
 
 
 def _store(body: Body, name: Name) -> str:

@@ -6,7 +6,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import Constant, Expression, ValueType
+from ropsim.program import CommandPose, Constant, Expression, ValueType
 from ropsim.spatial import quaternion
 
 
@@ -60,7 +60,7 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     """Return `A above d`, `A offset (dx, dy, dz)` or `A rel (dx, dy, dz; …)`.
 
     `above` goes back along the approach direction, tool Z, by d; `offset` shifts along the axes of the frame
-    in which A was given; `rel` composes in the tool frame at A.
+    in which A was given, which a variable or parameter keeps; `rel` composes in the tool frame at A.
     """
     base = convert.to(body, value, POSE, node.left, f"the left side of `{node.op}`")
     if node.op == "above":
@@ -70,13 +70,9 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     if node.op == "rel":
         return Value(fold.compose(base, _step(body, node.right)), POSE, X_KF=value.X_KF)
     way = shift(body, node.right, "the shift of `offset`")
-    if value.X_KF is None and body.world.environment.moving:
-        # given in the frame in force, or in one that moves: which of both is known when the program runs
-        shifted = fold.compose(
-            fold.make_pose(way, components.UPRIGHT), components.numbers_in_frame(body, base)
-        )
-        return Value(components.reframed(body, body.X_KC, shifted), POSE)
-    X_KF = body.X_KC if value.X_KF is None else value.X_KF
+    if value.X_KF is None and body.world.has_axes:
+        return Value(fold.offset(base, way), POSE)
+    X_KF = fold.IDENTITY if value.X_KF is None else value.X_KF
     rotation = fold.pose((0.0, 0.0, 0.0, *X_KF[3:]))
     turned = components.position_of(fold.compose(rotation, fold.make_pose(way, components.UPRIGHT)))
     return Value(fold.compose(fold.make_pose(turned, components.UPRIGHT), base), POSE, X_KF=value.X_KF)
@@ -92,7 +88,27 @@ def _step(body: Body, node: nodes.Node) -> Expression:
         hint = "write `external (…)` behind the whole: `A rel (…) external (…)`"
         body.fail(kinds.WRONG_TYPE, node, "the step of `rel` has no values of external axes", hint)
     step = transform(body, node)
-    return fold.in_frame(step, "") if body.world.environment.moving else step
+    if body.world.environment.moving:
+        return fold.in_frame(step, "")
+    return _without_axes(body, step)
+
+
+def here(body: Body) -> Expression:
+    """Return the pose commanded last; it is shifted along the frame in force, or its own frame that moves."""
+    is_turned = body.X_KC[3:] != quaternion.IDENTITY
+    return fold.in_axes(CommandPose(), body.X_KC) if is_turned else CommandPose()
+
+
+def _without_axes(body: Body, location: Expression) -> Expression:
+    """Return a location whose axes are those of the work frame, whatever a variable in it keeps."""
+    is_known = isinstance(fold.numbers_of(location), Constant)
+    return fold.in_axes(location, fold.IDENTITY) if body.world.has_axes and not is_known else location
+
+
+def kept(value: Value, expression: Expression) -> Expression:
+    """Return a value as it is kept, passed or returned: a location with the axes of its frame."""
+    is_turned = value.X_KF is not None and value.X_KF[3:] != quaternion.IDENTITY
+    return fold.in_axes(expression, value.X_KF) if is_turned and value.X_KF is not None else expression
 
 
 def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
@@ -103,7 +119,7 @@ def rebased(body: Body, value: Value, node: nodes.Rebase) -> Value:
         numbers = fold.without_frame(components.numbers_in_frame(body, base))
         return Value(fold.in_frame(fold.compose(fold.pose(X_KF), numbers), moving), POSE, X_KF=X_KF)
     change = fold.compose(fold.pose(X_KF), fold.pose(quaternion.invert(body.X_KC)))
-    return Value(fold.compose(change, base), POSE, X_KF=X_KF)
+    return Value(_without_axes(body, fold.compose(change, base)), POSE, X_KF=X_KF)
 
 
 def with_external(body: Body, value: Value, node: nodes.External) -> Value:

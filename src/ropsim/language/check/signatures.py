@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ropsim.language.blocks import Block
-from ropsim.language.check import convert, fold, functions, implicit, values
+from ropsim.language.check import convert, fold, functions, implicit, poses, values
 from ropsim.language.check.body import Body, RejectedError, settled
 from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText
@@ -107,9 +107,10 @@ def _explicit(
 def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expression:
     what = f"the default of `{name}`"
     try:
-        inner, posture, moving = fold.opened(values.expect(body, node, kind, what))
+        value = values.check(body, node)
+        inner, posture, moving = fold.opened(convert.to(body, value, kind, node, what))
         number = convert.constant(body, inner, node, what)
-        return fold.closed(number, posture, moving) if posture or moving else number
+        return poses.kept(value, fold.closed(number, posture, moving) if posture or moving else number)
     except RejectedError:
         return fold.real(0.0)  # the finding stands; calls without this argument are not reported as well
 

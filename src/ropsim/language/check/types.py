@@ -125,8 +125,8 @@ class Value:
         expression: in SI units.
         type: known, or a cell in the first pass.
         is_bare: a number without unit, which takes the unit of the place where it stands.
-        X_KF: for locations, the frame in whose axes `offset` shifts, given in the work frame; None for
-            the frame in force.
+        X_KF: for locations, the frame in whose axes `offset` shifts, given in the work frame; None for a
+            variable or parameter, whose value keeps them.
     """
 
     expression: Expression

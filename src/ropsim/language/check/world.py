@@ -56,6 +56,7 @@ class Pattern:
         external: values of external axes that all locations have [rad | m]; empty for none.
         moving: name of the frame that moves in which it is given, empty for none.
         posture: in which all locations are to be reached, None for any.
+        X_KF: frame in whose axes they are shifted.
     """
 
     counts: tuple[int, int, int]
@@ -65,6 +66,7 @@ class Pattern:
     external: tuple[float, ...] = ()
     moving: str = ""
     posture: PostureRequest | None = None
+    X_KF: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +108,8 @@ class World:
         frames: all frames by name, in the base frame.
         tools: all tools by name.
         symbols: constants, locations, variables, signals and patterns seen everywhere.
+        has_axes: whether some frame is turned against the work frame or moves, so that locations keep
+            along which axes they are shifted.
         signatures: tasks by name.
         used_signals: signals that the program names.
     """
@@ -119,5 +123,6 @@ class World:
     frames: dict[str, PoseTuple]
     tools: dict[str, PoseTuple]
     symbols: dict[str, Symbol] = field(default_factory=dict)
+    has_axes: bool = False
     signatures: dict[str, Signature] = field(default_factory=dict)
     used_signals: dict[str, SignalUse] = field(default_factory=dict)

@@ -102,6 +102,14 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
         case sir.InFrame(operand=operand, frame=frame):
             evaluate(scope, operand, Type.POSE)
             emit("INFRAME", scope.frame(frame) if frame else "")
+        case sir.InAxes(operand=operand, axes=axes):
+            evaluate(scope, operand, Type.POSE)
+            push(scope, Type.ORI, quaternion.unit(axes))
+            emit("AXES")
+        case sir.Offset(operand=operand, way=way):
+            evaluate(scope, operand, Type.POSE)
+            evaluate(scope, way, Type.VEC)
+            emit("OFFSET")
         case sir.Home():
             raise unsound("the home position is a target of PTP moves only")
     return static_type(scope, expression)
