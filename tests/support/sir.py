@@ -50,7 +50,7 @@ def _block(block: tuple[Statement, ...], depth: int) -> list[str]:
         parts, inner = [], []
         for field in fields(statement):
             value = getattr(statement, field.name)
-            if isinstance(value, Span):
+            if isinstance(value, Span) or field.name == "places":
                 continue
             if field.name in ("body", "otherwise") and value:
                 inner += [f"{'  ' * depth}  {field.name}:", *_block(value, depth + 2)]

@@ -77,11 +77,12 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class If:
-    """The first branch whose condition holds, else `otherwise`."""
+    """The first branch whose condition holds, else `otherwise`; `places` is where each condition stands."""
 
     branches: tuple[tuple[Expression, Block], ...]
     otherwise: Block
     span: Span
+    places: tuple[Span, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,12 +96,16 @@ class While:
 
 @dataclass(frozen=True, slots=True)
 class Repeat:
-    """Run `count` (INT, evaluated once; None = without end) times, or until `until` holds after a pass."""
+    """Run `count` (INT, evaluated once; None = without end) times, or until `until` holds after a pass.
+
+    `place` is where `until` stands.
+    """
 
     count: Expression | None
     body: Block
     until: Expression | None
     span: Span
+    place: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

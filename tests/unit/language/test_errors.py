@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from ropsim.program import SignalUse, ValueType
+from support.outcomes import outcome
 from support.tasks import CELL, codes, compiled, only
 
 PROGRAM = """program p
@@ -155,3 +156,20 @@ def test_a_coordinate_for_a_station_without_an_arm_is_to_be_in_joints() -> None:
     (found,) = compiled("program p\nunits mm, deg, s\nmov 900\n", slide).diagnostics
     assert found.code == "T301"
     assert "`mov joints(900)`" in found.hint
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("if 1 / n > 2\nopen\nelseif n = 1\nopen\nendif", 2),
+        ("if n = 1\nx = 3\nelseif 1 / n > 2\nopen\nendif", 4),
+        ("if n = 1\nx = 3\nelseif n = 2\nx = 4\nelseif 1 / n > 2\nopen\nelse\nclose\nendif", 6),
+        ("repeat 3\nx = 3\nuntil 1 / n > 2", 4),
+        ("repeat\nx = 3\nuntil 1 / n > 2", 4),
+        ("while 1 / n > 2\nx = 3\nendw", 2),
+        ("if n = 0 then y = 1 / n", 2),
+        ("for i = 1 to round(1 / n)\nopen\nendf", 2),
+    ],
+)
+def test_a_trap_stands_at_the_line_whose_condition_it_is(text: str, line: int) -> None:
+    assert outcome(f"var n: int = 0\n{text}").trap == ("I460", line)

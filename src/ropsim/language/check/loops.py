@@ -19,7 +19,6 @@ from ropsim.program import (
     Expression,
     For,
     If,
-    Repeat,
     ValueType,
     While,
 )
@@ -28,11 +27,6 @@ from ropsim.program import Variable as VariableExpression
 Walk = Callable[[], Block]
 
 _INT, _REAL = ValueType.INT, ValueType.REAL
-
-
-def repeat(body: Body, count: Expression | None, until: Expression | None, inner: Block) -> Block:
-    """Return a counted loop, or one that ends by `until`."""
-    return (Repeat(count, inner, until, body.statement_span),)
 
 
 def count_of(body: Body, node: syntax.Repeat) -> Expression | None:

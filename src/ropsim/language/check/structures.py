@@ -11,7 +11,7 @@ from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
-from ropsim.program import Block, If, Statement, With
+from ropsim.program import Block, If, Repeat, Statement, With
 from ropsim.program import For as ForStatement
 
 
@@ -73,7 +73,7 @@ def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
 
 
 def _if(body: Body, tree: SyntaxBlock) -> Block:
-    branches = []
+    branches, places = [], []
     otherwise: Block = ()
     for number, section in enumerate(tree.sections):
         body.line = section.header
@@ -86,6 +86,7 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
             except RejectedError:
                 walk(body, section.body)
                 continue
+            places.append(body.statement_span)
             branches.append((condition, walk(body, section.body)))
         else:
             if isinstance(node, syntax.Else) and number != len(tree.sections) - 1:
@@ -94,23 +95,26 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
                 )
             otherwise = walk(body, section.body)
     body.line = tree.opener
-    return (If(tuple(branches), otherwise, body.statement_span),) if branches else ()
+    if not branches:
+        return ()
+    return (If(tuple(branches), otherwise, body.statement_span, tuple(places[1:] and places)),)
 
 
 def _repeat(body: Body, tree: SyntaxBlock, node: syntax.Repeat) -> Block:
     first = tree.sections[0]
     count = loops.count_of(body, node)
     inner = _loop_body(body, first)
-    until = None
+    until, place = None, None
     closer = tree.closer
     if closer is not None and isinstance(closer.statement, syntax.Until):
         body.line = closer
         try:
             until = values.expect(body, closer.statement.condition, BOOL, "the condition of `until`")
+            place = body.statement_span
         except RejectedError:
             return ()
     body.line = first.header
-    return loops.repeat(body, count, until, inner)
+    return (Repeat(count, inner, until, body.statement_span, place),)
 
 
 def _for(body: Body, section: Section, node: syntax.For) -> Block:

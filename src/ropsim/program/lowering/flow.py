@@ -17,8 +17,10 @@ PASS_TOLERANCE = 1e-9
 def lower_if(scope: Scope, statement: st.If) -> None:
     """Emit the branches in order; the first one whose condition holds is run."""
     end = Label()
-    for condition, block in statement.branches:
+    for number, (condition, block) in enumerate(statement.branches):
         other = Label()
+        if number < len(statement.places):
+            scope.emitter.line = statement.places[number].line
         evaluate(scope, condition, Type.BOOL)
         scope.emitter.jump("JF", other)
         scope.lower_block(scope, block)
@@ -55,7 +57,7 @@ def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
         emitter.jump("JF", loop.leave)
     emitter.place(top)
     _body(scope, statement.body, loop)
-    emitter.line = statement.span.line
+    emitter.line = (statement.place or statement.span).line
     emitter.place(loop.again)
     if statement.until is not None:
         evaluate(scope, statement.until, Type.BOOL)
