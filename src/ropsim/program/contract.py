@@ -12,6 +12,7 @@ from enum import Enum
 from ropsim.core import Diagnostic, Label
 from ropsim.flow import GripAction
 from ropsim.program import statements as st
+from ropsim.program.calls import callees_first
 from ropsim.program.diagnostics import GRIPPER_STATE
 from ropsim.program.expressions import Constant
 from ropsim.program.move import Move, Settings
@@ -26,6 +27,10 @@ class _Gripper(Enum):
 
 
 _State = _Gripper | None
+_Entry = tuple[str, _Gripper]
+"""A task and the state in which it begins."""
+_Place = tuple[str, int, int, str]
+"""Source, line and column of a call, and the task."""
 _AFTER = {GripAction.OPEN: _Gripper.OPEN, GripAction.CLOSE: _Gripper.CLOSED}
 
 
@@ -43,12 +48,22 @@ def check_contracts(program: Program) -> tuple[Diagnostic, ...]:
     """Return a warning for each call of a task whose gripper contract the state at the call contradicts.
 
     The state is that of the tool in force; where a program uses several tools, changing the tool makes it
-    unknown.
+    unknown. Each task is followed once from each state, callees first; of that counts what control reaches.
     """
-    check = _Check({task.name: task for task in program.tasks}, len(_tools(program)) > 1)
-    check.block(program.main, _Flow(_Gripper.UNKNOWN))
-    found = sorted(check.found.items(), key=lambda item: item[0])
-    return tuple(diagnostic for _, diagnostic in found)
+    tasks = {task.name: task for task in program.tasks}
+    check = _Check(tasks, len(_tools(program)) > 1)
+    for name in callees_first(tasks):
+        for state in _Gripper:
+            check.passed[name, state] = check.passage(tasks[name].body, state)
+    found: dict[_Place, Diagnostic] = {}
+    work = [check.passage(program.main, _Gripper.UNKNOWN)]
+    reached: set[_Entry] = set()
+    while work:
+        passage = work.pop()
+        found |= {place: one for place, one in passage.found.items() if place not in found}
+        work += [check.passed[entry] for entry in passage.entered if entry not in reached]
+        reached |= passage.entered
+    return tuple(diagnostic for _, diagnostic in sorted(found.items(), key=lambda item: item[0]))
 
 
 def _tools(program: Program) -> set[str]:
@@ -59,12 +74,34 @@ def _tools(program: Program) -> set[str]:
     return (named | changed) - {""}
 
 
+@dataclass(frozen=True, slots=True)
+class _Passage:
+    """A block followed from one state: how it ends, what is found in it, and which tasks it enters how."""
+
+    end: _State
+    found: dict[_Place, Diagnostic]
+    entered: set[_Entry]
+
+
 @dataclass(slots=True)
 class _Check:
     tasks: dict[str, Task]
     has_tools: bool
-    found: dict[tuple[str, int, int, str], Diagnostic] = field(default_factory=dict)
-    results: dict[tuple[str, _State], _State] = field(default_factory=dict)
+    passed: dict[_Entry, _Passage] = field(default_factory=dict)
+
+    def passage(self, block: st.Block, state: _State) -> _Passage:
+        """Follow a block from a state."""
+        following = _Walk(self)
+        flow = _Flow(state)
+        following.block(block, flow)
+        return _Passage(_join(flow.now, flow.returned), following.found, following.entered)
+
+
+@dataclass(slots=True)
+class _Walk:
+    check: _Check
+    found: dict[_Place, Diagnostic] = field(default_factory=dict)
+    entered: set[_Entry] = field(default_factory=set)
     loops: dict[tuple[int, _State], _Flow] = field(default_factory=dict)
 
     def block(self, block: st.Block, flow: _Flow) -> None:
@@ -135,29 +172,26 @@ class _Check:
         return inner
 
     def tool(self, settings: Settings, flow: _Flow) -> None:
-        if settings.tool is not None and self.has_tools and flow.now is not None:
+        if settings.tool is not None and self.check.has_tools and flow.now is not None:
             flow.now = _Gripper.UNKNOWN
 
     def call(self, call: st.Call, state: _State) -> _State:
-        task = self.tasks.get(call.task)
-        if task is None:
+        task = self.check.tasks.get(call.task)
+        if task is None or state is None:
             return _Gripper.UNKNOWN
         for contract, wanted in _wanted(task):
             if state in _AFTER.values() and state is not wanted:
                 self.report(call, contract, state)
             state = wanted
-        key = (task.name, state)
-        if key not in self.results:
-            self.results[key] = _Gripper.UNKNOWN  # what a task that calls itself sees
-            flow = _Flow(state)
-            self.block(task.body, flow)
-            self.results[key] = _join(flow.now, flow.returned)
-        return self.results[key]
+        passed = self.check.passed.get((task.name, state))
+        if passed is None:  # a task that calls itself
+            return _Gripper.UNKNOWN
+        self.entered.add((task.name, state))
+        return passed.end
 
-    def report(self, call: st.Call, contract: Contract, state: _State) -> None:
+    def report(self, call: st.Call, contract: Contract, state: _Gripper) -> None:
         wanted = _AFTER[contract.gripper].value if contract.gripper else ""
-        found = state.value if state else ""
-        message = f"task `{call.task}` assumes the gripper {wanted}, it is {found} at this call"
+        message = f"task `{call.task}` assumes the gripper {wanted}, it is {state.value} at this call"
         verb = contract.gripper.value if contract.gripper else ""
         key = (call.span.source, call.span.line, call.span.column, call.task)
         self.found.setdefault(

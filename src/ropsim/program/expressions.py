@@ -48,7 +48,8 @@ class Binary:
     """Two operands of one type.
 
     `op` is `add sub mul div mod min max pow atan2` (INT, REAL; `add sub` also VEC), `eq ne lt le gt ge`
-    (INT or REAL operands, BOOL result), `and or` (BOOL), `compose` (POSE) or `distance` (two POSE to REAL).
+    (INT or REAL operands, for `eq ne` BOOL ones, too; BOOL result), `and or` (BOOL), `compose` (POSE) or
+    `distance` (two POSE to REAL).
     """
 
     op: str

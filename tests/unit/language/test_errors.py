@@ -173,3 +173,40 @@ def test_a_coordinate_for_a_station_without_an_arm_is_to_be_in_joints() -> None:
 )
 def test_a_trap_stands_at_the_line_whose_condition_it_is(text: str, line: int) -> None:
     assert outcome(f"var n: int = 0\n{text}").trap == ("I460", line)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "j = home\nmov j",
+        "task T(j: joints)\n mov j\nendp\nT home",
+        "task T(j: joints)\n mov j\nendp\nT(home)",
+        "print home",
+        "x = home == home",
+        "if home then open",
+        "mov (home, 1, 2)",
+        "task T(j: joints = home)\n mov j\nendp\nT",
+        "task T() -> joints\n return home\nendp\nT()",
+        "lin infeed above home",
+    ],
+)
+def test_home_is_where_a_motion_goes_and_no_value(text: str) -> None:
+    found = only(text)
+    assert found.code == "T334"
+    assert "mov home" in found.hint
+
+
+def test_home_is_a_target_and_a_point_on_the_way() -> None:
+    assert codes("mov home\nmov via home to infeed\nmov (home) speed 30 %") == []
+
+
+@pytest.mark.parametrize(
+    "line", ["elseif(part_ok)", "elseif (part_ok) then", "else# note", "else // note", "ELSE"]
+)
+def test_a_branch_needs_no_blank_behind_its_word(line: str) -> None:
+    assert codes(f"n = 1\nif n > 4\n n = 2\n{line}\n n = 3\nendif") == []
+
+
+@pytest.mark.parametrize("line", ["return 5 s", "return nowhere", "retrun 5 mm", "return 5 5", "return"])
+def test_a_wrong_return_is_not_missed_as_well(line: str) -> None:
+    assert len(codes(f"task T() -> length\n {line}\nendp\nx = T()")) == 1

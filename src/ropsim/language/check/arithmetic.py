@@ -42,7 +42,7 @@ def comparison(body: Body, node: nodes.Binary, left: Value, right: Value) -> Val
     if node.op in ("=", "==", "<>") and BOOL in (known(left.type), known(right.type)):
         a = convert.to(body, left, BOOL, node.left, f"the left side of `{node.op}`")
         b = convert.to(body, right, BOOL, node.right, f"the right side of `{node.op}`")
-        return Value(_equal(a, b, node.op), BOOL)
+        return Value(fold.binary(_COMPARE[node.op], a, b, ValueType.BOOL), BOOL)
     _number(body, left, node.left, node.op)
     _number(body, right, node.right, node.op)
     for signal, other, place in ((left, right, node.right), (right, left, node.left)):
@@ -129,15 +129,6 @@ def _number(body: Body, value: Value, node: nodes.Node, op: str) -> AnyType:
             )
         body.fail(kinds.WRONG_TYPE, node, f"`{op}` needs numbers, found {article(kind)}", hint)
     return kind
-
-
-def _equal(a: Expression, b: Expression, op: str) -> Expression:
-    """Return a = b of truth values as (a and b) or (not a and not b)."""
-    neither = fold.conjunction(
-        "and", fold.unary("not", a, ValueType.BOOL), fold.unary("not", b, ValueType.BOOL)
-    )
-    same = fold.conjunction("or", fold.conjunction("and", a, b), neither)
-    return same if op != "<>" else fold.unary("not", same, ValueType.BOOL)
 
 
 def _value(kind: AnyType) -> ValueType:

@@ -57,6 +57,7 @@ class Body:
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
+        has_gaps: a line that may have been a way out is wrong and left out; nobody misses a `return` then.
     """
 
     def __init__(
@@ -82,6 +83,7 @@ class Body:
         self.loops: list[Loop] = []
         self.depth = 0
         self.is_tolerant = False
+        self.has_gaps = False
         self._settled = settled
 
     # --- findings

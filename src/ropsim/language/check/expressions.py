@@ -21,8 +21,9 @@ from ropsim.language.check.types import (
 from ropsim.language.check.units import UNITS
 from ropsim.language.check.world import Variable
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import Constant, Home, MakeJoints, ValueType
+from ropsim.program import Constant, MakeJoints, ValueType
 from ropsim.program import Variable as VariableExpression
 
 _COUNTERS = ("row", "col", "layer")
@@ -41,7 +42,8 @@ def _literal(body: Body, node: nodes.Literal) -> Value:
     if node.word == "here":
         return Value(poses.here(body), POSE)
     if node.word == "home":
-        return Value(Home(), JOINTS)
+        hint = "write `mov home`, or give coordinates: `joints(…)`"
+        body.fail(kinds.NO_VALUE_HERE, node, "`home` is a target of `mov` only, it has no value", hint)
     return Value(fold.boolean(node.word in ("true", "on")), BOOL)
 
 

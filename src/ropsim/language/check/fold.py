@@ -118,7 +118,7 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
 
 
 def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Expression:
-    """Return `left op right` of numbers.
+    """Return `left op right` of numbers, and `eq` or `ne` of truth values.
 
     Raises:
         ArithmeticError: division by zero, or a result that has no place.
@@ -128,6 +128,8 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
         raise ZeroDivisionError("division by zero")
     if a is not None and b is not None and op in _BINARY:
         return _computed(op, _BINARY[op], kind, left, right)
+    if op in ("eq", "ne") and isinstance(left, Constant) and isinstance(right, Constant):
+        return boolean((bool(left.value) == bool(right.value)) is (op == "eq"))
     return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
 
 

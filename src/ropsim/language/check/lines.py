@@ -81,6 +81,7 @@ def _contract(body: Body, node: syntax.ContractClause) -> Block:
 
 def _broken(body: Body, node: syntax.Broken) -> Block:
     """Return nothing: the line has its finding already."""
+    body.has_gaps = True
     poison_targets(body, node)
     return ()
 

@@ -30,11 +30,12 @@ from ropsim.language.check.types import (
 )
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.nodes import Literal, Name, Node
 from ropsim.program import (
     Assign,
     Block,
     Expression,
+    Home,
     MakeExternal,
     Move,
     Trigger,
@@ -108,7 +109,10 @@ def _trigger(body: Body, node: syntax.Trigger) -> Trigger:
 
 
 def _point(body: Body, node: syntax.Motion, place: Node, what: str) -> Expression:
-    value = values.check(body, place)
+    if isinstance(place, Literal) and place.word == "home":
+        value = Value(Home(), JOINTS)
+    else:
+        value = values.check(body, place)
     kind = known(value.type)
     _refuse_coordinate(body, place, kind)
     wanted = JOINTS if kind == JOINTS and node.word == "mov" else POSE

@@ -31,6 +31,7 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
                 _block(body, item) if isinstance(item, SyntaxBlock) else lines.statement(body, line.statement)
             )
         except RejectedError:
+            body.has_gaps |= isinstance(line.statement, syntax.Return | syntax.Call)
             lines.poison_targets(body, line.statement)
     body.X_KC, body.moving = before
     body.depth -= 1
@@ -65,6 +66,7 @@ def _block(body: Body, tree: SyntaxBlock) -> Block:
 
 def _only_checked(body: Body, tree: SyntaxBlock) -> Block:
     """Check the lines under a header that is wrong, as if they stood in a loop; they are left out."""
+    body.has_gaps = True
     lines.poison_targets(body, tree.opener.statement)
     with body.in_loop(Loop()):
         for section in tree.sections:
@@ -84,6 +86,7 @@ def _if(body: Body, tree: SyntaxBlock) -> Block:
                     body, node.condition, BOOL, f"the condition of `{section.header.head}`"
                 )
             except RejectedError:
+                body.has_gaps = True
                 walk(body, section.body)
                 continue
             places.append(body.statement_span)

@@ -139,3 +139,19 @@ A program knows the pose of a tool only. Mass, centre of mass and gripper belong
 the simulator finds them; here they have no effect.
 """,
 )
+NO_VALUE_HERE = define(
+    "T334",
+    "home-has-no-value",
+    Severity.ERROR,
+    "the home position where a value is needed",
+    """
+Where the axes stand at home is a matter of the controller: the cell file says it, and a program runs at any
+robot. So `home` is where a motion may go, and nothing that a variable keeps or a task is given.
+
+```
+mov home
+j = joints(0 deg, 45 deg, 0 deg, 0 deg, 45 deg, 0 deg)     # coordinates of this program
+mov j
+```
+""",
+)
