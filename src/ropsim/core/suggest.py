@@ -2,6 +2,10 @@
 
 import difflib
 from collections.abc import Iterable
+from heapq import nsmallest
+
+MANY = 300
+"""So many candidates are compared letter by letter; among more of them those that look alike at a glance."""
 
 
 def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...]:
@@ -9,14 +13,22 @@ def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...
 
     A candidate that `name` begins with, or the other way round, comes first: `degrees` means `deg`.
     """
-    by_lower: dict[str, str] = {}
-    for candidate in sorted(candidates):
-        by_lower.setdefault(candidate.lower(), candidate)
     wanted = name.lower()[:64]
+    by_lower: dict[str, str] = {}
+    for candidate in sorted(_at_a_glance(wanted, tuple(candidates))):
+        by_lower.setdefault(candidate.lower(), candidate)
     begun = [key for key in by_lower if min(len(key), len(wanted)) >= 3 and _begins(key, wanted)]
     close = difflib.get_close_matches(wanted, list(by_lower), n=limit, cutoff=0.6)
     ordered = dict.fromkeys([*sorted(begun, key=lambda key: abs(len(key) - len(wanted))), *close])
     return tuple(by_lower[key] for key in list(ordered)[:limit])
+
+
+def _at_a_glance(wanted: str, candidates: tuple[str, ...]) -> Iterable[str]:
+    """Return all candidates; of very many those of a like length that begin or end with the same letter."""
+    if len(candidates) <= MANY:
+        return candidates
+    alike = (one for one in candidates if one[:1].lower() == wanted[:1] or one[-1:].lower() == wanted[-1:])
+    return nsmallest(MANY, alike, key=lambda one: (abs(len(one) - len(wanted)), one))
 
 
 def _begins(one: str, other: str) -> bool:

@@ -76,11 +76,10 @@ def _variable(
     program: Program, procedure: Procedure, step: Step, shared: list[Datum]
 ) -> tuple[Handler, Datum]:
     is_load = step.mnemonic == "LOAD"
-    own = [variable.name for variable in procedure.variables]
-    if step.operands[0] in own:
-        return (load_local if is_load else store_local), own.index(str(step.operands[0]))
-    index = [variable.name for variable in program.variables].index(str(step.operands[0]))
-    return (load_global if is_load else store_global), (shared, index)
+    name = str(step.operands[0])
+    if name in procedure.numbers:
+        return (load_local if is_load else store_local), procedure.numbers[name]
+    return (load_global if is_load else store_global), (shared, program.numbers[name])
 
 
 def _typed(step: Step, stack: Stack) -> tuple[Handler, Datum]:
@@ -109,7 +108,7 @@ def _frame(program: Program, name: Datum) -> FrameTag:
 def _operand(program: Program, step: Step) -> Datum:
     name = step.operands[0] if step.operands else None
     if step.mnemonic == "CALL":
-        index = [one.name for one in program.procedures].index(str(name))
+        index = program.procedure_numbers[str(name)]
         callee = program.procedures[index]
         return index, callee.name, len(callee.parameters), len(callee.locals)
     if step.mnemonic == "FRAME":

@@ -1,6 +1,6 @@
 """An ICR program as a value: declarations and procedures of flat code."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -91,6 +91,7 @@ class Procedure:
         code: instructions.
         lines: source line of each instruction, 0 where unknown.
         places: where each instruction stands in the ICR text; empty where there was none.
+        numbers: place of each variable, parameters first, by its name.
     """
 
     name: str
@@ -100,10 +101,12 @@ class Procedure:
     code: tuple[Step, ...] = ()
     lines: tuple[int, ...] = ()
     places: tuple[Span, ...] = field(default=(), compare=False, repr=False)
+    numbers: dict[str, int] = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         missing = len(self.code) - len(self.lines)
         object.__setattr__(self, "lines", self.lines + (0,) * missing)
+        object.__setattr__(self, "numbers", _numbers(self.variables))
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -127,6 +130,9 @@ class Program:
         tools: tools.
         source: name of the text that the source lines refer to; empty where there is none.
         declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
+        numbers: place of each global variable, by its name.
+        procedure_numbers: place of each procedure, by its name.
+        channels_by_name: channels, by name.
     """
 
     name: str
@@ -140,14 +146,28 @@ class Program:
     tools: tuple[ToolDefinition, ...] = ()
     source: str = ""
     declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
+    numbers: dict[str, int] = field(init=False, compare=False, repr=False)
+    procedure_numbers: dict[str, int] = field(init=False, compare=False, repr=False)
+    channels_by_name: Mapping[str, IoChannel] = field(init=False, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "numbers", _numbers(self.variables))
+        object.__setattr__(self, "procedure_numbers", _numbers(self.procedures))
+        object.__setattr__(self, "channels_by_name", {one.name: one for one in reversed(self.channels)})
 
     def procedure(self, name: str) -> Procedure | None:
         """Return the first procedure of that name, or None."""
-        return next((procedure for procedure in self.procedures if procedure.name == name), None)
+        number = self.procedure_numbers.get(name)
+        return None if number is None else self.procedures[number]
 
     def channel(self, name: str) -> IoChannel | None:
         """Return the first channel of that name, or None."""
-        return next((channel for channel in self.channels if channel.name == name), None)
+        return self.channels_by_name.get(name)
+
+
+def _numbers(named: Sequence[Variable] | Sequence[Procedure]) -> dict[str, int]:
+    """Return the place of each name; of two equal ones the first counts."""
+    return {named[number].name: number for number in reversed(range(len(named)))}
 
 
 def text_place(program: Program, procedure: Procedure, index: int) -> Span | None:

@@ -21,8 +21,8 @@ class Fault(NamedTuple):
 
 def variable_type(program: Program, procedure: Procedure, name: str) -> Type:
     """Return the type of a declared variable; a local one hides a global one."""
-    own = (one for one in (*procedure.variables, *program.variables) if one.name == name)
-    return next(own).type
+    number = procedure.numbers.get(name)
+    return (program.variables[program.numbers[name]] if number is None else procedure.variables[number]).type
 
 
 def effect(program: Program, procedure: Procedure, step: Step, stack: Stack) -> Stack | Fault:

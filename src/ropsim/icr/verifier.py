@@ -1,12 +1,14 @@
 """The static verifier: rules V1 to V9. What passes it can end only by HALT, RET, STOP or a typed trap."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from ropsim.core import Diagnostic, Span
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import VERSION, Operand, Procedure, Program, channel_fault, text_place
-from ropsim.icr.rules.calls import check_assignment, check_calls
+from ropsim.icr.rules.assignment import check_assignment
+from ropsim.icr.rules.calls import check_calls
 from ropsim.icr.rules.flow import check_reachability, check_stack
 from ropsim.icr.rules.operands import MAX_AXES, check_constant, check_operands
 from ropsim.icr.types import WIDTHS, Constant, Type
@@ -75,7 +77,7 @@ def _declarations(program: Program) -> Iterator[Diagnostic]:
         *((f"PROC {one.name}", [variable.name for variable in one.variables]) for one in program.procedures),
     )
     for record, names in groups:
-        for name in sorted({name for name in names if names.count(name) > 1}):
+        for name in sorted(name for name, times in Counter(names).items() if times > 1):
             place = program.declared_at.get(f"{record} {name}", program.declared_at.get(record))
             yield kinds.NAME_TWICE.at(place, f"`{record}` declares `{name}` twice")
         if "" in names:

@@ -110,8 +110,8 @@ def without_value(program: icr.Program, procedure: str, name: str, kind: icr.Typ
         kind: its type.
         index: the instruction.
     """
-    code = next(one for one in program.procedures if one.name == procedure)
-    line = code.lines[index] if index < len(code.lines) else 0
+    code = program.procedure(procedure)
+    line = code.lines[index] if code is not None and index < len(code.lines) else 0
     name = name.split(".", maxsplit=1)[0]  # variables of one name have numbers behind it
     is_place = kind in (icr.Type.POSE, icr.Type.JOINTS)
     return (NO_LOCATION if is_place else NO_VALUE).at(

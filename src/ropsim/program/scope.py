@@ -1,5 +1,6 @@
 """What lowering knows: the names in sight, the loops around, and what the whole program has used so far."""
 
+from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
@@ -16,6 +17,7 @@ class Used:
 
     tasks: Mapping[str, Task]
     signals: Mapping[str, SignalUse]
+    globals: dict[str, Type]
     channels: dict[str, IoChannel] = field(default_factory=dict)
     tools: dict[str, None] = field(default_factory=dict)
     frames: dict[str, None] = field(default_factory=dict)
@@ -25,7 +27,8 @@ class Used:
     def by(cls, program: Program) -> "Used":
         """Return the names of a program, nothing used yet; of two equal names the first one counts."""
         tasks = {task.name: task for task in reversed(program.tasks)}
-        return cls(tasks, {signal.name: signal for signal in reversed(program.signals)})
+        signals = {signal.name: signal for signal in reversed(program.signals)}
+        return cls(tasks, signals, {one.name: one.type for one in program.main_locals})
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +55,7 @@ class Scope:
         callees: tasks called, in the order of the calls.
         loops: loops around, innermost last.
         depth: modal states saved here.
+        numbers: of the newest hidden name, by its purpose.
         types: of the variables in sight, by name; locals hide globals.
     """
 
@@ -65,11 +69,12 @@ class Scope:
     callees: dict[str, None] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     depth: int = 0
-    types: dict[str, Type] = field(init=False, repr=False)
+    numbers: dict[str, int] = field(default_factory=dict)
+    types: ChainMap[str, Type] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         own = (*self.task.parameters, *self.task.locals) if self.task else ()
-        self.types = {local.name: local.type for local in (*self.program.main_locals, *own)}
+        self.types = ChainMap({local.name: local.type for local in own}, self.used.globals)
 
     def type_of(self, name: str) -> Type:
         """Return the type of a variable in sight.
@@ -83,9 +88,10 @@ class Scope:
 
     def hide(self, purpose: str, kind: Type) -> str:
         """Return a new local whose name no variable of the program has."""
-        number = 1
-        while f"{purpose}.{number}" in self.types or f"{purpose}.{number}" in self.hidden:
+        number = self.numbers.get(purpose, 0) + 1
+        while f"{purpose}.{number}" in self.types:
             number += 1
+        self.numbers[purpose] = number
         name = f"{purpose}.{number}"
         self.hidden[name] = kind
         return name

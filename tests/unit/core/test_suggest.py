@@ -1,4 +1,9 @@
+import difflib
+
+import pytest
+
 from ropsim.core import did_you_mean, near
+from ropsim.core.suggest import MANY
 
 
 def test_a_misspelt_name_finds_the_right_one() -> None:
@@ -20,3 +25,20 @@ def test_a_huge_name_is_answered_quickly() -> None:
 def test_a_word_that_begins_with_a_known_one_means_that() -> None:
     assert did_you_mean("degrees", ["deg", "deg/s", "deg/s2"]) == "did you mean `deg`?"
     assert did_you_mean("pal", ["Palletize", "grip"]) == "did you mean `Palletize`?"
+
+
+def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_comparisons(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compared: list[int] = []
+    matches = difflib.get_close_matches
+
+    def counted(word: str, possibilities: list[str], n: int, cutoff: float) -> list[str]:
+        compared.append(len(possibilities))
+        return matches(word, possibilities, n, cutoff)
+
+    monkeypatch.setattr(difflib, "get_close_matches", counted)
+    names = [f"{letter}{number}" for letter in ("gap", "slot", "way") for number in range(20_000)]
+    assert did_you_mean("stakc", [*names, "stack"]) == "did you mean `stack`?"
+    assert did_you_mean("kstack", [*names, "stack"]) == "did you mean `stack`?"
+    assert max(compared) <= MANY

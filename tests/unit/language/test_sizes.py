@@ -1,8 +1,12 @@
 """Long chains, deep nesting and long texts: each is answered, none breaks the compiler."""
 
+from collections.abc import Callable
+
 import pytest
 
+from ropsim import icr
 from support.tasks import codes, compiled
+from support.work import peak_of, steps_of
 
 
 def chain(length: int) -> str:
@@ -57,3 +61,60 @@ def test_comparisons_of_truth_values_grow_with_their_text_only() -> None:
         assert result.icr is not None
         code.append(sum(len(one.code) for one in result.icr.procedures))
     assert code[1] - code[0] == 9 * 2
+
+
+def lines(line: str, count: int) -> str:
+    """Return so many lines, `#` in each replaced by its number."""
+    return "\n".join(line.replace("#", str(number)) for number in range(count))
+
+
+LONG: dict[str, Callable[[int], str]] = {
+    "variables": lambda n: lines("x# = 1", n),
+    "variables of a task": lambda n: f"task T()\n{lines('x# = 1', n)}\nendp\nT()",
+    "moves": lambda n: lines("lin (300, #, 100)", n),
+    "branches": lambda n: "n = 1\n" + lines("if n > #\n x# = 2\nelse\n x# = 3\nendif\nprint x#", n),
+    "one branching": lambda n: (
+        f"n = 1\nif n > 0\n x = 1\n{lines('elseif n > #' + chr(10) + ' x = 2', n)}\nendif"
+    ),
+    "loops": lambda n: lines("for i# = 1 to 3\n n = i#\nendf", n),
+    "patterns": lambda n: PATTERN + lines("for each b in g\n mov b\nendf", n),
+    "waits": lambda n: lines("wait until part_ok and x timeout 3 s else print 1", n).join(("x = true\n", "")),
+    "ways out of a loop": lambda n: (
+        f"repeat 3\n{lines('x# = 1' + chr(10) + 'if x# > 3 then break', n)}\nendr"
+    ),
+    "passes of a loop": lambda n: (
+        f"repeat 3\n{lines('x# = 1' + chr(10) + 'if x# > 3 then continue', n)}\nendr"
+    ),
+    "returns": lambda n: f"task T()\n{lines('x# = 1' + chr(10) + 'if x# > 3 then return', n)}\nendp\nT()",
+    "tasks": lambda n: (
+        f"program p\n{lines('task T#()' + chr(10) + 'open' + chr(10) + 'endp', n)}\n{lines('T#()', n)}"
+    ),
+    "tasks with variables of all": lambda n: "\n".join(
+        (
+            "program p",
+            lines("var x#: int = 0", n),
+            lines("task T#()\n x# = x# + 1\nendp", n),
+            lines("T#()", n),
+        )
+    ),
+    "a chain of tasks": chain,
+}
+PATTERN = "units mm\npattern g = grid 2 x 2 from (300, 0, 0) step (9, 0, 0), (0, 9, 0)\n"
+
+
+def verified(text: str) -> None:
+    """Compile a text that is right, and verify its code."""
+    result = compiled(text)
+    assert result.icr is not None
+    assert icr.verify(result.icr) == ()
+
+
+@pytest.mark.parametrize("kind", LONG)
+def test_work_and_memory_are_in_proportion_to_the_text(kind: str) -> None:
+    short, long = LONG[kind](100), LONG[kind](400)
+    assert steps_of(lambda: verified(long)) < PROPORTION * steps_of(lambda: verified(short))
+    assert peak_of(lambda: verified(long)) < PROPORTION * peak_of(lambda: verified(short))
+
+
+PROPORTION = 6
+"""Four times the text may take so many times the work: 4, and a margin for tables that grow."""

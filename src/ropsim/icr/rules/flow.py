@@ -9,7 +9,7 @@ from ropsim.icr.opcodes import OPCODES
 from ropsim.icr.program import Procedure, Program, Step, text_place
 from ropsim.icr.stack import Fault, Stack, effect
 
-_JUMPS = {"JMP", "JF", "JT"}
+JUMPS = {"JMP", "JF", "JT"}
 _PREFIXES = {"TRIG.DIST", "TRIG.TIME", "GUARD", "TRACK"}
 _ONCE = {"GUARD": "a move ends by one condition", "TRACK": "a move is corrected by one sensor"}
 _JOINT_MOVES = {"MOVE.PTP", "MOVE.PTP.J", "HOME"}
@@ -35,7 +35,7 @@ def successors(procedure: Procedure, index: int) -> tuple[int, ...]:
     """Return the instructions that may follow instruction `index`."""
     step = procedure.code[index]
     follow: tuple[int, ...] = () if OPCODES[step.mnemonic].ends_flow else (index + 1,)
-    if step.mnemonic in _JUMPS and isinstance(step.operands[0], int):
+    if step.mnemonic in JUMPS and isinstance(step.operands[0], int):
         return (*follow, step.operands[0])
     return follow
 

@@ -1,7 +1,8 @@
 """Rules V2, V3 and V8: known opcodes, operands in range, sound constants."""
 
 import math
-from collections.abc import Iterator
+from collections import ChainMap
+from collections.abc import Collection, Iterator
 
 from ropsim.core import Diagnostic, Span, did_you_mean, near
 from ropsim.icr import diagnostics as kinds
@@ -76,10 +77,10 @@ def check_constant(constant: Constant, place: Span | None, what: str) -> Iterato
             yield kinds.NOT_UNIT_QUATERNION.at(place, message, hint="write it with length 1 and w >= 0")
 
 
-def _names(program: Program, procedure: Procedure) -> dict[OperandKind, set[str]]:
+def _names(program: Program, procedure: Procedure) -> dict[OperandKind, Collection[str]]:
     return {
-        OperandKind.VARIABLE: {one.name for one in program.variables + procedure.variables},
-        OperandKind.PROCEDURE: {one.name for one in program.procedures},
+        OperandKind.VARIABLE: ChainMap(procedure.numbers, program.numbers),
+        OperandKind.PROCEDURE: program.procedure_numbers,
         OperandKind.FRAME: {one.name for one in program.frames} | {""},
         OperandKind.TOOL: {one.name for one in program.tools} | {""},
         OperandKind.CHANNEL: {one.name for one in program.channels},
@@ -95,13 +96,13 @@ def _check_pushed(operand: Operand, place: Span | None) -> Iterator[Diagnostic]:
 
 
 def _check_name(
-    step: Step, kind: OperandKind, operand: Operand, names: set[str], place: Span | None
+    step: Step, kind: OperandKind, operand: Operand, names: Collection[str], place: Span | None
 ) -> Iterator[Diagnostic]:
     if not isinstance(operand, str):
         yield kinds.OPERAND_WRONG.at(place, f"`{step.mnemonic}` needs the name of a {kind.value}")
     elif operand not in names:
         message = f"{kind.value} `{operand}` is not declared"
-        yield kinds.NAME_UNDECLARED.at(place, message, hint=did_you_mean(operand, names - {""}))
+        yield kinds.NAME_UNDECLARED.at(place, message, hint=did_you_mean(operand, filter(None, names)))
 
 
 def _check_number(

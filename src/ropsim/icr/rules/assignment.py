@@ -1,0 +1,106 @@
+"""Rule V7: a value in every variable before it is read."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ropsim.core import Diagnostic
+from ropsim.icr import diagnostics as kinds
+from ropsim.icr.program import Procedure, Program, text_place
+from ropsim.icr.rules.calls import callees_first
+from ropsim.icr.rules.flow import JUMPS, successors
+from ropsim.icr.rules.held import Slot, Slots, common, held_before, missing, ways
+
+_NONE: Slots = frozenset()
+
+
+class Need(NamedTuple):
+    """A variable that may be read without a value, and the instruction where that happens."""
+
+    slot: Slot
+    at: int
+
+
+class Summary(NamedTuple):
+    """What a procedure does with variables.
+
+    Attributes:
+        needs: its own variables, and global ones, that are read before a value was given in it; global ones
+            may get theirs from the caller.
+        needed: the global ones of them.
+        assigns: global variables that have a value whenever it returns; None where it never does.
+    """
+
+    needs: tuple[Need, ...]
+    needed: Slots
+    assigns: Slots | None
+
+
+def check_assignment(program: Program) -> Iterator[Diagnostic]:
+    """Yield where a variable may be read without a value (V7); needs rules V1 to V6."""
+    procedures = {one.name: one for one in program.procedures}
+    for name, needs in unassigned(program).items():
+        for need in needs:
+            place = text_place(program, procedures[name], need.at)
+            message = f"variable `{need.slot.name}` may be read in `{name}` before it has a value"
+            yield kinds.NOT_ASSIGNED.at(place, message, hint="store a value first on every way")
+
+
+def unassigned(program: Program) -> Mapping[str, tuple[Need, ...]]:
+    """Return, by procedure, the variables that rule V7 refuses: locals, and in `main` globals too."""
+    summaries: dict[str, Summary] = {}
+    given = _given_at_once(program)
+    for procedure in callees_first(program):
+        start = _NONE if procedure.name == "main" else given
+        summaries[procedure.name] = _summary(procedure, summaries, start)
+    refused = {}
+    for one in program.procedures:
+        needs = summaries[one.name].needs
+        found = tuple(need for need in needs if one.name == "main" or not need.slot.is_global)
+        if found:
+            refused[one.name] = found
+    return refused
+
+
+def _given_at_once(program: Program) -> Slots:
+    """Return what `main` gives a value before its first jump or call; all others find it there."""
+    main = program.procedure("main")
+    if main is None:
+        return _NONE
+    given = []
+    for step in main.code:
+        if step.mnemonic == "CALL" or step.mnemonic in JUMPS:
+            break
+        if step.mnemonic == "STORE" and step.operands[0] not in main.numbers:
+            given.append(Slot(str(step.operands[0]), is_global=True))
+    return frozenset(given)
+
+
+def _summary(procedure: Procedure, known: Mapping[str, Summary], given_at_once: Slots) -> Summary:
+    own = procedure.numbers
+    gives: dict[int, Slots] = {}
+    reads: dict[int, Slots] = {}
+    lost: set[int] = set()
+    for index, step in enumerate(procedure.code):
+        name = str(step.operands[0]) if step.operands else ""
+        if step.mnemonic == "CALL":
+            summary = known[name]
+            reads[index], gives[index] = summary.needed, summary.assigns or _NONE
+            if summary.assigns is None:
+                lost.add(index)
+        elif step.mnemonic in {"LOAD", "STORE"}:
+            touched = frozenset({Slot(name, is_global=name not in own)})
+            (reads if step.mnemonic == "LOAD" else gives)[index] = touched
+    way = ways(lambda index: () if index in lost else successors(procedure, index))
+    start = frozenset(Slot(variable.name, is_global=False) for variable in procedure.parameters)
+    before = held_before(way, start, lambda index: gives.get(index, _NONE))
+    needs: dict[Slot, Need] = {}
+    for index, slot in missing(before, reads):
+        if slot not in given_at_once:
+            needs.setdefault(slot, Need(slot, index))
+    ends = [before[index] for index in way.order if procedure.code[index].mnemonic == "RET"]
+    assigns = _global(common(ends).all()) - given_at_once if ends else None
+    return Summary(tuple(needs.values()), _global(needs), assigns)
+
+
+def _global(slots: Iterable[Slot]) -> Slots:
+    return frozenset(slot for slot in slots if slot.is_global)

@@ -1,0 +1,198 @@
+"""Which variables hold a value at each instruction: sets that only grow along a way, kept as chains.
+
+A set is a chain: the variables that came last, and the set before them. So all sets of a procedure together
+take room in proportion to its code. Where ways join, what both have beyond the end of their common chain
+goes on. Instructions are gone through in reverse postorder until nothing changes, which is at once where each
+loop has one entry (G. A. Kildall, "A unified approach to global program optimization", POPL 1973; J. B. Kam
+and J. D. Ullman, "Global data flow analysis and iterative algorithms", J. ACM 1976).
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from typing import NamedTuple
+
+
+class Slot(NamedTuple):
+    """A variable as one procedure sees it."""
+
+    name: str
+    is_global: bool
+
+
+Slots = frozenset[Slot]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Held:
+    """A set of variables.
+
+    Attributes:
+        last: what came last.
+        before: the set before that, None for none.
+        depth: number of links before this one.
+    """
+
+    last: Slots
+    before: "Held | None" = None
+    depth: int = 0
+
+    def with_also(self, slots: Slots) -> "Held":
+        """Return a set that has these variables, too."""
+        return Held(slots, self, self.depth + 1) if slots else self
+
+    def all(self) -> Slots:
+        """Return the variables of the whole chain."""
+        found: list[Slots] = []
+        link: Held | None = self
+        while link is not None:
+            found.append(link.last)
+            link = link.before
+        return _union(found)
+
+
+@dataclass(frozen=True, slots=True)
+class Ways:
+    """The ways through the instructions of a procedure.
+
+    Attributes:
+        order: instructions that are reached, those that come before others on ways without loops first.
+        sources: from where each of them is reached.
+    """
+
+    order: tuple[int, ...]
+    sources: Mapping[int, tuple[int, ...]]
+
+
+def ways(following: Callable[[int], Iterable[int]]) -> Ways:
+    """Return the ways that lead from instruction 0 to those that follow it, and so on."""
+    left: list[int] = []
+    sources: dict[int, list[int]] = {0: []}
+    path: list[tuple[int, Iterator[int]]] = [(0, iter(following(0)))]
+    while path:
+        index, targets = path[-1]
+        target = next(targets, None)
+        if target is None:
+            left.append(index)
+            path.pop()
+        elif target in sources:
+            sources[target].append(index)
+        else:
+            sources[target] = [index]
+            path.append((target, iter(following(target))))
+    return Ways(tuple(reversed(left)), {target: tuple(found) for target, found in sources.items()})
+
+
+def held_before(way: Ways, start: Slots, given: Callable[[int], Slots]) -> dict[int, Held]:
+    """Return what holds a value before each instruction, on every way to it.
+
+    Args:
+        way: through the procedure.
+        start: what holds a value at its start.
+        given: what an instruction gives a value.
+    """
+    place = {index: number for number, index in enumerate(way.order)}
+    back: dict[int, list[int]] = {}
+    for index, sources in way.sources.items():
+        for source in sources:
+            if place[source] >= place[index]:
+                back.setdefault(index, []).append(source)
+    root = Held(start)
+    bounds: dict[int, Held] = {}
+    while True:
+        before, after = _passed(way, root, given, bounds)
+        # What a loop brings back has all that its entry has, unless the loop is entered in its middle, too.
+        held = {index: common([before[index], *(after[one] for one in back[index])]) for index in back}
+        smaller = {index: one for index, one in held.items() if _lacks(one, before[index])}
+        if not smaller:
+            return before
+        bounds |= smaller
+
+
+def common(sets: list[Held]) -> Held:
+    """Return what all sets have, at least one; the first one itself where it has no more than that."""
+    if len(sets) == 1:
+        return sets[0]
+    deepest_first = sorted(sets[1:], key=lambda one: -one.depth)
+    return _both(sets[0], reduce(_both, deepest_first))
+
+
+def missing(before: Mapping[int, Held], read: Mapping[int, Slots]) -> list[tuple[int, Slot]]:
+    """Return the variables that an instruction reads and that hold no value before it, in order."""
+    asked: dict[Held, list[int]] = {}
+    for index in read:
+        if index in before:
+            asked.setdefault(before[index], []).append(index)
+    further = _tree(asked)
+    count: dict[Slot, int] = {}
+    found: list[tuple[int, Slot]] = []
+    work = [(link, 1) for link in further.get(None, ())]
+    while work:
+        link, change = work.pop()
+        for slot in link.last:
+            count[slot] = count.get(slot, 0) + change
+        if change > 0:
+            for index in asked.get(link, ()):
+                found += [(index, slot) for slot in read[index] if not count.get(slot, 0)]
+            work.append((link, -1))
+            work += [(one, 1) for one in further.get(link, ())]
+    return sorted(found)
+
+
+def _tree(links: Iterable[Held]) -> dict[Held | None, list[Held]]:
+    """Return which links come after each, as far as they lead to those given; None for those at the start."""
+    further: dict[Held | None, list[Held]] = {}
+    seen: set[Held] = set()
+    for one in links:
+        link: Held | None = one
+        while link is not None and link not in seen:
+            seen.add(link)
+            further.setdefault(link.before, []).append(link)
+            link = link.before
+    return further
+
+
+def _union(parts: Iterable[Slots]) -> Slots:
+    none: Slots = frozenset()
+    return none.union(*parts)
+
+
+def _lacks(one: Held, other: Held) -> bool:
+    """Return whether a set, which has no more than another one, has less."""
+    return one is not other and one.all() != other.all()
+
+
+def _passed(
+    way: Ways, start: Held, given: Callable[[int], Slots], bounds: Mapping[int, Held]
+) -> tuple[dict[int, Held], dict[int, Held]]:
+    """Go through all instructions once; return what is held before and after each."""
+    before: dict[int, Held] = {}
+    after: dict[int, Held] = {}
+    for index in way.order:
+        sources = [after[source] for source in way.sources[index] if source in after]
+        if index in bounds:
+            sources.append(bounds[index])
+        if index == 0:
+            sources.append(start)
+        before[index] = common(sources)
+        after[index] = before[index].with_also(given(index))
+    return before, after
+
+
+def _both(one: Held, other: Held) -> Held:
+    """Return what two sets have, `one` itself where it has no more than that."""
+    beyond: list[Slots] = []
+    others: list[Slots] = []
+    here, there = one, other
+    while here is not there:
+        if here.depth >= there.depth:
+            assert here.before is not None
+            beyond.append(here.last)
+            here = here.before
+        else:
+            assert there.before is not None
+            others.append(there.last)
+            there = there.before
+    mine = _union(beyond)
+    shared = mine & _union(others)
+    return one if len(shared) == len(mine) else here.with_also(shared)
