@@ -33,6 +33,8 @@ from ropsim.program import (
     InAxes,
     InFrame,
     InPosture,
+    Keeping,
+    Kept,
     Local,
     MakeExternal,
     MakePose,
@@ -146,6 +148,11 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
         MakeExternal,
         st.deferred(lambda: expressions[POSE]),
         st.lists(values(REAL), min_size=1, max_size=3).map(tuple),
+    )
+    | st.builds(
+        lambda value, other: Keeping(value, Binary("compose", Kept(POSE), other, POSE), POSE),
+        st.deferred(lambda: expressions[POSE]),
+        st.deferred(lambda: expressions[POSE]) | st.just(Kept(POSE)),
     )
     | st.builds(
         MakePose,

@@ -12,6 +12,7 @@ from ropsim.program import (
     Guard,
     InAxes,
     InPosture,
+    Keeping,
     MakeExternal,
     MakeJoints,
     MakePose,
@@ -80,6 +81,8 @@ def _text(value: object) -> str:
         case MakeVector() | MakeZyx() | MakePose() | MakeExternal() | MakeJoints():
             parts = [_text(getattr(value, f.name)) for f in fields(value) if f.name != "type"]
             text = f"{type(value).__name__.lower()}[{', '.join(parts)}]"
+        case Keeping():
+            text = f"keeping[{_text(value.value)}, {_text(value.result)}]"
         case PostureRequest():
             text = f"{'-'.join(value.words) or 'any'} turns {list(value.turns)}"
         case InAxes(operand=operand, axes=axes):

@@ -12,6 +12,8 @@ from ropsim.program.expressions import Home as Home
 from ropsim.program.expressions import InAxes as InAxes
 from ropsim.program.expressions import InFrame as InFrame
 from ropsim.program.expressions import InPosture as InPosture
+from ropsim.program.expressions import Keeping as Keeping
+from ropsim.program.expressions import Kept as Kept
 from ropsim.program.expressions import MakeExternal as MakeExternal
 from ropsim.program.expressions import MakeJoints as MakeJoints
 from ropsim.program.expressions import MakePose as MakePose

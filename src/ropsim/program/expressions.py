@@ -164,6 +164,22 @@ class Offset:
 
 
 @dataclass(frozen=True, slots=True)
+class Keeping:
+    """`result`, in which `Kept` stands for `value`: what is needed more than once is computed once."""
+
+    value: "Expression"
+    result: "Expression"
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """The value of the innermost `Keeping` in whose result it stands."""
+
+    type: ValueType
+
+
+@dataclass(frozen=True, slots=True)
 class Home:
     """The home position of the arm; only as the target of a PTP move."""
 
@@ -187,5 +203,7 @@ Expression = (
     | InFrame
     | InAxes
     | Offset
+    | Keeping
+    | Kept
     | Home
 )

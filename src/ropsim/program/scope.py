@@ -55,6 +55,7 @@ class Scope:
         callees: tasks called, in the order of the calls.
         loops: loops around, innermost last.
         depth: modal states saved here.
+        kept: names of the values that expressions around keep, innermost last.
         numbers: of the newest hidden name, by its purpose.
         types: of the variables in sight, by name; locals hide globals.
     """
@@ -69,6 +70,7 @@ class Scope:
     callees: dict[str, None] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     depth: int = 0
+    kept: list[str] = field(default_factory=list)
     numbers: dict[str, int] = field(default_factory=dict)
     types: ChainMap[str, Type] = field(init=False, repr=False)
 

@@ -63,6 +63,30 @@ def test_comparisons_of_truth_values_grow_with_their_text_only() -> None:
     assert code[1] - code[0] == 9 * 2
 
 
+@pytest.mark.parametrize(
+    "around",
+    [
+        "dist((#, 1, 0), b)",
+        "dist((#, 1, 0, 0, 0), b)",
+        "dist((1, #, 0; pitch 30, roll 5), b)",
+        "dist((#, 1, 0; down, rz 10) in pallet, b)",
+        "dist(b above # offset (4, 0, 0), b)",
+        "((#, 0, 0, 0, 0) in pallet rel (0, 0, 5)).x",
+        "abs(min(#, x))",
+    ],
+)
+def test_code_grows_with_the_depth_of_an_expression_only(around: str) -> None:
+    sizes = []
+    for depth in (3, 5, 7):
+        inner = "x"
+        for _ in range(depth):
+            inner = around.replace("#", inner)
+        result = compiled(f"units mm\nloc b = (1, 2, 3)\nx = 3 mm\ny = {inner}\n")
+        assert result.icr is not None
+        sizes.append(len(result.icr.procedures[0].code))
+    assert sizes[2] - sizes[1] == sizes[1] - sizes[0]
+
+
 def lines(line: str, count: int) -> str:
     """Return so many lines, `#` in each replaced by its number."""
     return "\n".join(line.replace("#", str(number)) for number in range(count))

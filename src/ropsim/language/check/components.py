@@ -5,7 +5,7 @@ import math
 from ropsim.language.check import fold
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import POSE, Type, Value, known
-from ropsim.program import Constant, Expression, Unary, ValueType
+from ropsim.program import Constant, Expression, Keeping, Kept, Unary, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
@@ -43,11 +43,28 @@ def pitch_roll(body: Body, location_in_work_frame: Expression) -> tuple[Expressi
 def polar(
     body: Body, position: Expression, pitch: Expression, roll: Expression, yaw: Expression | None
 ) -> Expression:
-    """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth."""
+    """Return X_CT with R_BT = Rz(azimuth)·Ry(pitch)·Rx(roll)·Ry(90°); `yaw` overrides the azimuth.
+
+    The azimuth is that of the position, which is computed once.
+    """
     X_BC = fold.IDENTITY if body.moving else quaternion.compose(body.world.X_BK, body.X_KC)
-    if yaw is None:
-        point = fold.compose(fold.pose(X_BC), fold.make_pose(position, UPRIGHT))
-        yaw = fold.binary("atan2", fold.component(point, 1), fold.component(point, 0), ValueType.REAL)
+    if yaw is not None:
+        return _turned(X_BC, position, pitch, roll, yaw)
+    if isinstance(position, Constant):
+        return _turned(X_BC, position, pitch, roll, _azimuth(X_BC, position))
+    kept = Kept(ValueType.VEC)
+    result = _turned(X_BC, kept, pitch, roll, _azimuth(X_BC, kept))
+    return Keeping(position, result, ValueType.POSE)
+
+
+def _azimuth(X_BC: PoseTuple, position: Expression) -> Expression:
+    point = fold.compose(fold.pose(X_BC), fold.make_pose(position, UPRIGHT))
+    return fold.binary("atan2", fold.component(point, 1), fold.component(point, 0), ValueType.REAL)
+
+
+def _turned(
+    X_BC: PoseTuple, position: Expression, pitch: Expression, roll: Expression, yaw: Expression
+) -> Expression:
     turned = fold.make_pose(Constant((0.0, 0.0, 0.0), ValueType.VEC), fold.zyx(yaw, pitch, roll))
     R_BT = fold.compose(turned, fold.pose((0.0, 0.0, 0.0, *_LEVEL)))
     R_CT = fold.compose(_turn(quaternion.conjugate(X_BC[3:])), R_BT)

@@ -110,9 +110,25 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
             evaluate(scope, operand, Type.POSE)
             evaluate(scope, way, Type.VEC)
             emit("OFFSET")
+        case sir.Keeping():
+            _keeping(scope, expression)
+        case sir.Kept():
+            if not scope.kept:
+                raise unsound("no value is kept where one is taken")
+            emit("LOAD", scope.kept[-1])
         case sir.Home():
             raise unsound("the home position is a target of PTP moves only")
     return static_type(scope, expression)
+
+
+def _keeping(scope: Scope, expression: sir.Keeping) -> None:
+    kind = static_type(scope, expression.value)
+    evaluate(scope, expression.value, kind)
+    name = scope.hide("kept", kind)
+    scope.emitter.emit("STORE", name)
+    scope.kept.append(name)
+    evaluate(scope, expression.result, expression.type)
+    scope.kept.pop()
 
 
 def _posture(scope: Scope, expression: sir.InPosture) -> None:
