@@ -2,7 +2,7 @@ import pytest
 
 from ropsim import icr
 from ropsim.core import Span
-from ropsim.flow import GripAction, MotionKind, WaitInstruction
+from ropsim.flow import GripAction, MotionKind, ToolDirection, WaitInstruction
 from ropsim.program import (
     Assign,
     AssignComponent,
@@ -20,6 +20,8 @@ from ropsim.program import (
     Grip,
     Home,
     If,
+    Keeping,
+    Kept,
     Local,
     LoweringError,
     MakeJoints,
@@ -36,6 +38,7 @@ from ropsim.program import (
     Statement,
     Stop,
     Task,
+    Tracking,
     Unary,
     ValueType,
     Variable,
@@ -511,3 +514,22 @@ def test_a_lowered_palletizing_program_is_the_golden_text() -> None:
     main = (Grip(GripAction.OPEN, "", at(1)), Assign("p", place(0.4), at(2)), rows, say(k(), 8))
     text = icr.disassemble(compiled(*main, tasks=(grip,), frame="cell", tool="jaws"))
     check_golden(GOLDEN / "icr" / "lowered.icr", text)
+
+
+def test_a_motion_in_joint_space_that_a_sensor_corrects_is_unsound() -> None:
+    corrected = Tracking("force", real(0.1), real(1.0), ToolDirection.Z)
+    with pytest.raises(LoweringError, match="not corrected by a sensor"):
+        compiled(Move(MotionKind.PTP, place(0.1), Settings(), at(1), tracking=corrected))
+
+
+def test_a_kept_value_outside_of_what_keeps_it_is_unsound() -> None:
+    with pytest.raises(LoweringError, match="no value is kept"):
+        compiled(Assign("p", Kept(POSE), at(1)))
+
+
+def test_what_is_kept_is_computed_once() -> None:
+    there = Unary("invert", place(0.1), POSE)
+    twice = Keeping(there, Binary("compose", Kept(POSE), Kept(POSE), POSE), POSE)
+    program = compiled(Assign("p", twice, at(1)), say(Component(Variable("p", POSE), 0)))
+    assert [step.mnemonic for step in program.procedures[0].code].count("INV") == 1
+    assert [float(one) for one in icr.run(program).messages] == [pytest.approx(-0.2)]

@@ -110,18 +110,19 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
             evaluate(scope, operand, Type.POSE)
             evaluate(scope, way, Type.VEC)
             emit("OFFSET")
-        case sir.Keeping():
-            _keeping(scope, expression)
-        case sir.Kept():
-            if not scope.kept:
-                raise unsound("no value is kept where one is taken")
-            emit("LOAD", scope.kept[-1])
+        case sir.Keeping() | sir.Kept():
+            _kept(scope, expression)
         case sir.Home():
             raise unsound("the home position is a target of PTP moves only")
     return static_type(scope, expression)
 
 
-def _keeping(scope: Scope, expression: sir.Keeping) -> None:
+def _kept(scope: Scope, expression: sir.Keeping | sir.Kept) -> None:
+    if isinstance(expression, sir.Kept):
+        if not scope.kept:
+            raise unsound("no value is kept where one is taken")
+        scope.emitter.emit("LOAD", scope.kept[-1])
+        return
     kind = static_type(scope, expression.value)
     evaluate(scope, expression.value, kind)
     name = scope.hide("kept", kind)

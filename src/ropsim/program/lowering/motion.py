@@ -24,6 +24,8 @@ def lower_move(scope: Scope, move: Move) -> None:
     All points and places of triggers are evaluated before the first motion: `here` is where the arm is then.
     """
     single = move.kind in _SINGLE
+    if move.kind == MotionKind.PTP and move.tracking is not None:
+        raise unsound("a motion in joint space is not corrected by a sensor", move.span)
     if single and move.via:
         if move.guard is not None:
             raise unsound("a motion through points has no condition that ends it", move.span)
