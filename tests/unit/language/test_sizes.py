@@ -135,7 +135,7 @@ def verified(text: str) -> None:
 
 @pytest.mark.parametrize("kind", LONG)
 def test_work_and_memory_are_in_proportion_to_the_text(kind: str) -> None:
-    short, long = LONG[kind](100), LONG[kind](400)
+    short, long = LONG[kind](50), LONG[kind](200)
     assert steps_of(lambda: verified(long)) < PROPORTION * steps_of(lambda: verified(short))
     assert peak_of(lambda: verified(long)) < PROPORTION * peak_of(lambda: verified(short))
 
