@@ -26,6 +26,7 @@ from ropsim.icr.program import Variable as Variable
 from ropsim.icr.reader import assemble as assemble
 from ropsim.icr.reader import read_text as read_text
 from ropsim.icr.rules.assignment import unassigned as unassigned
+from ropsim.icr.rules.operands import MAX_AXES as MAX_AXES
 from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState
 from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE

@@ -733,3 +733,14 @@ def test_a_pose_without_axes_is_shifted_along_its_task_frame(text: str) -> None:
 def test_the_place_of_a_shifted_pose_is_finite() -> None:
     far = "PUSH REAL 1e308/PUSH REAL 0.0/PUSH REAL 0.0/MKVEC/OFFSET"
     assert trap(f"{TARGET}/{far}/{far}/POP/HALT") == "I461"
+
+
+def test_a_command_pose_that_is_not_finite_in_another_frame_is_a_trap() -> None:
+    far = "1.7e308 1.7e308 1.7e308 0.5 0.5 0.5 0.5"
+    program = assemble(
+        f"ICR 1.0 t\nREQUIRE CAP MSG PTP\nFRAMEDEF far {far}\nPROC main\nFRAME far\nPUSH POSE {far}\n"
+        "MOVE.PTP\nFRAME -\nCURPOSE\nFMT\nMSG\nHALT\nEND\n"
+    )
+    trap = run(program).trap
+    assert trap is not None
+    assert (trap.code, "CURPOSE" in trap.message) == ("I461", True)

@@ -1,11 +1,12 @@
 """Types and units: bare numbers, dimensions, whole numbers."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from ropsim.program import Assign, Constant, Repeat, ValueType, Wait
-from support.tasks import codes, compiled, only
+from support.tasks import CELL, codes, compiled, only
 
 
 def value(expression: str, head: str = "") -> object:
@@ -117,3 +118,28 @@ def test_the_message_names_what_was_found_and_what_is_allowed() -> None:
 
 def test_strict_wants_units_and_declarations() -> None:
     assert codes("strict\nvar d: length\nd = 5\nd = 0\nm = 3\nmov home") == ["T307", "T311"]
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("mov joints(1, 2)\nmov joints(1, 2, 3)", "T335"),
+        (f"mov joints({', '.join(['0'] * 33)})", "T335"),
+        ("n = 1\nn = 1000000000000 * 1000000000000", "T306"),
+        ("n = round(1e12 * 1e12)", "T306"),
+        ("repeat 1e12 * 1e12\nendr", "T304"),
+        ("mov (1, 2, 1e12 * 1e12)", "T306"),
+        ("mov infeed above 1e12 * 1e12", "T306"),
+        ("tool t = (0, 0, 1e12 * 1e12)\nopen", "T306"),
+        ("units min\nconst h = " + "*".join(["1e12"] * 25) + "*1.7e8\nwait h", "T306"),
+    ],
+)
+def test_what_no_code_could_carry_out_is_a_finding(line: str, code: str) -> None:
+    assert codes(line) == [code]
+
+
+def test_joint_coordinates_are_as_many_as_the_station_has_axes() -> None:
+    six = replace(CELL, axes=("angle",) * 6)
+    found = only("mov joints(0, 0, 0)", six)
+    assert (found.code, found.hint) == ("T335", "the station has 6 axes")
+    assert codes("mov joints(0, 0, 0, 0, 0, 0)", six) == []

@@ -1,5 +1,6 @@
 """Operations of motion and gripper, and the pose commanded last."""
 
+import math
 from dataclasses import replace
 
 from ropsim.flow import (
@@ -141,7 +142,10 @@ def _grip(registers: Registers, _world: World, site: Site) -> Instruction:
 def _command_pose(registers: Registers, _world: World, site: Site) -> Instruction | None:
     if (sync := barrier(registers, site)) is not None:
         return sync
-    registers.stack.append(along(_seen_now(registers), None))
+    location = along(_seen_now(registers), None)
+    if not all(map(math.isfinite, pose_part(location))):
+        raise out_of_range("the result of `CURPOSE` is not finite")
+    registers.stack.append(location)
     return None
 
 

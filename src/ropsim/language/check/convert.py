@@ -74,14 +74,17 @@ def _real(body: Body, value: Value, wanted: Type, place: Placed, what: str) -> E
             kinds.BARE, place, f"{what} is {article(wanted)} without unit", "write the unit behind the number"
         )
     factor = body.world.units.factor(wanted.dimension)
-    return fold.binary("mul", expression, fold.real(factor), _REAL)
+    try:
+        return fold.binary("mul", expression, fold.real(factor), _REAL)
+    except ArithmeticError as error:
+        body.fail(kinds.OUT_OF_RANGE, place, f"the value cannot be computed: {error}", "check the numbers")
 
 
 def _whole(body: Body, value: Value, found: Type, place: Placed, what: str) -> Expression:
     if found.value is _INT:
         return value.expression
     number = fold.number_of(value.expression)
-    if found.dimension == units.NUMBER and number is not None and number == int(number):
+    if found.dimension == units.NUMBER and number is not None and fold.is_whole(number):
         return fold.whole(int(number))
     if found.dimension != units.NUMBER:
         body.fail(

@@ -1,5 +1,6 @@
 """Every kind of expression: syntax to a typed value in SI units."""
 
+from ropsim.icr import MAX_AXES
 from ropsim.language.check import arithmetic, components, convert, fold, functions, poses, values
 from ropsim.language.check.body import Body, Expressions
 from ropsim.language.check.types import (
@@ -86,6 +87,7 @@ def _state(body: Body, node: nodes.State) -> Value:
 
 
 def _joints(body: Body, node: nodes.Joints) -> Value:
+    _check_count(body, node)
     expressions = []
     axes = body.world.environment.axes
     for k, item in enumerate(node.values):
@@ -96,6 +98,24 @@ def _joints(body: Body, node: nodes.Joints) -> Value:
     if len(numbers) < len(expressions):
         return Value(MakeJoints(tuple(expressions)), JOINTS)
     return Value(Constant(numbers, ValueType.JOINTS), JOINTS)
+
+
+def _check_count(body: Body, node: nodes.Joints) -> None:
+    """Report another number of coordinates than the robot has axes, or than the text gave before.
+
+    Raises:
+        RejectedError: it is another one.
+    """
+    world, found = body.world, len(node.values)
+    axes = len(world.environment.axes)
+    wanted = axes or world.joint_count
+    if wanted and found != wanted:
+        hint = f"the station has {wanted} axes" if axes else f"other `joints(…)` of this text have {wanted}"
+        body.fail(kinds.JOINT_COUNT, node, f"`joints(…)` has {found} coordinates, {wanted} are needed", hint)
+    if found > MAX_AXES:
+        message = f"`joints(…)` has {found} coordinates, at most {MAX_AXES} are allowed"
+        body.fail(kinds.JOINT_COUNT, node, message, "give one for each axis of the station")
+    world.joint_count = found
 
 
 def _member(body: Body, node: nodes.Member) -> Value:

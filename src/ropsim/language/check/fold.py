@@ -25,6 +25,9 @@ IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 
+LARGEST_WHOLE = 2**63 - 1
+"""What an INT of ICR holds."""
+
 _UNARY = {
     "abs": "ABS",
     "neg": "NEG",
@@ -308,3 +311,8 @@ def component(operand: Expression, index: int) -> Expression:
         return real(value[index])
     rz, ry, rx = quaternion.to_zyx(value[3:])
     return real((rx, ry, rz)[index - 3])
+
+
+def is_whole(value: float) -> bool:
+    """Return whether a number is a whole one of 64 bits."""
+    return -LARGEST_WHOLE <= value <= LARGEST_WHOLE and value == int(value)

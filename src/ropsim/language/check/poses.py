@@ -6,6 +6,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
+from ropsim.language.syntax.lexer import LARGEST
 from ropsim.program import CommandPose, Constant, Expression, ValueType
 from ropsim.spatial import quaternion
 
@@ -64,7 +65,7 @@ def moved(body: Body, value: Value, node: nodes.Binary) -> Value:
     """
     base = convert.to(body, value, POSE, node.left, f"the left side of `{node.op}`")
     if node.op == "above":
-        distance = values.expect(body, node.right, LENGTH, "the distance of `above`")
+        distance = _length(body, node.right, "the distance of `above`")
         back = fold.vector(fold.real(0.0), fold.real(0.0), fold.unary("neg", distance, ValueType.REAL))
         return Value(fold.compose(base, fold.make_pose(back, components.UPRIGHT)), POSE, X_KF=value.X_KF)
     if node.op == "rel":
@@ -182,10 +183,24 @@ def _pose(body: Body, node: nodes.Tuple, default: Expression) -> Expression:
 
 def _position(body: Body, node: nodes.Tuple) -> Expression:
     x, y, z = (
-        values.expect(body, item.value, LENGTH, f"`{axis}` of a location")
+        _length(body, item.value, f"`{axis}` of a location")
         for axis, item in zip("xyz", node.items[:3], strict=True)
     )
     return fold.vector(x, y, z)
+
+
+def _length(body: Body, node: nodes.Node, what: str) -> Expression:
+    """Return a length that a location is made of; what is composed of such constants is always finite.
+
+    Raises:
+        RejectedError: it is none, or too large to mean anything.
+    """
+    expression = values.expect(body, node, LENGTH, what)
+    number = fold.number_of(expression)
+    if number is not None and abs(number) > LARGEST:
+        message = f"{what} is {number:g} m, at most {LARGEST:g} m is allowed"
+        body.fail(kinds.OUT_OF_RANGE, node, message, "check the numbers and their units")
+    return expression
 
 
 def _angle(body: Body, node: nodes.Tuple, index: int, word: str) -> Expression:

@@ -112,6 +112,7 @@ class World:
             along which axes they are shifted.
         signatures: tasks by name.
         used_signals: signals that the program names.
+        joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
     """
 
     environment: Environment
@@ -126,3 +127,4 @@ class World:
     has_axes: bool = False
     signatures: dict[str, Signature] = field(default_factory=dict)
     used_signals: dict[str, SignalUse] = field(default_factory=dict)
+    joint_count: int = 0

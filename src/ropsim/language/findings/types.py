@@ -155,3 +155,19 @@ mov j
 ```
 """,
 )
+JOINT_COUNT = define(
+    "T335",
+    "wrong-number-of-joint-coordinates",
+    Severity.ERROR,
+    "joint coordinates of another number than the station has axes",
+    """
+`joints(…)` takes one coordinate for each axis of the station: those of the arm, then those of its external
+axes. Where a text is compiled without a cell, the first `joints(…)` says how many there are, and all others
+have as many; 32 at most.
+
+```
+mov joints(0, 75, -180, 0, -75, 0)              # six axes
+mov joints(0, 75, -180, 0, -75, 0, 400 mm)      # six axes and a track
+```
+""",
+)

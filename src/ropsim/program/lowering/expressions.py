@@ -102,19 +102,24 @@ def _emit(scope: Scope, expression: sir.Expression) -> Type:
         case sir.InFrame(operand=operand, frame=frame):
             evaluate(scope, operand, Type.POSE)
             emit("INFRAME", scope.frame(frame) if frame else "")
-        case sir.InAxes(operand=operand, axes=axes):
-            evaluate(scope, operand, Type.POSE)
-            push(scope, Type.ORI, quaternion.unit(axes))
-            emit("AXES")
-        case sir.Offset(operand=operand, way=way):
-            evaluate(scope, operand, Type.POSE)
-            evaluate(scope, way, Type.VEC)
-            emit("OFFSET")
+        case sir.InAxes() | sir.Offset():
+            _axes(scope, expression)
         case sir.Keeping() | sir.Kept():
             _kept(scope, expression)
         case sir.Home():
             raise unsound("the home position is a target of PTP moves only")
     return static_type(scope, expression)
+
+
+def _axes(scope: Scope, expression: sir.InAxes | sir.Offset) -> None:
+    """Emit a location that keeps its axes, or one that is shifted along them."""
+    evaluate(scope, expression.operand, Type.POSE)
+    if isinstance(expression, sir.InAxes):
+        push(scope, Type.ORI, quaternion.unit(expression.axes))
+        scope.emitter.emit("AXES")
+    else:
+        evaluate(scope, expression.way, Type.VEC)
+        scope.emitter.emit("OFFSET")
 
 
 def _kept(scope: Scope, expression: sir.Keeping | sir.Kept) -> None:
