@@ -11,8 +11,8 @@ from support.tasks import compiled
 
 HEAD = f"""units m, deg
 const huge = {"*".join(["1e12"] * 25)}*1e8
-task T(q: loc, n: num)
-  mov q above n
+task T(q: loc, far: length)
+  mov q above far
 endp
 q = infeed
 n = 2.5
@@ -67,6 +67,7 @@ lines = st.one_of(
 @settings(max_examples=250, derandomize=True)
 @given(st.lists(lines, min_size=1, max_size=4))
 def test_a_text_without_findings_is_verified_and_runs_in_finite_numbers(program: list[str]) -> None:
+    assert compiled(HEAD).ok
     right = [line for line in program if compiled(HEAD + line).icr is not None]
     result = compiled(HEAD + "\n".join(right))
     if result.icr is None:  # they contradict each other
