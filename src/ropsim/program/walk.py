@@ -1,7 +1,9 @@
-"""Going through all statements of a block."""
+"""Going through all statements of a block, and through all parts of an expression."""
 
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
 
+from ropsim.program.expressions import Expression, SignalValue
 from ropsim.program.statements import Block, For, If, Repeat, Statement, WaitUntil, While, With
 
 
@@ -26,3 +28,16 @@ def walk(block: Block) -> Iterator[Statement]:
         yield statement
         for part in reversed(parts(statement)):
             work += reversed(part)
+
+
+def signals_of(expression: Expression) -> Iterator[str]:
+    """Yield the signals that an expression reads."""
+    work: list[object] = [expression]
+    while work:
+        part = work.pop()
+        if isinstance(part, SignalValue):
+            yield part.name
+        elif isinstance(part, tuple):
+            work += part
+        elif is_dataclass(part):
+            work += (getattr(part, one.name) for one in fields(part))

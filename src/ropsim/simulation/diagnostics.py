@@ -324,7 +324,8 @@ sets a signal on and off again while the other one looks elsewhere, the other on
 when the other one has answered.
 
 A program that goes round in a loop and does nothing but look at signals and stand, such as a wait for two
-signals at once, waits too. One that counts its passes or looks at the time does not.
+signals at once, waits too; so does one that looks at nothing at all. One that counts its passes or looks at
+the time does not.
 
 A station that opens a gate or feeds a machine for others does so in a loop, and waits when they are done.
 Write `serves = true` in its table `[stations.NAME]`: its program then ends with theirs, and waits in vain

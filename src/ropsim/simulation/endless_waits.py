@@ -82,6 +82,14 @@ def _reads(at: StationRun) -> Mapping[str, bool | float]:
 
 def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> Diagnostic:
     name, origin = at.station.name, _origin(at)
+    if not _channels(at):
+        return WAITS_IN_VAIN.at(
+            origin.span,
+            f"`{name}` waits for ever, from t = {at.time:.2f} s on: it looks at nothing that could change",
+            label=f"pass {origin.visit}",
+            hint="let the condition read a signal, or count the passes",
+            data={"station": name, "channel": "", "time_s": at.time, "pass": origin.visit},
+        )
     told = [note for channel in _channels(at) for note in _notes(run, at, channel, programs)]
     return WAITS_IN_VAIN.at(
         origin.span,

@@ -11,7 +11,7 @@ class Polled(NamedTuple):
     """What a pass of such a loop looked at.
 
     Attributes:
-        reads: what each channel read.
+        reads: what each channel read; empty where the loop looks at none.
         origin: of the standing in the loop.
     """
 
@@ -30,7 +30,7 @@ class Polling:
         reads: channels read since the last wait.
         timed: whether the program has asked for the time since then.
         state: of the program at the last wait; None where it has done something else since.
-        found: what was looked at before the last wait, where the state was the same.
+        found: what was looked at before the last wait, where the state was the same; it may be nothing.
     """
 
     reads: dict[str, bool | float] = field(default_factory=dict)
@@ -48,7 +48,7 @@ class Polling:
             return None
         state = _bare(machine.snapshot())
         same = state == self.state and not self.timed
-        self.found = Polled(dict(self.reads), step.origin) if same and self.reads else None
+        self.found = Polled(dict(self.reads), step.origin) if same else None
         self.state, self.timed = state, False
         self.reads.clear()
         return self.found

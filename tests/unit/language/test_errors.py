@@ -210,3 +210,11 @@ def test_a_branch_needs_no_blank_behind_its_word(line: str) -> None:
 @pytest.mark.parametrize("line", ["return 5 s", "return nowhere", "retrun 5 mm", "return 5 5", "return"])
 def test_a_wrong_return_is_not_missed_as_well(line: str) -> None:
     assert len(codes(f"task T() -> length\n {line}\nendp\nx = T()")) == 1
+
+
+@pytest.mark.parametrize("condition", ["n > 3", "false", "n = 1 and q.x > 3 mm"])
+def test_a_wait_for_what_nothing_changes_is_a_warning(condition: str) -> None:
+    text = f"q = (1, 2, 3)\nn = 1\nwait until {condition}"
+    found = only(text)
+    assert (found.code, found.is_error) == ("T336", False)
+    assert codes(f"{text} or part_ok") == []

@@ -324,6 +324,26 @@ def test_a_loop_that_only_looks_at_channels_waits_too(wait: tuple[str, ...]) -> 
 
 @pytest.mark.parametrize(
     "loop",
+    [("wait until false",), ("n = 1", "wait until n > 3"), ("while true", "wait 0.1 s", "endw")],
+)
+def test_a_loop_that_looks_at_nothing_is_found_at_once(loop: tuple[str, ...]) -> None:
+    recording = ran(cell("left", "right"), left=loop, right=("wait 5 s",))
+    (found,) = recording.findings
+    assert (found.code, found.data["station"]) == ("S742", "left")
+    assert "it looks at nothing that could change" in found.message
+    assert recording.duration == pytest.approx(5.0, abs=0.2)
+
+
+def test_a_wait_for_what_nothing_changes_passes_its_time_without_looking_again() -> None:
+    waits = ("n = 1", "wait until n > 3 timeout 900 s else print n", "wait until n = 1 timeout 900 s")
+    recording = ran(cell("left"), left=waits)
+    assert recording.findings == ()
+    assert recording.duration == 900.0
+    assert len(recording.events_of(WaitEvent)) == 1
+
+
+@pytest.mark.parametrize(
+    "loop",
     [
         ("n = 0", "while not a and n < 100", "n = n + 1", "wait 0.1 s", "endw"),
         ("wait until a and b timeout 10 s else set c on",),

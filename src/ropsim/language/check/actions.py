@@ -22,6 +22,7 @@ from ropsim.program import (
     ValueType,
     Wait,
     WaitUntil,
+    signals_of,
 )
 
 
@@ -120,6 +121,9 @@ def wait_until(body: Body, node: syntax.WaitCondition, otherwise: Block) -> Bloc
     if isinstance(node.condition, Name) and body.find(node.condition.text) is None and not body.is_tolerant:
         _refuse_undeclared(body, name_kinds.UNKNOWN_NAME, node.condition, "signal", values.visible(body))
     condition = values.expect(body, node.condition, BOOL, "the condition of `wait until`")
+    if not any(signals_of(condition)):
+        message = "nothing in this condition changes while the program waits"
+        body.warn(kinds.NOTHING_CHANGES, node.condition, message, "let it read a signal, or write `if`")
     timeout = None
     if node.timeout is not None:
         timeout = values.expect(body, node.timeout, TIME, "the time of `timeout`")

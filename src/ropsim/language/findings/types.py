@@ -171,3 +171,18 @@ mov joints(0, 75, -180, 0, -75, 0, 400 mm)      # six axes and a track
 ```
 """,
 )
+NOTHING_CHANGES = define(
+    "T336",
+    "condition-without-signal",
+    Severity.WARNING,
+    "a wait for a condition that nothing changes meanwhile",
+    """
+A program that waits does nothing else, so its variables stay as they are. Only signals change meanwhile: a
+condition that reads none is true at once or never. Let it read a signal, or ask once with `if`.
+
+```
+wait until n > 3                # nobody counts meanwhile
+wait until n > 3 or part_ok     # part_ok may come
+```
+""",
+)

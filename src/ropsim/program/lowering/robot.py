@@ -7,6 +7,7 @@ from ropsim.program.emitter import Label
 from ropsim.program.lowering.expressions import evaluate, push, static_type
 from ropsim.program.move import Settings
 from ropsim.program.scope import Scope
+from ropsim.program.walk import signals_of
 
 POLL_PERIOD = 0.004
 """How often a condition is tested that is no plain input [s]; the usual tick of robot controllers."""
@@ -66,7 +67,13 @@ def lower_wait_until(scope: Scope, wait: st.WaitUntil) -> None:
     """Emit WAIT.IN where a digital signal is waited for, else a loop that tests the condition."""
     holds = Label()
     simple = _plain_signal(scope, wait.condition)
-    if simple:
+    if not simple and wait.timeout is not None and not any(signals_of(wait.condition)):
+        # nothing changes it while the program waits
+        evaluate(scope, wait.condition, Type.BOOL)
+        scope.emitter.jump("JT", holds)
+        evaluate(scope, wait.timeout, Type.REAL)
+        scope.emitter.emit("WAIT.T")
+    elif simple:
         name, value = simple
         push(scope, Type.BOOL, value)
         lower_timeout(scope, wait.timeout)
