@@ -10,6 +10,7 @@ from ropsim.language.outline import Outline as Outline
 from ropsim.language.outline import Role as Role
 from ropsim.language.outline import TaskOutline as TaskOutline
 from ropsim.language.outline import outline as outline
+from ropsim.language.places import named_at as named_at
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
 from ropsim.language.text import LineCache as LineCache

@@ -10,6 +10,7 @@ from ropsim.language import text as texts
 from ropsim.language.check import program as checker
 from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
+from ropsim.language.places import at_names
 from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
 from ropsim.language.syntax.statements import TaskHeader
 from ropsim.language.task_form import TaskForm
@@ -63,11 +64,11 @@ def compile(
     checked = _checked(source, signatures, report, cache or LineCache())
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
-    icr = None if report.has_errors else _lowered(checked.program, report)
+    icr = None if report.has_errors else _lowered(checked.program, source, report)
     return Compiled(checked.program, icr, report.in_order(), source, checked.tasks)
 
 
-def _lowered(program: Program, report: Report) -> IcrProgram | None:
+def _lowered(program: Program, source: SourceText, report: Report) -> IcrProgram | None:
     """Return the executable form; None where tasks call each other in a circle."""
     report.extend(recursion(program))
     if report.has_errors:
@@ -75,7 +76,7 @@ def _lowered(program: Program, report: Report) -> IcrProgram | None:
     report.extend(check_contracts(program))
     report.extend(check_points(program))
     code, findings = lower_with_findings(program, report.source)
-    report.extend(findings)
+    report.extend(at_names(findings, source))
     return None if report.has_errors else code
 
 

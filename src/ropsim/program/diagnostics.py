@@ -118,6 +118,7 @@ def without_value(program: icr.Program, procedure: str, name: str, kind: icr.Typ
         Span.whole_line(program.source, line) if line else None,
         f"`{name}` may have no value here" + ("" if is_place else ", it reads as zero then"),
         hint=f"give `{name}` a value on every way to this line",
+        data={"name": name},
     )
 
 

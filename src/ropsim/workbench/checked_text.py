@@ -58,5 +58,5 @@ def _at_station(
     if text.name.endswith(".icr"):
         return CheckedText(text, compile_program(text, cell, station).diagnostics)
     compiled = language.compile(text.text, environment, text.name, cache)
-    missing = () if compiled.icr is None else unbound(compiled.icr, cell, station)
+    missing = () if compiled.icr is None else unbound(compiled.icr, text, cell, station)
     return CheckedText(text, (*compiled.diagnostics, *missing), compiled.tasks)

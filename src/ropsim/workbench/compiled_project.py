@@ -47,11 +47,12 @@ def compile_program(text: SourceText, cell: Cell | None, station: Station | None
         compiled = language.compile(text.text, environment_of(cell, station), name=text.name)
         findings = compiled.diagnostics
         if compiled.icr is not None and not any(one.is_error for one in findings):
-            findings = (*findings, *icr.verify(compiled.icr), *unbound(compiled.icr, cell, station))
+            findings = (*findings, *icr.verify(compiled.icr))
+            findings = (*findings, *unbound(compiled.icr, text, cell, station))
         return CompiledProgram(text, compiled.program, compiled.icr, findings)
     code, findings = icr.read_text(text.text, text.name)
     if code is not None:
-        findings = (*findings, *icr.verify(code), *unbound(code, cell, station))
+        findings = (*findings, *icr.verify(code), *unbound(code, text, cell, station))
     return CompiledProgram(text, None, code, findings)
 
 
@@ -97,19 +98,30 @@ def _place(found: Diagnostic) -> tuple[bool, int, int]:
     return (False, found.span.line, found.span.column) if found.span else (True, 0, 0)
 
 
-def unbound(code: icr.Program, cell: Cell | None, station: Station | None) -> tuple[Diagnostic, ...]:
-    """Return the channels and tools that a program names and its station does not have (rule V11)."""
+def unbound(
+    code: icr.Program, text: SourceText, cell: Cell | None, station: Station | None
+) -> tuple[Diagnostic, ...]:
+    """Return the channels and tools that a program names and its station does not have (rule V11).
+
+    Args:
+        code: the program.
+        text: where it comes from, for places.
+        cell: None for a program without one.
+        station: that runs it; None for the first one of the cell.
+    """
     if cell is None:
         return ()
     station = station or cell.first
-    signals = [("signals", channel.name, tuple(cell.signals)) for channel in code.channels]
-    tools = [("tools", tool.name, tuple(station.tools)) for tool in code.tools if tool.pose is None]
+    signals = [("signals", "IO", channel.name, tuple(cell.signals)) for channel in code.channels]
+    tools = [
+        ("tools", "TOOLDEF", tool.name, tuple(station.tools)) for tool in code.tools if tool.pose is None
+    ]
     return tuple(
         UNBOUND.at(
-            None,
+            code.declared_at.get(f"{record} {name}") or language.named_at(text, name),
             f"`{code.name}` names `{name}`, which is not under [{table}]",
             hint=did_you_mean(name, known) or f"add `[{table}.{name}]` to cell.toml",
         )
-        for table, name, known in (*signals, *tools)
+        for table, record, name, known in (*signals, *tools)
         if name not in known
     )

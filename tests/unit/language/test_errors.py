@@ -218,3 +218,23 @@ def test_a_wait_for_what_nothing_changes_is_a_warning(condition: str) -> None:
     found = only(text)
     assert (found.code, found.is_error) == ("T336", False)
     assert codes(f"{text} or part_ok") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "line", "marked"),
+    [
+        ("if part_ok\n x = 1\nendif\nprint 2, x", "T391", 4, (10, 11)),
+        ("if part_ok\n x = 1\nendif\nx = 1 + x", "T391", 4, (9, 10)),
+        ("if part_ok\n q = infeed\nendif\nlin q above 30", "T392", 4, (5, 6)),
+        ("if part_ok\n q = infeed\nendif\nlin (1, 2,\n  3; like q)", "T392", 5, (11, 12)),
+        ("if part_ok\n q = infeed\nendif\nq.x = 3", "T392", 4, (1, 2)),
+    ],
+)
+def test_a_name_without_value_is_marked_where_it_is_read(
+    text: str, code: str, line: int, marked: tuple[int, int]
+) -> None:
+    found = only(text)
+    assert found.span is not None
+    assert found.code == code
+    assert (found.span.line, found.span.end_line) == (line, line)
+    assert (found.span.column, found.span.end_column) == marked
