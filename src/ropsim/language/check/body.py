@@ -74,6 +74,7 @@ class Body:
         self.names: dict[str, Symbol] = {}
         self.variables: dict[str, Variable] = {}
         self.past: set[str] = set()
+        self._numbers: dict[str, int] = {}
         self.references: tuple[str, ...] = ()
         self.result: Type | None = None
         self.task = task
@@ -147,10 +148,12 @@ class Body:
 
     def _free(self, name: str) -> str:
         """Return a name that no other variable in sight has in the structured program."""
-        number, chosen = 1, name
+        number = self._numbers.get(name, 1)
+        chosen = name if number == 1 else f"{name}.{number}"
         while chosen in self.variables or isinstance(self.world.symbols.get(chosen), Variable):
             number += 1
             chosen = f"{name}.{number}"
+        self._numbers[name] = number
         return chosen
 
     def poison(self, name: str) -> None:

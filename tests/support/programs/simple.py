@@ -1,0 +1,90 @@
+"""Statements of one line at random."""
+
+from random import Random
+
+from support.programs.expressions import Sight, literal, made
+from support.programs.nodes import PLACE, Expr, Program, Stmt
+
+
+class Simple:
+    """Makes statements over the names in sight.
+
+    Attributes:
+        random: where all choices come from.
+        made: the program so far; its tasks can be called.
+        count: names given so far.
+    """
+
+    def __init__(self, random: Random) -> None:
+        self.random = random
+        self.made = Program()
+        self.count = 0
+
+    def name(self, prefix: str) -> str:
+        self.count += 1
+        return f"{prefix}{self.count}"
+
+    def assigned(self, sight: Sight) -> list[Stmt]:
+        fixed = set(sight.counters)
+        names = [n for n, kind in sight.names.items() if n not in fixed and not n.startswith("k")]
+        if not names:
+            return []
+        name = self.random.choice(names)
+        return [Stmt("assign", name, (made(self.random, sight, sight.names[name], 3),))]
+
+    def component(self, sight: Sight) -> list[Stmt]:
+        names = [name for name in sight.of("loc") if name not in sight.counters]
+        if not names:
+            return []
+        value = made(self.random, sight, self.random.choice(("length", PLACE)), 2)
+        return [Stmt("component", self.random.choice(names), (value,), names=(self.random.choice("xyz"),))]
+
+    def loaded(self, sight: Sight) -> list[Stmt]:
+        names = sight.of(PLACE)
+        if len(names) < 3:
+            return []
+        chosen = tuple(self.random.sample(names, 3))
+        return [Stmt("load", parts=(made(self.random, sight, "loc", 2),), names=chosen)]
+
+    def told_one(self, sight: Sight) -> list[Stmt]:
+        kinds = [self.random.choice(("int", "num", "bool")) for _ in range(self.random.randint(1, 3))]
+        return [Stmt("print", parts=tuple(made(self.random, sight, kind, 3) for kind in kinds))]
+
+    def told(self, sight: Sight) -> Stmt:
+        names = [(n, kind) for n, kind in sight.names.items() if kind in ("int", "num", "bool")]
+        parts = tuple(Expr("name", kind, text=n) for n, kind in names)
+        return Stmt("print", parts=parts or (literal(self.random, "int"),))
+
+    def moved(self, sight: Sight) -> list[Stmt]:
+        found = Stmt("lin", parts=(made(self.random, sight, "loc", 3),))
+        sight.has_here = True
+        return [found]
+
+    def called(self, sight: Sight) -> list[Stmt]:
+        if not self.made.tasks:
+            return []
+        random = self.random
+        task = random.choice(self.made.tasks)
+        names, parts, is_named = [], [], False
+        for one in task.parameters:
+            if one.default is not None and random.random() < 0.5:
+                is_named = True
+                continue
+            is_named = is_named or random.random() < 0.2
+            names.append(one.name if is_named else "")
+            parts.append(made(random, sight, one.kind, 2))
+        targets = [n for n in sight.of(task.result) if n not in sight.counters and not n.startswith("k")]
+        sight.has_here = False
+        if targets and random.random() < 0.8:
+            return [Stmt("result", task.name, tuple(parts), names=(*names, random.choice(targets)))]
+        return [Stmt("call", task.name, tuple(parts), names=tuple(names))]
+
+    def way_out(self, sight: Sight, around: tuple[str, ...]) -> list[Stmt]:
+        if "loop" in around:
+            condition = made(self.random, sight, "bool", 2)
+            return [Stmt("when", self.random.choice(("break", "continue")), (condition,))]
+        result = around[1]
+        value = (made(self.random, sight, result, 2),) if result else ()
+        return [
+            Stmt("if", parts=(made(self.random, sight, "bool", 2),), blocks=([Stmt("return", parts=value)],))
+        ]
