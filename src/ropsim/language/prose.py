@@ -6,8 +6,10 @@ from dataclasses import replace
 
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
+from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.nodes import Binary, External, Function, Item, Member, Name, Rebase, Tuple
+from ropsim.language.syntax.other_languages import HINTS
 from ropsim.language.syntax.statements import (
     Assign,
     Broken,
@@ -24,6 +26,7 @@ _COMMENT = re.compile(r"#|//")
 _INSIDE = re.compile(r"\b(speed|acc|blend|fine|above|offset|rel|external|until|via|to|then)\b|[(=]")
 """Words and signs inside of statements."""
 _FULL_STOP = re.compile(r"(?<!\d)\.\s+(?=\S)|(?<=\d)\.\s+(?=\D)")
+_ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 
 
 def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) -> Iterator[Line]:
@@ -59,7 +62,8 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
         elif statement is not None:
             if line.fault:
                 fault = line.fault
-                hint = _ENDS if clause and not runs_on and _is_prose(line, task_names) else fault.hint
+                is_prose = clause and not runs_on and _is_prose(line, task_names)
+                hint = _ENDS if is_prose else _hint(line, fault, task_names)
                 report.at(fault.kind, line, fault, fault.message, hint)
             if clause:
                 yield clause
@@ -98,6 +102,13 @@ def _check_behind(line: Line, task_names: frozenset[str], report: Report) -> Non
         return
 
 
+def _hint(line: Line, fault: Fault, task_names: frozenset[str]) -> str:
+    """Return the hint of a fault; for a word of another language, what to write here."""
+    head = line.head
+    is_own = _ASSIGNED.match(line.logical.text) or head in map(str.lower, task_names)
+    return HINTS[head] if fault.kind is kinds.UNEXPECTED and head in HINTS and not is_own else fault.hint
+
+
 def _is_open(clause: Line) -> bool:
     assert isinstance(clause.statement, ContractClause)
     return not clause.statement.text.endswith(".")
@@ -106,7 +117,7 @@ def _is_open(clause: Line) -> bool:
 def _is_prose(line: Line, task_names: frozenset[str]) -> bool:
     match line.statement:
         case Broken(head=head):
-            return head not in HEADS and re.match(r"\w+\s*:?=", line.logical.text.strip()) is None
+            return head not in HEADS and _ASSIGNED.match(line.logical.text) is None
         case Call(name=name):
             return name.text not in task_names and line.head != "call"
         case Assign():

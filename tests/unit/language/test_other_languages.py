@@ -14,6 +14,9 @@ REPLACED = {
     "movej": "mov",
     "PTP": "mov",
     "SPTP": "mov",
+    "go": "mov",
+    "Move": "mov",
+    "Jump": "mov",
 }
 SAID = {
     "MoveAbsJ": "`mov joints(…)`",
@@ -36,6 +39,21 @@ SAID = {
     "WaitUntil": "`wait until NAME`",
     "WaitTime": "`wait 0.5 s`",
     "sleep": "`wait 0.5 s`",
+    "Delay": "`wait 0.5 s`",
+    "Pause": "`wait 0.5 s`",
+    "arc": "`circ via a to b`",
+    "gripper": "`open` and `close`",
+    "grasp": "`open` and `close`",
+    **dict.fromkeys(("def", "PROC", "procedure", "function", "func", "Sub"), "`task Name(parameter: type)`"),
+    "BEGIN": "leave `begin` out",
+    "end": "`endif`, `endw`, `endr`",
+    "loop": "`repeat 3 … endr`",
+    "foreach": "`for each b in PATTERN`",
+    "goto": "there are no jumps",
+    "switch": "`if … elseif … else … endif`",
+    "case": "`if … elseif … else … endif`",
+    **dict.fromkeys(("halt", "exit", "quit"), "the end of a program is `stop`"),
+    **dict.fromkeys(("int", "real", "float", "num", "bool", "string", "DECL", "let", "dim"), "`var x: type`"),
 }
 
 
@@ -69,3 +87,46 @@ def test_wait_for_is_wait_until() -> None:
 
 def test_a_task_of_the_same_name_in_another_case_is_nearer() -> None:
     assert only("task ptp\n open\nendp\nPTP").hint == "did you mean `ptp`?"
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "hint"),
+    [
+        ("lin infeed abov 30", "L101", "did you mean `above`?"),
+        ("lin infeed speeed 30 mm/s", "L101", "did you mean `speed`?"),
+        ("set speeed 30 %", "L101", "did you mean `speed`?"),
+        ("if part_ok\nelse if not part_ok\nendif", "L101", "write it as one word: `elseif CONDITION`"),
+        ("wait part_ok", "T301", "signals are read by name: write `wait until part_ok`"),
+        ("wait not part_ok", "L101", "a wait for a condition is written `wait until CONDITION`"),
+        ("wait part_ok timeout 3 s", "L101", "a wait for a condition is written `wait until CONDITION`"),
+        ("wait part_ok and part_ok", "L101", "a wait for a condition is written `wait until CONDITION`"),
+        ("wait untill part_ok", "L101", "did you mean `until`?"),
+        ("if !part_ok then open", "L102", "write `not`"),
+        ("wait 3 sec", "L101", "write `s`"),
+        ("wait 500 milliseconds", "L101", "write `ms`"),
+        ("mov infeed speed=30 %", "L101", "what follows a word such as `speed` stands without `=`"),
+        ("mov infeed above 30;", "L101", "each statement stands on a line of its own, without `;`"),
+        ("while part_ok:\nendw", "L101", "leave the `:` out"),
+        ("for i in 1 to 3\nendf", "L101", "write `for i = FIRST to LAST`, or `for each b in PATTERN`"),
+        ("for i = 1, 3\nendf", "L101", "write `for i = FIRST to LAST`, or `for each b in PATTERN`"),
+        ("for ech b in g\nendf", "L101", "did you mean `each`?"),
+        ("x = 3 ** 2", "L101", "there is no power: write `x * x`"),
+        ("x = 3 ^ 2", "L102", "there is no power: write `x * x`"),
+        ("int x = 3 3", "L101", "a variable is made by its first value, `x = 3`, or by `var x: type`"),
+    ],
+)
+def test_signs_and_words_of_other_languages_say_what_to_write(line: str, code: str, hint: str) -> None:
+    found = only(line)
+    assert (found.code, found.hint) == (code, hint)
+
+
+@pytest.mark.parametrize("line", ["x++", "x += 1", "x--", "x -= 2"])
+def test_a_step_of_a_variable_is_an_assignment(line: str) -> None:
+    found = only(line)
+    assert (found.code, found.hint.split(":")[0]) == ("L101", "write `x = x + 1`")
+
+
+def test_a_task_of_the_program_is_no_word_of_another_language() -> None:
+    text = "program p\ntask Loop(n: int)\n open\nendp\nLoop 3 3"
+    assert only(text).hint == ""
+    assert only("end = 3 3").hint == ""

@@ -7,6 +7,8 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.other_languages import LEFT_OVER, NO_VALUE
+from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.words import INSIDE, NOT_YET_MODIFIERS, RESERVED
 
 MAX_OPERATORS = 100
@@ -137,9 +139,12 @@ class Cursor:
             hint = f"write `(x, y, z; {token.word} {_POSTURE_WORDS[token.word]})`"
             message = f"`{token.word}` stands in a location, behind its `;`"
             self.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
-        meant = did_you_mean(token.text, INSIDE) if token.kind == "word" else ""
-        if before.kind == "number" and token.kind == "word" and not meant:
-            hint = did_you_mean(token.text, UNITS) or "units are " + " ".join(UNITS)
+        is_foreign = token.kind == "word" and token.word not in INSIDE
+        meant = did_you_mean(token.text, INSIDE) if is_foreign else LEFT_OVER.get(token.word, "")
+        if before.kind == "number" and is_foreign and (token.word in WRITTEN_OUT or not meant):
+            written = WRITTEN_OUT.get(token.word, "")
+            near = f"write `{written}`" if written else did_you_mean(token.text, UNITS)
+            hint = near or "units are " + " ".join(UNITS)
             self.fault(kinds.UNEXPECTED, token.start, token.end, f"unknown unit `{token.text}`", hint)
         if token.word in NOT_YET_MODIFIERS:
             self.not_yet(token, token.word)
@@ -161,6 +166,8 @@ class Cursor:
         Without a hint, a word in backticks in `expected` is suggested where the one found is near to it.
         """
         token = self.token
+        if not hint and expected == "a value":
+            hint = NO_VALUE.get(token.word, "")
         if not hint and token.kind == "word":
             hint = did_you_mean(token.text, " ".join(expected.split("`")[1::2]).split())
         if token.kind == "end":

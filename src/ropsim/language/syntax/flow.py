@@ -1,9 +1,11 @@
 """Lines that steer the flow of a program, call tasks, assign and print."""
 
+from ropsim.core import did_you_mean
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, item, listed, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Name
+from ropsim.language.syntax.other_languages import ELSE_IF, FOR, STEP
 from ropsim.language.syntax.statements import (
     Assign,
     Call,
@@ -42,6 +44,8 @@ def elseif(cursor: Cursor, head: Token) -> Statement:
 
 def else_statement(cursor: Cursor, head: Token) -> Statement:
     """Read `else`."""
+    if cursor.word == "if":
+        cursor.fail("the end of the line", ELSE_IF)
     return Else(head.start, cursor.end)
 
 
@@ -65,9 +69,15 @@ def for_statement(cursor: Cursor, head: Token) -> Statement:
         cursor.expect("in")
         chosen = cursor.name("the name of a pattern")
         return ForEach(name, chosen, head.start, cursor.end)
+    if cursor.token.kind != "word":
+        cursor.fail("`each` or the name of a variable", FOR)
     name = cursor.name("`each` or the name of a variable")
+    if cursor.word not in ("=", ":="):
+        cursor.fail("`=`", did_you_mean(name.text, ("each",)) or FOR)
     cursor.expect_equals()
     first = total(cursor)
+    if cursor.word in (",", "."):
+        cursor.fail("`to`", FOR)
     cursor.expect("to")
     last = total(cursor)
     step = total(cursor) if cursor.accept("step") else None
@@ -115,6 +125,8 @@ def plain(cursor: Cursor) -> Statement:
         return Assign(name, member, expression(cursor), name.start, cursor.end)
     if cursor.word == "[":
         cursor.not_yet(cursor.token, "name[index]")
+    if cursor.word in ("+", "-") and cursor.look(1).word in (cursor.word, "="):
+        cursor.fail("`=`", STEP.format(name.text))
     return _arguments(cursor, name, name.start)
 
 

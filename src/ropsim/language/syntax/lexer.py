@@ -103,6 +103,7 @@ def _bad(line: str, at: int) -> Fault:
         "&": "write `and`",
         "|": "write `or`",
         "!": "write `not`",
+        "^": "there is no power: write `x * x`",
         "°": "write `deg`",
         "\u00a0": "this is a non-breaking space; type an ordinary one",
     }.get(character, "leave it out; other languages' letters may stand in comments and texts")

@@ -1,4 +1,4 @@
-"""Words of other robot languages, and what they are called here."""
+"""Words and signs of other languages, and what they are called here."""
 
 from collections.abc import Mapping
 
@@ -12,6 +12,14 @@ _SET = "outputs are set by name: write `set NAME on`, `set NAME off` or `set NAM
 _RESET = "outputs are set by name: write `set NAME off`"
 _WAIT_UNTIL = "inputs are read by name: write `wait until NAME`"
 _WAIT_TIME = "a wait says its time with a unit: write `wait 0.5 s`"
+
+_TASK = "a task begins with `task Name(parameter: type)` and ends with `endp`"
+_CLOSER = "each block has its own end: `endif`, `endw`, `endr`, `endf`, `endwith`, `endp`"
+_LOOP = "loops are `repeat 3 … endr`, `while … endw`, `for i = 1 to 3 … endf`; `repeat` alone has no end"
+_CHOICE = "write `if … elseif … else … endif`"
+_STOP = "the end of a program is `stop`, the way out of a task `return`, out of a loop `break`"
+_DECLARED = "a variable is made by its first value, `x = 3`, or by `var x: type`"
+_GRIPPER = "the gripper is opened and closed by `open` and `close`"
 
 HINTS: Mapping[str, str] = {
     "movel": _LIN,
@@ -39,8 +47,41 @@ HINTS: Mapping[str, str] = {
     "waituntil": _WAIT_UNTIL,
     "waittime": _WAIT_TIME,
     "sleep": _WAIT_TIME,
+    "delay": _WAIT_TIME,
+    "pause": _WAIT_TIME,
+    "go": _MOV,
+    "move": _MOV,
+    "jump": _MOV,
+    "arc": _CIRCLE,
+    "gripper": _GRIPPER,
+    "grasp": _GRIPPER,
+    "def": _TASK,
+    "proc": _TASK,
+    "procedure": _TASK,
+    "function": _TASK,
+    "func": _TASK,
+    "sub": _TASK,
+    "begin": "a block begins with its own line, `if …`, `repeat …`, `task …`; leave `begin` out",
+    "end": _CLOSER,
+    "loop": _LOOP,
+    "foreach": "write `for each b in PATTERN`",
+    "goto": f"there are no jumps: {_LOOP}",
+    "switch": _CHOICE,
+    "case": _CHOICE,
+    "halt": _STOP,
+    "exit": _STOP,
+    "quit": _STOP,
+    "int": _DECLARED,
+    "real": _DECLARED,
+    "float": _DECLARED,
+    "num": _DECLARED,
+    "bool": _DECLARED,
+    "string": _DECLARED,
+    "decl": _DECLARED,
+    "let": _DECLARED,
+    "dim": _DECLARED,
 }
-"""What to write here, by the first word of a line, in lower case (RAPID, KRL, URScript, VAL)."""
+"""What to write here, by the first word of a line, in lower case (RAPID, KRL, URScript, VAL, and others)."""
 
 WAIT_FOR = _WAIT_UNTIL
 """What to write for `WAIT FOR`."""
@@ -49,3 +90,40 @@ WAIT_LEVEL: Mapping[str, str] = {
     "off": "inputs are read by name: write `wait until not NAME`",
 }
 """What to write for a level behind the name of a signal."""
+
+WAIT_CONDITION = "a wait for a condition is written `wait until CONDITION`"
+"""What to write where a condition stands behind `wait`."""
+ELSE_IF = "write it as one word: `elseif CONDITION`"
+"""What to write for `else if`."""
+STEP = "write `{0} = {0} + 1`: an assignment names the variable on both sides"
+"""What to write for `x++` and `x += 1`."""
+FOR = "write `for i = FIRST to LAST`, or `for each b in PATTERN`"
+"""What to write for other headers of `for`."""
+SET = _SET
+"""What to write for `set NAME to …`."""
+LEFT_OVER: Mapping[str, str] = {
+    ";": "each statement stands on a line of its own, without `;`",
+    ":": "leave the `:` out",
+    ",": "a location is written in parentheses, `(x, y, z)`; what follows it stands without a comma",
+    "=": "what follows a word such as `speed` stands without `=`",
+    "!": "write `not`",
+}
+"""What to do with a sign behind the end of a statement."""
+NO_VALUE: Mapping[str, str] = {
+    "=": "what follows a word such as `speed` stands without `=`",
+    "*": "there is no power: write `x * x`",
+}
+"""What to do with a sign where a value is expected."""
+UNITS: Mapping[str, str] = {
+    **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
+    **dict.fromkeys(("msec", "millisecond", "milliseconds"), "ms"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("millimeter", "millimeters", "millimetre", "millimetres"), "mm"),
+    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
+    **dict.fromkeys(("inches",), "inch"),
+    **dict.fromkeys(("degree", "degrees"), "deg"),
+    **dict.fromkeys(("radian", "radians"), "rad"),
+    **dict.fromkeys(("percent", "pct"), "%"),
+    **dict.fromkeys(("newton", "newtons"), "N"),
+}
+"""Units written out, and how they are written here."""

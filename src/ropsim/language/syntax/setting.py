@@ -5,6 +5,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Literal, Name
+from ropsim.language.syntax.other_languages import SET
 from ropsim.language.syntax.statements import SetMode, SetSignal, Setting, Statement, With
 
 QUANTITIES = ("speed", "acc", "blend")
@@ -24,7 +25,8 @@ def set_statement(cursor: Cursor, head: Token) -> Statement:
         return SetSignal(name, expression(cursor), head.start, cursor.end)
     state = cursor.token
     if state.word not in ("on", "off"):
-        cursor.fail("`on`, `off` or `=`", did_you_mean(name.text, _SETTINGS))
+        said = SET if state.word == "to" else ""
+        cursor.fail("`on`, `off` or `=`", did_you_mean(name.text, _SETTINGS) or said)
     cursor.advance()
     return SetSignal(name, Literal(state.word, state.start, state.end), head.start, cursor.end)
 

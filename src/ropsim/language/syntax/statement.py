@@ -9,7 +9,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
 from ropsim.language.syntax.nodes import Node
-from ropsim.language.syntax.other_languages import WAIT_FOR, WAIT_LEVEL
+from ropsim.language.syntax.other_languages import WAIT_CONDITION, WAIT_FOR, WAIT_LEVEL
 from ropsim.language.syntax.statements import (
     Assign,
     Broken,
@@ -34,6 +34,10 @@ _SIMPLE = (
     Motion, Gripper, Load, SetSignal, SetMode, WaitTime, WaitCondition, Jump, Return, Stop, Print, Call,
     Assign, Broken,
 )  # fmt: skip
+
+
+_CONDITIONAL = frozenset(("timeout", "and", "or", "is", "=", "==", "<", ">", "<=", ">=", "<>", "!="))
+"""What stands in a condition, or behind one."""
 
 
 def statement(cursor: Cursor) -> Statement:
@@ -84,7 +88,7 @@ def wait(cursor: Cursor, head: Token) -> Statement:
     if cursor.token.word == "for":
         cursor.fail("a time or `until`", WAIT_FOR)
     if not cursor.accept("until"):
-        return WaitTime(total(cursor), head.start, cursor.end)
+        return _wait_time(cursor, head)
     condition = expression(cursor)
     if cursor.token.word in {"on", "off"}:
         cursor.fail("the end of the line or `timeout`", WAIT_LEVEL[cursor.token.word])
@@ -95,6 +99,20 @@ def wait(cursor: Cursor, head: Token) -> Statement:
         if cursor.accept("else"):
             otherwise = _simple(cursor)
     return WaitCondition(condition, timeout, otherwise, head.start, cursor.end)
+
+
+def _wait_time(cursor: Cursor, head: Token) -> Statement:
+    """Read the time of a wait; a condition there is told as one."""
+    first = cursor.token
+    if first.word == "not":
+        cursor.fail("a time or `until`", WAIT_CONDITION)
+    duration = total(cursor)
+    if cursor.word in _CONDITIONAL:
+        cursor.fail("the end of the line", WAIT_CONDITION)
+    if first.kind == "word" and cursor.token.kind == "word" and did_you_mean(first.text, ("until",)):
+        message = f"expected a time or `until`, found `{first.text}`"
+        cursor.fault(kinds.UNEXPECTED, first.start, first.end, message, "did you mean `until`?")
+    return WaitTime(duration, head.start, cursor.end)
 
 
 def _simple(cursor: Cursor) -> Statement:
