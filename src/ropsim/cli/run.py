@@ -21,7 +21,6 @@ from ropsim.workbench import (
     ProjectError,
     found_in,
     open_project,
-    read_change,
 )
 
 if TYPE_CHECKING:
@@ -33,8 +32,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     project = open_project(options.path)
     sources = project.texts
     _check_places(options, project)
-    for change in options.what_if:
-        read_change(change)  # what cannot be is told before anything runs
+    project.changes(options.what_if)  # what cannot be is told before anything runs
     programs = {} if project.is_broken else project.programs(options.program)
     before = (*project.diagnostics, *found_in(programs))
     if not programs or any(one.is_error for one in before):

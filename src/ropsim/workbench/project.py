@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ropsim.views import Comparison
     from ropsim.workbench.calibrated_project import CalibratedProject
     from ropsim.workbench.report import Report
+    from ropsim.workbench.what_if import Change, Subject
 
 
 DEFAULT_PROGRAM = "main"
@@ -189,6 +190,24 @@ class Project:
             raise FailedRunError(recording)
         return recording
 
+    def changes(self, texts: Iterable[str]) -> "list[Change | Subject]":
+        """Return what texts change in the cell; nothing is run for it.
+
+        Args:
+            texts: as `--what-if` of `ropsim run` takes them: `speed=120%`, `payload=3kg`, `zones=each`.
+
+        Raises:
+            WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
+        """
+        from ropsim.workbench.what_if import Subject, read_change
+        from ropsim.workbench.what_if.applying import changed_cell
+
+        wanted = [read_change(text) for text in texts]
+        for change in wanted:
+            if self.cell is not None and not isinstance(change, Subject):
+                changed_cell(self.cell, change)
+        return wanted
+
     def what_if(
         self,
         changes: Iterable[str],
@@ -199,7 +218,7 @@ class Project:
         """Run the programs of the cell as they are and with one change each, and return them side by side.
 
         Args:
-            changes: as `--what-if` of `ropsim run` takes them: `speed=120%`, `payload=3kg`, `zones=each`.
+            changes: as `changes` takes them.
             program: as for `simulate`.
             options: of all runs.
             recording: of the run as it is, where it has been made.
@@ -209,10 +228,9 @@ class Project:
             WhatIfError: X896, a text is no change, or the cell has nothing of what is to be changed.
         """
         from ropsim.simulation import RunOptions, run
-        from ropsim.workbench.what_if import read_change
         from ropsim.workbench.what_if.comparing import compare
 
-        wanted = [read_change(text) for text in changes]
+        wanted = self.changes(changes)
         cell, codes = self.runnable(self.programs(program))
         options = options or RunOptions()
         return compare(recording or run(cell, codes, options), cell, codes, wanted, options)

@@ -84,7 +84,7 @@ def test_changes_are_read_as_people_write_them(text: str, change: Change) -> Non
         ("speed=0%", "allowed are 1% to 500%"),
         ("speed=nan%", "is no value"),
         ("payload=3lb", "the unit `kg`"),
-        ("payload=-1kg", "is no value"),
+        ("payload=-1kg", "allowed are 0kg to 10000kg"),
         ("zones=off", "known are stop, each"),
         ("=", "cannot be changed"),
     ],
@@ -201,6 +201,15 @@ def test_a_cell_without_what_is_to_be_changed_says_so(tmp_path: Path, change: st
     with pytest.raises(WhatIfError) as caught:
         project(tmp_path, cell=bare).what_if([change], options=OPTIONS)
     assert says in caught.value.diagnostic.message
+
+
+def test_the_command_runs_nothing_for_a_change_that_cannot_be(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("ropsim.cli.run._simulate", lambda *_: pytest.fail("the program was run"))
+    project(tmp_path, cell='[cell]\nname = "c"\n[robot]\nmodel = "puma560"\n')
+    assert main(["run", str(tmp_path), "--what-if", "payload=1kg"]) == 2
+    assert "X896" in capsys.readouterr().err
 
 
 def test_the_command_shows_the_table_and_its_document_the_figures(

@@ -102,7 +102,7 @@ _SORTS: Mapping[Subject, _Sort] = MappingProxyType(
     }
 )
 _STOP, EACH = "stop", "each"
-_NUMBER = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?) ?([^0-9.\s]{0,20})")
+_NUMBER = re.compile(r"(-?[0-9]{1,9}(?:\.[0-9]{1,9})?) ?([^0-9.\s]{0,20})")
 
 
 def read_change(text: str) -> Change | Subject:
