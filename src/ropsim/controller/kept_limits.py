@@ -103,10 +103,10 @@ def _slowed(leg: Leg, part: Slowed, joint: Joint, start: float, end: float) -> D
     place, origin = min(max(place, 0.0), 1.0), leg.move.origin
     return SLOWED.at(
         origin.span,
-        f"slowed down to {part.share:.0%} of its speed after {place:.0%} of the move: "
-        f"joint `{joint.name}` has no more {_WORDS[part.quantity][0]}",
+        f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {place:.0%} of the "
+        f"move: joint `{joint.name}` has no more {_WORDS[part.quantity][0]}",
         label=passes(origin),
-        hint="another posture may need less of the joint; a lower speed of the whole move may take as long",
+        hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
         data={"joint": joint.name, "share": part.share, "place": place},
     )
 

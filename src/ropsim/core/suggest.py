@@ -11,15 +11,17 @@ MANY = 300
 def near(name: str, candidates: Iterable[str], limit: int = 3) -> tuple[str, ...]:
     """Return the candidates that look like `name`, best first; case is ignored.
 
-    A candidate that `name` begins with, or the other way round, comes first: `degrees` means `deg`.
+    A candidate with the same letters in another order comes first, then one that `name` begins with, or the
+    other way round: `degrees` means `deg`.
     """
     wanted = name.lower()[:64]
     by_lower: dict[str, str] = {}
     for candidate in sorted(_at_a_glance(wanted, tuple(candidates))):
         by_lower.setdefault(candidate.lower(), candidate)
     begun = [key for key in by_lower if min(len(key), len(wanted)) >= 3 and _begins(key, wanted)]
+    swapped = [key for key in by_lower if sorted(key) == sorted(wanted)]
     close = difflib.get_close_matches(wanted, list(by_lower), n=limit, cutoff=0.6)
-    ordered = dict.fromkeys([*sorted(begun, key=lambda key: abs(len(key) - len(wanted))), *close])
+    ordered = dict.fromkeys([*swapped, *sorted(begun, key=lambda key: abs(len(key) - len(wanted))), *close])
     return tuple(by_lower[key] for key in list(ordered)[:limit])
 
 

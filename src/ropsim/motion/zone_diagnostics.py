@@ -53,11 +53,13 @@ SLOWED = define(
     """
 The commanded speed, acceleration or a corner asks a joint for more speed, acceleration, jerk or torque than
 it has. The controller slows down there, on the path: the message gives the place, the joint, and which share
-of the commanded speed is left. Cycle times are those of the slowed motion. Slowing down there, and speeding
-up again, keeps the limits of the joints, and those of the tool that the program gives.
+is left of the speed that the tool would have without regard to joints. That is less than the commanded one
+where the way is too short to reach it, or bent. A line that loses next to no time is not told. Cycle times
+are those of the slowed motion. Slowing down there, and speeding up again, keeps the limits of the joints, and
+those of the tool that the program gives.
 
 **How to mend it.** Where the time matters, change the posture or the place of the path, or give the joint
-less to do: a lower path speed over the whole move is often as fast, because it need not slow down.
+less to do: a lower path speed over the whole move is often as quick or quicker, because it need not brake.
 """,
 )
 

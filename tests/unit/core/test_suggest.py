@@ -27,6 +27,10 @@ def test_a_word_that_begins_with_a_known_one_means_that() -> None:
     assert did_you_mean("pal", ["Palletize", "grip"]) == "did you mean `Palletize`?"
 
 
+def test_letters_in_another_order_are_the_same_word() -> None:
+    assert did_you_mean("mvo", ["mode", "mov", "move"]) == "did you mean `mov`?"
+
+
 def test_among_very_many_names_the_nearest_is_found_by_a_bounded_number_of_comparisons(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
