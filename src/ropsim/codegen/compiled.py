@@ -3,6 +3,7 @@
 import contextlib
 import sys
 from collections.abc import Callable
+from functools import cache
 from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any
 from ropsim.codegen.caller import Compiled
 from ropsim.codegen.machine_code import MissingNameError, emit_object, host, keep, load, read
 from ropsim.codegen.signature import Signature
-from ropsim.core import cache_folder
+from ropsim.core import cache_folder, read_bytes
 from ropsim.version import __version__
 
 _NATIVE = "cfunc."
@@ -47,8 +48,15 @@ def compiled(
 
 
 def _digest(source: str) -> str:
-    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()}"
+    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()} {_compiler()}"
     return sha256(f"{made_by}\n{source}".encode()).hexdigest()[:24]
+
+
+@cache
+def _compiler() -> str:
+    """Return the digest of the texts of this package: they decide what becomes of a source."""
+    texts = sorted(Path(__file__).parent.glob("*.py"))
+    return sha256(b"".join(read_bytes(path) for path in texts)).hexdigest()[:24]
 
 
 def _numba_version() -> str:

@@ -73,8 +73,14 @@ def _compiled(function: FunctionType, signature: str) -> Compiled:
     takes = Signature.parse(signature)
     name = function.__name__
     entry = takes.entry_text(name)
-    source = f"{getsource(sys.modules[function.__module__])}\n{entry}"
+    source = f"{getsource(sys.modules[function.__module__])}\n{_numbers(function)}\n{entry}"
     return compiled(name, source, takes, lambda: _build(function, entry))
+
+
+def _numbers(function: FunctionType) -> str:
+    """Return the numbers that a module knows by name, from wherever: they become machine code."""
+    known = function.__globals__.items()
+    return " ".join(f"{name}={value!r}" for name, value in sorted(known) if isinstance(value, int | float))
 
 
 def _build(function: FunctionType, entry: str) -> tuple[object, Compiled]:

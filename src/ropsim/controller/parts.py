@@ -45,7 +45,7 @@ def parts_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: 
         corners: between each two of them; None where the arm stops there, or where one has no length.
         look_ahead: how many moves beyond the present one are known.
     """
-    return tuple(part_of(pieces, over, look_ahead) for pieces, over in pieces_of(legs, corners))
+    return tuple(_quickest(pieces, over, look_ahead) for pieces, over in pieces_of(legs, corners))
 
 
 def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:
@@ -77,3 +77,18 @@ def _with_horizons(pieces: Sequence[Piece], look_ahead: int) -> list[Stage]:
         stages += piece.stages
         stages[-1] = replace(stages[-1], horizon=last[min(piece.leg + look_ahead, final)])
     return stages
+
+
+def _quickest(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:
+    """Return pieces with the bounds of their bends that are walked in the least time."""
+    first = part_of(pieces, over, look_ahead)
+    most = max(len(piece.gentler) for piece in pieces)
+    others = (
+        part_of([_gentler(piece, number) for piece in pieces], over, look_ahead) for number in range(most)
+    )
+    return min((first, *others), key=lambda part: part.law.duration)
+
+
+def _gentler(piece: Piece, number: int) -> Piece:
+    last = len(piece.gentler) - 1
+    return piece if last < 0 else replace(piece, stages=piece.gentler[min(number, last)])

@@ -7,10 +7,12 @@ import numpy as np
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.corners import Corner, Overlap, Rounding
 from ropsim.controller.leg import Leg
-from ropsim.controller.stages import Stages, along_with, joint_stages, tool_stages
+from ropsim.controller.stages import Stages, along_with, joint_stages, tool_choices, tool_stages
 from ropsim.motion import JointPath, JointSection, SynchronisedJoints, ToolLimits, ToolPath, ToolSection
 from ropsim.spatial import Array, Pose, record
 
+_SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
+"""Of the highest speed that a bend allows: those that are tried on the path of a move."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two corners."""
 
@@ -28,6 +30,7 @@ class Piece:
         corner: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
         begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
+        gentler: other bounds along it, with less speed and more acceleration in its bends.
     """
 
     leg: int
@@ -38,6 +41,7 @@ class Piece:
     corner: Rounding | None = None
     coordination: Coordination | None = None
     begin: float = 0.0
+    gentler: tuple[Stages, ...] = ()
 
 
 def pieces_of(
@@ -98,8 +102,9 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
         return Piece(number, joints, None, leg.planned.X_MT, stages, begin=first)
     if coordination and not whole:
         coordination = coordination.part(first, last)
-    stages = along_with(tool_stages(tool, limits.tool), coordination)
-    return Piece(number, joints, tool, leg.planned.X_MT, stages, coordination=coordination, begin=first)
+    stages, *gentler = (along_with(one, coordination) for one in tool_choices(tool, limits.tool, _SHARES))
+    X_MT = leg.planned.X_MT
+    return Piece(number, joints, tool, X_MT, stages, None, coordination, first, tuple(gentler))
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:

@@ -1,5 +1,8 @@
 """Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropsim.controller.bends import TINY, Bends, bends_of, bent_speeds
@@ -16,6 +19,8 @@ _MIXED = 0.5
 """Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
 _ALIKE = np.array([1.1, 2.0, 2.0])
 """Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
+_FASTER, _CAPS = 1.25, 12
+"""Speeds for the whole of a bent path that are tried: by what factor from one to the next, and how many."""
 _SAME_PLACE = 1e-9
 """Share of a path below which two ends of stages are one."""
 
@@ -35,15 +40,31 @@ def joint_stages(path: JointPath, limits: JointMotionLimits) -> Stages:
         rows = path.joints(places)
         return rows.d1[:, :, None], rows.d2[:, :, None]
 
-    return _bent(bends_of(look, _PLACES * path.length, limits), limits)
+    bends = bends_of(look, _PLACES * path.length, limits)
+    return _bent(bends, limits, bent_speeds(bends, limits))
 
 
 def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
-    """Return the bounds along a path of the tool.
+    """Return the bounds along a path of the tool, as fast as its bends allow.
 
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
+    """
+    return tool_choices(path, limits, (1.0,))[0]
+
+
+def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
+    """Return bounds along a path of the tool that go together, one choice for each share that differs.
+
+    The slower a bend is walked, the more it leaves for changes of speed on it: not the highest speed is the
+    quickest where the path begins or ends on the bend.
+
+    Args:
+        path: of the tool.
+        limits: of the TCP and of the orientation.
+        shares: of the highest speed that a bend allows, falling from 1; with more than that, speeds for the
+            whole path are choices as well.
     """
     both = JointMotionLimits(
         np.array([limits.speed, limits.orientation_speed]),
@@ -57,8 +78,14 @@ def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
 
     d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
-        return _straight(path.length, d1, both)
-    return _bent(bends_of(look, grid(path), both), both)
+        return (_straight(path.length, d1, both),)
+    bends = bends_of(look, grid(path), both)
+    bent = bent_speeds(bends, both)
+    wanted = [(share, math.inf) for share in shares]
+    if len(shares) > 1:  # one speed for the whole path spares it to brake from bend to bend
+        caps = (float(bent.min()) * _FASTER**k for k in range(_CAPS))
+        wanted += [(1.0, cap) for cap in caps if cap < bent.max()]
+    return tuple(dict.fromkeys(_bent(bends, both, np.minimum(share * bent, cap)) for share, cap in wanted))
 
 
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:
@@ -101,8 +128,8 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> Stages:
     return (Stage(length, speed, acceleration, jerk),)
 
 
-def _bent(bends: Bends, limits: JointMotionLimits) -> Stages:
-    """Return bounds that hold together on a bent path.
+def _bent(bends: Bends, limits: JointMotionLimits, most: Array) -> Stages:
+    """Return bounds that hold together on a bent path, where no cell is walked faster than it may.
 
     With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
     d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
@@ -110,7 +137,7 @@ def _bent(bends: Bends, limits: JointMotionLimits) -> Stages:
     second, third = bends.along
     second_across, third_across = bends.across
     A, J, d1 = limits.acceleration, limits.jerk, np.maximum(bends.d1, TINY)
-    slow = np.minimum((limits.speed / d1).min(axis=1), bent_speeds(bends, limits))
+    slow = np.minimum((limits.speed / d1).min(axis=1), most)
     v = slow[:, None]
     room = np.sqrt(np.maximum(A**2 - (second_across * v**2) ** 2, 0.0)) - second * v**2
     along, across = third * v**3, third_across * v**3

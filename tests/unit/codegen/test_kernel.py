@@ -1,6 +1,10 @@
 """The decorator that compiles where numba is installed."""
 
 import importlib
+import os
+import subprocess
+import sys
+from pathlib import Path
 from typing import Any
 from weakref import ref
 
@@ -128,3 +132,35 @@ def test_without_numba_generated_code_runs_as_plain_python(monkeypatch: pytest.M
     assert default_engine() is (Engine.NUMBA if numba_available() else Engine.PYTHON)
     _hide_numba(monkeypatch)
     assert default_engine() is Engine.PYTHON
+
+
+NUMBERED = """
+import numpy as np
+from ropsim.codegen import kernel
+from numbers_elsewhere import FACTOR
+
+@kernel("void(f8[::1])")
+def enter(out):
+    out[0] = FACTOR
+
+out = np.empty(1)
+enter(out)
+print(out[0])
+"""
+
+
+def test_a_number_of_another_module_is_compiled_anew_where_it_has_changed(tmp_path: Path) -> None:
+    (tmp_path / "uses_numbers.py").write_text(NUMBERED, "utf-8")
+    told = []
+    for number in (1.5, 2.5):
+        (tmp_path / "numbers_elsewhere.py").write_text(f"FACTOR = {number}\n", "utf-8")
+        done = subprocess.run(
+            [sys.executable, "-B", "-c", "import uses_numbers"],
+            env={**os.environ, "ROPSIM_CACHE_DIR": str(tmp_path / "cache")},
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        told.append(float(done.stdout))
+    assert told == [1.5, 2.5]

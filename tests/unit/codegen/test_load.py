@@ -127,3 +127,16 @@ def test_importing_the_package_does_not_import_numba() -> None:
     code = "import sys, ropsim.codegen, ropsim.dynamics; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
+
+
+def test_code_is_found_again_only_by_the_compiler_that_made_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    module = sys.modules["ropsim.codegen.compiled"]
+    monkeypatch.setattr(module, "_compiler", module._compiler.__wrapped__)
+    before = module._digest("source")
+    assert module._digest("source") == before
+
+    def mended(path: Path) -> bytes:
+        return path.read_bytes() + (b" " if path.name == "instructions.py" else b"")
+
+    monkeypatch.setattr(module, "read_bytes", mended)
+    assert module._digest("source") != before

@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
 
 from ropsim.controller import MotionChain, MotionPlan, MotionState, plan
-from ropsim.flow import ModalState, MoveInstruction
+from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import Rates
 from ropsim.motion import ToolSection
@@ -321,3 +322,21 @@ def test_planning_twice_gives_the_same_bits() -> None:
         first, second = planned_stretch(stretch(mix)), planned_stretch(stretch(mix))
         assert first.reference.q.tobytes() == second.reference.q.tobytes()
         assert first.reference.qdd.tobytes() == second.reference.qdd.tobytes()
+
+
+@pytest.mark.parametrize("kind", [MotionKind.CIRC, MotionKind.SPLINE])
+def test_a_higher_speed_costs_no_time_on_a_bent_path(kind: MotionKind) -> None:
+    via = tuple(
+        shifted(HERE, *way)
+        for way in ((0.05, 0.1, 0.02), (-0.03, 0.2, 0.0))[: 1 + (kind is not MotionKind.CIRC)]
+    )
+    target = shifted(HERE, 0.0, 0.3, 0.05)
+    times = [
+        planned(
+            MoveInstruction(kind, target, ModalState(path_speed=speed), Origin(LINE, 1), via=via)
+        ).duration
+        for speed in (0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.5)
+    ]
+    assert times[0] > 1.2 * min(times)
+    assert all(later < 1.02 * earlier for earlier, later in pairwise(times))
+    assert max(times[times.index(min(times)) :]) < 1.02 * min(times)
