@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ropsim.flow import Recording
-from support.studio_family import language_servers
 from support.studio_page import StudioPage
-from support.studio_process import Studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
@@ -335,26 +333,6 @@ def test_each_text_keeps_its_own_history(fresh: StudioPage) -> None:
     assert "# first" not in fresh.text()
     fresh.document("cell.toml")
     assert (fresh.line(1).text_content() or "").endswith(" second")
-
-
-def test_panels_that_are_made_anew_keep_the_text_its_history_and_the_marks(
-    fresh: StudioPage, first_studio: Studio
-) -> None:
-    before = fresh.text()
-    fresh.insert(CALL, "x")
-    squiggle(fresh, "set_downx").wait_for()
-    servers = language_servers(first_studio.process.pid)
-    fresh.page.get_by_role("button", name="Close panel: Program").click()
-    fresh.editor().wait_for(state="detached")
-    fresh.page.evaluate("() => __ropsim.command('view.reset')")
-    fresh.drawn()
-    fresh.writable()
-    assert squiggle(fresh, "set_downx").is_visible()
-    fresh.editor().focus()
-    fresh.page.keyboard.press("Control+z")
-    assert fresh.text() == before
-    without_errors(fresh)
-    assert servers == language_servers(first_studio.process.pid) != []
 
 
 def test_a_change_on_the_disk_is_shown_where_nothing_was_typed(fresh: StudioPage, first_cell: Path) -> None:

@@ -41,6 +41,7 @@ const soon = ViewPlugin.fromClass(
 
 export class LanguageClient {
   readonly #client: LSPClient
+  readonly #link: LanguageLink
   readonly #onProblems: (problems: readonly Problem[]) => void
   readonly #published = new Map<string, Published>()
   #names: ReadonlyMap<string, string> = new Map()
@@ -78,10 +79,11 @@ export class LanguageClient {
         keymap.of(jumpToDefinitionKeymap),
       ],
     })
-    new LanguageLink(address, {
+    this.#link = new LanguageLink(address, {
       onReady: transport => this.#client.connect(transport),
       onLost: () => this.#client.disconnect(),
-    }).open()
+    })
+    this.#link.open()
   }
 
   extension(document: OpenedDocument) {
@@ -114,6 +116,10 @@ export class LanguageClient {
   /** What runs have found in the document that is shown, for the marks that follow. */
   setFound(problems: readonly Problem[]): void {
     this.#found = problems
+  }
+
+  destroy(): void {
+    this.#link.close()
   }
 
   get #workspace(): ProjectWorkspace {

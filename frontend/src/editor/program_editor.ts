@@ -70,13 +70,12 @@ export class ProgramEditor {
   #ends = new LineEnds('')
   #line = 0
   #isReadOnly = false
-  #scroll = 0
   #marks: MarkedLines = { running: null, ghost: null }
   readonly #sight: LineInSight
 
-  constructor(options: ProgramEditorOptions) {
+  constructor(host: HTMLElement, options: ProgramEditorOptions) {
     this.#options = options
-    this.#view = new EditorView({ state: EditorState.create({ extensions: [nonce(), theme] }) })
+    this.#view = new EditorView({ parent: host, state: EditorState.create({ extensions: [nonce(), theme] }) })
     this.#language = new LanguageClient(options.server, options.onProblems, async name => {
       if (name) options.onShow(name)
       return name === this.#name ? this.#view : null
@@ -158,17 +157,9 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
-  /** Show the editor in a panel, as it was in the panel before. */
-  attach(host: HTMLElement): void {
-    host.append(this.#view.dom)
-    this.#view.scrollDOM.scrollTop = this.#scroll
-    this.#view.requestMeasure()
-  }
-
-  /** Take the editor out of its panel; texts, histories and what the language server knows stay. */
-  detach(): void {
-    this.#scroll = this.#view.scrollDOM.scrollTop
-    this.#view.dom.remove()
+  destroy(): void {
+    this.#language.destroy()
+    this.#view.destroy()
   }
 
   #switchTo(document: EditorDocument): void {

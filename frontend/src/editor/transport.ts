@@ -13,7 +13,10 @@ const WAITS = [250, 500, 1000, 2000, 5000] as const
 export class LanguageLink {
   readonly #address: string
   readonly #events: LinkEvents
+  #socket: WebSocket | null = null
+  #timer: ReturnType<typeof setTimeout> | undefined
   #tries = 0
+  #isClosed = false
 
   constructor(address: string, events: LinkEvents) {
     this.#address = address
@@ -28,6 +31,7 @@ export class LanguageLink {
       for (const listener of listeners) listener(message)
     }
     let isReady = false
+    this.#socket = socket
     socket.onopen = () => {
       isReady = true
       this.#tries = 0
@@ -54,14 +58,20 @@ export class LanguageLink {
         tell(JSON.stringify({ jsonrpc: '2.0', id, result: null }))
       }
       if (isReady) this.#events.onLost()
-      this.#again()
+      if (!this.#isClosed) this.#again()
     }
+  }
+
+  close(): void {
+    this.#isClosed = true
+    clearTimeout(this.#timer)
+    this.#socket?.close()
   }
 
   #again(): void {
     const wait = WAITS[Math.min(this.#tries, WAITS.length - 1)] ?? 5000
     this.#tries += 1
-    setTimeout(() => this.open(), wait)
+    this.#timer = setTimeout(() => this.open(), wait)
   }
 }
 

@@ -6,45 +6,32 @@ import type { Place, Studio } from '../studio/studio'
 
 export type Loading = 'loading' | 'ready' | { readonly failed: string }
 
-/** One editor for as long as the page lives: a panel that is closed or made anew loses no history. */
-const editors = new WeakMap<Studio, Promise<ProgramEditor>>()
-
-/** Put the editor into `host`; it follows the documents, marks and rights of the studio. */
+/** Put an editor into `host`; it follows the documents, marks and rights of the studio. */
 export function useEditor(host: RefObject<HTMLDivElement | null>): Loading {
   const studio = useStudio()
   const [editor, setEditor] = useState<ProgramEditor | null>(null)
   const [loading, setLoading] = useState<Loading>('loading')
   useEffect(() => {
-    let shown: ProgramEditor | null = null
+    let made: ProgramEditor | null = null
     let isGone = false
-    editorOf(studio).then(
-      one => {
+    import('../editor/program_editor').then(
+      module => {
         if (isGone || !host.current) return
-        shown = one
-        one.attach(host.current)
-        setEditor(one)
+        made = new module.ProgramEditor(host.current, optionsOf(studio))
+        setEditor(made)
         setLoading('ready')
       },
       (reason: unknown) => setLoading({ failed: reason instanceof Error ? reason.message : String(reason) }),
     )
     return () => {
       isGone = true
-      shown?.detach()
+      made?.destroy()
       setEditor(null)
     }
   }, [studio, host])
   useDocuments(editor)
   useMarks(editor)
   return loading
-}
-
-function editorOf(studio: Studio): Promise<ProgramEditor> {
-  const made =
-    editors.get(studio) ??
-    import('../editor/program_editor').then(module => new module.ProgramEditor(optionsOf(studio)))
-  editors.set(studio, made)
-  made.catch(() => editors.delete(studio))
-  return made
 }
 
 function optionsOf(studio: Studio) {
