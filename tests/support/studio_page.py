@@ -38,13 +38,10 @@ LOOK = 2.0
 DRAWN = "() => __ropsim.stats().pending === 0"
 #: Whatever has another size hears of it after a frame, and asks for the next one to draw in.
 TWO_FRAMES = "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
-#: Panels as the page keeps them, but for their sizes, which follow rows above them that come and go, and
-#: for the one that has the keyboard.
+#: Panels as the page keeps them, but for the one that has the keyboard.
 PANELS = (
     "() => { const kept = Object.entries(localStorage).find(([name]) => name.endsWith(' panels 1'));"
-    " const passing = ['size', 'width', 'height', 'activeGroup'];"
-    " return kept ? JSON.stringify(JSON.parse(kept[1]), (key, value) =>"
-    " passing.includes(key) ? undefined : value) : null }"
+    " return kept ? JSON.stringify({ ...JSON.parse(kept[1]), activeGroup: null }) : null }"
 )
 
 
