@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from ropsim import icr
 from ropsim.flow import MessageInstruction, MoveInstruction
+from ropsim.language import Environment
 from support.tasks import CELL, compiled
 
 BUDGET = 200_000
@@ -27,9 +28,11 @@ class Outcome:
     values: Mapping[str, object]
 
 
-def outcome(text: str, inputs: Mapping[str, bool | int | float] | None = None) -> Outcome:
+def outcome(
+    text: str, inputs: Mapping[str, bool | int | float] | None = None, environment: Environment = CELL
+) -> Outcome:
     """Compile a program that has no errors, verify and run it."""
-    result = compiled(text, CELL)
+    result = compiled(text, environment)
     assert result.icr is not None, [str(one) for one in result.diagnostics]
     assert icr.verify(result.icr) == ()
     return of_code(result.icr, icr.StillWorld(inputs or {}))

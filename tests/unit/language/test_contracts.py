@@ -68,6 +68,10 @@ def test_the_statements_below_a_contract_are_carried_out() -> None:
     assert len([one for one in run(code).instructions if isinstance(one, MoveInstruction)]) == 2
 
 
+def test_a_wrong_assignment_below_a_contract_is_no_prose() -> None:
+    assert codes("task T\nneeds one location and\nq.x := 3 mm +\nmov l\nendp\nT infeed")[0] == "L101"
+
+
 def test_a_line_told_as_prose_drops_no_call_of_its_task() -> None:
     text = "task T\nneeds one location and\nmvo l speed 20 %\nmov l\nendp\nT infeed"
     result = compiled(text)

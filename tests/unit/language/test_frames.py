@@ -167,3 +167,53 @@ def test_the_axes_of_the_step_of_rel_are_not_those_of_the_location() -> None:
     text = f"{NAMED}q = (0, 0, 0; rz 0) in turned\nlin infeed rel q\nr = infeed rel q\nlin r offset (5, 0, 0)"
     moved, shifted = base_positions(text)
     assert shifted == pytest.approx((moved[0] + 0.005, moved[1], moved[2]), abs=ROUNDING)
+
+
+ON_PLATE = replace(
+    IN_FRAME,
+    frames={**IN_FRAME.frames, "plate": (0.0, 1.0, 0.5, 1.0, 0.0, 0.0, 0.0)},
+    moving=frozenset({"plate"}),
+)
+"""With a frame on a positioner."""
+
+
+@pytest.mark.parametrize(
+    "move",
+    [
+        "q rel (x, 0, 0)",
+        "q rel (x, 0, 0; rz 30) rel (0, 0, x)",
+        "q rel r",
+        "q above x",
+        "q offset (x, 0, 0)",
+        "(x, 0, 0) in plate rel (x, 0, 0)",
+        "(q rel (x, 0, 0)) offset (0, 0, x)",
+    ],
+)
+def test_a_location_on_a_positioner_stays_on_it_when_it_is_moved_by_computed_steps(move: str) -> None:
+    text = f"program p\nunits mm\nx = 5\nr = infeed\nq = (10, 0, 0) in plate\nlin {move}"
+    code = compiled(text, ON_PLATE).icr
+    assert code is not None
+    assert run(code).moves[0].modal.frame == "plate"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "with frame table\nq = (x, 0, 0) in pallet\nprint q.x, q.y\nendwith",
+        "with frame table\nprint (r in pallet).x, (r in pallet).y\nendwith",
+        "with frame table\nload (a, b, c), r in pallet\nprint a, b\nendwith",
+        "q = r rel (x, 0, 0)\nwith frame table\nprint q.x, q.y\nendwith",
+        "q = r in table\nlin q rel (x, 0, 0)\nlin q offset (x, 0, 0)\nlin q above x",
+    ],
+)
+def test_a_frame_that_moves_changes_nothing_for_locations_in_others(text: str) -> None:
+    found = []
+    for environment in (IN_FRAME, ON_PLATE):
+        code = compiled(f"units mm\nx = 5\nr = infeed\n{text}", environment).icr
+        assert code is not None
+        targets = [move.target for move in run(code).moves]
+        places = [part for one in targets if isinstance(one, Pose) for part in one.as_tuple()]
+        found.append((run(code).messages, places))
+    (said, places), (said_there, places_there) = found
+    assert said == said_there
+    assert places == pytest.approx(places_there, abs=ROUNDING)

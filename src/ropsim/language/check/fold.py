@@ -248,13 +248,17 @@ def without_frame(operand: Expression) -> Expression:
 
 
 def compose(left: Expression, right: Expression) -> Expression:
-    """Return X_AC from X_AB and X_BC, with the values of external axes of the one that has some."""
+    """Return X_AC from X_AB and X_BC, with the values of external axes of the one that has some.
+
+    Where `right` is numbers alone, whatever frame they were given in, the frame of `left` stays.
+    """
     if isinstance(left, InFrame):
         return InFrame(compose(left.operand, without_frame(right)), left.frame)
-    if isinstance(right, InFrame):
+    if isinstance(right, InFrame) and right.frame:
         return InFrame(compose(left, right.operand), right.frame)
     if isinstance(left, InPosture):
-        return InPosture(compose(left.operand, numbers_of(right)), left.request)
+        step = right if isinstance(right, InFrame) else numbers_of(right)
+        return InPosture(compose(left.operand, step), left.request)
     if isinstance(right, InPosture):
         return InPosture(compose(left, right.operand), right.request)
     a, b = location_of(left), location_of(right)
@@ -269,7 +273,7 @@ def compose(left: Expression, right: Expression) -> Expression:
 
 def reframe(change: PoseTuple, location: Expression) -> Expression:
     """Return X_AC from X_AB and X_BC; a location in a frame that moves stays as it is, where it is given."""
-    if isinstance(location, InFrame) or change == IDENTITY:
+    if change == IDENTITY or (isinstance(location, InFrame) and location.frame):
         return location
     if isinstance(numbers_of(location), Constant):
         return compose(pose(change), location)
@@ -278,7 +282,7 @@ def reframe(change: PoseTuple, location: Expression) -> Expression:
 
 def in_axes(location: Expression, X_KF: PoseTuple) -> Expression:
     """Return a POSE that keeps the axes of the frame in which it was given; one that moves has its own."""
-    if isinstance(location, InFrame):
+    if isinstance(location, InFrame) and location.frame:
         return location
     inner = location.operand if isinstance(location, InAxes) else location
     return InAxes(inner, X_KF[3:])
