@@ -138,3 +138,15 @@ def test_a_warning_never_drops_a_call() -> None:
     text = "task grip\n needs one reference location\n mvo l\n close\nendp\ngrip infeed\n"
     assert codes(text) == ["L112", "T303"]
     assert not compiled(text).ok
+
+
+def test_the_arguments_of_a_call_whose_result_is_assigned_are_those_of_a_call() -> None:
+    """A name of a parameter is none of the caller, and a number in the place of a location is its location."""
+    height = "task H(q: loc, up: length = 5) -> length\nreturn q.z + up\nendp\n"
+    task = "task T\nmov l\nh = H(2, up = a)\nlin l above h\nendp\n"
+    result = compiled(f"units mm\n{height}{task}T infeed, (1, 2, 3), 7")
+    assert result.diagnostics == ()
+    assert result.program is not None
+    assert [p.name for p in result.program.tasks[1].parameters] == ["l", "l2", "a"]
+    assert result.icr is not None
+    assert positions(run(result.icr).moves)[1] == pytest.approx((0.4, 0.3, 0.11), abs=ROUNDING)

@@ -156,8 +156,7 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
 
 def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block:
     signature = body.world.signatures[call.name.text]
-    arguments = tuple(_item(argument) for argument in call.arguments)
-    statement = calls.call(body, syntax.Call(call.name, arguments, call.start, call.end))
+    statement = calls.call(body, calls.as_call(call))
     if signature.result is None:
         hint = "give its header a result: `-> type`"
         body.fail(kinds.WRONG_TYPE, call, f"task `{signature.name}` returns no value", hint)
@@ -170,14 +169,6 @@ def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block
         message = f"`{node.name.text}` is {article(kind)}, task `{signature.name}` returns {returned}"
         body.fail(kinds.WRONG_TYPE, call, message, "use a variable of its own for the result")
     return (calls.with_result(statement, variable.name),)
-
-
-def _item(argument: nodes.Node) -> nodes.Item:
-    """Return an argument; what reads as a comparison `name = value` in an expression is one by name here."""
-    match argument:
-        case nodes.Binary(op="=", left=nodes.Name() as name, right=value):
-            return nodes.Item(name, value)
-    return nodes.Item(None, argument)
 
 
 def _type_of(value: Value) -> AnyType:

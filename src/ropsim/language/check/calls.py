@@ -36,6 +36,19 @@ def call(body: Body, node: syntax.Call) -> Call:
     return Call(signature.name, arguments, body.statement_span)
 
 
+def as_call(node: nodes.Function) -> syntax.Call:
+    """Return the call of a task whose result is assigned, `v = T(…)`, as a statement of its own."""
+    return syntax.Call(node.name, tuple(map(_item, node.arguments)), node.start, node.end)
+
+
+def _item(argument: nodes.Node) -> nodes.Item:
+    """Return an argument; what reads as a comparison `name = value` in an expression is one by name here."""
+    match argument:
+        case nodes.Binary(op="=", left=nodes.Name() as name, right=value):
+            return nodes.Item(name, value)
+    return nodes.Item(None, argument)
+
+
 def with_result(statement: Call, variable: str) -> Call:
     """Return the call with its result going to a variable."""
     return replace(statement, result=variable)

@@ -86,7 +86,10 @@ def _statement(statement: syntax.Statement | None, found: Uses, signatures: Mapp
             _read(statement.source, found)
             found.written.update(name.text for name in statement.names)
         case syntax.Assign():
-            _read(statement.value, found)
+            if isinstance(statement.value, nodes.Function) and statement.value.name.text in signatures:
+                _call(calls.as_call(statement.value), found, signatures)
+            else:
+                _read(statement.value, found)
             if statement.member is not None:
                 found.read(statement.name.text)
             found.written.add(statement.name.text)
