@@ -21,12 +21,14 @@ class Sight:
         names: kinds of variables.
         constants: declared ones, as literals whose text is their name.
         counters: names of open loops over patterns.
+        references: how many reference locations there are.
         has_here: whether a location has just been moved to.
     """
 
     names: dict[str, str] = field(default_factory=dict)
     constants: list[Expr] = field(default_factory=list)
     counters: list[str] = field(default_factory=list)
+    references: int = 0
     has_here: bool = False
 
     def of(self, kind: str) -> list[str]:

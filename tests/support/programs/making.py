@@ -15,6 +15,21 @@ def program(seed: int) -> Program:
     return _Maker(Random(seed)).program()
 
 
+def _telling(one: Parameter) -> Stmt:
+    """Return a statement whose use of a parameter tells its type."""
+    read = Expr("name", one.kind, text=one.name)
+    if one.kind == "loc":
+        return Stmt("lin", parts=(read,))
+    if one.kind == "length":
+        return Stmt("lin", parts=(Expr("above", "loc", (Expr("name", "loc", text="infeed"), read)),))
+    if one.kind == "bool":
+        return Stmt("if", parts=(read,), blocks=([],))
+    if one.kind == "int":
+        count = Expr("min", "int", (read, Expr("literal", "int", text="2", value=2)))
+        return Stmt("repeat", parts=(count,), blocks=([Stmt("print", parts=(read,))],))
+    return Stmt("print", parts=(Expr("/", "num", (read, Expr("literal", "num", text="1.5", value=1.5))),))
+
+
 class _Maker(Simple):
     def program(self) -> Program:
         random = self.random
@@ -30,7 +45,8 @@ class _Maker(Simple):
         for _ in range(random.randint(0, 2)):
             self.made.patterns.append(self.pattern())
         for _ in range(random.randint(0, 2)):
-            self.made.tasks.append(self.task(shared))
+            one = self.classic(shared) if random.random() < 0.25 else self.task(shared)
+            self.made.tasks.append(one)
         sight = self.sight(shared)
         self.made.main = [*self.start(sight, "m"), *self.block(sight, 2, random.randint(1, 4), ())]
         self.made.main.append(self.told(sight))
@@ -58,12 +74,30 @@ class _Maker(Simple):
             default = literal(random, kind) if kind != "loc" and random.random() < 0.3 else None
             parameters.append(Parameter(self.name("p"), kind, default))
         parameters.sort(key=lambda one: one.default is not None)
-        result = random.choice(("", *KINDS))
         sight = self.sight({**shared, **{one.name: one.kind for one in parameters}})
-        body = [*self.start(sight, "v"), *self.block(sight, 2, random.randint(1, 3), ("return", result))]
-        if result:
-            body.append(Stmt("return", parts=(made(random, sight, result, 2),)))
-        return Task(self.name("Task"), tuple(parameters), result, body)
+        return self.with_body(Task(self.name("Task"), tuple(parameters), random.choice(("", *KINDS))), sight)
+
+    def with_body(self, task: Task, sight: Sight) -> Task:
+        """Return a task with statements behind those that it has."""
+        count = self.random.randint(1, 3)
+        task.body += [*self.start(sight, "v"), *self.block(sight, 2, count, ("return", task.result))]
+        if task.result:
+            task.body.append(Stmt("return", parts=(made(self.random, sight, task.result, 2),)))
+        return task
+
+    def classic(self, shared: dict[str, str]) -> Task:
+        """Return a task without parameter list: locations `l`, `l2`, then the names that it reads first."""
+        random = self.random
+        places = ["l", "l2", "l3"][: random.randint(0, 3)]
+        scalars = {self.name("b"): random.choice(_NUMBERS) for _ in range(random.randint(0, 3))}
+        parameters = [*(Parameter(name, "loc") for name in places)]
+        parameters += [Parameter(name, scalars[name]) for name in sorted(scalars)]
+        body = [_telling(one) for one in parameters]
+        random.shuffle(body)
+        sight = self.sight({**shared, **{one.name: one.kind for one in parameters}})
+        sight.references = len(places)
+        task = Task(self.name("Task"), tuple(parameters), random.choice(("", *KINDS)), body, is_classic=True)
+        return self.with_body(task, sight)
 
     def start(self, sight: Sight, prefix: str) -> list[Stmt]:
         """Return first assignments of variables of a body, each of a type that nobody can doubt."""

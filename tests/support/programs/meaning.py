@@ -85,7 +85,7 @@ class _Meaning(Values):
             if self.steps > STEPS:
                 raise TooLongError
             self.line = one.line
-            getattr(self, "do_" + one.op)(scope, one)
+            getattr(self, "do_" + one.op.replace(" ", "_"))(scope, one)
 
     def do_assign(self, scope: Scope, one: Stmt) -> None:
         self.store(scope, one.name, self.value(scope, one.parts[0]))
@@ -111,6 +111,9 @@ class _Meaning(Values):
             self.block(inner, task.body)
         except _ReturnError:
             return
+
+    def do_plain_call(self, scope: Scope, one: Stmt) -> None:
+        self.do_call(scope, one)
 
     def do_result(self, scope: Scope, one: Stmt) -> None:
         self.do_call(scope, one)

@@ -35,7 +35,9 @@ class Expr:
     @property
     def is_constant(self) -> bool:
         """Return whether the compiler can know the value."""
-        return self.op not in ("name", "signal", "here") and all(part.is_constant for part in self.parts)
+        return self.op not in ("name", "signal", "here", "reference") and all(
+            part.is_constant for part in self.parts
+        )
 
 
 @dataclass(eq=False, slots=True)
@@ -72,12 +74,18 @@ class Parameter:
 
 @dataclass(slots=True)
 class Task:
-    """A task; `result` is the type that it returns, empty for none."""
+    """A task.
+
+    Attributes:
+        result: the type that it returns, empty for none.
+        is_classic: whether its parameters are not written: those are told by what it reads.
+    """
 
     name: str
     parameters: tuple[Parameter, ...]
     result: str
     body: list[Stmt] = field(default_factory=list)
+    is_classic: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,12 +72,17 @@ class Simple:
                 continue
             is_named = is_named or random.random() < 0.2
             names.append(one.name if is_named else "")
-            parts.append(made(random, sight, one.kind, 2))
+            if one.kind == "loc" and sight.references and random.random() < 0.4:
+                number = str(random.randint(1, sight.references))
+                parts.append(Expr("reference", "loc", text=number))
+            else:
+                parts.append(made(random, sight, one.kind, 2))
         targets = [n for n in sight.of(task.result) if n not in sight.counters and not n.startswith("k")]
         sight.has_here = False
         if targets and random.random() < 0.8:
             return [Stmt("result", task.name, tuple(parts), names=(*names, random.choice(targets)))]
-        return [Stmt("call", task.name, tuple(parts), names=tuple(names))]
+        is_plain = any(part.op == "reference" for part in parts)
+        return [Stmt("plain call" if is_plain else "call", task.name, tuple(parts), names=tuple(names))]
 
     def way_out(self, sight: Sight, around: tuple[str, ...]) -> list[Stmt]:
         if "loop" in around:

@@ -34,6 +34,7 @@ _CLOSERS = {
 def written(program: Program) -> str:
     """Return the text of a program."""
     lines = ["program made", "units mm, deg, s"]
+    lines += ["classic"] if any(task.is_classic for task in program.tasks) else []
     lines += [f"frame {name} = {pose}" for name, pose in FRAMES.items()]
     lines += [
         f"const {name}: {word(one.kind)} = {expression(one)}" for name, one in program.constants.items()
@@ -46,7 +47,7 @@ def written(program: Program) -> str:
             for p in task.parameters
         )
         result = f" -> {word(task.result)}" if task.result else ""
-        lines.append(f"task {task.name}({parameters}){result}")
+        lines.append(f"task {task.name}" + ("" if task.is_classic else f"({parameters})") + result)
         _block(lines, task.body, 1)
         lines.append("endp")
     _block(lines, program.main, 0)
@@ -87,6 +88,7 @@ def _head(one: Stmt) -> str:
         "component": lambda: f"{one.name}.{one.names[0]} = {parts[0]}",
         "load": lambda: f"load ({', '.join(one.names)}), {parts[0]}",
         "call": lambda: f"{one.name}({arguments})" if arguments else one.name,
+        "plain call": lambda: f"call {one.name} {arguments}",
         "result": lambda: f"{one.names[-1]} = {one.name}({arguments})",
         "return": lambda: f"return {parts[0]}" if parts else "return",
         "print": lambda: f"print {', '.join(parts)}",
@@ -107,7 +109,7 @@ def _head(one: Stmt) -> str:
 def expression(one: Expr) -> str:
     """Return the text of an expression, with parentheses around all that has operands."""
     parts = [expression(part) for part in one.parts]
-    if one.op in ("literal", "name", "signal", "here"):
+    if one.op in ("literal", "name", "signal", "here", "reference"):
         return one.text
     if one.op in _INFIX:
         return f"({parts[0]} {one.op} {parts[1]})"

@@ -100,6 +100,8 @@ class Values:
             found = INFEED if one.text == "infeed" else self.find(scope, one, one.text)
             assert isinstance(found, Place)
             return found
+        if one.op == "reference":
+            return self.place(scope, Expr("name", "loc", text="l" if one.text == "1" else f"l{one.text}"))
         if one.op == "here":
             return replace(self.here, axes=scope.frame.turn)
         numbers = [float(self.number(scope, part)) for part in one.parts if part.kind != "loc"]

@@ -141,7 +141,7 @@ def test_a_warning_never_drops_a_call() -> None:
 
 
 def test_the_arguments_of_a_call_whose_result_is_assigned_are_those_of_a_call() -> None:
-    """A name of a parameter is none of the caller, and a number in the place of a location is its location."""
+    """A name of a parameter is none of the caller; a number in the place of a location is its location."""
     height = "task H(q: loc, up: length = 5) -> length\nreturn q.z + up\nendp\n"
     task = "task T\nmov l\nh = H(2, up = a)\nlin l above h\nendp\n"
     result = compiled(f"units mm\n{height}{task}T infeed, (1, 2, 3), 7")
