@@ -26,7 +26,7 @@ _COMMENT = re.compile(r"#|//")
 _INSIDE = re.compile(r"\b(speed|acc|blend|fine|above|offset|rel|external|until|via|to|then)\b|[(=]")
 """Words and signs inside of statements."""
 _FULL_STOP = re.compile(r"(?<!\d)\.\s+(?=\S)|(?<=\d)\.\s+(?=\D)")
-_ASSIGNED = re.compile(r"\s*\w+\s*:?=")
+_ASSIGNED = re.compile(r"\s*[\w.]+\s*:?=")
 
 
 def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) -> Iterator[Line]:
