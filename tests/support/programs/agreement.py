@@ -18,6 +18,9 @@ MOVING = replace(
 )
 """The cell with a frame that an external axis moves: no program names it, so none may mean anything else."""
 
+REFUSED = "m, at most 1e+12 m is allowed"
+"""How the compiler ends the finding on a length that no cell has."""
+
 PLACES = 1e-9
 """What a dozen products of rotations lose of lengths of a metre, with a margin of 10⁵."""
 
@@ -38,6 +41,8 @@ def disagreement(seed: int) -> str | None:
         found = outcome(text, inputs, CELL if seed % 3 else MOVING)
         difference = _difference(made, meant, found)
     except AssertionError as error:
+        if REFUSED in str(error):
+            return None
         difference = str(error)
     return f"program {seed}: {difference}\n{text}" if difference else ""
 
