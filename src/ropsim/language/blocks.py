@@ -73,14 +73,14 @@ def build(lines: Iterable[Line], report: Report) -> tuple[Line | Block, ...]:
     top = _Open("", Line.empty())
     stack = [top]
     for line in lines:
-        opener = _opener(line)
-        closed = _closed(line)
+        opener = opened(line)
+        closes = closed(line)
         if opener == "task":
             _close_down_to(stack, 1, report)
         if opener:
             _open(stack, opener, line, report)
-        elif closed:
-            _close(stack, closed, line, report)
+        elif closes:
+            _close(stack, closes, line, report)
         elif _middle(line):
             _next_section(stack, line, report)
         else:
@@ -153,7 +153,8 @@ def _pop(stack: list[_Open], closer: Line | None) -> None:
         stack[-1].body.append(block)
 
 
-def _opener(line: Line) -> str:
+def opened(line: Line) -> str:
+    """Return the word of the block that a line opens, empty for none."""
     match line.statement:
         case TaskHeader():
             return "task"
@@ -172,7 +173,8 @@ def _opener(line: Line) -> str:
     return ""
 
 
-def _closed(line: Line) -> str:
+def closed(line: Line) -> str:
+    """Return the opener of the block that a line closes, empty for none."""
     match line.statement:
         case Closer(word=word):
             return _CLOSES[word]

@@ -1,18 +1,18 @@
 """The compiler: text to structured program and ICR. This page is the table of contents of its phases."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import Program as IcrProgram
-from ropsim.language import blocks, prose
+from ropsim.language import blocks, misspelt, prose
 from ropsim.language import text as texts
 from ropsim.language.check import program as checker
 from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.places import at_names
 from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
-from ropsim.language.syntax.statements import TaskHeader
+from ropsim.language.syntax.statements import Broken, TaskHeader
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line, LineCache
 from ropsim.program import Program, check_contracts, check_points, lower_with_findings, recursion
@@ -106,8 +106,18 @@ def _lines(source: SourceText, environment: Environment, report: Report, cache: 
         faults += line.fault is not None
         if faults > 2 * MAX_FINDINGS:
             break
-    headers = (line.statement for line in read)
-    names = frozenset(h.name.text for h in headers if isinstance(h, TaskHeader)) | frozenset(
-        environment.tasks
-    )
-    return list(prose.absorb(read, names, report))
+    names = _task_names(read) | frozenset(environment.tasks)
+    mended = list(misspelt.mended(read, names))
+    return list(prose.absorb(mended, names | _task_names(mended), report))
+
+
+def _task_names(lines: Iterable[Line]) -> frozenset[str]:
+    """Return the names of the tasks of a text, also of those whose header is wrong."""
+    found = set()
+    for line in lines:
+        match line.statement:
+            case TaskHeader(name=name):
+                found.add(name.text)
+            case Broken(head="task", name=name) if name:
+                found.add(name)
+    return frozenset(found)

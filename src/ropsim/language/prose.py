@@ -64,7 +64,7 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
                 fault = line.fault
                 is_prose = clause and not runs_on and _is_prose(line, task_names)
                 hint = _ENDS if is_prose else _hint(line, fault, task_names)
-                report.at(fault.kind, line, fault, fault.message, hint)
+                report.at(fault.kind, line, fault, fault.message, hint, fix=fault.fix or None)
             if clause:
                 yield clause
                 yield from swallowed

@@ -1,13 +1,31 @@
 """Collects the diagnostics of one compilation; knows how to turn offsets into spans."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Protocol
 
-from ropsim.core import Diagnostic, Kind, Span, TextEdit
+from ropsim.core import Diagnostic, Kind, Label, Span, TextEdit
+from ropsim.language.findings import names
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.text import Line
 
 MAX_FINDINGS = 200
+MAX_PLACES = 20
+"""Further places that one finding tells."""
+
+_OF_NAMES = frozenset(
+    kind.code
+    for kind in (
+        names.UNKNOWN_TASK,
+        names.UNKNOWN_NAME,
+        names.UNKNOWN_FRAME,
+        names.UNKNOWN_TOOL,
+        names.UNKNOWN_SIGNAL,
+        names.UNKNOWN_FUNCTION,
+        names.UNKNOWN_PATTERN,
+    )
+)
+"""What is told once for each name: mostly it is declared wrongly, not used wrongly again and again."""
 
 
 class Placed(Protocol):
@@ -37,12 +55,13 @@ class Report:
         muted: while true nothing is kept (first pass of the checker).
     """
 
-    __slots__ = ("found", "muted", "source")
+    __slots__ = ("_first", "found", "muted", "source")
 
     def __init__(self, source: str) -> None:
         self.source = source
         self.found: list[Diagnostic] = []
         self.muted = False
+        self._first: dict[str, int] = {}
 
     def at(
         self, kind: Kind, line: Line, place: Placed, message: str, hint: str = "", *, fix: str | None = None
@@ -63,11 +82,16 @@ class Report:
         self.at(kind, line, line, message, hint)
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """Keep a diagnostic.
+        """Keep a diagnostic; the first one of an unknown name takes the further places of that name.
 
         Raises:
             TooManyFindingsError: the list is full.
         """
+        if diagnostic.code in _OF_NAMES:
+            first = self._first.setdefault(diagnostic.message, len(self.found))
+            if first < len(self.found):
+                self.found[first] = _with_place(self.found[first], diagnostic.span)
+                return
         if len(self.found) >= MAX_FINDINGS:
             place: Span | None = diagnostic.span
             message = f"more than {MAX_FINDINGS} findings; the rest of the text was not looked at"
@@ -98,3 +122,10 @@ class Report:
 
         unique = {(d.code, d.span, d.message): d for d in self.found}
         return tuple(sorted(unique.values(), key=place))
+
+
+def _with_place(first: Diagnostic, place: Span | None) -> Diagnostic:
+    """Return a finding that holds at a further place, too; of many places the first ones are told."""
+    if place is None or len(first.secondary) >= MAX_PLACES:
+        return first if first.notes else replace(first, notes=("It stands in more places.",))
+    return replace(first, secondary=(*first.secondary, Label(place, "here, too")))

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
 from ropsim.language.check import convert, fold, settings, values
-from ropsim.language.check.body import Body
+from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
+from ropsim.language.check.world import Poison
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
@@ -74,6 +75,8 @@ def output(body: Body, node: syntax.SetSignal) -> Output:
         RejectedError: it is none, or the value does not fit.
     """
     symbol = body.find(node.name.text)
+    if isinstance(symbol, Poison):
+        raise RejectedError
     if not isinstance(symbol, SignalUse):
         outputs = [n for n, s in body.world.symbols.items() if isinstance(s, SignalUse) and not s.is_input]
         if symbol is not None:

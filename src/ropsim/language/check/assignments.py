@@ -1,7 +1,7 @@
 """Statements that give variables values: `=`, `load`, `var` and calls with a result."""
 
 from ropsim.language.check import calls, components, convert, fold, poses, values
-from ropsim.language.check.body import Body
+from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import (
     ANGLE,
     INT,
@@ -157,6 +157,8 @@ def _assign_in_frame(body: Body, name: str, index: int, value: Expression) -> Bl
 def _assign_call(body: Body, node: syntax.Assign, call: nodes.Function) -> Block:
     signature = body.world.signatures[call.name.text]
     statement = calls.call(body, calls.as_call(call))
+    if signature.result is None and signature.name in body.world.without_result:
+        raise RejectedError
     if signature.result is None:
         hint = "give its header a result: `-> type`"
         body.fail(kinds.WRONG_TYPE, call, f"task `{signature.name}` returns no value", hint)

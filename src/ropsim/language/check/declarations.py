@@ -90,6 +90,8 @@ def _frames(
                     frames[node.name.text] = pose
             except RejectedError:
                 frames.setdefault(node.name.text, fold.IDENTITY)
+        elif isinstance(node, syntax.Broken) and node.head == "frame" and node.name:
+            frames.setdefault(node.name, fold.IDENTITY)
     chosen = environment.frame
     for item in tree:
         node = item.statement if isinstance(item, Line) else None
@@ -117,7 +119,10 @@ def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
         body.line = line
         node = line.statement
         try:
-            if isinstance(node, syntax.ToolDeclaration):
+            if isinstance(node, syntax.Broken):
+                _poison(world, node)
+            elif isinstance(node, syntax.ToolDeclaration):
+                world.tools.setdefault(node.name.text, fold.IDENTITY)
                 _unique(body, node.name, tools)
                 pose = _constant_pose(body, node.value, "a tool")
                 if not _is_given(body, node.name, world.environment.tools, "tool"):
@@ -168,6 +173,14 @@ def _check_signal(body: Body, name: nodes.Name, said: SignalUse, of_cell: Signal
         body.fail(
             hidden_kinds.OTHER_SIGNAL, name, message, "declare it as the cell has it, or leave the line out"
         )
+
+
+def _poison(world: World, node: syntax.Broken) -> None:
+    """Enter the name that a wrong line would have declared, so that its uses are not reported as well."""
+    if node.head == "tool" and node.name:
+        world.tools.setdefault(node.name, fold.IDENTITY)
+    elif node.head in ("loc", "signal", "const", "var", "pattern") and node.name:
+        world.symbols.setdefault(node.name, Poison())
 
 
 _SYMBOLS = (

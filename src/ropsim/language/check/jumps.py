@@ -1,7 +1,7 @@
 """Ways out: `break`, `continue` and `return`."""
 
 from ropsim.language.check import convert, fold, poses, values
-from ropsim.language.check.body import Body
+from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import article
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.findings import types as type_kinds
@@ -27,8 +27,11 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
     """Return the way out of a task."""
     if not body.task:
         body.fail(kinds.MISPLACED, node, "`return` outside of a task", "use `stop` to end the program")
+    if body.result is None and body.is_tolerant:
+        raise RejectedError
     if body.result is None:
         if node.value is not None:
+            body.world.without_result.add(body.task)
             hint = "write the type into the header: `-> length`"
             body.fail(type_kinds.WRONG_TYPE, node.value, f"task `{body.task}` returns no value", hint)
         return (Return(None, body.statement_span),)

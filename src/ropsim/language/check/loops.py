@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ropsim.language.check import convert, fold, values
-from ropsim.language.check.body import Body, Loop
+from ropsim.language.check.body import Body, Loop, RejectedError
 from ropsim.language.check.types import BOOL, INT, POSE, AnyType, Type, article, known
 from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
@@ -103,6 +103,8 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
         RejectedError: there is no such pattern.
     """
     pattern = body.find(node.pattern.text)
+    if isinstance(pattern, Poison):
+        raise RejectedError
     if not isinstance(pattern, Pattern):
         patterns = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern)]
         body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern", patterns)

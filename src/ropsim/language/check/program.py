@@ -118,7 +118,12 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
         _check_counts(body, task, signature, clause)
     block = structures.walk(body, task.block.sections[0].body)
     body.line = task.block.opener
-    is_open = signature.result is not None and not body.has_gaps and not _always_returns(block)
+    is_open = (
+        signature.result is not None
+        and not body.has_gaps
+        and task.block.closer is not None
+        and not _always_returns(block)
+    )
     if is_open and task.header is not None:
         body.warn(
             kinds.NO_RETURN,

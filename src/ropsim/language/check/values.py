@@ -97,7 +97,8 @@ def name(body: Body, node: nodes.Name) -> Value:
 
 def visible(body: Body) -> list[str]:
     """Return all names that an expression could use here."""
-    return [n for n, s in {**body.world.symbols, **body.names}.items() if not isinstance(s, Poison)]
+    names = {**body.world.symbols, **body.names}.items()
+    return [name for name, symbol in names if not isinstance(symbol, Poison) and "__" not in name]
 
 
 def member(body: Body, node: nodes.Name) -> tuple[int, Type]:

@@ -112,6 +112,7 @@ class World:
             along which axes they are shifted.
         signatures: tasks by name.
         used_signals: signals that the program names.
+        without_result: tasks that return a value and whose header has no type for it, as reported.
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
     """
 
@@ -127,4 +128,5 @@ class World:
     has_axes: bool = False
     signatures: dict[str, Signature] = field(default_factory=dict)
     used_signals: dict[str, SignalUse] = field(default_factory=dict)
+    without_result: set[str] = field(default_factory=set)
     joint_count: int = 0

@@ -12,6 +12,9 @@ The line starts with a name that is neither a statement word nor a task of this 
 Either the name is misspelt, or the task is missing. Upper and lower case count in the names of tasks,
 but not in statement words.
 
+A first word near to `repeat`, `endr`, `loc` and the like keeps the part of that word in the text, where
+blocks or a `=` behind a name show what was meant: nothing else is found wrong because of it.
+
 ```
 task release(at_: loc)
   …
@@ -31,6 +34,8 @@ be by their first assignment, by `load`, as parameters, or by `var`; only those 
 `const` outside all tasks are seen inside tasks. The variable of `for` and `for each` is known in its loop
 only; one that has a value before a counting loop keeps the value of the last pass behind it. Locations and
 signals come from the cell file or from `loc` and `signal`.
+
+A name is told once, with the further places where it stands: mostly its declaration is wrong or missing.
 """,
 )
 UNKNOWN_FRAME = define(

@@ -15,6 +15,7 @@ class Fault:
         end: offset after it.
         message: as in the diagnostic.
         hint: what to do next.
+        fix: what would replace the marked text, empty where nobody knows.
     """
 
     kind: Kind
@@ -22,6 +23,7 @@ class Fault:
     end: int
     message: str
     hint: str = ""
+    fix: str = ""
 
 
 class LineFaultError(Exception):

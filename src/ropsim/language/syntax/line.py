@@ -16,6 +16,11 @@ _ORDINAL = re.compile(r"\s*\d+\.\s+(?=task\b)", re.IGNORECASE)
 _HEAD = re.compile(
     r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)\s*(?:each\s+)?\"?([A-Za-z_]\w*)?", re.ASCII | re.IGNORECASE
 )
+LOOP_NAME = re.compile(
+    r"\s*\w+\s+(?:\w+\s+)?([A-Za-z_]\w*)\s+in\b|\s*\w+\s+([A-Za-z_]\w*)\s*:?=", re.ASCII | re.IGNORECASE
+)
+"""The variable of a loop, in a line whose first words may be wrong."""
+
 _COMMENT = re.compile(r"#|//")
 
 
@@ -35,6 +40,8 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
     except LineFaultError as error:
         head = _HEAD.match(line)
         word, name = (head.group(1).lower(), head.group(2) or "") if head else ("", "")
+        loop = LOOP_NAME.match(line) if word == "for" else None
+        name = next(filter(None, loop.groups()), name) if loop else name
         start = len(line) - len(line.lstrip())
         return Broken(word, name, start, len(line.rstrip())), error.fault
 
