@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
-from ropsim.language.check import convert, fold, settings, values
+from ropsim.language.check import convert, fold, plausible, settings, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.check.world import Poison
@@ -110,7 +110,9 @@ def set_mode(body: Body, node: syntax.SetMode) -> Block:
 def wait(body: Body, node: syntax.WaitTime) -> Block:
     """Return a wait for a time."""
     _refuse_signal(body, node.duration)
-    duration = values.expect(body, node.duration, TIME, "the time of `wait`")
+    value = values.check(body, node.duration)
+    duration = convert.to(body, value, TIME, node.duration, "the time of `wait`")
+    plausible.check_wait(body, value, duration, node.duration)
     number = fold.number_of(duration)
     if number is not None and number < 0.0:
         body.fail(

@@ -93,6 +93,7 @@ def target(body: Body, name: nodes.Name, kind: AnyType) -> Variable:
         if body.world.is_strict and symbol is None:
             hint = f"write `var {name.text}: type` outside the tasks, or make it a parameter"
             body.fail(kinds.UNDECLARED, name, f"`{name.text}` is not declared", hint)
+        body.made.setdefault(name.text, (body.line, name))
         return body.declare(name.text, kind)
     body.fail(
         name_kinds.NOT_ASSIGNABLE,
@@ -123,6 +124,7 @@ def _assign_member(body: Body, node: syntax.Assign, member: nodes.Name) -> Block
     if symbol is None:
         values.name(body, node.name)
     variable = target(body, node.name, POSE)
+    body.read.add(variable.name)
     kind = known(variable.type)
     if isinstance(kind, Type) and kind != POSE:
         body.fail(

@@ -57,6 +57,8 @@ class Body:
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
+        made: variables that an assignment made, with its line and place.
+        read: names of the variables that are read.
         has_gaps: a line that may have been a way out is wrong and left out; nobody misses a `return` then.
     """
 
@@ -85,6 +87,8 @@ class Body:
         self.depth = 0
         self.is_tolerant = False
         self.has_gaps = False
+        self.made: dict[str, tuple[Line, Name]] = {}
+        self.read: set[str] = set()
         self._settled = settled
 
     # --- findings

@@ -7,6 +7,7 @@ from ropsim.language.blocks import Block
 from ropsim.language.check import declarations, hidden, signatures, structures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.near_names import check_near_names
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
 from ropsim.language.check.world import Poison, Signature, Variable, World
@@ -47,6 +48,7 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     bodies = {name: _task(world, tasks[name], settled_types[name], report) for name in order}
     main_body = Body(world, report, EXPRESSIONS, settled_types[_MAIN])
     main = structures.walk(main_body, control_statements(tree))
+    check_near_names(main_body)
     if not main:
         _report_empty(tree, tasks, report)
     library_tasks = tuple(t.task for n, t in environment.tasks.items() if n not in tasks)
@@ -117,6 +119,7 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
         contracts.append(Contract(clause.gripper, clause.text, body.statement_span))
         _check_counts(body, task, signature, clause)
     block = structures.walk(body, task.block.sections[0].body)
+    check_near_names(body)
     body.line = task.block.opener
     is_open = (
         signature.result is not None

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from ropsim.language.check import convert, fold, units, values
+from ropsim.language.check import convert, fold, plausible, units, values
 from ropsim.language.check.body import Body
 from ropsim.language.check.types import LENGTH, Type, Value, article, known
 from ropsim.language.findings import types as kinds
@@ -80,6 +80,7 @@ def _one(body: Body, setting: Setting) -> Settings:
         body, value, Type(_REAL, dimension), setting.value, f"the value of `{setting.word}`"
     )
     _check_range(body, setting, expression, dimension)
+    plausible.check_rate(body, setting.word, value, expression, dimension, setting.value)
     return _FIELDS[setting.word, dimension](expression)
 
 

@@ -65,6 +65,7 @@ def name(body: Body, node: nodes.Name) -> Value:
     symbol = body.find(node.text)
     match symbol:
         case Variable():
+            body.read.add(symbol.name)
             kind = known(symbol.type)
             expression = VariableExpression(
                 symbol.name, kind.value if isinstance(kind, Type) else ValueType.REAL

@@ -203,3 +203,18 @@ or `right`, `up` or `down`, `noflip` or `flip`. `ropsim robot ik` shows the name
 A part of which nothing is said is left to the planner.
 """,
 )
+NEW_BESIDE = define(
+    "N237",
+    "new-variable-near-another",
+    Severity.WARNING,
+    "an assignment makes a new variable whose name is near to that of another one",
+    """
+The first assignment of a name makes a variable. This one is read nowhere, and there is one of nearly the same
+name: most often that was meant. Under `strict` each variable is declared, and a misspelt one is an error.
+
+```
+count = 0
+cuont = count + 1        # count stays 0
+```
+""",
+)

@@ -186,3 +186,25 @@ wait until n > 3 or part_ok     # part_ok may come
 ```
 """,
 )
+NEVER_REACHED = define(
+    "T337",
+    "statement-never-reached",
+    Severity.WARNING,
+    "a statement that no way through the program leads to",
+    """
+The statement before it never goes on: `return`, `stop`, `break` and `continue` lead elsewhere, a `repeat`
+without count, `until` and `break` has no end, and of an `if` all branches, `else` among them, may lead
+elsewhere. Move the statement before it, or leave it out.
+""",
+)
+OTHER_UNIT = define(
+    "T338",
+    "number-looks-like-another-unit",
+    Severity.WARNING,
+    "a number without unit that seems to be meant in another unit",
+    """
+A number without unit counts in the unit of `units` for its dimension, times in seconds. `wait 500` then takes
+more than eight minutes, where other controllers wait 500 ms; `speed 0.2` under `units mm` is 0.2 mm/s, where
+0.2 m/s or a fifth of what the joints can do was meant. Write the unit behind the number, and nothing is said.
+""",
+)

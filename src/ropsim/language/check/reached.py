@@ -1,0 +1,92 @@
+"""Statements behind one that never goes on."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from ropsim.core import Diagnostic, Span
+from ropsim.language.findings import types as kinds
+from ropsim.program import (
+    Block,
+    Break,
+    Constant,
+    Continue,
+    For,
+    If,
+    Program,
+    Repeat,
+    Return,
+    Statement,
+    Stop,
+    While,
+    With,
+)
+
+
+def unreached(program: Program, source: str) -> Iterator[Diagnostic]:
+    """Yield a warning for the first statement of each block that no way leads to (T337).
+
+    Args:
+        program: the structured program.
+        source: name of the text; tasks of the library have been checked where they were written.
+    """
+    for block in (program.main, *(task.body for task in program.tasks)):
+        yield from (
+            kinds.NEVER_REACHED.at(
+                late, "this statement is never reached", hint=f"line {end.line} never goes on to it"
+            )
+            for late, end in _late(block)
+            if late.source == source
+        )
+
+
+def _late(block: Block) -> Iterator[tuple[Span, Span]]:
+    """Yield where statements are not reached, each with that before it, which does not go on."""
+    for before, after in pairwise(block):
+        yield from _inside(before)
+        if _ends(before):
+            if after.span != before.span:
+                yield after.span, before.span
+            return
+    if block:
+        yield from _inside(block[-1])
+
+
+def _inside(statement: Statement) -> Iterator[tuple[Span, Span]]:
+    for block in _blocks(statement):
+        yield from _late(block)
+
+
+def _blocks(statement: Statement) -> tuple[Block, ...]:
+    match statement:
+        case If(branches=branches, otherwise=otherwise):
+            return (*(block for _, block in branches), otherwise)
+        case While(body=body) | Repeat(body=body) | For(body=body) | With(body=body):
+            return (body,)
+    return ()
+
+
+def _ends(statement: Statement) -> bool:
+    """Return whether nothing behind a statement is reached."""
+    match statement:
+        case Return() | Stop() | Break() | Continue():
+            return True
+        case If(branches=branches, otherwise=otherwise):
+            return all(_block_ends(block) for block in (*(one for _, one in branches), otherwise))
+        case With(body=body):
+            return _block_ends(body)
+        case Repeat(count=None, until=None, body=body) | While(condition=Constant(value=True), body=body):
+            return not _is_left(body)
+    return False
+
+
+def _block_ends(block: Block) -> bool:
+    return any(_ends(statement) for statement in block)
+
+
+def _is_left(body: Block) -> bool:
+    """Return whether a `break` leaves the loop of a body."""
+    return any(
+        isinstance(one, Break)
+        or (not isinstance(one, While | Repeat | For) and any(_is_left(block) for block in _blocks(one)))
+        for one in body
+    )

@@ -1,0 +1,89 @@
+"""Warnings of what compiles and is hardly meant."""
+
+import pytest
+
+from support.tasks import codes, only
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "meant"),
+    [
+        ("count = 1\nrepeat 3\n cuont = count + 1\nendr\nprint count", 3, "count"),
+        ("task T(part: loc)\n prat = part\n mov part\nendp\nT infeed", 2, "part"),
+        ("var total: int = 0\ntask T()\n totall = 3\nendp\nT()\nprint total", 3, "total"),
+    ],
+)
+def test_a_new_variable_beside_one_of_nearly_its_name_is_a_warning(text: str, line: int, meant: str) -> None:
+    found = only(f"program p\n{text}")
+    assert found.span is not None
+    assert found.fix is not None
+    assert (found.code, found.is_error, found.span.line) == ("N237", False, line + 1)
+    assert found.fix.replacement == meant
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "slot1 = 1\nslot2 = 2\nprint slot1",
+        "count = 1\ncuont = count + 1\nprint cuont",
+        "row = 1\nrows = 2\nprint row",
+        "count = 1\ncounter = 2\nprint count",
+    ],
+)
+def test_names_that_are_read_short_or_differ_by_more_are_no_slips(text: str) -> None:
+    assert codes(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("stop\nopen", 2),
+        ("repeat\n open\nendr\nclose", 4),
+        ("while true\n open\nendw\nclose", 4),
+        ("repeat 3\n break\n open\nendr", 3),
+        ("repeat 3\n if part_ok\n  break\n else\n  continue\n endif\n open\nendr", 7),
+        ("with tool jaws\n stop\nendwith\nopen", 4),
+        ("task T(q: loc)\n return\n mov q\n lin q\nendp\nT infeed", 3),
+    ],
+)
+def test_a_statement_that_is_never_reached_is_a_warning_at_the_first(text: str, line: int) -> None:
+    found = only(text)
+    assert found.span is not None
+    assert (found.code, found.is_error, found.span.line) == ("T337", False, line)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "repeat\n if part_ok then break\nendr\nclose",
+        "repeat\n open\nuntil part_ok\nclose",
+        "repeat\n repeat 2\n  break\n endr\n if part_ok\n  break\n endif\nendr\nclose",
+        "if part_ok then stop\nopen",
+        "pattern s = grid 2 x 2 from (0, 0, 0) step (1,0,0), (0,1,0)\nfor each b in s\n break\nendf\nopen",
+        "task T(n: int) -> int\n if n > 1\n  return 1\n endif\n return 2\nendp\nx = T(1)",
+    ],
+)
+def test_what_a_way_leads_to_is_reached(text: str) -> None:
+    assert codes(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("wait 500", "write `wait 500 ms`, or `wait 500 s`"),
+        ("set speed 0.2", "write the unit: `speed 0.2 m/s`, or for joints `speed 20 %`"),
+        ("lin infeed speed 0.5", "write the unit: `speed 0.5 m/s`, or for joints `speed 50 %`"),
+        ("with acc 0.9\n open\nendwith", "write the unit: `acc 0.9 m/s2`, or for joints `acc 90 %`"),
+        ("units m\nset speed 200", "write the unit: `speed 200 mm/s`"),
+    ],
+)
+def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint: str) -> None:
+    found = only(f"units mm\n{text}")
+    assert (found.code, found.is_error, found.hint) == ("T338", False, hint)
+
+
+@pytest.mark.parametrize(
+    "line", ["wait 99", "wait 500 s", "set speed 0.2 mm/s", "set speed 200", "set acc 1"]
+)
+def test_usual_numbers_and_those_with_a_unit_are_believed(line: str) -> None:
+    assert codes(f"units mm\n{line}") == []
