@@ -145,7 +145,7 @@ def test_locations_that_stand_still_stay_where_they_are() -> None:
 def test_numbers_of_a_location_are_those_in_its_frame() -> None:
     recording = ran(TURNED.format(30) + 'print corner.x, " ", corner.z\nprint corner\n')
     texts = [event.text for event in recording.events_of(MessageEvent)]
-    assert texts[0].split() == ["0.03", "0.04"]
+    assert texts[0].split() == ["30", "mm", "40", "mm"]
     assert texts[1].endswith("in fixture")
 
 

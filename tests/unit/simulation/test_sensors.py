@@ -16,6 +16,7 @@ from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 from support.cells import one_station
+from support.printed import si_numbers
 
 ROBOT = robots.load("puma560")
 TABLE_TOP = 0.1
@@ -108,7 +109,7 @@ def test_the_place_that_is_kept_is_that_where_the_sensor_said_so(speed: int) -> 
     """It is true to the way of one interpolation tick, however far the arm needs to stand."""
     search = f"lin (500, 0, 60) speed {speed} mm/s until height < 50 mm store touch"
     recording = ideal(ABOVE, search, "print touch.z")
-    kept, touched = float(said(recording)[0]), TABLE_TOP + 0.05
+    (kept,), touched = si_numbers(said(recording)[0]), TABLE_TOP + 0.05
     assert touched - speed * 1e-3 * TICK - PRINTED <= kept <= touched + PRINTED
     assert end(recording)[2] < kept - 0.01 * speed * 1e-3
     assert recording.findings == ()
@@ -118,7 +119,7 @@ def test_what_a_condition_kept_is_not_kept_again() -> None:
     search = "lin (500, 0, 60) speed 100 mm/s until height < 50 mm store touch"
     lines = (ABOVE, search, "mov (500, 0, 250) store back", "lin (500, 0, 60) until go is off store there")
     recording = ideal(*lines, "print touch.z, back.z, there.z", inputs=(InputChange(0.1, "go", 1.0),))
-    touch, back, there = (float(word) for word in said(recording)[0].split())
+    touch, back, there = si_numbers(said(recording)[0])
     assert touch < TABLE_TOP + 0.05 + PRINTED
     assert back == pytest.approx(0.25, abs=PRINTED)
     assert there == pytest.approx(0.06, abs=PRINTED)
@@ -127,7 +128,7 @@ def test_what_a_condition_kept_is_not_kept_again() -> None:
 def test_behind_a_move_that_is_skipped_the_pose_is_that_where_the_arm_stands() -> None:
     search = "lin (500, 0, 60) speed 100 mm/s until height < 50 mm store touch"
     recording = ideal(ABOVE, search, "lin (5000, 0, 60) store far", "print touch.z - far.z")
-    assert float(said(recording)[0]) > 1e-3
+    assert si_numbers(said(recording)[0])[0] > 1e-3
 
 
 def test_the_same_program_gives_the_same_bits() -> None:

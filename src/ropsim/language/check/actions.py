@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from ropsim.core import Kind, did_you_mean
 from ropsim.flow import GripAction
-from ropsim.language.check import convert, fold, plausible, settings, values
+from ropsim.language.check import convert, fold, plausible, settings, shown, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.types import BOOL, NUMBER, STR, TIME, Type, article, known
 from ropsim.language.check.world import Poison
@@ -143,8 +143,9 @@ def wait_until(body: Body, node: syntax.WaitCondition, otherwise: Block) -> Bloc
 
 
 def message(body: Body, node: syntax.Print) -> Block:
-    """Return a message."""
-    return (Message(tuple(values.check(body, v).expression for v in node.values), body.statement_span),)
+    """Return a message; quantities are shown in the units of the text, with their names."""
+    parts = [part for one in node.values for part in shown.parts(body, values.check(body, one))]
+    return (Message(tuple(parts), body.statement_span),)
 
 
 def stop(body: Body, node: syntax.Stop) -> Block:
