@@ -12,7 +12,7 @@ _REAL = ValueType.REAL
 def parts(body: Body, value: Value) -> tuple[Expression, ...]:
     """Return what stands in a message for a value, each part with a blank before the next one.
 
-    A location is shown as three lengths, and three angles about the fixed X, Y and Z axes of the frame in force.
+    A location is shown as three lengths and the angles about the fixed axes, in the frame in force.
     Where external axes may belong to it, it is shown whole and in SI units.
     """
     kind = known(value.type)
