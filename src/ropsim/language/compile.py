@@ -8,7 +8,7 @@ from ropsim.icr import Program as IcrProgram
 from ropsim.language import blocks, misspelt, prose
 from ropsim.language import text as texts
 from ropsim.language.check import program as checker
-from ropsim.language.check.reached import unreached
+from ropsim.language.check.reached import uncalled, unreached
 from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.places import at_names
@@ -77,6 +77,7 @@ def _lowered(program: Program, source: SourceText, report: Report) -> IcrProgram
     report.extend(check_contracts(program))
     report.extend(check_points(program))
     report.extend(unreached(program, report.source))
+    report.extend(uncalled(program, report.source))
     code, findings = lower_with_findings(program, report.source)
     report.extend(at_names(findings, source))
     return None if report.has_errors else code

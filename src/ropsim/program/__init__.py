@@ -58,3 +58,4 @@ from ropsim.program.statements import While as While
 from ropsim.program.statements import With as With
 from ropsim.program.types import ValueType as ValueType
 from ropsim.program.walk import signals_of as signals_of
+from ropsim.program.walk import walk as walk

@@ -87,3 +87,12 @@ def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint
 )
 def test_usual_numbers_and_those_with_a_unit_are_believed(line: str) -> None:
     assert codes(f"units mm\n{line}") == []
+
+
+def test_a_task_that_nothing_reaches_is_a_hint() -> None:
+    tasks = "task A\n open\nendp\ntask B\n C\nendp\ntask C\n close\nendp\n"
+    found = only(f"program p\n{tasks}B")
+    assert found.span is not None
+    assert (found.code, found.severity.value, found.span.line) == ("N238", "hint", 2)
+    assert codes(f"program p\n{tasks}A\nB") == []
+    assert codes(f"program p\n{tasks}") == ["L111"]

@@ -1,13 +1,15 @@
-"""Statements behind one that never goes on."""
+"""Statements and tasks that no way through the program leads to."""
 
 from collections.abc import Iterator
 from itertools import pairwise
 
 from ropsim.core import Diagnostic, Span
+from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.program import (
     Block,
     Break,
+    Call,
     Constant,
     Continue,
     For,
@@ -19,7 +21,33 @@ from ropsim.program import (
     Stop,
     While,
     With,
+    walk,
 )
+
+
+def uncalled(program: Program, source: str) -> Iterator[Diagnostic]:
+    """Yield a hint for each task that the control statements do not reach (N238).
+
+    Args:
+        program: the structured program.
+        source: name of the text; tasks of the library may be of no use here.
+    """
+    tasks = {task.name: task for task in program.tasks}
+    work = list(_called(program.main))
+    called: set[str] = set()
+    while work:
+        name = work.pop()
+        if name in tasks and name not in called:
+            called.add(name)
+            work += _called(tasks[name].body)
+    for task in program.tasks:
+        if task.name not in called and task.span.source == source and program.main:
+            message, hint = f"nothing calls the task `{task.name}`", "call it, or leave it out"
+            yield name_kinds.UNUSED_TASK.at(task.span, message, hint=hint)
+
+
+def _called(block: Block) -> Iterator[str]:
+    return (one.task for one in walk(block) if isinstance(one, Call))
 
 
 def unreached(program: Program, source: str) -> Iterator[Diagnostic]:

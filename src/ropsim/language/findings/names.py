@@ -218,3 +218,13 @@ cuont = count + 1        # count stays 0
 ```
 """,
 )
+UNUSED_TASK = define(
+    "N238",
+    "task-never-called",
+    Severity.HINT,
+    "a task that nothing calls",
+    """
+Neither the control statements nor a task that they reach calls this task, so it is never carried out. Call it,
+or leave it out. A text without control statements, which only holds tasks, is told so by L111.
+""",
+)
