@@ -19,6 +19,7 @@ task Pick(part: loc, clear: length = 60 mm)
   close
   mov part above clear
   n = clear * 2
+  print n
 endp
 task H(q: loc) -> length
  return q.z
@@ -33,6 +34,7 @@ for each b in g
 endf
 x = H(a)
 y = x + c
+print y
 set lamp on
 wait until s
 if s then set lamp off

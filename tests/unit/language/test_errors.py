@@ -214,7 +214,7 @@ def test_a_wrong_return_is_not_missed_as_well(line: str) -> None:
 
 @pytest.mark.parametrize("condition", ["n > 3", "false", "n = 1 and q.x > 3 mm"])
 def test_a_wait_for_what_nothing_changes_is_a_warning(condition: str) -> None:
-    text = f"q = (1, 2, 3)\nn = 1\nwait until {condition}"
+    text = f"q = (1, 2, 3)\nn = 1\nprint q, n\nwait until {condition}"
     found = only(text)
     assert (found.code, found.is_error) == ("T336", False)
     assert codes(f"{text} or part_ok") == []

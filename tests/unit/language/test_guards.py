@@ -150,7 +150,7 @@ def test_a_bare_number_beside_a_length_that_is_measured_is_told(text: str, condi
     "condition", ["gap < 12 mm", "gap > 0", "force_z > 15", "force_z > 15 N", "gap < x / 2", "gap < gap"]
 )
 def test_units_nothing_and_what_was_worked_out_are_no_mistakes(condition: str) -> None:
-    assert codes(f"{UNITS}x = gap\nwait until {condition}\n", SENSED) == []
+    assert codes(f"{UNITS}x = gap\nprint x\nwait until {condition}\n", SENSED) == []
 
 
 def test_in_metres_a_bare_number_is_what_it_seems() -> None:

@@ -24,10 +24,10 @@ def test_a_new_variable_beside_one_of_nearly_its_name_is_a_warning(text: str, li
 @pytest.mark.parametrize(
     "text",
     [
-        "slot1 = 1\nslot2 = 2\nprint slot1",
+        "slot1 = 1\nslot2 = 2\nprint slot1, slot2",
         "count = 1\ncuont = count + 1\nprint cuont",
-        "row = 1\nrows = 2\nprint row",
-        "count = 1\ncounter = 2\nprint count",
+        "row = 1\nrows = 2\nprint row, rows",
+        "load (x, y, z), infeed\nprint x",
     ],
 )
 def test_names_that_are_read_short_or_differ_by_more_are_no_slips(text: str) -> None:
@@ -60,7 +60,7 @@ def test_a_statement_that_is_never_reached_is_a_warning_at_the_first(text: str, 
         "repeat\n repeat 2\n  break\n endr\n if part_ok\n  break\n endif\nendr\nclose",
         "if part_ok then stop\nopen",
         "pattern s = grid 2 x 2 from (0, 0, 0) step (1,0,0), (0,1,0)\nfor each b in s\n break\nendf\nopen",
-        "task T(n: int) -> int\n if n > 1\n  return 1\n endif\n return 2\nendp\nx = T(1)",
+        "task T(n: int) -> int\n if n > 1\n  return 1\n endif\n return 2\nendp\nx = T(1)\nprint x",
     ],
 )
 def test_what_a_way_leads_to_is_reached(text: str) -> None:
@@ -96,3 +96,15 @@ def test_a_task_that_nothing_reaches_is_a_hint() -> None:
     assert (found.code, found.severity.value, found.span.line) == ("N238", "hint", 2)
     assert codes(f"program p\n{tasks}A\nB") == []
     assert codes(f"program p\n{tasks}") == ["L111"]
+
+
+@pytest.mark.parametrize(
+    "text", ["slot1 = 1\nslot2 = 2\nprint slot1", "row = 1\nrow2 = row", "task T()\n n = 3\nendp\nT()"]
+)
+def test_a_variable_that_nothing_reads_is_a_hint(text: str) -> None:
+    found = only(f"program p\n{text}")
+    assert (found.code, found.severity.value) == ("N239", "hint")
+
+
+def test_where_a_line_is_wrong_nothing_is_said_of_variables_that_it_may_read() -> None:
+    assert codes("n = 1\nprint n n") == ["L101"]

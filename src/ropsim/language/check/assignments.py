@@ -56,6 +56,7 @@ def load(body: Body, node: syntax.Load) -> Block:
     result: list[Assign] = [*before]
     for name, (expression, kind) in zip(node.names, parts, strict=False):
         variable = target(body, name, kind)
+        body.read.add(variable.name)  # the form of `load` asks for all names, also where one is of no use
         fitted = convert.to(body, Value(expression, kind), variable.type, name, f"`{name.text}`")
         result.append(Assign(variable.name, fitted, body.statement_span))
     return tuple(result)

@@ -1,4 +1,4 @@
-"""Variables that a misspelt assignment has made."""
+"""Variables that nothing reads, and those that a misspelt assignment has made."""
 
 import re
 from collections.abc import Iterator
@@ -35,6 +35,15 @@ def check_near_names(body: Body) -> None:
             best = variables[min(near)][0]
             message = f"`{name}` is a new variable that nothing reads"
             body.report.at(kinds.NEW_BESIDE, line, place, message, f"did you mean `{best}`?", fix=best)
+            del body.made[name]
+
+
+def check_unread(body: Body) -> None:
+    """Hint at each variable that nothing reads (N239), where all lines are right: a wrong one may read it."""
+    for name, (line, place) in body.made.items():
+        if name not in body.read:
+            hint = "leave the assignment out, or use what it keeps"
+            body.report.at(kinds.UNUSED_VARIABLE, line, place, f"nothing reads the variable `{name}`", hint)
 
 
 def _by_letters(body: Body) -> dict[str, list[str]]:

@@ -7,7 +7,7 @@ from ropsim.language.blocks import Block
 from ropsim.language.check import declarations, hidden, signatures, structures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.near_names import check_near_names
+from ropsim.language.check.near_names import check_near_names, check_unread
 from ropsim.language.check.tasks import TaskText, callee_first, control_statements, tasks_of
 from ropsim.language.check.types import POSE, Type, known
 from ropsim.language.check.world import Poison, Signature, Variable, World
@@ -45,10 +45,14 @@ def check(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
     for name in order:
         world.signatures[name] = signatures.of_text(world, tasks[name], callable_names, report)
     settled_types = _find_types(world, tasks, order, tree, report)
-    bodies = {name: _task(world, tasks[name], settled_types[name], report) for name in order}
+    checked: list[Body] = []
+    bodies = {name: _task(world, tasks[name], settled_types[name], report, checked) for name in order}
     main_body = Body(world, report, EXPRESSIONS, settled_types[_MAIN])
     main = structures.walk(main_body, control_statements(tree))
     check_near_names(main_body)
+    if not report.has_errors:
+        for body in (*checked, main_body):
+            check_unread(body)
     if not main:
         _report_empty(tree, tasks, report)
     library_tasks = tuple(t.task for n, t in environment.tasks.items() if n not in tasks)
@@ -108,7 +112,9 @@ def _enter(world: World, task: TaskText, types: Mapping[str, Type] | None, repor
     return body
 
 
-def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Report) -> Task:
+def _task(
+    world: World, task: TaskText, types: Mapping[str, Type], report: Report, checked: list[Body]
+) -> Task:
     signature = world.signatures[task.name]
     body = _enter(world, task, types, report)
     header_span = body.statement_span
@@ -120,6 +126,7 @@ def _task(world: World, task: TaskText, types: Mapping[str, Type], report: Repor
         _check_counts(body, task, signature, clause)
     block = structures.walk(body, task.block.sections[0].body)
     check_near_names(body)
+    checked.append(body)
     body.line = task.block.opener
     is_open = (
         signature.result is not None

@@ -224,7 +224,17 @@ UNUSED_TASK = define(
     Severity.HINT,
     "a task that nothing calls",
     """
-Neither the control statements nor a task that they reach calls this task, so it is never carried out. Call it,
-or leave it out. A text without control statements, which only holds tasks, is told so by L111.
+Neither the control statements nor a task that they reach calls this task, so it is never carried out. Call
+it, or leave it out. A text without control statements, which only holds tasks, is told so by L111.
+""",
+)
+UNUSED_VARIABLE = define(
+    "N239",
+    "variable-never-read",
+    Severity.HINT,
+    "a variable that nothing reads",
+    """
+The task, or the control statements, give the variable a value and never read it: neither in an expression nor
+as a target, an argument or in `print`. Leave the assignment out, or use what it keeps.
 """,
 )
