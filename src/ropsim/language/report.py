@@ -4,12 +4,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Protocol
 
-from ropsim.core import Diagnostic, Kind, Label, Span, TextEdit
+from ropsim.core import Diagnostic, Kind, Label, Severity, Span, TextEdit
 from ropsim.language.findings import names
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.text import Line
 
 MAX_FINDINGS = 200
+MAX_HINTS = 100
+"""More hints are left out: a right program with many of them runs."""
 MAX_PLACES = 20
 """Further places that one finding tells."""
 
@@ -55,13 +57,14 @@ class Report:
         muted: while true nothing is kept (first pass of the checker).
     """
 
-    __slots__ = ("_first", "found", "muted", "source")
+    __slots__ = ("_first", "_hints", "found", "muted", "source")
 
     def __init__(self, source: str) -> None:
         self.source = source
         self.found: list[Diagnostic] = []
         self.muted = False
         self._first: dict[str, int] = {}
+        self._hints = 0
 
     def at(
         self, kind: Kind, line: Line, place: Placed, message: str, hint: str = "", *, fix: str | None = None
@@ -92,7 +95,12 @@ class Report:
             if first < len(self.found):
                 self.found[first] = _with_place(self.found[first], diagnostic.span)
                 return
-        if len(self.found) >= MAX_FINDINGS:
+        if diagnostic.severity is Severity.HINT:
+            self._hints += 1
+            if self._hints <= MAX_HINTS:
+                self.found.append(diagnostic)
+            return
+        if len(self.found) - min(self._hints, MAX_HINTS) >= MAX_FINDINGS:
             place: Span | None = diagnostic.span
             message = f"more than {MAX_FINDINGS} findings; the rest of the text was not looked at"
             self.found.append(kinds.TOO_MANY.at(place, message, hint="mend the first ones and compile again"))

@@ -49,9 +49,9 @@ task T({parameter})
   open
 endp
 """
-    (found,) = compiled(text + "open", WORLD).diagnostics
+    found = next(one for one in compiled(text + "open", WORLD).diagnostics if one.code == "N223")
     name = parameter.split(":", maxsplit=1)[0]
-    assert (found.code, found.is_error) == ("N223", False)
+    assert not found.is_error
     assert found.message == f"parameter `{name}` hides {hidden} of that name in the whole task"
     assert found.span is not None
     assert (found.span.line, found.span.column) == (7, 8)
@@ -91,4 +91,4 @@ def test_a_declaration_that_has_the_name_of_something_in_the_cell_is_told(line: 
 
 def test_a_location_that_the_cell_has_too_is_where_the_cell_says() -> None:
     text = "program p\nunits mm\nloc infeed = (1, 2, 3)\nprint infeed.x, infeed.y, infeed.z"
-    assert outcome(text).says == ("0.4 0.3 0.1",)
+    assert outcome(text).says == ("400 mm 300 mm 100 mm",)

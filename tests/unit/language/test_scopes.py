@@ -21,8 +21,8 @@ def says(text: str) -> tuple[str, ...]:
 def test_nested_loops_over_patterns_may_use_one_name() -> None:
     inner = "for each s in b\nprint s.y, s.col, s.row\nendf\n"
     found = says(f"for each s in a\nprint s.x, s.col\n{inner}print s.x, s.col\nendf")
-    through = ("0 1 1", "0.07 2 1", "0 1 2", "0.07 2 2")
-    assert found == ("0 1", *through, "0 1", "0.07 2", *through, "0.07 2")
+    through = ("0 mm 1 1", "70 mm 2 1", "0 mm 1 2", "70 mm 2 2")
+    assert found == ("0 mm 1", *through, "0 mm 1", "70 mm 2", *through, "70 mm 2")
 
 
 def test_nested_counting_loops_may_use_one_name() -> None:
@@ -57,12 +57,12 @@ def test_a_variable_that_has_a_value_before_counts_and_keeps_its_last_one() -> N
 
 def test_loops_one_after_the_other_may_count_different_things() -> None:
     text = "for i = 1 to 1\nprint i\nendf\nfor i = 5 mm to 5 mm step 1 mm\nprint i\nendf\ni = true\nprint i"
-    assert says(text) == ("1", "0.005", "true")
+    assert says(text) == ("1", "5 mm", "true")
 
 
 @pytest.mark.parametrize("declaration", ["var s: int = 4\n", "s = 4\n"])
 def test_a_loop_over_a_pattern_leaves_a_variable_of_its_name_alone(declaration: str) -> None:
-    assert says(f"{declaration}for each s in a\nprint s.x\nendf\nprint s") == ("0", "0.07", "4")
+    assert says(f"{declaration}for each s in a\nprint s.x\nendf\nprint s") == ("0 mm", "70 mm", "4")
 
 
 @pytest.mark.parametrize("name", ["s__row", "s__col", "s__left", "s__seen", "s_row"])
@@ -73,18 +73,18 @@ def test_no_name_of_a_program_is_one_that_the_compiler_keeps(name: str) -> None:
 
 def test_a_component_written_in_another_frame_changes_no_variable_of_the_program() -> None:
     assert says("q__seen = 5\nq = infeed\nwith frame pallet\nq.x = 100\nendwith\nprint q__seen, q.x") == (
-        "5 0.5",
+        "5 500 mm",
     )
 
 
 def test_load_reads_the_whole_location_before_it_writes() -> None:
     swapped = "units mm\nx = 1 mm\ny = 2 mm\nz = 3 mm\nload (y, x, z), (x, y, z)\nprint x, y, z"
-    assert outcome(swapped).says == ("0.002 0.001 0.003",)
+    assert outcome(swapped).says == ("2 mm 1 mm 3 mm",)
     moved = "units mm\nx = 4 mm\nload (x, y, z), infeed offset (x, x, x)\nprint x, y, z"
-    assert outcome(moved).says == ("0.404 0.304 0.104",)
+    assert outcome(moved).says == ("404 mm 304 mm 104 mm",)
     given = "units mm, deg\nx = 1\ny = 2\nz = 3\na = 10\nb = 20\n"
     turned = "load (x, y, z, b, a), (z, x, y, a, b)\nprint x, y, z, b, a"
-    assert outcome(given + turned).says == ("0.003 0.001 0.002 0.174533 0.349066",)
+    assert outcome(given + turned).says == ("3 mm 1 mm 2 mm 10 deg 20 deg",)
 
 
 def test_load_writes_no_variable_twice() -> None:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from ropsim import icr
+from ropsim.language.report import MAX_HINTS
 from support.tasks import codes, compiled
 from support.work import peak_of, steps_of
 
@@ -142,3 +143,9 @@ def test_work_and_memory_are_in_proportion_to_the_text(kind: str) -> None:
 
 PROPORTION = 6
 """Four times the text may take so many times the work: 4, and a margin for tables that grow."""
+
+
+def test_a_right_program_with_many_hints_runs() -> None:
+    answer = compiled("".join(f"v{k} = {k}\n" for k in range(500)))
+    assert answer.icr is not None
+    assert [one.code for one in answer.diagnostics] == ["N239"] * MAX_HINTS

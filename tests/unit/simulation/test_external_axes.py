@@ -101,13 +101,8 @@ def test_a_coordinate_of_the_wrong_sort_is_a_mistake_of_the_program() -> None:
 
 def test_coordinates_that_lack_the_external_axes_are_told() -> None:
     code = compiled("program main\nunits mm, deg, s\nmov joints(0, 75, -180, 0, -75, 0)\n")
-    assert code.icr is not None
-    result = run(cell(), {"robot": code.icr}, RunOptions(fidelity=Fidelity.KINEMATIC))
-    assert [found.code for found in result.findings] == ["M508"]
-    assert "`puma560` has 6 joints and 2 external axes" in result.findings[0].message
-    assert (
-        result.findings[0].hint == "give 8 values, from the base to the tip, then E1 (track), E2 (positioner)"
-    )
+    (found,) = code.diagnostics
+    assert (found.code, found.message) == ("T335", "`joints(…)` has 6 coordinates, 8 are needed")
 
 
 def ran(*lines: str) -> Recording:

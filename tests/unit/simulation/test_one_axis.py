@@ -133,7 +133,6 @@ def test_the_table_waits_for_the_signal_of_the_shuttle() -> None:
         ("mov (100, 0, 0)", "M518", "a pose needs an arm, this station has the axis `E1` only"),
         ("lin (100, 0, 0)", "M518", "a straight line needs an arm"),
         ("mov joints(1000)", "M502", "`E1`"),
-        ("mov joints(1, 2)", "M508", "has 1 joint"),
     ],
 )
 def test_what_it_cannot_do_is_told_on_its_line(line: str, code: str, words: str) -> None:
