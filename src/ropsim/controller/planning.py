@@ -10,6 +10,7 @@ from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
+from ropsim.controller.hopeless import joints_refusal, standing_refusal
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
@@ -85,7 +86,7 @@ def _planned(
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
-        if refusal := correction_refusal(leg):
+        if refusal := correction_refusal(leg) or standing_refusal(leg):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
     parts = parts_of(legs, corners, chain.controller.look_ahead)
@@ -97,6 +98,9 @@ def _planned(
         if check_duration(legs[number].move, duration):
             return _too_long(legs, number, duration)
     bounds = arm_bounds(chain.robot, payload)
+    for number, leg in enumerate(legs):
+        if refusal := joints_refusal(leg, bounds.joints.speed):
+            return _Hurdle(number, refusal)
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
     keeping = keeping_of(parts, len(legs), bounds, period, chain.controller.look_ahead)

@@ -1,6 +1,5 @@
 """Bounds of speed, acceleration and jerk along a piece of a stretch: one stage, or several on a bent one."""
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -19,8 +18,6 @@ _MIXED = 0.5
 """Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
 _ALIKE = np.array([1.1, 2.0, 2.0])
 """Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
-_FASTER, _CAPS = 1.25, 12
-"""Speeds for the whole of a bent path that are tried: by what factor from one to the next, and how many."""
 _SAME_PLACE = 1e-9
 """Share of a path below which two ends of stages are one."""
 
@@ -55,16 +52,15 @@ def tool_stages(path: ToolPath, limits: ToolLimits) -> Stages:
 
 
 def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
-    """Return bounds along a path of the tool that go together, one choice for each share that differs.
+    """Return bounds along a path of the tool that go together; of an even bend one choice for each share.
 
     The slower a bend is walked, the more it leaves for changes of speed on it: not the highest speed is the
-    quickest where the path begins or ends on the bend.
+    quickest where the path begins or ends on the bend. Other paths have one choice.
 
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
-        shares: of the highest speed that a bend allows, falling from 1; with more than that, speeds for the
-            whole path are choices as well.
+        shares: of the highest speed that the bend allows, falling from 1.
     """
     both = JointMotionLimits(
         np.array([limits.speed, limits.orientation_speed]),
@@ -79,13 +75,16 @@ def tool_choices(path: ToolPath, limits: ToolLimits, shares: Sequence[float]) ->
     d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
-    bends = bends_of(look, grid(path), both)
-    bent = bent_speeds(bends, both)
-    wanted = [(share, math.inf) for share in shares]
-    if len(shares) > 1:  # one speed for the whole path spares it to brake from bend to bend
-        caps = (float(bent.min()) * _FASTER**k for k in range(_CAPS))
-        wanted += [(1.0, cap) for cap in caps if cap < bent.max()]
-    return tuple(dict.fromkeys(_bent(bends, both, np.minimum(share * bent, cap)) for share, cap in wanted))
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
+        return _choices(bends_of(look, grid(path), both), both, shares)
+
+
+def _choices(bends: Bends, both: JointMotionLimits, shares: Sequence[float]) -> tuple[Stages, ...]:
+    most = bent_speeds(bends, both)
+    first = _bent(bends, both, shares[0] * most)
+    if len(first) > 1:  # a bend that changes: what is left for changes of speed is used up where it changes
+        return (first,)
+    return tuple(dict.fromkeys((first, *(_bent(bends, both, share * most) for share in shares[1:]))))
 
 
 def along_with(stages: Stages, coordination: Coordination | None) -> Stages:

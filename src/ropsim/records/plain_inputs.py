@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from ropsim.flow import InputChange, Interventions, OverrideChange
 from ropsim.records.diagnostics import INPUTS_UNREADABLE, InputsError
 
+LATEST = 1e6
+"""Latest time at which something is given to a run [s]."""
+
 _FORM = (
     'a list of `{"signal": "NAME", "time": SECONDS, "value": NUMBER}`, '
     '`{"override": SHARE, "time": SECONDS}` and `{"stop": true, "time": SECONDS}`'
@@ -51,10 +54,12 @@ def finite(number: float, key: str, source: str) -> float:
     """Return a number of an entry.
 
     Raises:
-        InputsError: X878, it is not finite.
+        InputsError: X878, it is not finite, or a time after the end of every run.
     """
     if not math.isfinite(number):
         raise unreadable(source, f"`{key}` must be a finite number")
+    if key in ("time", "stopped") and number > LATEST:
+        raise unreadable(source, f"`{key}` is {number:g} s, at most {LATEST:g} s are allowed")
     return number
 
 

@@ -324,19 +324,13 @@ def test_planning_twice_gives_the_same_bits() -> None:
         assert first.reference.qdd.tobytes() == second.reference.qdd.tobytes()
 
 
-@pytest.mark.parametrize("kind", [MotionKind.CIRC, MotionKind.SPLINE])
-def test_a_higher_speed_costs_no_time_on_a_bent_path(kind: MotionKind) -> None:
-    via = tuple(
-        shifted(HERE, *way)
-        for way in ((0.05, 0.1, 0.02), (-0.03, 0.2, 0.0))[: 1 + (kind is not MotionKind.CIRC)]
-    )
-    target = shifted(HERE, 0.0, 0.3, 0.05)
+def test_a_higher_speed_costs_no_time_on_an_arc() -> None:
+    via, target = (shifted(HERE, 0.05, 0.1, 0.02),), shifted(HERE, 0.0, 0.3, 0.05)
     times = [
         planned(
-            MoveInstruction(kind, target, ModalState(path_speed=speed), Origin(LINE, 1), via=via)
+            MoveInstruction(MotionKind.CIRC, target, ModalState(path_speed=v), Origin(LINE, 1), via=via)
         ).duration
-        for speed in (0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.5)
+        for v in (0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.5)
     ]
     assert times[0] > 1.2 * min(times)
-    assert all(later < 1.02 * earlier for earlier, later in pairwise(times))
-    assert max(times[times.index(min(times)) :]) < 1.02 * min(times)
+    assert all(later < 1.01 * earlier for earlier, later in pairwise(times))

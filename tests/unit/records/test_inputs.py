@@ -162,6 +162,7 @@ def test_the_command_does_not_write_over_the_inputs(
         ('[{"signal": "go", "value": 1}]', "`time` must be a number"),
         ('[{"signal": "go", "time": "1", "value": 1}]', "`time` must be a number"),
         ('[{"signal": "go", "time": 1, "value": 1e999}]', "finite"),
+        ('[{"signal": "go", "time": 1e308, "value": 1}]', "`time` is 1e+308 s, at most 1e+06 s"),
         ('[{"signal": 3, "time": 1, "value": 1}]', "`signal`"),
         ('[{"time": 1, "value": 1}]', "`signal`"),
         ('[{"override": 0.5}]', "`time` must be a number"),

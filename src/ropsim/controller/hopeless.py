@@ -1,0 +1,56 @@
+"""Moves along paths of the tool that no time law can make, told before one is tried."""
+
+import math
+
+import numpy as np
+
+from ropsim.controller.entities import Refusal
+from ropsim.controller.leg import Leg
+from ropsim.controller.move_check import check_duration
+from ropsim.controller.stages import tool_stages
+from ropsim.controller.wording import passes
+from ropsim.flow import MotionKind
+from ropsim.motion import NO_SPLINE
+from ropsim.spatial import Array
+
+_PLACES = np.linspace(0.0, 1.0, 33)
+_NOTHING = 1e-12
+"""A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
+
+
+def standing_refusal(leg: Leg) -> Refusal | None:
+    """Return M567 for a curve that turns back in a point, where the tool would have to stand for ever.
+
+    Args:
+        leg: the move.
+    """
+    if leg.tool is None or leg.move.kind is not MotionKind.SPLINE:
+        return None
+    place = 0.0
+    for stage in tool_stages(leg.tool, leg.planned.limits.tool):
+        if not _NOTHING < min(stage.speed, stage.acceleration, stage.jerk) < math.inf:
+            share = place / leg.tool.length
+            finding = NO_SPLINE.at(
+                leg.move.origin.span,
+                f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",
+                label=passes(leg.move.origin),
+                hint="put the points further apart, or in an order in which the curve goes on",
+                data={"place": share},
+            )
+            return Refusal((finding,))
+        place += stage.length
+    return None
+
+
+def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:
+    """Return M513 for a path of the tool on which a joint needs too long at its greatest speed.
+
+    Args:
+        leg: the move.
+        speeds: limits of the joints [rad/s | m/s], shape (n,).
+    """
+    if leg.tool is None or leg.joints is None:
+        return None
+    ways = np.abs(np.diff(leg.joints.joints(_PLACES * leg.joints.length).q, axis=0)).sum(axis=0)
+    found = check_duration(leg.move, float((ways / speeds).max()))
+    return Refusal(found) if found else None
