@@ -9,6 +9,7 @@ _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdi
 _FOREIGN = ("sin", "cos", "tanh")
 """Functions of the C library, which Python's `math` calls, too."""
 _COMPARED = {"min": "<", "max": ">"}
+_CALLED = {"float", "abs", *_COMPARED, *_FOREIGN}
 
 
 class Instructions:
@@ -53,7 +54,7 @@ class Instructions:
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
                 write = getattr(self.builder, _OPERATIONS[type(op)])
                 return write(self._value(left), self._value(right))
-            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=args):
+            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=args) if name in _CALLED:
                 return self._call(name, [self._value(one) for one in args])
             case _:
                 raise _unknown(node)
@@ -68,7 +69,6 @@ class Instructions:
             return self.builder.select(
                 self.builder.fcmp_ordered(_COMPARED[name], second, first), second, first
             )
-        assert name in _FOREIGN, name
         foreign = self._module.globals.get(name)
         if foreign is None:
             foreign = ir.Function(self._module, ir.FunctionType(REAL, [REAL]), name)

@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.controller.entities import Refusal
 from ropsim.controller.leg import Leg
 from ropsim.controller.move_check import check_duration
-from ropsim.controller.stages import tool_stages
+from ropsim.controller.pieces import Piece
 from ropsim.controller.wording import passes
 from ropsim.flow import MotionKind
 from ropsim.motion import NO_SPLINE
@@ -18,16 +18,17 @@ _NOTHING = 1e-12
 """A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
 
 
-def standing_refusal(leg: Leg) -> Refusal | None:
+def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
     """Return M567 for a curve that turns back in a point, where the tool would have to stand for ever.
 
     Args:
         leg: the move.
+        piece: a part of the course that belongs to it.
     """
-    if leg.tool is None or leg.move.kind is not MotionKind.SPLINE:
+    if leg.tool is None or piece.corner or leg.move.kind is not MotionKind.SPLINE:
         return None
-    place = 0.0
-    for stage in tool_stages(leg.tool, leg.planned.limits.tool):
+    place = piece.begin
+    for stage in piece.stages:
         if not _NOTHING < min(stage.speed, stage.acceleration, stage.jerk) < math.inf:
             share = place / leg.tool.length
             finding = NO_SPLINE.at(

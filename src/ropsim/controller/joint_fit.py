@@ -14,7 +14,7 @@ from ropsim.controller.parts import Part
 from ropsim.controller.pieces import piece_borders
 from ropsim.controller.slowed_bands import slowed_in
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import ROUNDING, Quantity, Reference, Slowed, as_planned, places_of, torques
+from ropsim.motion import ROUNDING, Quantity, Reference, Slowed, as_planned, demand, places_of, too_heavy
 from ropsim.spatial import record
 
 _SPACING = 4e-3
@@ -73,7 +73,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
     now = planned
     if planned.reference.strain.is_kept or not any(run.part.leads_tool for run in planned.course.runs):
         return planned
-    if planned.reference.strain.peaks[_TORQUE] > 1.0 and _is_too_heavy(planned, arm):
+    if planned.reference.strain.peaks[_TORQUE] > 1.0 and _is_too_heavy(planned.reference, arm):
         return planned
     bands, looked_at = _bands(planned, arm), arm
     if planned.reference.strain.peaks[_TORQUE] <= 1.0:
@@ -102,13 +102,10 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
     return planned
 
 
-def _is_too_heavy(fit: Fit, arm: ArmBounds) -> bool:
+def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     """Return whether a joint has too little torque to hold the arm somewhere: no speed helps there."""
-    if arm.effort is None or arm.joints.effort is None:
-        return False
-    rows, nothing = fit.reference.rows, np.zeros_like(fit.reference.rows.q)
-    held = torques(arm.effort, rows.q, nothing, nothing)
-    return bool((np.abs(held) > arm.joints.effort).any())
+    asked = demand(reference.rows, arm.joints, arm.effort)
+    return too_heavy(asked, reference.phi) is not None
 
 
 def _parts(fit: Fit) -> list[Part]:

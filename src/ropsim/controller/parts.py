@@ -5,9 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.controller.corners import Corner, Overlap
-from ropsim.controller.leg import Leg
-from ropsim.controller.pieces import Piece, pieces_of
+from ropsim.controller.corners import Overlap
+from ropsim.controller.pieces import Piece, Walk
 from ropsim.motion import Stage, SynchronisedJoints, TimeLaw, plan_time_law
 from ropsim.spatial import record
 
@@ -37,15 +36,14 @@ class Part:
         return self.pieces[0].tool is not None
 
 
-def parts_of(legs: Sequence[Leg], corners: Sequence[Corner | None], look_ahead: int) -> tuple[Part, ...]:
+def parts_of(walks: Sequence[Walk], look_ahead: int) -> tuple[Part, ...]:
     """Return the parts of a stretch between which the arm stops or motions overlap.
 
     Args:
-        legs: the moves.
-        corners: between each two of them; None where the arm stops there, or where one has no length.
+        walks: the pieces, as from `pieces_of`.
         look_ahead: how many moves beyond the present one are known.
     """
-    return tuple(_quickest(pieces, over, look_ahead) for pieces, over in pieces_of(legs, corners))
+    return tuple(_quickest(pieces, over, look_ahead) for pieces, over in walks)
 
 
 def part_of(pieces: Sequence[Piece], over: Overlap | None, look_ahead: int) -> Part:

@@ -44,16 +44,18 @@ class Piece:
     gentler: tuple[Stages, ...] = ()
 
 
-def pieces_of(
-    legs: Sequence[Leg], corners: Sequence[Corner | None]
-) -> list[tuple[list[Piece], Overlap | None]]:
-    """Return the pieces that are walked together, and how they go over into the next ones; None for a stop.
+Walk = tuple[list[Piece], Overlap | None]
+"""Pieces that are walked together, and how they go over into the next ones; None for a stop."""
+
+
+def pieces_of(legs: Sequence[Leg], corners: Sequence[Corner | None]) -> list[Walk]:
+    """Return the pieces of a stretch in order.
 
     Args:
         legs: the moves.
         corners: between each two of them; None where the arm stops there, or where one has no length.
     """
-    runs: list[tuple[list[Piece], Overlap | None]] = []
+    runs: list[Walk] = []
     pieces: list[Piece] = []
     enters = 0.0
     for number, leg in enumerate(legs):
@@ -103,8 +105,16 @@ def _straight(number: int, leg: Leg, first: float, last: float) -> Piece:
     if coordination and not whole:
         coordination = coordination.part(first, last)
     stages, *gentler = (along_with(one, coordination) for one in tool_choices(tool, limits.tool, _SHARES))
-    X_MT = leg.planned.X_MT
-    return Piece(number, joints, tool, X_MT, stages, None, coordination, first, tuple(gentler))
+    return Piece(
+        number,
+        joints,
+        tool,
+        leg.planned.X_MT,
+        stages,
+        coordination=coordination,
+        begin=first,
+        gentler=tuple(gentler),
+    )
 
 
 def _round(number: int, before: Leg, behind: Leg, corner: Rounding) -> Piece:

@@ -18,6 +18,7 @@ from ropsim.controller.motion_chain import MotionChain
 from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.parts import parts_of
+from ropsim.controller.pieces import pieces_of
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
@@ -86,10 +87,14 @@ def _planned(
     for number, leg in enumerate(legs):
         if _crawls(leg) and check_duration(leg.move, alone := _time_alone(leg)):
             return _too_long(legs, number, alone)
-        if refusal := correction_refusal(leg) or standing_refusal(leg):
+        if refusal := correction_refusal(leg):
             return _Hurdle(number, refusal)
     corners = _corners(chain, legs, findings)
-    parts = parts_of(legs, corners, chain.controller.look_ahead)
+    walks = pieces_of(legs, corners)
+    for piece in (one for pieces, _ in walks for one in pieces):
+        if refusal := standing_refusal(legs[piece.leg], piece):
+            return _Hurdle(piece.leg, refusal)
+    parts = parts_of(walks, chain.controller.look_ahead)
     course = course_of(parts, len(legs))
     period = chain.controller.rates.control_period
     if not course.runs:

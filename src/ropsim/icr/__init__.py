@@ -31,6 +31,8 @@ from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState
 from ropsim.icr.trap_kinds import TRAP_NOT_WHOLE as TRAP_NOT_WHOLE
 from ropsim.icr.trap_kinds import TRAP_TIMED_OUT as TRAP_TIMED_OUT
+from ropsim.icr.types import INT_MAX as INT_MAX
+from ropsim.icr.types import INT_MIN as INT_MIN
 from ropsim.icr.types import MAX_EXTERNAL as MAX_EXTERNAL
 from ropsim.icr.types import Constant as Constant
 from ropsim.icr.types import Type as Type

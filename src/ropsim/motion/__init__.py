@@ -16,6 +16,7 @@ from ropsim.motion.diagnostics import WRONG_NUMBER_OF_JOINTS as WRONG_NUMBER_OF_
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST as WRONG_PROFILE_REQUEST
 from ropsim.motion.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.durations import durations as durations
+from ropsim.motion.limits.demand import demand as demand
 from ropsim.motion.limits.grid import places_of as places_of
 from ropsim.motion.limits.joint_bounds import Effort as Effort
 from ropsim.motion.limits.joint_bounds import JointBounds as JointBounds
@@ -30,6 +31,7 @@ from ropsim.motion.limits.kept import Slowed as Slowed
 from ropsim.motion.limits.motion_time import MotionTime as MotionTime
 from ropsim.motion.limits.reference import Reference as Reference
 from ropsim.motion.limits.reference import as_planned as as_planned
+from ropsim.motion.limits.refusal import too_heavy as too_heavy
 from ropsim.motion.limits.strain import ROUNDING as ROUNDING
 from ropsim.motion.limits.time_optimal import time_optimal as time_optimal
 from ropsim.motion.limits.ways import Ways as Ways

@@ -7,6 +7,7 @@ from ropsim.controller.bands import Bands, bands_of
 from ropsim.controller.joint_caps import ACCELERATION, SPEED, Caps
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.pieces import pieces_of
 from ropsim.motion import Quantity
 from support.motion import CHAIN, START, interface_pose, lin, shifted
 
@@ -16,7 +17,7 @@ AHEAD = 10
 def part() -> Part:
     leg = leg_of(CHAIN, lin(shifted(interface_pose(START), -0.1, 0.1, 0.0)), START)
     assert isinstance(leg, Leg)
-    return parts_of([leg], [], AHEAD)[0]
+    return parts_of(pieces_of([leg], []), AHEAD)[0]
 
 
 PART = part()

@@ -10,6 +10,7 @@ from ropsim.controller.corners import Corner, Overlap, Stop, corner_between
 from ropsim.controller.course import Course, course_of
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.parts import parts_of
+from ropsim.controller.pieces import pieces_of
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.motion import plan_time_law
 from support.motion import CHAIN, START, interface_pose, lin, ptp, shifted
@@ -30,7 +31,7 @@ def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Course, 
     for before, behind in pairwise(legs):
         found = corner_between(CHAIN, before, behind)
         corners.append(None if isinstance(found, Stop) else found)
-    return course_of(parts_of(legs, corners, look_ahead), len(legs)), corners
+    return course_of(parts_of(pieces_of(legs, corners), look_ahead), len(legs)), corners
 
 
 def test_lines_with_zones_are_walked_in_one_run() -> None:

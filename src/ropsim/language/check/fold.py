@@ -1,7 +1,7 @@
 """Makers of SIR expressions that compute constants at once."""
 
 from ropsim.flow import PostureRequest
-from ropsim.icr import Location, composed, computed, pose_part
+from ropsim.icr import INT_MAX, INT_MIN, Location, composed, computed, pose_part
 from ropsim.program import (
     Binary,
     Component,
@@ -24,9 +24,6 @@ IDENTITY: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 TRUE = Constant(True, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
 FALSE = Constant(False, ValueType.BOOL)  # noqa: FBT003 - the value is the datum
-
-LARGEST_WHOLE = 2**63 - 1
-"""What an INT of ICR holds."""
 
 _UNARY = {
     "abs": "ABS",
@@ -318,5 +315,5 @@ def component(operand: Expression, index: int) -> Expression:
 
 
 def is_whole(value: float) -> bool:
-    """Return whether a number is a whole one of 64 bits."""
-    return -LARGEST_WHOLE <= value <= LARGEST_WHOLE and value == int(value)
+    """Return whether a number is one that an INT holds."""
+    return INT_MIN <= value <= INT_MAX and value == int(value)
