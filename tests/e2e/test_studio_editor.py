@@ -64,6 +64,7 @@ def test_a_mistake_keeps_the_last_good_run_and_its_repair_keeps_the_view(fresh: 
     fresh.view("Perspective").focus()
     fresh.page.keyboard.press("ArrowLeft")
     fresh.seek(1.5)
+    fresh.drawn()  # the view has turned
     poses, camera, shown = fresh.poses(), fresh.camera("perspective"), fresh.state()["shown"]
     fresh.insert(CALL, "x")
     squiggle(fresh, "set_downx").wait_for()
