@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.controller.correction import Correction, CorrectionRoom
 from ropsim.kinematics import forward, forward_batch, jacobian_at
 from ropsim.model import CorrectionLimits, RobotModel
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, cross, record
 
 SHARE = 0.1
 """Share of the speeds and accelerations of the joints that a correction may take."""
@@ -149,8 +149,9 @@ class ShiftedArm:
         else:
             return None
         v, w = np.split(self._full_jacobian(q) @ qd, 2)
-        twist = np.concatenate((v + u * (correction.speed * rate) + np.cross(w, u * correction.value), w))
-        speeds = _least(self._jacobian(at), twist - self._full_jacobian(at) @ qd)
+        twist = np.concatenate((v + u * (correction.speed * rate) + cross(w, u * correction.value), w))
+        J = self._full_jacobian(at)
+        speeds = _least(self._of_arm(J), twist - J @ qd)
         return ShiftedJoints(at - q, speeds)
 
     def _matrix(self, q: Array) -> Array:
@@ -162,9 +163,15 @@ class ShiftedArm:
 
     def _jacobian(self, q: Array) -> Array:
         """Return the Jacobian of the TCP with external axes that stand, shape (6, n)."""
-        J = self._full_jacobian(q)
-        J[:, list(self.robot.external)] = 0.0
-        return J
+        return self._of_arm(self._full_jacobian(q))
+
+    def _of_arm(self, J: Array) -> Array:
+        """Return a Jacobian with external axes that stand, shape (6, n)."""
+        if not self.robot.external:
+            return J
+        standing = J.copy()
+        standing[:, list(self.robot.external)] = 0.0
+        return standing
 
 
 def _least(J: Array, twist: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy.typing as npt
 from ropsim.dynamics.drives import reflected_inertia
 from ropsim.kinematics import frames_of_steps
 from ropsim.model import BASE_LINK, JointType, Mechanism, check_counts, check_open, joint_tree
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, cross
 
 
 def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
@@ -44,7 +44,7 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
             if tree.types[j] is JointType.PRISMATIC:
                 linear[:, :, j] = z
             else:
-                linear[:, :, j] = np.cross(z, centre - frames[:, j, :3, 3])
+                linear[:, :, j] = cross(z, centre - frames[:, j, :3, 3])
                 angular[:, :, j] = z
         if not tree.parallel:
             linear, angular = linear @ tree.T, angular @ tree.T

@@ -6,7 +6,7 @@ import numpy.typing as npt
 from ropsim.kinematics.arrays import chain_arrays, joint_vector
 from ropsim.kinematics.forward import frames_of
 from ropsim.model import Mechanism
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, cross
 
 
 def jacobian(robot: Mechanism, q: npt.ArrayLike) -> Array:
@@ -50,7 +50,7 @@ def jacobian_at(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> Array:
     axes = frames[:-1, :3, 2]  # (m, 3)
     levers = p_BT - frames[:-1, :3, 3]  # (m, 3)
     slides = chain.slides[:, np.newaxis] > 0.0  # (m, 1)
-    linear = np.where(slides, axes, np.cross(axes, levers))
+    linear = np.where(slides, axes, cross(axes, levers))
     angular = np.where(slides, 0.0, axes)
     J = np.concatenate((linear, angular), axis=1).T  # of the steps
     return J if chain.parallel else np.asarray(J @ chain.spread[:, :-1])

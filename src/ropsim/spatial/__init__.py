@@ -11,3 +11,4 @@ from ropsim.spatial.pose import quaternions_from_matrices as quaternions_from_ma
 from ropsim.spatial.quaternion import PoseTuple as PoseTuple
 from ropsim.spatial.record import fingerprint as fingerprint
 from ropsim.spatial.record import record as record
+from ropsim.spatial.vectors import cross as cross
