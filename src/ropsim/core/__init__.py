@@ -12,6 +12,8 @@ from ropsim.core.files import cache_folder as cache_folder
 from ropsim.core.files import read_bytes as read_bytes
 from ropsim.core.files import replace_file as replace_file
 from ropsim.core.files import replace_private_file as replace_private_file
+from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass
+from ropsim.core.frozen_dataclass import frozen_without_equality as frozen_without_equality
 from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean

@@ -2,7 +2,7 @@
 
 import struct
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import field, fields, is_dataclass
 from enum import Enum, StrEnum
 from hashlib import sha256
 from math import isnan, nan
@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 from weakref import ref
 
 import numpy as np
+
+from ropsim.core import frozen_without_equality
 
 if TYPE_CHECKING:
     from hashlib import _Hash
@@ -30,7 +32,7 @@ def record(cls: type[T]) -> type[T]:
     what equal means keeps that. Arrays are read-only again after a record has been pickled.
     """
     is_own = "__eq__" in cls.__dict__
-    made: type[T] = dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)(cls)
+    made = frozen_without_equality(cls)
     methods = {"__setstate__": _restore, **({} if is_own else {"__eq__": _is_equal, "__hash__": _hash})}
     for name, method in methods.items():
         setattr(made, name, method)

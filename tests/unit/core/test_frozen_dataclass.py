@@ -1,0 +1,158 @@
+"""Frozen dataclasses of the house against those of the standard library."""
+
+import copy
+import inspect
+import pickle
+from dataclasses import KW_ONLY, FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from typing import Any, ClassVar
+from weakref import ref
+
+import pytest
+
+from ropsim.core import frozen_dataclass, frozen_without_equality
+
+
+@frozen_dataclass
+class Ours:
+    """A line with all that a field can be."""
+
+    kind: ClassVar[str] = "class"
+    x: float
+    y: float = 2.0
+    tags: list[str] = field(default_factory=list, compare=False)
+    hidden: int = field(default=3, repr=False)
+    made: int = field(init=False, default=0)
+    _: KW_ONLY
+    unit: str = "mm"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "made", int(self.x))
+
+
+@frozen_dataclass
+class Longer(Ours):
+    """One field more."""
+
+    z: float = 0.0
+
+
+@frozen_dataclass
+class Empty:
+    """Nothing."""
+
+
+@frozen_dataclass
+class Angle:
+    """Equal modulo a turn."""
+
+    degrees: int
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Angle) and self.degrees % 360 == other.degrees % 360
+
+    def __hash__(self) -> int:
+        return hash(self.degrees % 360)
+
+
+@frozen_without_equality
+class Single:
+    """Equal to itself."""
+
+    x: int
+
+
+@dataclass(frozen=True, slots=True)
+class Theirs:
+    """The same fields by the standard library."""
+
+    kind: ClassVar[str] = "class"
+    x: float
+    y: float = 2.0
+    tags: list[str] = field(default_factory=list, compare=False)
+    hidden: int = field(default=3, repr=False)
+    made: int = field(init=False, default=0)
+    _: KW_ONLY
+    unit: str = "mm"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "made", int(self.x))
+
+
+CALLS: tuple[tuple[tuple[float, ...], dict[str, Any]], ...] = (
+    ((1.0,), {}),
+    ((1.0, 5.0), {"unit": "m"}),
+    ((), {"x": 1.5, "tags": ["a"], "hidden": 7}),
+)
+
+
+@pytest.mark.parametrize(("arguments", "named"), CALLS)
+def test_objects_are_those_of_the_standard_library(
+    arguments: tuple[float, ...], named: dict[str, Any]
+) -> None:
+    classes: tuple[Any, ...] = (Ours, Theirs)
+    ours, theirs = (cls(*arguments, **named) for cls in classes)
+    assert repr(ours) == repr(theirs).replace("Theirs", "Ours")
+    assert hash(ours) == hash(theirs)
+    assert [getattr(ours, one.name) for one in fields(ours)] == [
+        getattr(theirs, one.name) for one in fields(theirs)
+    ]
+
+
+@pytest.mark.parametrize("arguments", [(), (1.0, 2.0, [], 3, 0, "mm"), (1.0,) * 9])
+def test_wrong_calls_are_refused_by_both(arguments: tuple[Any, ...]) -> None:
+    classes: tuple[Any, ...] = (Ours, Theirs)
+    for cls in classes:
+        with pytest.raises(TypeError, match="argument"):
+            cls(*arguments)
+
+
+def test_signatures_and_patterns_are_the_same() -> None:
+    assert [str(one) for one in inspect.signature(Ours).parameters.values()][:2] == [
+        "x: float",
+        "y: float = 2.0",
+    ]
+    assert list(inspect.signature(Ours).parameters) == list(inspect.signature(Theirs).parameters)
+    assert Ours.__match_args__ == Theirs.__match_args__
+    assert is_dataclass(Ours(1.0))
+    assert not hasattr(Ours(1.0), "__dict__")
+
+
+def test_equal_is_what_has_equal_fields_and_one_class() -> None:
+    assert Ours(1.0) == Ours(1.0, tags=["not compared"])
+    assert Ours(1.0) != Ours(1.5)
+    other: object = Theirs(1.0)
+    assert Ours(1.0) != other
+    longer: Ours = Longer(1.0)
+    assert longer != Ours(1.0)
+    assert Longer(1.0, z=1.0) != Longer(1.0)
+    assert len({Longer(1.0), Longer(1.0), Ours(1.0), Empty(), Empty()}) == 3
+    assert Empty() == Empty()
+
+
+def test_a_class_keeps_what_it_says_itself() -> None:
+    assert Angle(10) == Angle(370)
+    assert len({Angle(10), Angle(370)}) == 1
+    assert Single(1) != Single(1)
+    one = Single(1)
+    assert ref(one)() is one
+
+
+@pytest.mark.parametrize("one", [Ours(1.0), Longer(1.0, z=4.0), Empty(), Angle(3)])
+def test_nothing_can_be_changed(one: object) -> None:
+    with pytest.raises(FrozenInstanceError):
+        one.x = 3.0  # type: ignore[attr-defined]
+    with pytest.raises(FrozenInstanceError):
+        del one.x  # type: ignore[attr-defined]
+    with pytest.raises(FrozenInstanceError):
+        one.another = 3.0  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("one", [Ours(1.0, tags=["a"]), Longer(1.0, z=4.0), Empty()])
+def test_copies_are_equal(one: Any) -> None:
+    assert pickle.loads(pickle.dumps(one)) == one
+    assert copy.copy(one) == copy.deepcopy(one) == one
+
+
+def test_replaced_fields_are_told_anew() -> None:
+    changed = replace(Longer(1.0, unit="m"), x=7.0)
+    assert (changed.x, changed.made, changed.unit, changed.z) == (7.0, 7, "m", 0.0)
