@@ -6,12 +6,13 @@ import os
 import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from ropsim.cli.streams import say
 from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
-from ropsim.records import diagnostic_document
-from ropsim.views import Style, diagnostics_text
-from ropsim.workbench import NOT_WRITABLE
+
+if TYPE_CHECKING:  # a command that prints nothing, as the language server, starts without them
+    from ropsim.views import Style
 
 #: Findings of these kinds mean that the command was called wrongly: exit code 2.
 USAGE_CODES = frozenset(
@@ -25,17 +26,24 @@ class Output:
 
     Attributes:
         json: one JSON document instead of text.
-        style: colour for a terminal, plain otherwise.
+        is_coloured: whether text is for a terminal that shows colours.
     """
 
     json: bool
-    style: Style
+    is_coloured: bool
 
     @classmethod
     def of(cls, options: argparse.Namespace) -> "Output":
         """Return the output that the arguments and the terminal ask for (`NO_COLOR` is honoured)."""
         colour = sys.stdout.isatty() and sys.stderr.isatty() and not os.environ.get("NO_COLOR")
-        return cls(bool(options.json), Style.COLOR if colour else Style.PLAIN)
+        return cls(bool(options.json), colour)
+
+    @property
+    def style(self) -> "Style":
+        """Return how text is set: with colours or plainly."""
+        from ropsim.views import Style
+
+        return Style.COLOR if self.is_coloured else Style.PLAIN
 
     def text(self, text: str) -> None:
         """Print a text result, unless JSON was asked for."""
@@ -49,6 +57,8 @@ class Output:
 
     def findings(self, found: Iterable[Diagnostic], sources: Mapping[str, SourceText]) -> int:
         """Print diagnostics as text on stderr and return the exit code that they mean."""
+        from ropsim.views import diagnostics_text
+
         diagnostics = tuple(found)
         if diagnostics and not self.json:
             say(diagnostics_text(diagnostics, sources, self.style), sys.stderr)
@@ -56,6 +66,8 @@ class Output:
 
     def failure(self, diagnostic: Diagnostic) -> None:
         """Print why a command could not do its work."""
+        from ropsim.records import diagnostic_document
+
         self.findings((diagnostic,), {})
         self.document({"ok": False, **diagnostic_document((diagnostic,))})
 
@@ -67,4 +79,6 @@ class Output:
 
 def cannot_write(path: str, error: OSError) -> Diagnostic:
     """Return the finding that a result file cannot be written."""
+    from ropsim.workbench import NOT_WRITABLE
+
     return NOT_WRITABLE.at(None, f"`{path}` cannot be written: {error.strerror or error}")
