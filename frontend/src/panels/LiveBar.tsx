@@ -14,6 +14,7 @@ export function LiveBar() {
   const finished = useStudioState(state => state.shown > 0 && state.status?.state === 'done')
   const inputs = useStudioState(state => state.status?.inputs ?? 0)
   const { id } = studio.runs
+  const given = finished && studio.run?.result?.given
   const control = (action: 'hold' | 'continue' | 'step' | 'stop') =>
     studio.send({ type: 'live_control', action })
   return (
@@ -46,7 +47,7 @@ export function LiveBar() {
           <a className="button" href={`/run/${id}.npz`} download="" title={words.signals.saveRecordingTitle}>
             {words.signals.saveRecording}
           </a>
-          {inputs > 0 ? (
+          {inputs > 0 || given ? (
             <a
               className="button"
               href={`/run/${id}.inputs.json`}

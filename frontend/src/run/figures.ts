@@ -14,6 +14,8 @@ export interface PeakFigure {
 /** The result of a run: what a strip shows of it. SI units; figures that a run does not know are null. */
 export interface ResultFigures {
   readonly verdict: { readonly kind: 'good' | 'doubtful' | 'failed'; readonly text: string }
+  /** What was done to the run by hand, in words; empty for nothing. It stands in `unchecked`, too. */
+  readonly given: string
   /** One line: what the verdict did not look at. It stands beside the verdict, wherever that is shown. */
   readonly unchecked: string
   readonly cycle_time: number
@@ -49,5 +51,6 @@ export interface ResultFigures {
   } | null
   readonly errors: number
   readonly warnings: number
+  readonly hints: number
   readonly moves: number
 }

@@ -6,6 +6,7 @@ import { tilesOf } from './result_tiles'
 
 const RESULT: ResultFigures = {
   verdict: { kind: 'good', text: 'everything as planned' },
+  given: '',
   unchecked: 'not checked: collisions',
   cycle_time: 186.8,
   cycle_time_valid: true,
@@ -24,6 +25,7 @@ const RESULT: ResultFigures = {
   path_error: { max: 0.00031, station: 'robot', line: 10, time: 1.2 },
   errors: 0,
   warnings: 0,
+  hints: 0,
   moves: 217,
 }
 const STATIONS = [{ name: 'robot', program: 'main', source: 'main.task' }]
@@ -73,6 +75,7 @@ test('findings count and lead to the worst one', () => {
   const run = { ...RUN, findings: [finding('warning', 1), finding('error', 7)] } as unknown as Run
   const found = tile('findings', { errors: 1, warnings: 1 }, run)
   expect(found).toMatchObject({ value: '2', detail: '1 error, 1 warning', tone: 'error', time: 7 })
+  expect(tile('findings', { hints: 2 })).toMatchObject({ value: '2', detail: '2 hints', tone: 'plain' })
   expect(tile('findings').detail).toBe('no problems found')
 })
 

@@ -107,7 +107,7 @@ function path(run: Run, { path_error }: ResultFigures): Tile {
   }
 }
 
-function findings(run: Run, { errors, warnings }: ResultFigures): Tile {
+function findings(run: Run, { errors, warnings, hints }: ResultFigures): Tile {
   const rank = { error: 0, warning: 1, info: 2, hint: 3 } as const
   const [first] = [...run.findings].sort(
     (a, b) => rank[a.severity] - rank[b.severity] || (a.time ?? Infinity) - (b.time ?? Infinity),
@@ -115,8 +115,8 @@ function findings(run: Run, { errors, warnings }: ResultFigures): Tile {
   return {
     id: 'findings',
     label: words.findings,
-    value: String(errors + warnings),
-    detail: words.counts(errors, warnings),
+    value: String(errors + warnings + hints),
+    detail: words.counts(errors, warnings, hints),
     tone: errors ? 'error' : warnings ? 'warning' : 'plain',
     time: first?.time ?? null,
     source: first?.span?.source ?? '',

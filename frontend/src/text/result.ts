@@ -19,12 +19,13 @@ export const resultWords = {
   noPath: 'no tool paths',
   line: (line: number) => (line > 0 ? `line ${line}` : ''),
   findings: 'Findings',
-  counts: (errors: number, warnings: number) =>
-    errors + warnings === 0
+  counts: (errors: number, warnings: number, hints: number) =>
+    errors + warnings + hints === 0
       ? 'no problems found'
       : [
           errors ? `${errors} ${errors === 1 ? 'error' : 'errors'}` : '',
           warnings ? `${warnings} ${warnings === 1 ? 'warning' : 'warnings'}` : '',
+          hints ? `${hints} ${hints === 1 ? 'hint' : 'hints'}` : '',
         ]
           .filter(Boolean)
           .join(', '),

@@ -23,6 +23,7 @@ def result_figures(summary: Summary) -> dict[str, object]:
     closest, worst = closest_to_position_limit(summary.joints), summary.path.worst
     return {
         "verdict": {"kind": state.kind.value, "text": state.text},
+        "given": summary.unchecked.given,
         "unchecked": summary.unchecked.text,
         "cycle_time": summary.cycle_time,
         "cycle_time_valid": summary.cycle_time_valid,
@@ -33,6 +34,7 @@ def result_figures(summary: Summary) -> dict[str, object]:
         "path_error": worst and _path_error(worst),
         "errors": summary.error_count,
         "warnings": summary.warning_count,
+        "hints": summary.hint_count,
         "moves": sum(summary.moves.values()),
         "destinations": summary.destinations and asdict(summary.destinations),
     }

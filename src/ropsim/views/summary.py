@@ -66,6 +66,7 @@ class Summary:
         findings: grouped findings of compiling and of the run, worst severity first.
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
+        hint_count: number of hints, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
         unchecked: what all this leaves open.
         destinations: how many parts are at their destinations; None where no part has one.
@@ -91,6 +92,7 @@ class Summary:
     findings: tuple[FindingGroup, ...]
     error_count: int
     warning_count: int
+    hint_count: int
     invalid_samples: int
     unchecked: Unchecked
     destinations: Destinations | None = None
@@ -162,6 +164,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),
+        hint_count=severities.count(Severity.HINT),
         invalid_samples=invalid_samples(recording),
         unchecked=unchecked(recording.facts, events),
         destinations=recording.facts.destinations if recording.facts.destinations.wanted else None,

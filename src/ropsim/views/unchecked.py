@@ -1,9 +1,9 @@
-"""What a verdict did not look at: said beside it, in one line, the same in terminal, page and studio."""
+"""What a verdict rests on and did not look at: beside it in one line, the same in terminal, page and studio."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ropsim.flow import Event, MoveEvent, RunFacts
+from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
 from ropsim.views.characters import clean
 from ropsim.views.findings import plural
 
@@ -22,11 +22,13 @@ class Unchecked:
     """What the figures and the verdict of a run leave open.
 
     Attributes:
+        given: what was done to the run by hand, in words; the cycle time is that of the program only without.
         aspects: not looked at, such as `collisions`.
         estimated: groups of parameters that are estimates, as the model names them.
         fine_stops: source lines of moves that ask for a zone and were stopped fine, ascending.
     """
 
+    given: str = ""
     aspects: tuple[str, ...] = ()
     estimated: tuple[str, ...] = ()
     fine_stops: tuple[int, ...] = ()
@@ -34,7 +36,7 @@ class Unchecked:
     @property
     def text(self) -> str:
         """Return all of it as one line; empty where nothing is left open."""
-        parts: list[str] = []
+        parts = [self.given] if self.given else []
         if self.aspects:
             parts.append(f"not checked: {', '.join(self.aspects)}")
         if self.estimated:
@@ -60,7 +62,20 @@ def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
         if isinstance(event, MoveEvent) and event.zone > 0.0 == event.flown and event.line
     }
     return Unchecked(
+        given_text(facts.interventions),
         tuple(one for one in aspects if one not in facts.checked),
         tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
         tuple(sorted(zoned)),
     )
+
+
+def given_text(done: Interventions) -> str:
+    """Return what was done to a run in words, such as `by hand: 2 inputs, override down to 50 %`."""
+    parts = [plural(len(done.inputs), "input")] if done.inputs else []
+    if done.overrides:
+        parts.append(
+            f"override down to {min(1.0, *(one.value for one in done.overrides)):.0%}".replace("%", " %")
+        )
+    if done.stopped is not None:
+        parts.append(f"stopped at {done.stopped:.2f} s")
+    return f"by hand: {', '.join(parts)}" if parts else ""

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
-from ropsim.flow import Fidelity, MotionKind, MoveEvent, Origin, Recording
-from ropsim.views import Style, html_report, summarize, terminal_report
+from ropsim.flow import Fidelity, InputChange, MotionKind, MoveEvent, Origin, OverrideChange, Recording
+from ropsim.views import Style, html_report, result_figures, summarize, terminal_report
 from ropsim.views.unchecked import SHORT
 from support.recordings import SOURCE, estimates, facts, pick_and_place, station
 
@@ -93,3 +93,15 @@ def test_terminal_and_page_say_it_right_after_the_verdict() -> None:
     page = html_report(recording, summary, {})
     head = page[: page.index("</header>")]
     assert head.index("ran to the end") < head.index(summary.unchecked.text)
+
+
+def test_what_was_done_by_hand_stands_first() -> None:
+    about = replace(
+        facts(checked=("collisions",)),
+        inputs=(InputChange(1.0, "start", 1.0), InputChange(2.0, "start", 0.0)),
+        overrides=(OverrideChange(1.5, 0.5), OverrideChange(2.5, 1.0)),
+        stopped=3.25,
+    )
+    recording = replace(pick_and_place(1), facts=about)
+    assert line_of(recording).split(" · ")[0] == "by hand: 2 inputs, override down to 50 %, stopped at 3.25 s"
+    assert result_figures(summarize(recording))["given"] == summarize(recording).unchecked.given
