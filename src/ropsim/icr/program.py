@@ -89,7 +89,7 @@ class Procedure:
         locals: other variables of one activation.
         results: types left on the stack by RET.
         code: instructions.
-        lines: source line of each instruction, 0 where unknown.
+        lines: source line of each instruction, 0 where unknown; no part of what the procedure is.
         places: where each instruction stands in the ICR text; empty where there was none.
         numbers: place of each variable, parameters first, by its name.
     """
@@ -99,7 +99,7 @@ class Procedure:
     locals: tuple[Variable, ...] = ()
     results: tuple[Type, ...] = ()
     code: tuple[Step, ...] = ()
-    lines: tuple[int, ...] = ()
+    lines: tuple[int, ...] = field(default=(), compare=False)
     places: tuple[Span, ...] = field(default=(), compare=False, repr=False)
     numbers: dict[str, int] = field(init=False, compare=False, repr=False)
 
@@ -128,7 +128,8 @@ class Program:
         channels: inputs and outputs.
         frames: task frames.
         tools: tools.
-        source: name of the text that the source lines refer to; empty where there is none.
+        source: name of the text that the source lines refer to; empty where there is none. Like the lines it
+            is no part of what the program is.
         declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
         numbers: place of each global variable, by its name.
         procedure_numbers: place of each procedure, by its name.
@@ -144,7 +145,7 @@ class Program:
     channels: tuple[IoChannel, ...] = ()
     frames: tuple[FrameDefinition, ...] = ()
     tools: tuple[ToolDefinition, ...] = ()
-    source: str = ""
+    source: str = field(default="", compare=False)
     declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
     numbers: dict[str, int] = field(init=False, compare=False, repr=False)
     procedure_numbers: dict[str, int] = field(init=False, compare=False, repr=False)

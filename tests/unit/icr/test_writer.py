@@ -70,3 +70,49 @@ def test_identity_depends_on_every_instruction() -> None:
     shorter = replace(program, procedures=(replace(program.procedures[0], code=(Step("HALT"),), lines=(0,)),))
     assert program_id(program) != program_id(shorter)
     assert len(program_id(program)) == 64
+
+
+LOCALS = """\
+ICR 1.0 p
+VAR x REAL
+PROC main
+  PUSH REAL 1.0
+  STORE x
+  LINE 4
+  CALL T
+  HALT
+END
+PROC T
+LOCAL a REAL
+LOCAL b REAL
+  LOAD x
+  STORE a
+  LOAD a
+  STORE b
+  RET
+END
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_same"),
+    [
+        ("LINE 4", "LINE 40", True),
+        ("ICR 1.0 p\n", 'ICR 1.0 p\nSOURCE "p.task"\n', True),
+        (" a", " later", True),
+        (" x", " y", False),
+        ("LOAD a", "LOAD b", False),
+        ("LOAD x", "LOAD a", False),
+    ],
+)
+def test_lines_sources_and_names_of_locals_are_no_part_of_what_a_program_is(
+    old: str, new: str, *, is_same: bool
+) -> None:
+    program, other = assemble(LOCALS), assemble(LOCALS.replace(old, new))
+    assert (program_id(program) == program_id(other)) == is_same
+
+
+def test_programs_with_other_source_lines_are_equal() -> None:
+    assert assemble(LOCALS) == assemble(
+        LOCALS.replace("LINE 4", "LINE 40").replace("ICR 1.0 p\n", 'ICR 1.0 p\nSOURCE "q"\n')
+    )

@@ -46,7 +46,7 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
     findings: tuple[Diagnostic, ...] = ()
     for name, needs in icr.unassigned(draft).items():
         scope = scopes[name]
-        names = sorted({need.slot.name for need in needs})
+        names = dict.fromkeys(need.slot.name for need in needs)  # in the order in which they are read
         starts[name] = tuple(step for one in names for step in _start(scope, one))
         seen = [
             (need.slot.name, scope.type_of(need.slot.name), need.at)
