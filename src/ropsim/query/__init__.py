@@ -1,0 +1,6 @@
+"""Answers that are kept: inputs, functions of them, and which answer a changed input reaches."""
+
+from ropsim.query.content import is_same as is_same
+from ropsim.query.database import Database as Database
+from ropsim.query.event import Event as Event
+from ropsim.query.event import Outcome as Outcome

@@ -1,0 +1,30 @@
+"""What became of a question: whether its function ran."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Outcome(Enum):
+    """How an answer came to be."""
+
+    RAN = "ran"
+    """The function was called and its answer differs from the one before, or there was none before."""
+    SAME = "same"
+    """The function was called and gave the answer that it gave before: no change goes beyond it."""
+    REUSED = "reused"
+    """Nothing that the function had looked at has changed: its answer was taken again."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One question that was answered in the present state of the inputs.
+
+    Attributes:
+        function: name of the function.
+        arguments: what it was given.
+        outcome: how the answer came to be.
+    """
+
+    function: str
+    arguments: tuple[object, ...]
+    outcome: Outcome
