@@ -1,5 +1,6 @@
 """The task language: text to structured program and ICR, with a diagnostic for every wrong line."""
 
+from ropsim.language.cache import LineCache as LineCache
 from ropsim.language.compile import Compiled as Compiled
 from ropsim.language.compile import compile as compile
 from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
@@ -13,7 +14,6 @@ from ropsim.language.outline import outline as outline
 from ropsim.language.places import named_at as named_at
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
-from ropsim.language.text import LineCache as LineCache
 from ropsim.language.vocabulary import BEHIND_TARGETS as BEHIND_TARGETS
 from ropsim.language.vocabulary import FUNCTIONS as FUNCTIONS
 from ropsim.language.vocabulary import INNER_WORDS as INNER_WORDS

@@ -68,9 +68,22 @@ class _Open:
         return Block((*self.done, Section(self.header, tuple(self.body))), closer)
 
 
-def build(lines: Iterable[Line], report: Report) -> tuple[Line | Block, ...]:
-    """Return the tree of a text: its top-level lines and blocks in order."""
-    top = _Open("", Line.empty())
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """Top-level lines and blocks in order.
+
+    Attributes:
+        items: lines and blocks.
+        cut: openers that were reported as not closed; their closers, also further on, are not reported.
+    """
+
+    items: tuple[Line | Block, ...]
+    cut: tuple[str, ...] = ()
+
+
+def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> Tree:
+    """Return the tree of a text, or of a part of one before which `cut` was reported."""
+    top = _Open("", Line.empty(), cut=list(cut))
     stack = [top]
     for line in lines:
         opener = opened(line)
@@ -86,7 +99,7 @@ def build(lines: Iterable[Line], report: Report) -> tuple[Line | Block, ...]:
         else:
             stack[-1].body.append(line)
     _close_down_to(stack, 1, report)
-    return tuple(top.body)
+    return Tree(tuple(top.body), tuple(top.cut))
 
 
 def _open(stack: list[_Open], word: str, line: Line, report: Report) -> None:

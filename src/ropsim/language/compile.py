@@ -1,22 +1,24 @@
 """The compiler: text to structured program and ICR. This page is the table of contents of its phases."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import Program as IcrProgram
-from ropsim.language import blocks, misspelt, prose
 from ropsim.language import text as texts
+from ropsim.language.cache import LineCache
 from ropsim.language.check import program as checker
+from ropsim.language.check import questions
 from ropsim.language.check.reached import uncalled, unreached
+from ropsim.language.division import divided
 from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.places import at_names
-from ropsim.language.report import MAX_FINDINGS, Report, TooManyFindingsError
-from ropsim.language.syntax.statements import Broken, TaskHeader
+from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
-from ropsim.language.text import Line, LineCache
-from ropsim.program import Program, check_contracts, check_points, lower_with_findings, recursion
+from ropsim.language.text import Line
+from ropsim.program import Program, SourceMap, check_contracts, lower_with_findings, recursion
+from ropsim.query import Database
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +31,7 @@ class Compiled:
         diagnostics: all findings in order of their place.
         source: the text.
         tasks: how each task that can be called is called, also where other lines are wrong.
+        places: where the statements of the structured program lie in the text.
     """
 
     program: Program | None
@@ -36,6 +39,7 @@ class Compiled:
     diagnostics: tuple[Diagnostic, ...]
     source: SourceText
     tasks: Mapping[str, TaskForm] = field(default_factory=dict)
+    places: SourceMap = field(default_factory=lambda: SourceMap(""))
 
     @property
     def ok(self) -> bool:
@@ -62,65 +66,52 @@ def compile(
     """
     source = SourceText(name, text)
     report = Report(name)
-    checked = _checked(source, signatures, report, cache or LineCache())
+    db = (cache or LineCache()).database(signatures, name)
+    checked, places = _checked(source, signatures, report, db)
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
-    icr = None if report.has_errors else _lowered(checked.program, source, report)
-    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks)
+    icr = None if report.has_errors else _lowered(checked, places, source, report)
+    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks, places)
 
 
-def _lowered(program: Program, source: SourceText, report: Report) -> IcrProgram | None:
+def _lowered(
+    checked: checker.Checked, places: SourceMap, source: SourceText, report: Report
+) -> IcrProgram | None:
     """Return the executable form; None where tasks call each other in a circle."""
-    report.extend(recursion(program))
+    program, bodies = checked.program, checked.bodies
+    circles = recursion(program)
+    report.extend(map(places.finding, circles))
     if report.has_errors:
         return None
-    report.extend(check_contracts(program))
-    report.extend(check_points(program))
-    report.extend(unreached(program, report.source))
-    report.extend(uncalled(program, report.source))
-    code, findings = lower_with_findings(program, report.source)
+    every = (checked.control, *bodies.values())
+    report.extend(check_contracts(program, places))
+    report.extend(places.finding(found) for one in every for found in one.impossible)
+    report.extend(unreached((places.span(one), places.span(end)) for body in every for one, end in body.late))
+    if program.main:
+        calls = {name: tuple(called for called, _ in body.calls) for name, body in bodies.items()}
+        start = tuple(called for called, _ in checked.control.calls)
+        tasks = tuple(body.task for body in bodies.values() if body.task is not None)
+        report.extend(map(places.finding, uncalled(calls, start, tasks)))
+    code, findings = lower_with_findings(program, source.name, places)
     report.extend(at_names(findings, source))
     return None if report.has_errors else code
 
 
 def _checked(
-    source: SourceText, environment: Environment, report: Report, cache: LineCache
-) -> checker.Checked | None:
+    source: SourceText, environment: Environment, report: Report, db: Database
+) -> tuple[checker.Checked | None, SourceMap]:
     """Run the phases; None where the text holds more wrong lines than are worth looking at."""
+    nowhere = SourceMap(source.name)
     if len(source.lines) > texts.MAX_LINES:
         message = f"the text has {len(source.lines)} lines; at most {texts.MAX_LINES} are allowed"
         report.line(kinds.LINE_LENGTH, Line.empty(), message, "split it")
-        return None
+        return None, nowhere
     try:
-        lines = _lines(source, environment, report, cache)
-        tree = blocks.build(lines, report)
-        return checker.check(tree, environment, report)
+        units = divided(source, environment, report, db)
+        inputs: dict[Hashable, object] = {("task", name): None for name in db.read(questions.TASKS) or ()}
+        inputs |= {("task", name): task for name, task in units.tasks.items()}
+        inputs |= {questions.TASKS: tuple(units.tasks), questions.STATEMENTS: units.control}
+        db.give(inputs)
+        return checker.check(units, report, db), units.map
     except TooManyFindingsError:
-        report.muted = False
-        return None
-
-
-def _lines(source: SourceText, environment: Environment, report: Report, cache: LineCache) -> list[Line]:
-    """Return the lines with something on them, contract prose joined to its clause."""
-    read: list[Line] = []
-    faults = 0
-    for line in texts.read(source, cache):
-        read.append(line)
-        faults += line.fault is not None
-        if faults > 2 * MAX_FINDINGS:
-            break
-    names = _task_names(read) | frozenset(environment.tasks)
-    mended = list(misspelt.mended(read, names))
-    return list(prose.absorb(mended, names | _task_names(mended), report))
-
-
-def _task_names(lines: Iterable[Line]) -> frozenset[str]:
-    """Return the names of the tasks of a text, also of those whose header is wrong."""
-    found = set()
-    for line in lines:
-        match line.statement:
-            case TaskHeader(name=name):
-                found.add(name.text)
-            case Broken(head="task", name=name) if name:
-                found.add(name)
-    return frozenset(found)
+        return None, nowhere

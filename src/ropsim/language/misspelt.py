@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from ropsim.language.blocks import closed, opened
@@ -21,7 +21,20 @@ _ASSIGNED = re.compile(r"\s*\w+\s*:?=", re.ASCII)
 _SECOND = re.compile(r"\s*\w+\s+\"?([A-Za-z_]\w*)", re.ASCII)
 
 
-def mended(lines: Sequence[Line], task_names: frozenset[str]) -> Iterator[Line]:
+def ends_of(lines: Iterable[Line]) -> Counter[str]:
+    """Return how many more ends than beginnings of blocks there are, by the word that opens them."""
+    read = list(lines)
+    ends = Counter(closed(line) for line in read)
+    ends.subtract(opened(line) for line in read)
+    return ends
+
+
+def foreign(lines: Iterable[Line], task_names: Container[str]) -> bool:
+    """Return whether some line begins with a word that is no statement and no task that can be called."""
+    return any(_foreign(line, task_names) for line in lines)
+
+
+def mended(lines: Sequence[Line], task_names: Container[str], ends: Counter[str]) -> Iterator[Line]:
     """Yield the lines; one whose first word is misspelt is a broken statement of the word that was meant.
 
     A word near to an opener is one where the text has more ends than beginnings of such blocks, a word near
@@ -30,9 +43,8 @@ def mended(lines: Sequence[Line], task_names: frozenset[str]) -> Iterator[Line]:
     Args:
         lines: of the text.
         task_names: of all tasks that can be called.
+        ends: `ends_of` the whole text; what is mended is counted in.
     """
-    ends = Counter(closed(line) for line in lines)
-    ends.subtract(opened(line) for line in lines)
     for line in lines:
         word = _foreign(line, task_names)
         meant = _meant(line, word.lower(), ends) if word else ""
@@ -48,7 +60,7 @@ def mended(lines: Sequence[Line], task_names: frozenset[str]) -> Iterator[Line]:
         yield replace(line, statement=Broken(meant, _name(line, meant), line.start, line.end), fault=fault)
 
 
-def _foreign(line: Line, task_names: frozenset[str]) -> str:
+def _foreign(line: Line, task_names: Container[str]) -> str:
     """Return the first word of a line that is neither a statement nor the call of a known task."""
     text, statement = line.logical.text, line.statement
     match statement:

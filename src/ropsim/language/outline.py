@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.core import SourceText, Span
+from ropsim.language.cache import LineCache
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.text import Line, LineCache, read
+from ropsim.language.text import Line, read
 
 _COMMENT = re.compile(r"\s*(?:#|//)+\s?(.*)")
 

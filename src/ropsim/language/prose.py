@@ -1,8 +1,8 @@
 """Contract clauses: prose after `needs` and `assumes`, and where it ends."""
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass, replace
 
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
@@ -29,7 +29,36 @@ _FULL_STOP = re.compile(r"(?<!\d)\.\s+(?=\S)|(?<=\d)\.\s+(?=\D)")
 _ASSIGNED = re.compile(r"\s*[\w.]+\s*:?=")
 
 
-def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) -> Iterator[Line]:
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """How contracts are read where a part of a text begins.
+
+    Attributes:
+        is_classic: whether the text is a classic one, as far as its lines tell.
+        runs_on: whether a clause may go on in the next lines.
+    """
+
+    is_classic: bool
+    runs_on: bool
+
+
+def absorb(
+    lines: Iterable[Line], task_names: Collection[str], report: Report, manner: Manner
+) -> tuple[tuple[Line, ...], Manner]:
+    """Return the lines, and how contracts are read behind them."""
+    read = list(lines)
+    heads = [line.statement for line in read if isinstance(line.statement, TaskHeader)]
+    runs_on = _runs_on(heads[-1], manner) if heads else manner.runs_on
+    return tuple(_absorbed(read, task_names, report, manner)), replace(manner, runs_on=runs_on)
+
+
+def _runs_on(header: TaskHeader, manner: Manner) -> bool:
+    return manner.is_classic and header.parameters is None
+
+
+def _absorbed(
+    read: list[Line], task_names: Collection[str], report: Report, manner: Manner
+) -> Iterator[Line]:
     """Yield the lines with prose lines joined to their clause; report the faults of all others.
 
     In a task of a classic text without parameter list a clause runs on until a full stop at the end of a
@@ -38,15 +67,13 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
     prose line that looks like a misspelt statement is kept as a broken one as well, so that nobody draws
     conclusions from its absence.
     """
-    read = list(lines)
-    is_classic = _is_classic(read)
-    runs_on = is_classic
+    runs_on = manner.runs_on
     clause: Line | None = None
     swallowed: list[Line] = []
     for line in read:
         statement = line.statement
         if isinstance(statement, TaskHeader):
-            runs_on = is_classic and statement.parameters is None
+            runs_on = _runs_on(statement, manner)
         if isinstance(statement, ContractClause):
             if clause:
                 yield clause
@@ -78,14 +105,21 @@ def absorb(lines: Iterable[Line], task_names: frozenset[str], report: Report) ->
 _ENDS = "a contract ends with its line: begin the next line of it with `needs`, or `#` for a comment"
 
 
-def _is_classic(lines: Iterable[Line]) -> bool:
-    """Return whether the text is a classic one, as far as its lines tell."""
-    heads = {line.statement.word for line in lines if isinstance(line.statement, Mode)}
-    is_modern = "strict" in heads or any(isinstance(line.statement, ProgramHeader) for line in lines)
-    return "classic" in heads or not is_modern
+def modes(lines: Iterable[Line]) -> frozenset[str]:
+    """Return which of `classic`, `strict` and `program` some lines say."""
+    return frozenset(
+        line.statement.word if isinstance(line.statement, Mode) else "program"
+        for line in lines
+        if isinstance(line.statement, Mode | ProgramHeader)
+    )
 
 
-def _check_behind(line: Line, task_names: frozenset[str], report: Report) -> None:
+def is_classic(modes: Collection[str]) -> bool:
+    """Return whether a text that says so is a classic one."""
+    return "classic" in modes or not ("strict" in modes or "program" in modes)
+
+
+def _check_behind(line: Line, task_names: Collection[str], report: Report) -> None:
     """Report a statement that stands behind the full stop of a contract on its line."""
     text = _COMMENT.split(line.logical.text)[0]
     for stop in _FULL_STOP.finditer(text):
@@ -102,7 +136,7 @@ def _check_behind(line: Line, task_names: frozenset[str], report: Report) -> Non
         return
 
 
-def _hint(line: Line, fault: Fault, task_names: frozenset[str]) -> str:
+def _hint(line: Line, fault: Fault, task_names: Collection[str]) -> str:
     """Return the hint of a fault; for a word of another language, what to write here."""
     head = line.head
     is_own = _ASSIGNED.match(line.logical.text) or head in map(str.lower, task_names)
@@ -114,7 +148,7 @@ def _is_open(clause: Line) -> bool:
     return not clause.statement.text.endswith(".")
 
 
-def _is_prose(line: Line, task_names: frozenset[str]) -> bool:
+def _is_prose(line: Line, task_names: Collection[str]) -> bool:
     match line.statement:
         case Broken(head=head):
             return head not in HEADS and _ASSIGNED.match(line.logical.text) is None
@@ -131,7 +165,7 @@ def _joined(clause: Line, line: Line) -> Line:
     return replace(clause, statement=replace(clause.statement, text=text))
 
 
-def _warned(line: Line, task_names: frozenset[str], report: Report) -> bool:
+def _warned(line: Line, task_names: Collection[str], report: Report) -> bool:
     """Return whether a line looks like a statement, which is then reported."""
     name, is_computed = _reading(line)
     if name is None:

@@ -54,14 +54,16 @@ class Report:
     Attributes:
         source: name of the text.
         found: what has been reported so far.
+        log: the same before further places of one name were put together, to be reported once more elsewhere.
         muted: while true nothing is kept (first pass of the checker).
     """
 
-    __slots__ = ("_first", "_hints", "found", "muted", "source")
+    __slots__ = ("_first", "_hints", "found", "log", "muted", "source")
 
     def __init__(self, source: str) -> None:
         self.source = source
         self.found: list[Diagnostic] = []
+        self.log: list[Diagnostic] = []
         self.muted = False
         self._first: dict[str, int] = {}
         self._hints = 0
@@ -90,6 +92,7 @@ class Report:
         Raises:
             TooManyFindingsError: the list is full.
         """
+        self.log.append(diagnostic)
         if diagnostic.code in _OF_NAMES:
             first = self._first.setdefault(diagnostic.message, len(self.found))
             if first < len(self.found):

@@ -3,15 +3,14 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 from ropsim.core import SourceText
 from ropsim.language.syntax.fault import Fault
-from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.lines import LogicalLine, logical_lines
 from ropsim.language.syntax.statements import Broken, Closer, Statement
 
 MAX_LINES = 200_000
-MAX_KEPT = 250_000
 
 _WORD = re.compile(r"[^\W\d]\w*")
 Parsed = tuple[Statement | None, Fault | None]
@@ -55,28 +54,15 @@ class Line:
         return word[0].lower() if word else ""
 
 
-class LineCache:
-    """What lines were parsed to; keep one between the compilations of a text that is being edited.
-
-    A statement depends on the characters of its line only, so a kept one is always right.
-    """
-
-    __slots__ = ("_parsed",)
-
-    def __init__(self) -> None:
-        self._parsed: dict[str, Parsed] = {}
+class Parser(Protocol):
+    """Parses lines, or remembers what they were parsed to."""
 
     def parsed(self, text: str) -> Parsed:
         """Return statement and fault of a logical line."""
-        found = self._parsed.get(text)
-        if found is None:
-            if len(self._parsed) >= MAX_KEPT:
-                self._parsed.clear()
-            found = self._parsed[text] = parse_line(text)
-        return found
+        ...
 
 
-def read(source: SourceText, cache: LineCache) -> Iterator[Line]:
-    """Yield the lines of a text; `cache` keeps what they were parsed to."""
+def read(source: SourceText, cache: Parser) -> Iterator[Line]:
+    """Yield the lines of a text; `cache` may keep what they were parsed to."""
     for logical in logical_lines(source):
         yield Line(logical, *cache.parsed(logical.text))

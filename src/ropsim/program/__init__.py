@@ -31,11 +31,15 @@ from ropsim.program.move import Settings as Settings
 from ropsim.program.move import Tracking as Tracking
 from ropsim.program.move import Trigger as Trigger
 from ropsim.program.points import check_points as check_points
+from ropsim.program.points import points_of as points_of
 from ropsim.program.program import Contract as Contract
 from ropsim.program.program import Local as Local
 from ropsim.program.program import Program as Program
 from ropsim.program.program import SignalUse as SignalUse
 from ropsim.program.program import Task as Task
+from ropsim.program.source_map import Places as Places
+from ropsim.program.source_map import SourceMap as SourceMap
+from ropsim.program.source_map import placed as placed
 from ropsim.program.statements import Assign as Assign
 from ropsim.program.statements import AssignComponent as AssignComponent
 from ropsim.program.statements import Block as Block

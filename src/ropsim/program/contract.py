@@ -17,6 +17,7 @@ from ropsim.program.diagnostics import GRIPPER_STATE
 from ropsim.program.expressions import Constant
 from ropsim.program.move import Move, Settings
 from ropsim.program.program import Contract, Program, Task
+from ropsim.program.source_map import SourceMap
 from ropsim.program.walk import walk
 
 
@@ -44,13 +45,15 @@ class _Flow:
     returned: _State = None
 
 
-def check_contracts(program: Program) -> tuple[Diagnostic, ...]:
+def check_contracts(program: Program, places: SourceMap | None = None) -> tuple[Diagnostic, ...]:
     """Return a warning for each call of a task whose gripper contract the state at the call contradicts.
 
     The state is that of the tool in force; where a program uses several tools, changing the tool makes it
     unknown. Each task is followed once from each state, callees first; of that counts what control reaches.
     """
     tasks = {task.name: task for task in program.tasks}
+    if not any(contract.gripper for task in tasks.values() for contract in task.contracts):
+        return ()
     check = _Check(tasks, len(_tools(program)) > 1)
     for name in callees_first(tasks):
         for state in _Gripper:
@@ -63,7 +66,13 @@ def check_contracts(program: Program) -> tuple[Diagnostic, ...]:
         found |= {place: one for place, one in passage.found.items() if place not in found}
         work += [check.passed[entry] for entry in passage.entered if entry not in reached]
         reached |= passage.entered
-    return tuple(diagnostic for _, diagnostic in sorted(found.items(), key=lambda item: item[0]))
+    at = (places or SourceMap("")).finding
+    return tuple(sorted(map(at, found.values()), key=_order))
+
+
+def _order(finding: Diagnostic) -> tuple[str, int, int, str]:
+    span = finding.span
+    return (span.source, span.line, span.column, finding.message) if span is not None else ("", 0, 0, "")
 
 
 def _tools(program: Program) -> set[str]:

@@ -29,9 +29,14 @@ class _Place:
 
 def check_points(program: Program) -> tuple[Diagnostic, ...]:
     """Return an error for each arc and each curve whose points, as far as they are constants, make none."""
+    blocks = (program.main, *(task.body for task in program.tasks))
+    return tuple(found for block in blocks for found in points_of(block))
+
+
+def points_of(block: st.Block) -> tuple[Diagnostic, ...]:
+    """Return the same for one task, or for the control statements."""
     check = _Check()
-    for block in (program.main, *(task.body for task in program.tasks)):
-        check.block(block, None)
+    check.block(block, None)
     return tuple(check.found)
 
 

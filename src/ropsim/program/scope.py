@@ -8,6 +8,7 @@ from ropsim.icr import IoChannel, Type
 from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Emitter, Label
 from ropsim.program.program import Program, SignalUse, Task
+from ropsim.program.source_map import SourceMap
 from ropsim.program.statements import Block
 
 
@@ -48,7 +49,7 @@ class Scope:
         program: the structured program.
         task: the task, or None for the control statements.
         used: shared by all procedures.
-        source: name of the text whose lines are recorded.
+        source: where the lines are that are recorded.
         lower_block: lowers a block in this scope.
         emitter: the code so far.
         hidden: counters and limits of loops, by name.
@@ -63,7 +64,7 @@ class Scope:
     program: Program
     task: Task | None
     used: Used
-    source: str
+    source: SourceMap
     lower_block: "Callable[[Scope, Block], None]"
     emitter: Emitter = field(default_factory=Emitter)
     hidden: dict[str, Type] = field(default_factory=dict)

@@ -92,7 +92,7 @@ def output(body: Body, node: syntax.SetSignal) -> Output:
             f"`{node.name.text}` is an input",
             f"the device `{teller}` sets it" if teller else "inputs are set by the cell",
         )
-    body.world.used_signals[symbol.name] = symbol
+    body.used_signals[symbol.name] = symbol
     wanted = BOOL if symbol.type is ValueType.BOOL else NUMBER
     value = values.expect(body, node.value, wanted, f"the value of `{node.name.text}`")
     return Output(symbol.name, value, body.statement_span)

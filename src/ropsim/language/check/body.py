@@ -13,7 +13,7 @@ from ropsim.language.findings import names as kinds
 from ropsim.language.report import Placed, Report
 from ropsim.language.syntax.nodes import Name
 from ropsim.language.text import Line
-from ropsim.program import Local
+from ropsim.program import Local, SignalUse
 from ropsim.spatial import PoseTuple, quaternion
 
 
@@ -59,6 +59,9 @@ class Body:
         is_tolerant: unknown names are not reported (the header of the task could not be read).
         made: variables that an assignment made, with its line and place.
         read: names of the variables that are read.
+        used_signals: signals that are named.
+        joint_count: how many coordinates `joints(…)` has, 0 as long as there is none.
+        lacks_result: whether a value is returned and the header has no type for it.
         has_gaps: a line that may have been a way out is wrong and left out; nobody misses a `return` then.
     """
 
@@ -89,6 +92,9 @@ class Body:
         self.has_gaps = False
         self.made: dict[str, tuple[Line, Name]] = {}
         self.read: set[str] = set()
+        self.used_signals: dict[str, SignalUse] = {}
+        self.joint_count = world.joint_count
+        self.lacks_result = False
         self._settled = settled
 
     # --- findings

@@ -1,14 +1,16 @@
 """Declarations of a text: units, frames, tools, signals, constants, locations, variables, patterns."""
 
 from collections.abc import Container, Iterable
+from dataclasses import dataclass, replace
 from types import NoneType
 
+from ropsim.core import Diagnostic
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, hidden, poses, values
 from ropsim.language.check.body import Body, RejectedError
 from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, known
+from ropsim.language.check.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Pattern, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
@@ -23,12 +25,40 @@ from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 
-def world(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> World:
-    """Return what a text and its environment declare; wrong declarations are reported."""
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """What a text declares outside of its tasks, and what is wrong with it."""
+
+    world: World
+    found: tuple[Diagnostic, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Tables:
+    """What becomes symbols and tools of the world while it is read."""
+
+    symbols: dict[str, Symbol]
+    tools: dict[str, PoseTuple]
+
+
+def world(tree: tuple[Line | Block, ...], environment: Environment, report: Report) -> Declared:
+    """Return what a text and its environment declare; wrong declarations are reported.
+
+    Args:
+        tree: the text, tasks or not.
+        environment: cell and library.
+        report: takes findings.
+    """
     top = [item for item in tree if isinstance(item, Line) and item.statement is not None]
     modes = {line.statement.word for line in top if isinstance(line.statement, syntax.Mode)}
     has_program = any(isinstance(line.statement, syntax.ProgramHeader) for line in top)
     frames, X_BK, frame = _frames(top, tree, environment, report)
+    X_KB = quaternion.invert(X_BK)
+    has_axes = bool(environment.moving) or any(
+        X_BF[3:] != X_BK[3:] for X_BF in (*frames.values(), *environment.given.values(), fold.IDENTITY)
+    )
+    symbols: dict[str, Symbol] = {}
+    tools = dict(environment.tools)
     result = World(
         environment,
         _units(top, environment),
@@ -37,18 +67,19 @@ def world(tree: tuple[Line | Block, ...], environment: Environment, report: Repo
         frame,
         X_BK,
         frames,
-        dict(environment.tools),
-    )
-    X_KB = quaternion.invert(X_BK)
-    result.has_axes = bool(environment.moving) or any(
-        X_BF[3:] != X_BK[3:] for X_BF in (*frames.values(), *environment.given.values(), fold.IDENTITY)
+        tools,
+        symbols,
+        has_axes,
     )
     for name, X_BL in environment.locations.items():
         X_KF = quaternion.compose(X_KB, environment.given.get(name, fold.IDENTITY))
-        result.symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
-    result.symbols.update(environment.signals)
-    _declare_all(result, top, report)
-    return result
+        symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
+    symbols.update(environment.signals)
+    count = _declare_all(result, _Tables(symbols, tools), top, report)
+    for name, symbol in symbols.items():
+        if isinstance(symbol, Variable):
+            symbols[name] = replace(symbol, type=closed(symbol.type))
+    return Declared(replace(result, joint_count=count), tuple(report.log))
 
 
 def _location(moving: str, X_KB: PoseTuple, pose: Location, X_KF: PoseTuple) -> Value:
@@ -111,7 +142,8 @@ def _frames(
     return frames, frames.get(chosen, fold.IDENTITY), chosen if chosen in frames else ""
 
 
-def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
+def _declare_all(world: World, tables: _Tables, top: Iterable[Line], report: Report) -> int:
+    """Enter all declarations; return how many coordinates `joints(…)` has in them."""
     body = Body(world, report, EXPRESSIONS, None)
     declared: set[str] = set()
     tools: set[str] = set()
@@ -120,13 +152,13 @@ def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
         node = line.statement
         try:
             if isinstance(node, syntax.Broken):
-                _poison(world, node)
+                _poison(tables, node)
             elif isinstance(node, syntax.ToolDeclaration):
-                world.tools.setdefault(node.name.text, fold.IDENTITY)
+                tables.tools.setdefault(node.name.text, fold.IDENTITY)
                 _unique(body, node.name, tools)
                 pose = _constant_pose(body, node.value, "a tool")
                 if not _is_given(body, node.name, world.environment.tools, "tool"):
-                    world.tools[node.name.text] = pose
+                    tables.tools[node.name.text] = pose
                 for extra in node.extras:
                     body.warn(
                         kinds.IN_CELL,
@@ -136,20 +168,21 @@ def _declare_all(world: World, top: Iterable[Line], report: Report) -> None:
                     )
             elif isinstance(node, _SYMBOLS):
                 _unique(body, node.name, declared)
-                _declare(world, body, node)
+                _declare(tables.symbols, body, node)
         except RejectedError:
             continue
+    return body.joint_count
 
 
-def _declare(world: World, body: Body, node: "_SymbolNode") -> None:
+def _declare(symbols: dict[str, Symbol], body: Body, node: "_SymbolNode") -> None:
     """Enter a symbol; what the cell knows of its name holds, or is hidden and told.
 
     Raises:
         RejectedError: the declaration is wrong.
     """
     name = node.name.text
-    of_cell = world.symbols.get(name)
-    world.symbols[name] = Poison()
+    of_cell = symbols.get(name)
+    symbols[name] = Poison()
     symbol = _symbol(body, node)
     if isinstance(of_cell, SignalUse) and isinstance(symbol, SignalUse):
         _check_signal(body, node.name, symbol, of_cell)
@@ -159,7 +192,7 @@ def _declare(world: World, body: Body, node: "_SymbolNode") -> None:
     elif of_cell is not None:
         message = f"`{name}` hides {hidden.what(of_cell)} of that name, which the cell has"
         body.warn(hidden_kinds.HIDDEN, node.name, message, "choose another name")
-    world.symbols[name] = symbol
+    symbols[name] = symbol
 
 
 def _check_signal(body: Body, name: nodes.Name, said: SignalUse, of_cell: SignalUse) -> None:
@@ -175,12 +208,12 @@ def _check_signal(body: Body, name: nodes.Name, said: SignalUse, of_cell: Signal
         )
 
 
-def _poison(world: World, node: syntax.Broken) -> None:
+def _poison(tables: _Tables, node: syntax.Broken) -> None:
     """Enter the name that a wrong line would have declared, so that its uses are not reported as well."""
     if node.head == "tool" and node.name:
-        world.tools.setdefault(node.name, fold.IDENTITY)
+        tables.tools.setdefault(node.name, fold.IDENTITY)
     elif node.head in ("loc", "signal", "const", "var", "pattern") and node.name:
-        world.symbols.setdefault(node.name, Poison())
+        tables.symbols.setdefault(node.name, Poison())
 
 
 _SYMBOLS = (

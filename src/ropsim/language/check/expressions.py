@@ -106,16 +106,15 @@ def _check_count(body: Body, node: nodes.Joints) -> None:
     Raises:
         RejectedError: it is another one.
     """
-    world, found = body.world, len(node.values)
-    axes = len(world.environment.axes)
-    wanted = axes or world.joint_count
+    found, axes = len(node.values), len(body.world.environment.axes)
+    wanted = axes or body.joint_count
     if wanted and found != wanted:
         hint = f"the station has {wanted} axes" if axes else f"other `joints(…)` of this text have {wanted}"
         body.fail(kinds.JOINT_COUNT, node, f"`joints(…)` has {found} coordinates, {wanted} are needed", hint)
     if found > MAX_AXES:
         message = f"`joints(…)` has {found} coordinates, at most {MAX_AXES} are allowed"
         body.fail(kinds.JOINT_COUNT, node, message, "give one for each axis of the station")
-    world.joint_count = found
+    body.joint_count = found
 
 
 def _member(body: Body, node: nodes.Member) -> Value:

@@ -87,7 +87,7 @@ def _signal(body: Body, node: nodes.Node) -> SignalUse | None:
     """Return the signal that a node names, and note its use."""
     symbol = body.find(node.text) if isinstance(node, nodes.Name) else None
     if isinstance(symbol, SignalUse):
-        body.world.used_signals[symbol.name] = symbol
+        body.used_signals[symbol.name] = symbol
         return symbol
     return None
 

@@ -31,7 +31,7 @@ def return_statement(body: Body, node: syntax.Return) -> Block:
         raise RejectedError
     if body.result is None:
         if node.value is not None:
-            body.world.without_result.add(body.task)
+            body.lacks_result = True
             hint = "write the type into the header: `-> length`"
             body.fail(type_kinds.WRONG_TYPE, node.value, f"task `{body.task}` returns no value", hint)
         return (Return(None, body.statement_span),)

@@ -7,6 +7,7 @@ from ropsim.language.check.body import Body
 from ropsim.language.check.world import Variable
 from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
+from ropsim.language.report import Report
 
 SHORTEST = 4
 """Shorter names are near to each other by chance."""
@@ -38,12 +39,12 @@ def check_near_names(body: Body) -> None:
             del body.made[name]
 
 
-def check_unread(body: Body) -> None:
+def check_unread(body: Body, report: Report) -> None:
     """Hint at each variable that nothing reads (N239), where all lines are right: a wrong one may read it."""
     for name, (line, place) in body.made.items():
         if name not in body.read:
             hint = "leave the assignment out, or use what it keeps"
-            body.report.at(kinds.UNUSED_VARIABLE, line, place, f"nothing reads the variable `{name}`", hint)
+            report.at(kinds.UNUSED_VARIABLE, line, place, f"nothing reads the variable `{name}`", hint)
 
 
 def _by_letters(body: Body) -> dict[str, list[str]]:

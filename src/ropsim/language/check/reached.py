@@ -1,6 +1,6 @@
 """Statements and tasks that no way through the program leads to."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 
 from ropsim.core import Diagnostic, Span
@@ -9,65 +9,55 @@ from ropsim.language.findings import types as kinds
 from ropsim.program import (
     Block,
     Break,
-    Call,
     Constant,
     Continue,
     For,
     If,
-    Program,
     Repeat,
     Return,
     Statement,
     Stop,
+    Task,
     While,
     With,
-    walk,
 )
 
 
-def uncalled(program: Program, source: str) -> Iterator[Diagnostic]:
+def uncalled(
+    calls: Mapping[str, Iterable[str]], control: Iterable[str], tasks: Iterable[Task]
+) -> Iterator[Diagnostic]:
     """Yield a hint for each task that the control statements do not reach (N238).
 
     Args:
-        program: the structured program.
-        source: name of the text; tasks of the library may be of no use here.
+        calls: names of the tasks that each task calls.
+        control: of those that the control statements call.
+        tasks: of the text; those of a library may be of no use in it.
     """
-    tasks = {task.name: task for task in program.tasks}
-    work = list(_called(program.main))
+    work = list(control)
     called: set[str] = set()
     while work:
         name = work.pop()
-        if name in tasks and name not in called:
+        if name in calls and name not in called:
             called.add(name)
-            work += _called(tasks[name].body)
-    for task in program.tasks:
-        if task.name not in called and task.span.source == source and program.main:
+            work += calls[name]
+    for task in tasks:
+        if task.name not in called:
             message, hint = f"nothing calls the task `{task.name}`", "call it, or leave it out"
             yield name_kinds.UNUSED_TASK.at(task.span, message, hint=hint)
 
 
-def _called(block: Block) -> Iterator[str]:
-    return (one.task for one in walk(block) if isinstance(one, Call))
-
-
-def unreached(program: Program, source: str) -> Iterator[Diagnostic]:
+def unreached(places: Iterable[tuple[Span, Span]]) -> Iterator[Diagnostic]:
     """Yield a warning for the first statement of each block that no way leads to (T337).
 
     Args:
-        program: the structured program.
-        source: name of the text; tasks of the library have been checked where they were written.
+        places: where these and the statements before them lie in the text.
     """
-    for block in (program.main, *(task.body for task in program.tasks)):
-        yield from (
-            kinds.NEVER_REACHED.at(
-                late, "this statement is never reached", hint=f"line {end.line} never goes on to it"
-            )
-            for late, end in _late(block)
-            if late.source == source
-        )
+    for one, end in places:
+        hint = f"line {end.line} never goes on to it"
+        yield kinds.NEVER_REACHED.at(one, "this statement is never reached", hint=hint)
 
 
-def _late(block: Block) -> Iterator[tuple[Span, Span]]:
+def late(block: Block) -> Iterator[tuple[Span, Span]]:
     """Yield where statements are not reached, each with that before it, which does not go on."""
     for before, after in pairwise(block):
         yield from _inside(before)
@@ -81,7 +71,7 @@ def _late(block: Block) -> Iterator[tuple[Span, Span]]:
 
 def _inside(statement: Statement) -> Iterator[tuple[Span, Span]]:
     for block in _blocks(statement):
-        yield from _late(block)
+        yield from late(block)
 
 
 def _blocks(statement: Statement) -> tuple[Block, ...]:

@@ -1,19 +1,18 @@
 """How tasks are called: written parameter lists, implicit ones of classic tasks, library tasks."""
 
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, functions, implicit, poses, values
 from ropsim.language.check.body import Body, RejectedError, settled
-from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.tasks import TaskText
 from ropsim.language.check.types import NAMED, NUMBER, POSE, AnyType, Type, Unknown
 from ropsim.language.check.units import UnitSystem
-from ropsim.language.check.world import Formal, Signature, World
+from ropsim.language.check.world import Formal, Signature
 from ropsim.language.environment import TaskSignature
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
-from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.task_form import ParameterForm, TaskForm
@@ -34,25 +33,25 @@ def _library_type(parameter: Local, library: TaskSignature) -> Type:
     return Type(parameter.type)
 
 
-def of_text(world: World, task: TaskText, task_names: frozenset[str], report: Report) -> Signature:
+def of_text(body: Body, task: TaskText, task_names: Container[str]) -> Signature:
     """Return how a task of the text is called; types not written are left open for use to tell.
 
     Args:
-        world: what is declared outside the bodies.
+        body: of the task, before anything stands in it.
         task: the task.
         task_names: all tasks that can be called.
-        report: takes findings.
     """
-    header = task.header
+    header, world = task.header, body.world
+    body.line = task.block.opener
     if header is None:
         return Signature(task.name, (), (), None, is_known=False)
     if task.name.lower() in functions.NAMES:
         message = f"`{task.name}` is a function of the language"
         hint = "choose another name for the task"
-        report.at(hidden_kinds.FUNCTION_NAME, task.block.opener, header.name, message, hint)
+        body.warn(hidden_kinds.FUNCTION_NAME, header.name, message, hint)
     result = NAMED[header.result.text] if header.result is not None else None
     if header.parameters is not None:
-        formals = _explicit(world, task, header.parameters, report)
+        formals = _explicit(body, header.parameters)
         references = tuple(f.name for f in formals if f.type == POSE)
         return Signature(task.name, formals, references, result)
     if not world.is_classic:
@@ -64,7 +63,7 @@ def of_text(world: World, task: TaskText, task_names: frozenset[str], report: Re
     )
 
 
-def _has_wrong_line(block: Block, task_names: frozenset[str]) -> bool:
+def _has_wrong_line(block: Block, task_names: Container[str]) -> bool:
     """Return whether a line could not be read, or calls a task that is not defined.
 
     Such a line may have named a parameter, so nobody knows them all: `call relase 2` in place of
@@ -85,16 +84,12 @@ def _has_wrong_line(block: Block, task_names: frozenset[str]) -> bool:
     return False
 
 
-def _explicit(
-    world: World, task: TaskText, parameters: tuple[syntax.Parameter, ...], report: Report
-) -> tuple[Formal, ...]:
-    body = Body(world, report, EXPRESSIONS, None, task.name)
-    body.line = task.block.opener
+def _explicit(body: Body, parameters: tuple[syntax.Parameter, ...]) -> tuple[Formal, ...]:
     formals: list[Formal] = []
     for parameter in parameters:
         if any(f.name == parameter.name.text for f in formals):
             message = f"parameter `{parameter.name.text}` is declared twice"
-            report.at(name_kinds.DUPLICATE, body.line, parameter.name, message, "rename one of them")
+            body.warn(name_kinds.DUPLICATE, parameter.name, message, "rename one of them")
             continue
         kind = NAMED[parameter.type.text] if parameter.type is not None else Unknown()
         default = None
@@ -115,15 +110,21 @@ def _default(body: Body, name: str, node: nodes.Node, kind: AnyType) -> Expressi
         return fold.real(0.0)  # the finding stands; calls without this argument are not reported as well
 
 
-def final(world: World, task: TaskText | None, signature: Signature, report: Report) -> Signature:
-    """Return the signature with the types that use has told, and its defaults read anew as those."""
-    formals = [Formal(f.name, settled(f.type), f.default) for f in signature.formals]
+def final(body: Body, task: TaskText, signature: Signature, types: Sequence[Type]) -> Signature:
+    """Return the signature with the types that use has told, and its defaults read anew as those.
+
+    Args:
+        body: of the task, before anything stands in it.
+        task: the task.
+        signature: as its header tells.
+        types: of its parameters.
+    """
+    formals = [replace(one, type=kind) for one, kind in zip(signature.formals, types, strict=True)]
     references = tuple(f.name for f in formals if f.type == POSE)
-    if task is None or task.header is None:
+    if task.header is None:
         return replace(signature, formals=tuple(formals), references=references)
     if task.header.parameters is None:
         return replace(signature, formals=tuple(formals))
-    body = Body(world, report, EXPRESSIONS, None, task.name)
     body.line = task.block.opener
     nodes_by_name = {p.name.text: p.default for p in task.header.parameters if p.default is not None}
     for k, formal in enumerate(formals):

@@ -1,12 +1,10 @@
 """The tasks of a text, apart from its control statements, and the order in which they call each other."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ropsim.language.blocks import Block
 from ropsim.language.clause import Clause, understand
-from ropsim.language.findings import names as name_kinds
-from ropsim.language.report import Report
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
@@ -32,30 +30,13 @@ def is_task(item: Line | Block) -> bool:
     )
 
 
-def control_statements(tree: tuple[Line | Block, ...]) -> tuple[Line | Block, ...]:
-    """Return what stands outside the tasks."""
-    return tuple(i for i in tree if not ((isinstance(i, Block) and i.opener.head == "task") or is_task(i)))
-
-
-def tasks_of(tree: tuple[Line | Block, ...], report: Report) -> dict[str, TaskText]:
-    """Return the tasks of a text by name, in order; a second one of the same name is reported."""
-    found: dict[str, TaskText] = {}
-    for number, item in enumerate(tree):
-        if not isinstance(item, Block) or not is_task(item):
-            continue
-        header = item.opener.statement
-        assert isinstance(header, syntax.TaskHeader | syntax.Broken)
-        name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name or f"#{number}"
-        if name in found:
-            report.line(
-                name_kinds.DUPLICATE, item.opener, f"task `{name}` is defined twice", "rename one of them"
-            )
-            name = f"#{number}"
-        block, clauses = _split_contract(item)
-        found[name] = TaskText(
-            name, block, header if isinstance(header, syntax.TaskHeader) else None, clauses
-        )
-    return found
+def task_of(block: Block) -> TaskText:
+    """Return a task by its block; its name is empty where the header has none."""
+    header = block.opener.statement
+    assert isinstance(header, syntax.TaskHeader | syntax.Broken)
+    name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name
+    body, clauses = _split_contract(block)
+    return TaskText(name, body, header if isinstance(header, syntax.TaskHeader) else None, clauses)
 
 
 def _split_contract(block: Block) -> tuple[Block, tuple[tuple[Line, Clause], ...]]:
@@ -78,34 +59,41 @@ def _split_contract(block: Block) -> tuple[Block, tuple[tuple[Line, Clause], ...
     return Block((section, *block.sections[1:]), block.closer), tuple(clauses)
 
 
-def callee_first(tasks: Mapping[str, TaskText]) -> list[str]:
-    """Return the tasks in an order in which those called come first, as far as calls are not circular."""
+def callee_first(callees: Mapping[str, Sequence[str]]) -> list[str]:
+    """Return tasks in an order in which those called come first, as far as calls are not circular.
+
+    Args:
+        callees: whom each task calls, by name; names that are no keys do not count.
+    """
     order: list[str] = []
     seen: set[str] = set()
-    for start in tasks:
-        stack = [(start, iter(_callees(tasks[start].block, tasks)))] if start not in seen else []
+    for start in callees:
+        stack = [(start, iter(callees[start]))] if start not in seen else []
         seen.add(start)
         while stack:
-            name, callees = stack[-1]
-            following = next((c for c in callees if c not in seen), None)
+            name, called = stack[-1]
+            following = next((one for one in called if one in callees and one not in seen), None)
             if following is None:
                 order.append(name)
                 stack.pop()
             else:
                 seen.add(following)
-                stack.append((following, iter(_callees(tasks[following].block, tasks))))
+                stack.append((following, iter(callees[following])))
     return order
 
 
-def _callees(block: Block, tasks: Mapping[str, TaskText]) -> list[str]:
-    found: list[str] = []
+def callees(block: Block) -> tuple[str, ...]:
+    """Return the names that a block calls as tasks or may call, in order, each once."""
+    return tuple(dict.fromkeys(_callees(block)))
+
+
+def _callees(block: Block) -> Iterator[str]:
     for section in block.sections:
         for item in section.body:
             if isinstance(item, Block):
-                found += _callees(item, tasks)
+                yield from _callees(item)
             else:
-                found += [n for n in _called(item.statement) if n in tasks]
-    return found
+                yield from _called(item.statement)
 
 
 def _called(statement: syntax.Statement | None) -> list[str]:

@@ -36,7 +36,7 @@ def tracking(body: Body, node: syntax.Motion) -> Tracking | None:
 def _signal(body: Body, node: nodes.Name) -> SignalUse:
     symbol = body.find(node.text)
     if isinstance(symbol, SignalUse) and symbol.type is ValueType.REAL:
-        body.world.used_signals[symbol.name] = symbol
+        body.used_signals[symbol.name] = symbol
         return symbol
     if symbol is None:
         hint = f"declare it in the cell file: `[signals.{node.text}]`, with `analog = true`"

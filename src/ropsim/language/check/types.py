@@ -94,6 +94,20 @@ class Unknown:
 
 AnyType = Type | Unknown
 
+OPEN = Unknown()
+"""Stands, in what is kept between bodies, for a type that only use will tell."""
+
+
+def opened(kind: AnyType) -> AnyType:
+    """Return a type as one body sees it: where it is open, with a new cell."""
+    return Unknown() if kind is OPEN else kind
+
+
+def closed(kind: AnyType) -> AnyType:
+    """Return a type as it is kept between bodies."""
+    found = known(kind)
+    return OPEN if isinstance(found, Unknown) else found
+
 
 def article(kind: AnyType) -> str:
     """Return the words for a type with their article: `a length`, `an angle`."""

@@ -74,7 +74,7 @@ def name(body: Body, node: nodes.Name) -> Value:
         case Value():
             return symbol
         case SignalUse():
-            body.world.used_signals[symbol.name] = symbol
+            body.used_signals[symbol.name] = symbol
             return Value(
                 SignalValue(symbol.name, symbol.type), NUMBER if symbol.type is ValueType.REAL else BOOL
             )

@@ -1,5 +1,6 @@
 """What a whole text declares, as the checker of one body sees it."""
 
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.flow import PostureRequest
@@ -94,9 +95,9 @@ class Poison:
 Symbol = Variable | Value | SignalUse | Pattern | Poison
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class World:
-    """All that is declared outside the bodies.
+    """All that is declared outside the bodies: what the checker of one body can look at besides it.
 
     Attributes:
         environment: cell and library.
@@ -111,8 +112,7 @@ class World:
         has_axes: whether some frame is turned against the work frame or moves, so that locations keep
             along which axes they are shifted.
         signatures: tasks by name.
-        used_signals: signals that the program names.
-        without_result: tasks that return a value and whose header has no type for it, as reported.
+        without_result: tasks that return a value and whose header has no type for it, which is told there.
         joint_count: how many coordinates `joints(…)` has in this text, 0 as long as there is none.
     """
 
@@ -122,11 +122,10 @@ class World:
     is_classic: bool
     frame: str
     X_BK: PoseTuple
-    frames: dict[str, PoseTuple]
-    tools: dict[str, PoseTuple]
-    symbols: dict[str, Symbol] = field(default_factory=dict)
+    frames: Mapping[str, PoseTuple]
+    tools: Mapping[str, PoseTuple]
+    symbols: Mapping[str, Symbol] = field(default_factory=dict)
     has_axes: bool = False
-    signatures: dict[str, Signature] = field(default_factory=dict)
-    used_signals: dict[str, SignalUse] = field(default_factory=dict)
-    without_result: set[str] = field(default_factory=set)
+    signatures: Mapping[str, Signature] = field(default_factory=dict)
+    without_result: Container[str] = frozenset()
     joint_count: int = 0

@@ -14,6 +14,7 @@ from ropsim.program.lowering.motion import lower_move
 from ropsim.program.move import Move
 from ropsim.program.program import Local, Program, Task
 from ropsim.program.scope import Scope, Used
+from ropsim.program.source_map import SourceMap
 from ropsim.spatial import PoseTuple, quaternion
 
 
@@ -22,7 +23,9 @@ def lower(program: Program, source: str) -> icr.Program:
     return lower_with_findings(program, source)[0]
 
 
-def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
+def lower_with_findings(
+    program: Program, source: str, places: SourceMap | None = None
+) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
     """Return the ICR of a structured program, which passes `icr.verify`, and what its author should know.
 
     The findings name variables that may be read before they have a value (T391, T392).
@@ -33,12 +36,13 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
     Args:
         program: a sound structured program without recursion.
         source: name of the text; statements whose span is in it record their line.
+        places: where spans lie in it; None where they say so themselves.
 
     Raises:
         LoweringError: the program contradicts itself.
     """
     used = Used.by(program)
-    scopes = _procedures(program, source, used)
+    scopes = _procedures(program, places or SourceMap(source), used)
     draft = _assembled(program, source, scopes, {})
     if recursion(program):
         return draft, ()
@@ -57,7 +61,7 @@ def lower_with_findings(program: Program, source: str) -> tuple[icr.Program, tup
     return (_assembled(program, source, scopes, starts) if starts else draft), findings
 
 
-def _procedures(program: Program, source: str, used: Used) -> dict[str, Scope]:
+def _procedures(program: Program, source: SourceMap, used: Used) -> dict[str, Scope]:
     """Lower `main` and all that it reaches, depth first."""
     main = Scope(program, None, used, source, _block)
     if program.frame:
@@ -154,7 +158,7 @@ def _block(scope: Scope, block: st.Block) -> None:
     for statement in block:
         if not scope.emitter.is_live:
             return
-        scope.emitter.line = statement.span.line if statement.span.source == scope.source else 0
+        scope.emitter.line = scope.source.line(statement.span)
         _STATEMENTS[type(statement)](scope, statement)
 
 

@@ -1,0 +1,46 @@
+"""What the compiler keeps between the versions of texts that are being edited."""
+
+from ropsim.language.check.questions import ENVIRONMENT
+from ropsim.language.environment import Environment
+from ropsim.language.reading import PARSER
+from ropsim.language.syntax.line import parse_line
+from ropsim.language.text import Parsed
+from ropsim.query import Database
+
+MAX_KEPT = 250_000
+MAX_TEXTS = 8
+"""Texts with their surroundings for which answers are kept, those used last."""
+
+
+class LineCache:
+    """Parsed lines, and answers about texts; it saves time and changes no result.
+
+    A statement depends on the characters of its line only, so a kept one is always right; an answer is taken
+    again only as long as nothing that it was made of has changed.
+    """
+
+    __slots__ = ("_databases", "_parsed")
+
+    def __init__(self) -> None:
+        self._parsed: dict[str, Parsed] = {}
+        self._databases: list[tuple[Environment, str, Database]] = []
+
+    def parsed(self, text: str) -> Parsed:
+        """Return statement and fault of a logical line."""
+        found = self._parsed.get(text)
+        if found is None:
+            if len(self._parsed) >= MAX_KEPT:
+                self._parsed.clear()
+            found = self._parsed[text] = parse_line(text)
+        return found
+
+    def database(self, environment: Environment, name: str = "") -> Database:
+        """Return what is known of the text of that name in these surroundings."""
+        for k, (known, text, db) in enumerate(self._databases):
+            if known is environment and text == name:
+                self._databases.append(self._databases.pop(k))
+                return db
+        db = Database()
+        db.give({PARSER: self, ENVIRONMENT: environment})
+        self._databases = [*self._databases[-MAX_TEXTS + 1 :], (environment, name, db)]
+        return db

@@ -1,0 +1,170 @@
+"""One body by itself: the walk that finds types, and the one that finds what is wrong."""
+
+from collections.abc import Mapping
+from contextlib import suppress
+
+from ropsim.language.check import hidden, structures
+from ropsim.language.check.body import Body, settled
+from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.near_names import check_near_names, check_unread
+from ropsim.language.check.outcome import Outcome
+from ropsim.language.check.reached import late
+from ropsim.language.check.tasks import TaskText
+from ropsim.language.check.types import POSE, Type, known
+from ropsim.language.check.world import Poison, Signature, Variable, World
+from ropsim.language.clause import Clause
+from ropsim.language.findings import hidden as hidden_kinds
+from ropsim.language.findings import types as kinds
+from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.syntax import statements as syntax
+from ropsim.language.text import Line
+from ropsim.language.units import CONTROL, Items, of_task
+from ropsim.program import Block as StatementBlock
+from ropsim.program import Call, Contract, If, Local, Return, Statement, Task, points_of, walk
+
+
+def walked_task(world: World, task: TaskText, signature: Signature) -> Body:
+    """Return a body after the silent walk that lets use tell its types."""
+    body = _enter(world, task, signature, None, _muted(of_task(task.name)))
+    structures.walk(body, task.block.sections[0].body)
+    return body
+
+
+def walked_control(world: World, items: Items) -> Body:
+    """Return the control statements after the silent walk."""
+    body = Body(world, _muted(CONTROL), EXPRESSIONS, None)
+    structures.walk(body, items)
+    return body
+
+
+def checked_control(world: World, items: Items, types: Mapping[str, Type]) -> Outcome:
+    """Return the control statements; `types` is what the walk before has found."""
+    report = Report(CONTROL)
+    body = Body(world, report, EXPRESSIONS, types)
+    block: StatementBlock = ()
+    with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
+        block = structures.walk(body, items)
+        check_near_names(body)
+    return _outcome(body, report, block, body.locals(()), None)
+
+
+def checked_task(world: World, task: TaskText, signature: Signature, types: Mapping[str, Type]) -> Outcome:
+    """Return a task; `types` is what the walk before has found."""
+    report = Report(of_task(task.name))
+    body = _enter(world, task, signature, types, report)
+    made: Task | None = None
+    with suppress(TooManyFindingsError):  # the list of the whole text will be full as well
+        made = _task(body, task, signature)
+    block = made.body if made is not None else ()
+    return _outcome(body, report, block, made.locals if made is not None else (), made)
+
+
+def _muted(unit: str) -> Report:
+    report = Report(unit)
+    report.muted = True
+    return report
+
+
+def _outcome(
+    body: Body, report: Report, block: StatementBlock, variables: tuple[Local, ...], task: Task | None
+) -> Outcome:
+    unread = Report(report.source)
+    check_unread(body, unread)
+    return Outcome(
+        block,
+        variables,
+        task,
+        tuple(report.log),
+        tuple(unread.log),
+        tuple(body.used_signals.values()),
+        tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
+        tuple(late(block)),
+        points_of(block),
+    )
+
+
+def _enter(
+    world: World, task: TaskText, signature: Signature, types: Mapping[str, Type] | None, report: Report
+) -> Body:
+    """Return the state at the start of a task: its parameters have values."""
+    body = Body(world, report, EXPRESSIONS, types, task.name)
+    body.references = signature.references
+    body.result = signature.result
+    body.is_tolerant = not signature.is_known
+    for formal in signature.formals:
+        body.enter(formal.name, known(formal.type))
+    if signature.references and signature.references[0] == "l":
+        body.names.setdefault("l1", Variable("l", POSE))
+    body.line = task.block.opener
+    return body
+
+
+def _task(body: Body, task: TaskText, signature: Signature) -> Task:
+    header_span = body.statement_span
+    _check_hidden(body, task, signature)
+    contracts = []
+    for line, clause in task.clauses:
+        body.line = line
+        contracts.append(Contract(clause.gripper, clause.text, body.statement_span))
+        _check_counts(body, task, signature, clause)
+    block = structures.walk(body, task.block.sections[0].body)
+    check_near_names(body)
+    body.line = task.block.opener
+    is_open = (
+        signature.result is not None
+        and not body.has_gaps
+        and task.block.closer is not None
+        and not _always_returns(block)
+    )
+    if is_open and task.header is not None:
+        body.warn(
+            kinds.NO_RETURN,
+            task.header,
+            f"task `{task.name}` may end without `return`",
+            "end it with `return value`",
+        )
+    parameters = tuple(Local(f.name, settled(f.type).value) for f in signature.formals)
+    names = tuple(p.name for p in parameters)
+    result = signature.result.value if signature.result is not None else None
+    return Task(task.name, parameters, body.locals(names), result, block, tuple(contracts), header_span)
+
+
+def _check_hidden(body: Body, task: TaskText, signature: Signature) -> None:
+    """Warn of parameters that have the name of something that the whole text sees."""
+    if task.header is None:
+        return
+    places = {one.name.text: one.name for one in task.header.parameters or ()}
+    for formal in signature.formals:
+        symbol = body.world.symbols.get(formal.name)
+        if symbol is not None and not isinstance(symbol, Poison):
+            message = f"parameter `{formal.name}` hides {hidden.what(symbol)} of that name in the whole task"
+            hint = "rename the parameter"
+            body.warn(hidden_kinds.HIDDEN, places.get(formal.name, task.header), message, hint)
+
+
+def _check_counts(body: Body, task: TaskText, signature: Signature, clause: Clause) -> None:
+    first = task.block.sections[0].body[:1]
+    has_prose = bool(first) and isinstance(first[0], Line) and isinstance(first[0].statement, syntax.Broken)
+    if has_prose or not signature.is_known:  # what the line would have used is not known
+        return
+    locations = sum(settled(f.type) == POSE for f in signature.formals)
+    scalars = len(signature.formals) - locations
+    for said, found, what in (
+        (clause.locations, locations, "reference location"),
+        (clause.parameters, scalars, "parameter"),
+    ):
+        if said is not None and said != found:
+            listed = ", ".join(f"`{f.name}`" for f in signature.formals) or "none"
+            message = f"the contract names {said} {what}{'' if said == 1 else 's'}, the body uses {found}"
+            body.warn(
+                kinds.CONTRACT_COUNTS, body.line, message, f"the parameters of `{task.name}` are {listed}"
+            )
+
+
+def _always_returns(block: StatementBlock) -> bool:
+    last: Statement | None = block[-1] if block else None
+    if isinstance(last, If):
+        return bool(last.otherwise) and all(
+            _always_returns(b) for b in (*(b for _, b in last.branches), last.otherwise)
+        )
+    return isinstance(last, Return)

@@ -1,0 +1,187 @@
+"""A chunk of a text, read line by line and in blocks; again only where it, or what it depends on, changes."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from ropsim.core import Diagnostic, SourceText
+from ropsim.language import blocks, misspelt, prose, units
+from ropsim.language import text as texts
+from ropsim.language.blocks import Block
+from ropsim.language.check.tasks import TaskText, task_of
+from ropsim.language.check.tasks import is_task as stands_for_task
+from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.syntax.statements import Broken, TaskHeader
+from ropsim.language.text import Line
+from ropsim.query import Database
+
+TASK_NAMES = "names of tasks"
+"""Input: the tasks of text and library."""
+CALLABLE = "names of tasks, with those whose header is misspelt"
+"""Input: the same after misspelt lines were mended."""
+PARSER = "parser"
+"""Input: gives the statement of a line and what is wrong with it, and may remember it."""
+
+Ends = tuple[tuple[str, int], ...]
+"""How many more ends than beginnings of blocks there are, by the word that opens them."""
+
+Key = tuple[tuple[str, ...], Ends | None, prose.Manner, tuple[str, ...]]
+"""What `read_chunk` is given."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parsed:
+    """A chunk line by line.
+
+    Attributes:
+        lines: those that are not empty, and what may be prose; numbers count from the chunk's first line.
+        tasks: names of the tasks that it has.
+        ends: how many more ends than beginnings of blocks it has, by the word that opens them.
+        faults: how many of its lines are wrong.
+        modes: which of `classic`, `strict` and `program` it says.
+    """
+
+    lines: tuple[Line, ...]
+    tasks: frozenset[str]
+    ends: Ends
+    faults: int
+    modes: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A task of a chunk.
+
+    Attributes:
+        text: its lines, counted from its header.
+        places: where they lie in the chunk.
+    """
+
+    text: TaskText
+    places: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A chunk in blocks.
+
+    Attributes:
+        tasks: of the chunk, in order.
+        control: what stands outside of them, lines counted as in the chunk.
+        found: what is wrong; places count from the chunk's first line.
+        manner: how contracts are read behind it.
+        cut: openers that were reported as not closed.
+        opener: whether anything stands in it at all, and its first line.
+    """
+
+    tasks: tuple[Task, ...]
+    control: units.Items
+    found: tuple[Diagnostic, ...]
+    manner: prose.Manner
+    cut: tuple[str, ...]
+    opener: Line | None
+
+
+def parsed(db: Database, lines: tuple[str, ...]) -> Parsed:
+    """Return the lines of a chunk."""
+    source = SourceText("", "\n".join(lines))
+    read = tuple(line for line in texts.read(source, db.read(PARSER)) if line.statement is not None)
+    ends = misspelt.ends_of(read)
+    return Parsed(
+        read,
+        _task_names(read),
+        tuple(sorted((word, count) for word, count in ends.items() if count)),
+        sum(line.fault is not None for line in read),
+        prose.modes(read),
+    )
+
+
+def has_foreign(db: Database, lines: tuple[str, ...]) -> bool:
+    """Return whether a line of a chunk begins with a word that is none of the language and no task."""
+    return misspelt.foreign(db.ask(parsed, lines).lines, Names(db, TASK_NAMES))
+
+
+def mended(db: Database, lines: tuple[str, ...], ends: Ends) -> tuple[tuple[Line, ...], Ends]:
+    """Return the lines of a chunk with misspelt ones mended, and the ends of the text after that."""
+    counter = Counter(dict(ends))
+    read = tuple(misspelt.mended(db.ask(parsed, lines).lines, Names(db, TASK_NAMES), counter))
+    return read, tuple(sorted((word, count) for word, count in counter.items() if count))
+
+
+def mended_names(db: Database, lines: tuple[str, ...], ends: Ends) -> frozenset[str]:
+    """Return the tasks of a chunk, also those whose header is misspelt."""
+    return _task_names(db.ask(mended, lines, ends)[0])
+
+
+def read_chunk(
+    db: Database,
+    lines: tuple[str, ...],
+    ends: Ends | None,
+    manner: prose.Manner,
+    cut: tuple[str, ...],
+) -> Read:
+    """Return a chunk in blocks.
+
+    Args:
+        db: what else is known.
+        lines: of the chunk.
+        ends: of the text, where some line of the chunk may be misspelt.
+        manner: how contracts are read at its beginning.
+        cut: openers before it that were reported as not closed.
+    """
+    report = Report("")
+    try:
+        read = db.ask(parsed, lines).lines if ends is None else db.ask(mended, lines, ends)[0]
+        absorbed, manner = prose.absorb(read, Names(db, CALLABLE), report, manner)
+        tree = blocks.build(absorbed, report, cut)
+    except TooManyFindingsError:
+        return Read((), (), tuple(report.log), manner, (), None)
+    tasks = tuple(_task(item) for item in tree.items if isinstance(item, Block) and stands_for_task(item))
+    control = tuple(item for item in tree.items if not stands_for_task(item))
+    opener = next((one.opener if isinstance(one, Block) else one for one in tree.items), None)
+    return Read(tasks, control, tuple(report.log), manner, tree.cut, opener)
+
+
+def control_of(db: Database, key: Key, before: int) -> tuple[units.Items, tuple[int, ...]]:
+    """Return the control statements of a chunk, counted on from `before`, and where they lie in it."""
+    return units.renumbered(db.ask(read_chunk, *key).control, before)
+
+
+def _task(item: Block) -> Task:
+    (block,), places = units.renumbered((item,))
+    assert isinstance(block, Block)
+    return Task(task_of(block), places)
+
+
+class Names:
+    """Names of tasks of which is noted which ones are looked up."""
+
+    def __init__(self, db: Database, table: str) -> None:
+        self._db = db
+        self._table = table
+
+    def __contains__(self, name: object) -> bool:
+        return self._db.ask(is_task, self._table, str(name))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._db.read(self._table))
+
+    def __len__(self) -> int:
+        return len(self._db.read(self._table))
+
+
+def is_task(db: Database, table: str, name: str) -> bool:
+    """Return whether a task of that name can be called."""
+    return name in db.read(table)
+
+
+def _task_names(lines: Iterable[Line]) -> frozenset[str]:
+    """Return the names of the tasks of some lines, also of those whose header is wrong."""
+    found = set()
+    for line in lines:
+        match line.statement:
+            case TaskHeader(name=name):
+                found.add(name.text)
+            case Broken(head="task", name=name) if name:
+                found.add(name)
+    return frozenset(found)

@@ -1,0 +1,51 @@
+"""The parts of a text whose lines belong together: each task, and the control statements."""
+
+from dataclasses import dataclass, replace
+
+from ropsim.language.blocks import Block, Section
+from ropsim.language.text import Line
+
+CONTROL = "control statements"
+"""Name of the unit of all that stands outside of tasks."""
+
+Items = tuple[Line | Block, ...]
+
+
+def of_task(name: str) -> str:
+    """Return the name of the unit of a task."""
+    return f"task {name}"
+
+
+@dataclass(slots=True)
+class _Numbering:
+    """Counts lines with statements only.
+
+    Attributes:
+        first: number of the line before the first one.
+        offsets: where each line lies in what is renumbered, from 0.
+    """
+
+    first: int
+    offsets: list[int]
+
+    def line(self, line: Line) -> Line:
+        logical = line.logical
+        number = self.first + len(self.offsets) + 1
+        self.offsets += range(logical.number - 1, logical.number + logical.text.count("\n"))
+        return line if logical.number == number else replace(line, logical=replace(logical, number=number))
+
+    def items(self, items: Items) -> Items:
+        return tuple(self.line(one) if isinstance(one, Line) else self.block(one) for one in items)
+
+    def block(self, block: Block) -> Block:
+        sections = tuple(Section(self.line(one.header), self.items(one.body)) for one in block.sections)
+        return Block(sections, self.line(block.closer) if block.closer is not None else None)
+
+
+def renumbered(items: Items, before: int = 0) -> tuple[Items, tuple[int, ...]]:
+    """Return lines and blocks whose lines are counted on from `before`, and where each of those lies, from 0.
+
+    Blank lines, comments and what stands between do not count, so that they change nothing.
+    """
+    numbering = _Numbering(before, [])
+    return numbering.items(items), tuple(numbering.offsets)
