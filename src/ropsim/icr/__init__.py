@@ -25,7 +25,13 @@ from ropsim.icr.program import ToolDefinition as ToolDefinition
 from ropsim.icr.program import Variable as Variable
 from ropsim.icr.reader import assemble as assemble
 from ropsim.icr.reader import read_text as read_text
+from ropsim.icr.rules.assignment import Need as Need
+from ropsim.icr.rules.assignment import Summary as Summary
+from ropsim.icr.rules.assignment import given_at_once as given_at_once
+from ropsim.icr.rules.assignment import refused_needs as refused_needs
+from ropsim.icr.rules.assignment import summary as summary
 from ropsim.icr.rules.assignment import unassigned as unassigned
+from ropsim.icr.rules.held import Slot as Slot
 from ropsim.icr.rules.operands import MAX_AXES as MAX_AXES
 from ropsim.icr.state import Finished as Finished
 from ropsim.icr.state import MachineState as MachineState

@@ -10,6 +10,7 @@ from ropsim.language.cache import LineCache
 from ropsim.language.check import program as checker
 from ropsim.language.check import questions
 from ropsim.language.check.reached import uncalled, unreached
+from ropsim.language.codes import code_of
 from ropsim.language.division import divided
 from ropsim.language.environment import NO_SIGNATURES, Environment
 from ropsim.language.findings import syntax as kinds
@@ -17,7 +18,7 @@ from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
-from ropsim.program import Program, SourceMap, check_contracts, lower_with_findings, recursion
+from ropsim.program import Program, SourceMap, check_contracts, recursion
 from ropsim.query import Database
 
 
@@ -70,12 +71,12 @@ def compile(
     checked, places = _checked(source, signatures, report, db)
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
-    icr = None if report.has_errors else _lowered(checked, places, source, report)
+    icr = None if report.has_errors else _lowered(checked, places, source, report, db)
     return Compiled(checked.program, icr, report.in_order(), source, checked.tasks, places)
 
 
 def _lowered(
-    checked: checker.Checked, places: SourceMap, source: SourceText, report: Report
+    checked: checker.Checked, places: SourceMap, source: SourceText, report: Report, db: Database
 ) -> IcrProgram | None:
     """Return the executable form; None where tasks call each other in a circle."""
     program, bodies = checked.program, checked.bodies
@@ -92,7 +93,7 @@ def _lowered(
         start = tuple(called for called, _ in checked.control.calls)
         tasks = tuple(body.task for body in bodies.values() if body.task is not None)
         report.extend(map(places.finding, uncalled(calls, start, tasks)))
-    code, findings = lower_with_findings(program, source.name, places)
+    code, findings = code_of(checked, places, db)
     report.extend(at_names(findings, source))
     return None if report.has_errors else code
 
@@ -110,6 +111,7 @@ def _checked(
         units = divided(source, environment, report, db)
         inputs: dict[Hashable, object] = {("task", name): None for name in db.read(questions.TASKS) or ()}
         inputs |= {("task", name): task for name, task in units.tasks.items()}
+        inputs |= {("places", unit): one for unit, one in units.map.units.items()}
         inputs |= {questions.TASKS: tuple(units.tasks), questions.STATEMENTS: units.control}
         db.give(inputs)
         return checker.check(units, report, db), units.map

@@ -23,8 +23,18 @@ from ropsim.program.expressions import Offset as Offset
 from ropsim.program.expressions import SignalValue as SignalValue
 from ropsim.program.expressions import Unary as Unary
 from ropsim.program.expressions import Variable as Variable
+from ropsim.program.lowering.linking import axes_of as axes_of
+from ropsim.program.lowering.linking import draft_of as draft_of
+from ropsim.program.lowering.linking import findings_of as findings_of
+from ropsim.program.lowering.linking import linked as linked
+from ropsim.program.lowering.linking import placed_lines as placed_lines
+from ropsim.program.lowering.linking import started as started
 from ropsim.program.lowering.lowering import lower as lower
 from ropsim.program.lowering.lowering import lower_with_findings as lower_with_findings
+from ropsim.program.lowering.lowering import reached as reached
+from ropsim.program.lowering.procedure import Lowered as Lowered
+from ropsim.program.lowering.procedure import lower_control as lower_control
+from ropsim.program.lowering.procedure import lower_task as lower_task
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move
 from ropsim.program.move import Settings as Settings
@@ -37,6 +47,7 @@ from ropsim.program.program import Local as Local
 from ropsim.program.program import Program as Program
 from ropsim.program.program import SignalUse as SignalUse
 from ropsim.program.program import Task as Task
+from ropsim.program.scope import Known as Known
 from ropsim.program.source_map import Places as Places
 from ropsim.program.source_map import SourceMap as SourceMap
 from ropsim.program.source_map import placed as placed

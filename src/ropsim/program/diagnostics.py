@@ -100,22 +100,19 @@ class LoweringError(RopsimError):
     """A structured program contradicts itself and has no ICR."""
 
 
-def without_value(program: icr.Program, procedure: str, name: str, kind: icr.Type, index: int) -> Diagnostic:
-    """Return the finding that an instruction may read variable `name` of type `kind` without a value.
+def without_value(source: str, line: int, name: str, kind: icr.Type) -> Diagnostic:
+    """Return the finding that a line may read a variable without a value.
 
     Args:
-        program: where it stands.
-        procedure: its procedure.
+        source: name of the text.
+        line: where it is read, 0 where unknown.
         name: the variable.
         kind: its type.
-        index: the instruction.
     """
-    code = program.procedure(procedure)
-    line = code.lines[index] if code is not None and index < len(code.lines) else 0
     name = name.split(".", maxsplit=1)[0]  # variables of one name have numbers behind it
     is_place = kind in (icr.Type.POSE, icr.Type.JOINTS)
     return (NO_LOCATION if is_place else NO_VALUE).at(
-        Span.whole_line(program.source, line) if line else None,
+        Span.whole_line(source, line) if line else None,
         f"`{name}` may have no value here" + ("" if is_place else ", it reads as zero then"),
         hint=f"give `{name}` a value on every way to this line",
         data={"name": name},

@@ -45,14 +45,13 @@ class Emitter:
         self.is_live = self.is_live or label.is_used
         label.position = len(self._code)
 
-    def finished(self, prologue: tuple[Step, ...] = ()) -> tuple[tuple[Step, ...], tuple[int, ...]]:
-        """Return the code and the source lines, with a prologue that no label stands in."""
-        shift = len(prologue)
+    def finished(self) -> tuple[tuple[Step, ...], tuple[int, ...]]:
+        """Return the code and the source lines."""
         steps = []
         for mnemonic, operands, _ in self._code:
-            fixed = tuple(one.position + shift if isinstance(one, Label) else one for one in operands)
+            fixed = tuple(one.position if isinstance(one, Label) else one for one in operands)
             steps.append(Step(mnemonic, fixed))
-        return (*prologue, *steps), (*[0] * shift, *(line for *_, line in self._code))
+        return tuple(steps), tuple(line for *_, line in self._code)
 
     def _add(self, mnemonic: str, operands: tuple[Operand | Label, ...]) -> None:
         if self.is_live:

@@ -1,35 +1,60 @@
-"""What lowering knows: the names in sight, the loops around, and what the whole program has used so far."""
+"""What the lowering of a procedure knows: names in sight, loops around, and what it has used so far."""
 
-from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from ropsim.core import Span
 from ropsim.icr import IoChannel, Type
 from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Emitter, Label
 from ropsim.program.program import Program, SignalUse, Task
-from ropsim.program.source_map import SourceMap
 from ropsim.program.statements import Block
+from ropsim.spatial import PoseTuple
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What a program defines, by name: all that a procedure can look at besides its own statements.
+
+    Attributes:
+        tasks: of which only parameters and result count here.
+        signals: channels.
+        globals: types of the global variables.
+        frames: in which locations can be given.
+        axes: how many joint coordinates there are, None as long as no statement has told.
+    """
+
+    tasks: Mapping[str, Task]
+    signals: Mapping[str, SignalUse]
+    globals: Mapping[str, Type]
+    frames: Mapping[str, PoseTuple]
+    axes: int | None = None
+
+    @classmethod
+    def by(cls, program: Program) -> "Known":
+        """Return the names of a program; of two equal names the first one counts."""
+        tasks = {task.name: task for task in reversed(program.tasks)}
+        signals = {signal.name: signal for signal in reversed(program.signals)}
+        return cls(tasks, signals, {one.name: one.type for one in program.main_locals}, program.frames)
 
 
 @dataclass(slots=True)
 class Used:
-    """What the program defines, by name, and what of it is used; only that is declared in ICR."""
+    """What a procedure uses of the program; only that is declared in ICR.
 
-    tasks: Mapping[str, Task]
-    signals: Mapping[str, SignalUse]
-    globals: dict[str, Type]
+    Attributes:
+        channels: inputs and outputs by name.
+        tools: by name.
+        frames: by name.
+        axes: how many joint coordinates its values have.
+        has_guessed_axes: whether a value was needed before anything told.
+    """
+
     channels: dict[str, IoChannel] = field(default_factory=dict)
     tools: dict[str, None] = field(default_factory=dict)
     frames: dict[str, None] = field(default_factory=dict)
     axes: int | None = None
-
-    @classmethod
-    def by(cls, program: Program) -> "Used":
-        """Return the names of a program, nothing used yet; of two equal names the first one counts."""
-        tasks = {task.name: task for task in reversed(program.tasks)}
-        signals = {signal.name: signal for signal in reversed(program.signals)}
-        return cls(tasks, signals, {one.name: one.type for one in program.main_locals})
+    has_guessed_axes: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,16 +66,30 @@ class Loop:
     depth: int
 
 
+@dataclass(frozen=True, slots=True)
+class _Types:
+    """Types of the variables in sight: of two of one name the own one hides the global one."""
+
+    own: Mapping[str, Type]
+    globals: Mapping[str, Type]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.own or name in self.globals
+
+    def __getitem__(self, name: str) -> Type:
+        return self.own[name] if name in self.own else self.globals[name]
+
+
 @dataclass(slots=True)
 class Scope:
     """The lowering of one procedure.
 
     Attributes:
-        program: the structured program.
+        known: what the program defines.
         task: the task, or None for the control statements.
-        used: shared by all procedures.
-        source: where the lines are that are recorded.
+        unit: what the spans name whose lines are recorded.
         lower_block: lowers a block in this scope.
+        used: what it uses of the program.
         emitter: the code so far.
         hidden: counters and limits of loops, by name.
         callees: tasks called, in the order of the calls.
@@ -61,11 +100,11 @@ class Scope:
         types: of the variables in sight, by name; locals hide globals.
     """
 
-    program: Program
+    known: Known
     task: Task | None
-    used: Used
-    source: SourceMap
+    unit: str
     lower_block: "Callable[[Scope, Block], None]"
+    used: Used = field(default_factory=Used)
     emitter: Emitter = field(default_factory=Emitter)
     hidden: dict[str, Type] = field(default_factory=dict)
     callees: dict[str, None] = field(default_factory=dict)
@@ -73,11 +112,15 @@ class Scope:
     depth: int = 0
     kept: list[str] = field(default_factory=list)
     numbers: dict[str, int] = field(default_factory=dict)
-    types: ChainMap[str, Type] = field(init=False, repr=False)
+    types: "_Types" = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         own = (*self.task.parameters, *self.task.locals) if self.task else ()
-        self.types = ChainMap({local.name: local.type for local in own}, self.used.globals)
+        self.types = _Types({local.name: local.type for local in own}, self.known.globals)
+
+    def line(self, span: Span) -> int:
+        """Return the line of a span in the unit, 0 for one of another text."""
+        return span.line if span.source == self.unit else 0
 
     def type_of(self, name: str) -> Type:
         """Return the type of a variable in sight.
@@ -105,7 +148,7 @@ class Scope:
         Raises:
             LoweringError: there is no such signal.
         """
-        signal = self.used.signals.get(name)
+        signal = self.known.signals.get(name)
         if signal is None:
             raise unsound(f"signal `{name}` is not declared")
         letters = ("D" if signal.type is Type.BOOL else "A") + ("I" if signal.is_input else "O")
@@ -117,7 +160,7 @@ class Scope:
         Raises:
             LoweringError: there is no such frame.
         """
-        if name not in self.program.frames:
+        if name not in self.known.frames:
             raise unsound(f"frame `{name}` is not declared")
         self.used.frames.setdefault(name)
         return name
@@ -128,7 +171,7 @@ class Scope:
         Raises:
             LoweringError: there is no such task.
         """
-        task = self.used.tasks.get(name)
+        task = self.known.tasks.get(name)
         if task is None:
             raise unsound(f"task `{name}` is not defined")
         self.callees.setdefault(name)

@@ -48,24 +48,22 @@ def check_assignment(program: Program) -> Iterator[Diagnostic]:
 def unassigned(program: Program) -> Mapping[str, tuple[Need, ...]]:
     """Return, by procedure, the variables that rule V7 refuses: locals, and in `main` globals too."""
     summaries: dict[str, Summary] = {}
-    given = _given_at_once(program)
+    main = program.procedure("main")
+    given = given_at_once(main) if main is not None else _NONE
     for procedure in callees_first(program):
         start = _NONE if procedure.name == "main" else given
-        summaries[procedure.name] = _summary(procedure, summaries, start)
-    refused = {}
-    for one in program.procedures:
-        needs = summaries[one.name].needs
-        found = tuple(need for need in needs if one.name == "main" or not need.slot.is_global)
-        if found:
-            refused[one.name] = found
-    return refused
+        summaries[procedure.name] = summary(procedure, summaries, start)
+    refused = {one.name: refused_needs(one.name, summaries[one.name]) for one in program.procedures}
+    return {name: needs for name, needs in refused.items() if needs}
 
 
-def _given_at_once(program: Program) -> Slots:
+def refused_needs(procedure: str, found: Summary) -> tuple[Need, ...]:
+    """Return what rule V7 refuses of a procedure: locals, and in `main` globals too."""
+    return tuple(need for need in found.needs if procedure == "main" or not need.slot.is_global)
+
+
+def given_at_once(main: Procedure) -> Slots:
     """Return what `main` gives a value before its first jump or call; all others find it there."""
-    main = program.procedure("main")
-    if main is None:
-        return _NONE
     given = []
     for step in main.code:
         if step.mnemonic == "CALL" or step.mnemonic in JUMPS:
@@ -75,7 +73,14 @@ def _given_at_once(program: Program) -> Slots:
     return frozenset(given)
 
 
-def _summary(procedure: Procedure, known: Mapping[str, Summary], given_at_once: Slots) -> Summary:
+def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) -> Summary:
+    """Return what a procedure does with variables.
+
+    Args:
+        procedure: that passes the rules before.
+        known: the same of all that it calls, by name.
+        given: global variables that have a value before it is called.
+    """
     own = procedure.numbers
     gives: dict[int, Slots] = {}
     reads: dict[int, Slots] = {}
@@ -83,9 +88,9 @@ def _summary(procedure: Procedure, known: Mapping[str, Summary], given_at_once: 
     for index, step in enumerate(procedure.code):
         name = str(step.operands[0]) if step.operands else ""
         if step.mnemonic == "CALL":
-            summary = known[name]
-            reads[index], gives[index] = summary.needed, summary.assigns or _NONE
-            if summary.assigns is None:
+            called = known[name]
+            reads[index], gives[index] = called.needed, called.assigns or _NONE
+            if called.assigns is None:
                 lost.add(index)
         elif step.mnemonic in {"LOAD", "STORE"}:
             touched = frozenset({Slot(name, is_global=name not in own)})
@@ -95,10 +100,10 @@ def _summary(procedure: Procedure, known: Mapping[str, Summary], given_at_once: 
     before = held_before(way, start, lambda index: gives.get(index, _NONE))
     needs: dict[Slot, Need] = {}
     for index, slot in missing(before, reads):
-        if slot not in given_at_once:
+        if slot not in given:
             needs.setdefault(slot, Need(slot, index))
     ends = [before[index] for index in way.order if procedure.code[index].mnemonic == "RET"]
-    assigns = _global(common(ends).all()) - given_at_once if ends else None
+    assigns = _global(common(ends).all()) - given if ends else None
     return Summary(tuple(needs.values()), _global(needs), assigns)
 
 

@@ -61,6 +61,13 @@ def push(scope: Scope, kind: Type, value: Value) -> None:
 
 def zero(scope: Scope, kind: Type) -> IcrConstant:
     """Return the value that a variable has where a program reads it before it gives it one."""
+    axes = scope.used.axes or scope.known.axes
+    scope.used.has_guessed_axes |= axes is None and kind is Type.JOINTS
+    return zero_of(kind, axes or 1)
+
+
+def zero_of(kind: Type, axes: int) -> IcrConstant:
+    """Return the zero of a type, of so many joint coordinates."""
     identity = (1.0, 0.0, 0.0, 0.0)
     values: dict[Type, Value] = {
         Type.BOOL: False,
@@ -70,11 +77,9 @@ def zero(scope: Scope, kind: Type) -> IcrConstant:
         Type.VEC: (0.0, 0.0, 0.0),
         Type.ORI: identity,
         Type.POSE: (0.0, 0.0, 0.0, *identity),
+        Type.JOINTS: (0.0,) * axes,
     }
-    if kind is not Type.JOINTS:
-        return IcrConstant(kind, values[kind])
-    scope.used.axes = scope.used.axes or 1
-    return IcrConstant(kind, (0.0,) * scope.used.axes)
+    return IcrConstant(kind, values[kind])
 
 
 def _emit(scope: Scope, expression: sir.Expression) -> Type:

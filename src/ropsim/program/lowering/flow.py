@@ -37,7 +37,7 @@ def lower_while(scope: Scope, statement: st.While) -> None:
     evaluate(scope, statement.condition, Type.BOOL)
     scope.emitter.jump("JF", loop.leave)
     _body(scope, statement.body, loop)
-    scope.emitter.line = scope.source.line(statement.span)
+    scope.emitter.line = scope.line(statement.span)
     scope.emitter.jump("JMP", loop.again)
     scope.emitter.place(loop.leave)
 
@@ -57,7 +57,7 @@ def lower_repeat(scope: Scope, statement: st.Repeat) -> None:
         emitter.jump("JF", loop.leave)
     emitter.place(top)
     _body(scope, statement.body, loop)
-    emitter.line = scope.source.line(statement.place or statement.span)
+    emitter.line = scope.line(statement.place or statement.span)
     emitter.place(loop.again)
     if statement.until is not None:
         evaluate(scope, statement.until, Type.BOOL)

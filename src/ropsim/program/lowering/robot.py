@@ -93,7 +93,7 @@ def lower_wait_until(scope: Scope, wait: st.WaitUntil) -> None:
         _poll(scope, wait.condition, holds, deadline)
     if wait.timeout is not None:
         scope.lower_block(scope, wait.otherwise)
-        scope.emitter.line = scope.source.line(wait.span)
+        scope.emitter.line = scope.line(wait.span)
         if not wait.otherwise:
             scope.emitter.emit("TRAP", TRAP_TIMED_OUT)
     scope.emitter.place(holds)

@@ -1,0 +1,223 @@
+"""A task, or the control statements, to the code of one procedure."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ropsim.icr import IoChannel, Procedure, Step, Type, Variable, capabilities
+from ropsim.program import statements as st
+from ropsim.program.diagnostics import unsound
+from ropsim.program.lowering import flow, robot
+from ropsim.program.lowering.expressions import evaluate, push, zero
+from ropsim.program.lowering.motion import lower_move
+from ropsim.program.move import Move
+from ropsim.program.program import Local, Task
+from ropsim.program.scope import Known, Scope
+
+
+@dataclass(frozen=True, slots=True)
+class Lowered:
+    """A procedure as far as it can be told alone.
+
+    Attributes:
+        name: of the procedure.
+        task: name of the task, empty for the control statements.
+        parameters: taken from the stack by CALL.
+        locals: variables of the task.
+        hidden: counters, limits and kept values that no statement names.
+        results: types left on the stack.
+        code: instructions.
+        lines: line of each instruction in its unit, 0 where unknown.
+        unit: what spans name whose lines these are.
+        callees: tasks that it calls, in order.
+        channels: that it uses.
+        tools: that it uses, by name.
+        frames: that it uses, by name.
+        axes: how many joint coordinates its values have, None where there are none.
+        has_guessed_axes: whether it has values of joint coordinates whose number only other procedures tell.
+        capabilities: what a robot must offer for it.
+    """
+
+    name: str
+    task: str
+    parameters: tuple[Variable, ...]
+    locals: tuple[Variable, ...]
+    hidden: tuple[Variable, ...]
+    results: tuple[Type, ...]
+    code: tuple[Step, ...]
+    lines: tuple[int, ...]
+    unit: str
+    callees: tuple[str, ...]
+    channels: tuple[IoChannel, ...]
+    tools: tuple[str, ...]
+    frames: tuple[str, ...]
+    axes: int | None
+    has_guessed_axes: bool
+    capabilities: tuple[str, ...]
+
+
+def lower_control(known: Known, block: st.Block, frame: str, tool: str) -> Lowered:
+    """Return the procedure `main` of the control statements.
+
+    Args:
+        known: what the program defines.
+        block: the control statements.
+        frame: name of the work frame, empty for the base frame.
+        tool: in force at the start, empty for none.
+    """
+    scope = Scope(known, None, block[0].span.source if block else "", _block)
+    if frame:
+        scope.emitter.emit("FRAME", scope.frame(frame))
+    if tool:
+        robot.use_tool(scope, tool)
+        scope.emitter.emit("TOOL", tool)
+    _block(scope, block)
+    scope.emitter.line = 0
+    _end(scope)
+    return _lowered(scope, "main")
+
+
+def lower_task(known: Known, task: Task) -> Lowered:
+    """Return the procedure of a task."""
+    scope = Scope(known, task, task.span.source, _block)
+    _block(scope, task.body)
+    if scope.emitter.is_live:
+        if task.result is not None:
+            scope.emitter.push(zero(scope, task.result))
+        scope.emitter.line = 0
+        scope.emitter.emit("RET")
+    return _lowered(scope, procedure_name(known, task.name))
+
+
+def _lowered(scope: Scope, name: str) -> Lowered:
+    code, lines = scope.emitter.finished()
+    task, used = scope.task, scope.used
+    return Lowered(
+        name,
+        task.name if task is not None else "",
+        _variables(task.parameters) if task is not None else (),
+        _variables(task.locals) if task is not None else (),
+        tuple(Variable(one, kind) for one, kind in scope.hidden.items()),
+        (task.result,) if task is not None and task.result is not None else (),
+        code,
+        lines,
+        scope.unit,
+        tuple(scope.callees),
+        tuple(used.channels.values()),
+        tuple(used.tools),
+        tuple(used.frames),
+        used.axes,
+        used.has_guessed_axes,
+        capabilities((Procedure(name, code=code),)),
+    )
+
+
+def _variables(variables: tuple[Local, ...]) -> tuple[Variable, ...]:
+    return tuple(Variable(one.name, one.type) for one in variables)
+
+
+def procedure_name(known: Known, task: str) -> str:
+    """Return the name of the procedure of a task; `main` is taken by the control statements."""
+    name = task
+    while name == "main" or (name != task and name in known.tasks):
+        name += "_"
+    return name
+
+
+def _end(scope: Scope) -> None:
+    scope.emitter.emit("SYNC")
+    scope.emitter.emit("HALT")
+
+
+def _block(scope: Scope, block: st.Block) -> None:
+    for statement in block:
+        if not scope.emitter.is_live:
+            return
+        scope.emitter.line = scope.line(statement.span)
+        _STATEMENTS[type(statement)](scope, statement)
+
+
+def _assign(scope: Scope, statement: st.Assign) -> None:
+    evaluate(scope, statement.value, scope.type_of(statement.name))
+    scope.emitter.emit("STORE", statement.name)
+
+
+def _assign_component(scope: Scope, statement: st.AssignComponent) -> None:
+    scope.emitter.emit("LOAD", statement.name)
+    evaluate(scope, statement.value, Type.REAL)
+    scope.emitter.emit("SETC", statement.index)
+    scope.emitter.emit("STORE", statement.name)
+
+
+def _call(scope: Scope, statement: st.Call) -> None:
+    task: Task = scope.callee(statement.task)
+    if len(statement.arguments) != len(task.parameters):
+        found, allowed = len(statement.arguments), len(task.parameters)
+        raise unsound(f"task `{task.name}` is given {found} arguments, it takes {allowed}", statement.span)
+    for argument, parameter in zip(statement.arguments, task.parameters, strict=True):
+        evaluate(scope, argument, parameter.type)
+    scope.emitter.emit("CALL", procedure_name(scope.known, task.name))
+    if statement.result:
+        if task.result is None:
+            raise unsound(f"task `{task.name}` returns no value", statement.span)
+        if task.result is Type.INT and scope.type_of(statement.result) is Type.REAL:
+            scope.emitter.emit("I2R")
+        scope.emitter.emit("STORE", statement.result)
+    elif task.result is not None:
+        scope.emitter.emit("POP")
+
+
+def _with(scope: Scope, statement: st.With) -> None:
+    if statement.settings.is_empty:
+        _block(scope, statement.body)
+        return
+    scope.emitter.emit("MODAL.SAVE")
+    robot.lower_settings(scope, statement.settings)
+    scope.depth += 1
+    _block(scope, statement.body)
+    scope.depth -= 1
+    scope.emitter.emit("MODAL.RESTORE")
+
+
+def _return(scope: Scope, statement: st.Return) -> None:
+    if scope.task is None:
+        _end(scope)
+        return
+    if scope.task.result is not None:
+        result = scope.task.result
+        if statement.value is None:
+            scope.emitter.push(zero(scope, result))
+        else:
+            evaluate(scope, statement.value, result)
+    for _ in range(scope.depth):
+        scope.emitter.emit("MODAL.RESTORE")
+    scope.emitter.emit("RET")
+
+
+def _stop(scope: Scope, statement: st.Stop) -> None:
+    if statement.message:
+        push(scope, Type.STR, statement.message)
+        scope.emitter.emit("MSG")
+    scope.emitter.emit("HALT")
+
+
+_STATEMENTS: dict[type, Callable[..., None]] = {
+    Move: lower_move,
+    st.Grip: robot.lower_grip,
+    st.Output: robot.lower_output,
+    st.Wait: robot.lower_wait,
+    st.WaitUntil: robot.lower_wait_until,
+    st.Message: robot.lower_message,
+    st.Set: lambda scope, statement: robot.lower_settings(scope, statement.settings),
+    st.Assign: _assign,
+    st.AssignComponent: _assign_component,
+    st.Call: _call,
+    st.If: flow.lower_if,
+    st.While: flow.lower_while,
+    st.Repeat: flow.lower_repeat,
+    st.For: flow.lower_for,
+    st.Break: flow.leave_loop,
+    st.Continue: flow.leave_loop,
+    st.With: _with,
+    st.Return: _return,
+    st.Stop: _stop,
+}
