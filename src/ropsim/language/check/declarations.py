@@ -231,6 +231,8 @@ _DECLARATIONS = (
     syntax.FrameDeclaration,
     syntax.ToolDeclaration,
 )
+WITHOUT_CODE = tuple(one for one in _DECLARATIONS if one is not syntax.VariableDeclaration)
+"""Statements that tell something and do nothing."""
 _SymbolNode = (
     syntax.LocationDeclaration
     | syntax.SignalDeclaration

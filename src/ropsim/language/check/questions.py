@@ -24,7 +24,8 @@ from ropsim.language.check.world import Formal, Signature, Symbol, Variable, Wor
 from ropsim.language.environment import Environment
 from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report, TooManyFindingsError
-from ropsim.language.units import CONTROL, of_task
+from ropsim.language.text import Line
+from ropsim.language.units import CONTROL, Items, of_task
 from ropsim.query import Database
 from ropsim.spatial import PoseTuple
 
@@ -137,6 +138,15 @@ def symbol(db: Database, name: str) -> Symbol | None:
     return found
 
 
+def statements(db: Database) -> Items:
+    """Return the control statements without the declarations among them."""
+    return tuple(
+        item
+        for item in db.read(STATEMENTS)
+        if not isinstance(item, Line) or not isinstance(item.statement, declarations.WITHOUT_CODE)
+    )
+
+
 # --- who calls whom
 
 
@@ -239,7 +249,7 @@ def inference(db: Database) -> Inferred | None:
         else:
             called[name] = _with_types(db.ask(header, name).signature, db.ask(walked, name).formals)
     bodies = {name: one_body.walked_task(world, text, called[name]) for name, text in texts.items()}
-    control = one_body.walked_control(world, db.read(STATEMENTS))
+    control = one_body.walked_control(world, db.ask(statements))
     found = {name: _told(body, called[name]) for name, body in bodies.items()}
     found[""] = _told(control, None)
     variables = {name: settled(one.type) for name, one in symbols.items() if isinstance(one, Variable)}
@@ -259,7 +269,7 @@ def types(db: Database, name: str) -> Walked:
 
 def walked_control(db: Database) -> Walked:
     """Return what the control statements tell of their own types."""
-    body = one_body.walked_control(_world(db, partial(_own_signature, db)), db.read(STATEMENTS))
+    body = one_body.walked_control(_world(db, partial(_own_signature, db)), db.ask(statements))
     return _told(body, None)
 
 
@@ -315,7 +325,7 @@ def checked(db: Database, name: str) -> Outcome:
 
 def checked_control(db: Database) -> Outcome:
     """Return the control statements, checked."""
-    return one_body.checked_control(_final_world(db), db.read(STATEMENTS), db.ask(types, "").types)
+    return one_body.checked_control(_final_world(db), db.ask(statements), db.ask(types, "").types)
 
 
 # --- what a body sees

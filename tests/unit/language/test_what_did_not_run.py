@@ -1,0 +1,135 @@
+"""What an edit reaches: a task is checked again only where its text, or what it names, has changed."""
+
+import pytest
+
+from ropsim import icr, language
+from ropsim.query import Outcome
+from support.tasks import CELL
+
+TEXT = """program p
+units mm, deg
+loc rack = (400, 100, 50)
+loc bin = (300, -200, 50)
+const clear = 40 mm
+var total: int = 0
+frame plate = (100, 0, 0)
+
+# takes a part
+task Pick(part: loc, above_it: length = 60 mm)
+  mov part above above_it
+  lin part speed 150 mm/s
+  close
+endp
+
+task Count(by: int)
+  step = by + 1
+  total = total + step
+endp
+
+task Fetch
+  Pick rack
+  Count 2
+  mov bin above clear
+  open
+endp
+
+repeat 3
+  Fetch
+endr
+Count 1
+mov home
+"""
+
+
+class Editor:
+    """A text that is edited, and which bodies the compiler worked on at the last edit."""
+
+    def __init__(self) -> None:
+        self.cache = language.LineCache()
+        self.db = self.cache.database(CELL, "t.task")
+        self.db.events = []
+        self.result = language.compile(TEXT, CELL, "t.task", self.cache)
+        assert self.result.diagnostics == ()
+
+    def edited(self, text: str) -> language.Compiled:
+        """Compile the text as it is now."""
+        assert self.db.events is not None
+        self.db.events.clear()
+        self.result = language.compile(text, CELL, "t.task", self.cache)
+        fresh = language.compile(text, CELL, "t.task")
+        assert self.result.diagnostics == fresh.diagnostics
+        assert self.result.icr == fresh.icr
+        return self.result
+
+    def ran(self, function: str) -> set[object]:
+        """Return for which tasks a function was called, `main` for the control statements."""
+        events = self.db.events or []
+        called = [one for one in events if one.function == function and one.outcome is not Outcome.REUSED]
+        return {one.arguments[0] if one.arguments and one.arguments[0] else "main" for one in called}
+
+    def checked(self) -> set[object]:
+        """Return the bodies that were checked again."""
+        return self.ran("checked") | self.ran("checked_control")
+
+
+def test_at_first_all_is_worked_out_once() -> None:
+    editor = Editor()
+    assert editor.checked() == editor.ran("lowered") == {"Pick", "Count", "Fetch", "main"}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "checked", "lowered"),
+    [
+        ("# takes a part", "# takes one part,\n# from above", set(), set()),
+        ("\n\ntask Count", "\n\n\n\n\ntask Count", set(), set()),
+        ("  close\nendp", "  # hold it\n\n  close\nendp", set(), set()),
+        ("  close\nendp", "  close   # hold it\nendp", {"Pick"}, set()),
+        ("repeat 3", "# three parts\nrepeat 3", set(), set()),
+        ("step", "further", {"Count"}, {"Count"}),
+        ("speed 150", "speed 120", {"Pick"}, {"Pick"}),
+        ("= 60 mm", "= 70 mm", {"Pick", "Fetch"}, {"Fetch"}),
+        ("above_it", "height", {"Pick", "Fetch"}, {"Pick", "Fetch"}),
+        ("(300, -200, 50)", "(300, -210, 50)", {"Fetch"}, {"Fetch"}),
+        ("clear = 40", "clear = 45", {"Fetch"}, {"Fetch"}),
+        ("plate = (100", "plate = (110", set(), set()),
+        ("repeat 3", "repeat 4", {"main"}, {"main"}),
+        ("var total: int = 0", "var total: int = 1", {"main"}, {"main"}),
+    ],
+)
+def test_an_edit_reaches_what_depends_on_it(old: str, new: str, checked: set[str], lowered: set[str]) -> None:
+    editor = Editor()
+    assert TEXT.count(old) >= 1
+    editor.edited(TEXT.replace(old, new))
+    assert editor.checked() == checked
+    assert editor.ran("lowered") == lowered
+
+
+def test_a_task_that_is_written_reaches_no_other_one() -> None:
+    editor = Editor()
+    editor.edited(TEXT.replace("task Fetch", "task Park\n  mov home\nendp\n\ntask Fetch"))
+    assert editor.checked() == {"Park"}
+
+
+def test_a_task_that_is_moved_is_not_checked_again() -> None:
+    editor = Editor()
+    first, rest = TEXT.split("task Count", 1)
+    count, rest = rest.split("endp\n", 1)
+    identity = icr.program_id(editor.result.icr) if editor.result.icr else ""
+    moved = f"{first}{rest}\ntask Count{count}endp\n"
+    result = editor.edited(moved)
+    assert editor.checked() == set()
+    assert result.icr is not None
+    assert icr.program_id(result.icr) == identity
+
+
+def test_a_mistake_in_a_task_is_told_of_that_task_alone() -> None:
+    editor = Editor()
+    result = editor.edited(TEXT.replace("lin part", "lin prt"))
+    assert [one.code for one in result.diagnostics] == ["N202"]
+    assert editor.checked() == {"Pick"}
+
+
+def test_the_types_of_a_modern_task_do_not_come_from_its_callers() -> None:
+    editor = Editor()
+    editor.edited(TEXT.replace("Count 1\n", "Count 5\nCount 2\n"))
+    assert editor.ran("walked") == set()

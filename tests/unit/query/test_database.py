@@ -1,0 +1,116 @@
+"""The query engine: what runs again when an input changes, and what does not."""
+
+from ropsim.query import Database, Event, Outcome
+
+
+def words(db: Database) -> tuple[str, ...]:
+    text: str = db.read("text")
+    return tuple(text.split())
+
+
+def count(db: Database) -> int:
+    return len(db.ask(words))
+
+
+def is_long(db: Database, limit: int) -> bool:
+    return db.ask(count) > limit
+
+
+def chosen(db: Database) -> str:
+    """Reads one of two inputs."""
+    found: str = db.read("left") if db.read("is left") else db.read("right")
+    return found
+
+
+def database(**inputs: object) -> Database:
+    db = Database()
+    db.give({name.replace("_", " "): value for name, value in inputs.items()})
+    db.events = []
+    return db
+
+
+def ran(db: Database) -> list[str]:
+    """Return the functions that were called since this was asked last, in order of their end."""
+    assert db.events is not None
+    found = [event.function for event in db.events if event.outcome is not Outcome.REUSED]
+    db.events.clear()
+    return found
+
+
+def test_an_answer_is_worked_out_once() -> None:
+    db = database(text="a b c")
+    assert [db.ask(is_long, 2), db.ask(is_long, 2), db.ask(count)] == [True, True, 3]
+    assert ran(db) == ["words", "count", "is_long"]
+
+
+def test_arguments_tell_answers_apart() -> None:
+    db = database(text="a b c")
+    assert [db.ask(is_long, 2), db.ask(is_long, 3)] == [True, False]
+    assert ran(db) == ["words", "count", "is_long", "is_long"]
+
+
+def test_a_changed_input_reaches_what_depends_on_it() -> None:
+    db = database(text="a b c")
+    assert db.ask(is_long, 3) is False
+    db.give({"text": "a b c d"})
+    assert db.ask(is_long, 3) is True
+
+
+def test_an_equal_answer_ends_the_search() -> None:
+    db = database(text="a b c")
+    db.ask(is_long, 2)
+    ran(db)
+    db.give({"text": "x y z"})
+    assert db.ask(is_long, 2) is True
+    assert db.events == [
+        Event("words", (), Outcome.RAN),
+        Event("count", (), Outcome.SAME),
+        Event("is_long", (2,), Outcome.REUSED),
+    ]
+
+
+def test_an_input_that_is_given_again_changes_nothing() -> None:
+    db = database(text="a b c")
+    db.ask(count)
+    before = db.revision
+    db.give({"text": "".join(["a b", " c"])})
+    assert db.revision == before
+
+
+def test_values_that_are_equal_and_not_the_same_are_changes() -> None:
+    db = database(text="")
+    for value in (1, 1.0, True, 0.0, -0.0, (1,), (1.0,), {"a": 1, "b": 2}, {"b": 2, "a": 1}):
+        before = db.revision
+        db.give({"value": value})
+        assert db.revision == before + 1, repr(value)
+
+
+def test_what_was_not_looked_at_reaches_nothing() -> None:
+    db = database(is_left=True, left="l", right="r")
+    assert db.ask(chosen) == "l"
+    ran(db)
+    db.give({"right": "R"})
+    assert (db.ask(chosen), ran(db)) == ("l", [])
+    db.give({"is left": False})
+    assert (db.ask(chosen), ran(db)) == ("R", ["chosen"])
+    db.give({"left": "L"})
+    assert (db.ask(chosen), ran(db)) == ("R", [])
+
+
+def test_an_input_that_nobody_gave_is_none_until_it_is_given() -> None:
+    def later(db: Database) -> object:
+        return db.read("later")
+
+    db = database()
+    assert db.ask(later) is None
+    db.give({"later": 3})
+    assert db.ask(later) == 3
+
+
+def test_answers_of_no_use_lately_are_given_up_and_all_others_hold() -> None:
+    db = Database(limit=20)
+    for k in range(200):
+        db.give({"text": "a " * k, ("gone", k): k, ("gone", k - 1): None})
+        assert db.ask(is_long, k - 1) is True
+        assert db.ask(is_long, k) is False
+        assert len(db) < 60
