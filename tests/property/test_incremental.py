@@ -1,0 +1,138 @@
+"""Whatever is edited: a compiler that remembers earlier versions answers as one that has never seen any.
+
+`ROPSIM_EDITS` is the number of edits, 300 unless told; a long run takes 10,000.
+"""
+
+import os
+import random
+from pathlib import Path
+
+import pytest
+
+from ropsim import language
+from ropsim.icr import disassemble, program_id
+from support.tasks import CELL
+
+EDITS = int(os.environ.get("ROPSIM_EDITS", "300"))
+FOLDER = Path(__file__).parents[1] / "golden" / "task"
+TEXTS = [path.read_text(encoding="utf-8") for path in sorted(FOLDER.glob("*.task"))]
+LINES = sorted({line for text in TEXTS for line in text.split("\n")})
+WORDS = sorted({word for line in LINES for word in line.split()})
+TASK = """task Lift(part: loc, height = 20, n = 2)
+  mov part above height
+  repeat n
+    lin part
+    x = height
+  endr
+endp
+"""
+PIECES = [
+    *LINES,
+    *TASK.split("\n"),
+    "task Lift(part: loc)",
+    "task again",
+    "endp",
+    "end",
+    "endr",
+    "endif",
+    "repeat 2",
+    "if part_ok",
+    "else",
+    "x = 1",
+    "x = x + 0.5",
+    "var x: int = 3",
+    "var y",
+    "y = 20 mm",
+    "const clear = 12 mm",
+    "loc rack = (1, 2, 3)",
+    "frame plate = (1, 0, 0)",
+    "q = joints(1, 2, 3)",
+    "mov joints(1, 2, 3, 4, 5, 6)",
+    "call Lift 1, 20",
+    "Lift infeed",
+    "tsak Other",
+    "reapet 3",
+    "units cm, deg",
+    "strict",
+    "classic",
+    "program other",
+    "needs the gripper to be open and the",
+    "assumes gripper open at start.",
+    "lin (1,",
+    "x = 1 \\",
+    "return 3",
+    "set frame pallet",
+]
+
+
+class Typist:
+    """Edits a text at random, mostly a little, and often back to what it was."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+        self.lines = self.random.choice(TEXTS).split("\n")
+        self.before: list[list[str]] = []
+
+    def edit(self) -> str:
+        """Change the text, and return it."""
+        chosen = self.random.random()
+        if chosen < 0.2 and self.before:
+            self.lines = self.before.pop()
+        else:
+            self.before = [*self.before[-5:], list(self.lines)]
+            self._change(chosen)
+        return "\n".join(self.lines)
+
+    def _change(self, chosen: float) -> None:
+        at = self.random.randrange(len(self.lines))
+        line = self.lines[at]
+        if chosen < 0.35:
+            self.lines.insert(at, self.random.choice(PIECES))
+        elif chosen < 0.45:
+            del self.lines[at]
+            self.lines = self.lines or [""]
+        elif chosen < 0.55:
+            self.lines[at] = self.random.choice(["", f"{line}  # note", f"  {line}"])
+        elif chosen < 0.7:
+            words = line.split(" ")
+            words[self.random.randrange(len(words))] = self.random.choice(WORDS)
+            self.lines[at] = " ".join(words)
+        elif chosen < 0.85:
+            place = self.random.randrange(len(line) + 1)
+            typed = self.random.choice(["", "x", "1", "(", ")", ".", "=", " ", '"'])
+            self.lines[at] = line[:place] + typed + line[place + self.random.randrange(2) :]
+        elif chosen < 0.9:
+            self.lines[at:at] = TASK.split("\n")
+        elif chosen < 0.95:
+            end = min(at + self.random.randrange(1, 12), len(self.lines))
+            moved = self.lines[at:end]
+            del self.lines[at:end]
+            to = self.random.randrange(len(self.lines) + 1)
+            self.lines[to:to] = moved
+        else:
+            self.lines = self.random.choice(TEXTS).split("\n")
+
+
+def told(result: language.Compiled) -> dict[str, object]:
+    """Return all that a compilation tells."""
+    return {
+        "findings": result.diagnostics,
+        "code": disassemble(result.icr) if result.icr is not None else None,
+        "identity": program_id(result.icr) if result.icr is not None else None,
+        "structured": result.program,
+        "places": result.places,
+        "tasks": {name: str(form) for name, form in result.tasks.items()},
+    }
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_earlier_versions_change_no_answer(seed: int) -> None:
+    typist = Typist(seed)
+    cache = language.LineCache()
+    for _ in range(EDITS // 4):
+        text = typist.edit()
+        name = typist.random.choice(["t.task", "t.task", "u.task"])
+        kept = told(language.compile(text, CELL, name, cache))
+        fresh = told(language.compile(text, CELL, name))
+        for part in fresh:
+            assert kept[part] == fresh[part], f"{part} of\n{text}"
