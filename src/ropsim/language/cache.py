@@ -1,7 +1,7 @@
 """What the compiler keeps between the versions of texts that are being edited."""
 
-from ropsim.language.check.questions import ENVIRONMENT
 from ropsim.language.environment import Environment
+from ropsim.language.questions import ENVIRONMENT
 from ropsim.language.reading import PARSER
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.text import Parsed

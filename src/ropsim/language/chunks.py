@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 _TASK = re.compile(r"\s*(?:\d+\.\s+)?task\b", re.IGNORECASE)
 _END = re.compile(r"\s*(?:endp|endtask)\s*(?:(?:#|//).*)?", re.IGNORECASE)
-_MAY_BE_CUT = re.compile(r"\s*(?:\d+\.\s+)?(?:task|endp|endtask)\b", re.IGNORECASE)
+_FIRST = frozenset("tTeE0123456789")
+"""Letters with which such lines begin; most others need no further look."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ def chunks(lines: Sequence[str]) -> Iterator[Chunk]:
     """Yield the lines of a text in chunks: one begins before the header of a task and one after its end."""
     start, in_task = 0, False
     for number, line in enumerate(lines):
-        if not _MAY_BE_CUT.match(line) or (number and lines[number - 1].endswith("\\")):
+        if line.lstrip()[:1] not in _FIRST or (number and lines[number - 1].endswith("\\")):
             continue
         if _TASK.match(line):
             if number > start:

@@ -5,15 +5,16 @@ from dataclasses import replace
 from ropsim import icr
 from ropsim.core import Diagnostic
 from ropsim.icr import Need, Type
-from ropsim.language.check import questions
-from ropsim.language.check.program import Checked
+from ropsim.language import questions
 from ropsim.language.check.table import Table
 from ropsim.language.check.types import Type as KnownType
 from ropsim.language.check.types import known
 from ropsim.language.check.world import Variable
+from ropsim.language.checked import Checked
 from ropsim.language.environment import Environment
 from ropsim.program import (
     Known,
+    Local,
     Lowered,
     Places,
     SignalUse,
@@ -33,6 +34,8 @@ from ropsim.query import Database
 
 MAIN = ""
 """Stands for the control statements where others give the name of a task."""
+GIVEN = "given at once"
+"""Input, as `given_at_once` tells it."""
 
 
 def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Program, tuple[Diagnostic, ...]]:
@@ -47,6 +50,7 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
         every = reached(db.ask(lowered, MAIN, guess), lambda name: db.ask(lowered, name, guess))
     axes = axes_of(every.values())
     tasks = {one.task: one for one in every.values()}
+    db.give({(GIVEN, guess): db.ask(given_at_once, guess)})
     for name in (
         *db.ask(questions.order),
         MAIN,
@@ -85,7 +89,8 @@ def variable(db: Database, name: str) -> Type | None:
         kind = known(found.type)
         assert isinstance(kind, KnownType)
         return kind.value
-    return next((one.type for one in db.ask(questions.checked_control).locals if one.name == name), None)
+    own: tuple[Local, ...] = db.read(questions.CONTROL_LOCALS)
+    return next((one.type for one in own if one.name == name), None)
 
 
 def lowered(db: Database, name: str, axes: int | None) -> Lowered:
@@ -111,6 +116,11 @@ def lowered(db: Database, name: str, axes: int | None) -> Lowered:
     return lower_task(names, own if own is not None else environment.tasks[name].task)
 
 
+def procedure_name(db: Database, name: str, axes: int | None) -> str:
+    """Return the name of the procedure of a task."""
+    return db.ask(lowered, name, axes).name
+
+
 def draft(db: Database, name: str, axes: int | None) -> icr.Procedure:
     """Return the procedure in which variables may be read before they have a value."""
     return draft_of(db.ask(lowered, name, axes))
@@ -124,8 +134,8 @@ def given_at_once(db: Database, axes: int | None) -> frozenset[icr.Slot]:
 def summary(db: Database, name: str, axes: int | None) -> icr.Summary:
     """Return what a procedure, and all that it calls, does with variables."""
     one = db.ask(lowered, name, axes)
-    called = {db.ask(lowered, task, axes).name: db.ask(summary, task, axes) for task in one.callees}
-    given = db.ask(given_at_once, axes) if name != MAIN else frozenset()
+    called = {db.ask(procedure_name, task, axes): db.ask(summary, task, axes) for task in one.callees}
+    given: frozenset[icr.Slot] = db.read((GIVEN, axes)) if name != MAIN else frozenset()
     return icr.summary(db.ask(draft, name, axes), called, given)
 
 

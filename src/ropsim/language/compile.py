@@ -5,10 +5,10 @@ from dataclasses import dataclass, field
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import Program as IcrProgram
+from ropsim.language import checked as checker
+from ropsim.language import questions
 from ropsim.language import text as texts
 from ropsim.language.cache import LineCache
-from ropsim.language.check import program as checker
-from ropsim.language.check import questions
 from ropsim.language.check.reached import uncalled, unreached
 from ropsim.language.codes import code_of
 from ropsim.language.division import divided
@@ -18,7 +18,7 @@ from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
-from ropsim.program import Program, SourceMap, check_contracts, recursion
+from ropsim.program import Program, SourceMap, check_contracts, circles, recursion
 from ropsim.query import Database
 
 
@@ -80,8 +80,7 @@ def _lowered(
 ) -> IcrProgram | None:
     """Return the executable form; None where tasks call each other in a circle."""
     program, bodies = checked.program, checked.bodies
-    circles = recursion(program)
-    report.extend(map(places.finding, circles))
+    report.extend(map(places.finding, _circles(checked, db)))
     if report.has_errors:
         return None
     every = (checked.control, *bodies.values())
@@ -96,6 +95,18 @@ def _lowered(
     code, findings = code_of(checked, places, db)
     report.extend(at_names(findings, source))
     return None if report.has_errors else code
+
+
+def _circles(checked: checker.Checked, db: Database) -> tuple[Diagnostic, ...]:
+    """Return a finding for each call that closes a circle."""
+    if any(task.name not in checked.bodies for task in checked.program.tasks):
+        return recursion(checked.program)  # tasks of a library call as well
+    return db.ask(circles_of)
+
+
+def circles_of(db: Database) -> tuple[Diagnostic, ...]:
+    """Return the same for a text whose tasks call no library."""
+    return circles({name: db.ask(questions.calls_of, name) for name in db.read(questions.TASKS)})
 
 
 def _checked(

@@ -1,5 +1,6 @@
 """The structured program (SIR): typed statements in SI units, and its lowering to ICR."""
 
+from ropsim.program.calls import circles as circles
 from ropsim.program.calls import recursion as recursion
 from ropsim.program.contract import check_contracts as check_contracts
 from ropsim.program.diagnostics import LoweringError as LoweringError

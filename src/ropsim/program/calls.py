@@ -1,8 +1,8 @@
 """Who calls whom; recursion is refused."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, Span
 from ropsim.program.diagnostics import RECURSION
 from ropsim.program.program import Program, Task
 from ropsim.program.statements import Call
@@ -11,7 +11,12 @@ from ropsim.program.walk import walk
 
 def recursion(program: Program) -> tuple[Diagnostic, ...]:
     """Return one diagnostic for each call that closes a cycle of calls, with the chain."""
-    return tuple(_cycles({task.name: task for task in program.tasks}))
+    return circles({task.name: tuple((one.task, one.span) for one in _calls(task)) for task in program.tasks})
+
+
+def circles(calls: Mapping[str, Iterable[tuple[str, Span]]]) -> tuple[Diagnostic, ...]:
+    """Return the same of what each task calls and where, by the name of the task."""
+    return tuple(_cycles(calls))
 
 
 def callees_first(tasks: Mapping[str, Task]) -> tuple[str, ...]:
@@ -33,23 +38,23 @@ def callees_first(tasks: Mapping[str, Task]) -> tuple[str, ...]:
     return tuple(order)
 
 
-def _cycles(tasks: dict[str, Task]) -> Iterator[Diagnostic]:
+def _cycles(calls: Mapping[str, Iterable[tuple[str, Span]]]) -> Iterator[Diagnostic]:
     finished: set[str] = set()
-    for root, task in tasks.items():
-        path = {} if root in finished else {root: _calls(task)}
+    for root, first in calls.items():
+        path = {} if root in finished else {root: iter(first)}
         while path:
             name = next(reversed(path))
-            call = next(path[name], None)
-            if call is None:
+            called, span = next(path[name], ("", None))
+            if span is None:
                 finished.add(name)
                 del path[name]
-            elif call.task in path:
+            elif called in path:
                 active = list(path)
-                chain = " -> ".join([*active[active.index(call.task) :], call.task])
-                message = f"task `{call.task}` calls itself: {chain}"
-                yield RECURSION.at(call.span, message, hint="use a loop instead of the call")
-            elif call.task in tasks and call.task not in finished:
-                path[call.task] = _calls(tasks[call.task])
+                chain = " -> ".join([*active[active.index(called) :], called])
+                message = f"task `{called}` calls itself: {chain}"
+                yield RECURSION.at(span, message, hint="use a loop instead of the call")
+            elif called in calls and called not in finished:
+                path[called] = iter(calls[called])
 
 
 def _calls(task: Task) -> Iterator[Call]:

@@ -18,9 +18,9 @@ from ropsim.query.event import Event, Outcome
 P = ParamSpec("P")
 T = TypeVar("T")
 
-MAX_KEPT = 400_000
-"""Answers kept before those of no use lately are given up."""
-KEPT_REVISIONS = 4
+MAX_KEPT = 50_000
+"""Answers kept at least before those of no use lately are given up."""
+KEPT_REVISIONS = 8
 """An answer that nobody asked for during so many changes of inputs is of no use lately."""
 
 _Key = tuple[Hashable, ...]
@@ -28,8 +28,11 @@ _Key = tuple[Hashable, ...]
 
 @dataclass(slots=True)
 class _Input:
+    """An input: its value, the revision in which it came, and which answers were made of it."""
+
     value: object
     changed: int
+    users: set[_Key] = field(default_factory=set)
 
 
 @dataclass(slots=True)
@@ -38,17 +41,23 @@ class _Answer:
 
     Attributes:
         value: its answer.
-        verified: revision in which it was last known to hold.
         changed: revision in which it became what it is.
-        inputs: inputs that it read.
-        answers: questions that it asked, in order.
+        verified: revision in which it was last found to hold.
+        asked: revision in which somebody wanted to know it.
+        inputs: that it was made of.
+        answers: that it was made of, in the order in which they were asked for.
+        users: answers that were made of it.
+        is_doubtful: whether an input has changed since on which it depends, maybe through others.
     """
 
     value: object
-    verified: int
     changed: int
+    verified: int
+    asked: int
     inputs: tuple[Hashable, ...]
     answers: tuple[_Key, ...]
+    users: set[_Key]
+    is_doubtful: bool = False
 
 
 @dataclass(slots=True)
@@ -60,16 +69,21 @@ class _Running:
 
 
 class Database:
-    """Inputs and kept answers. Functions are given the database first and may look at nothing but it.
+    """Inputs and kept answers.
+
+    Functions are given the database first and may look at nothing but it and their arguments. No question may
+    need its own answer.
 
     Attributes:
         revision: how often inputs have changed.
-        events: what was asked since `events` was last cleared; None, as at first, keeps none.
+        events: what was asked since they were last cleared, but for answers that nobody had reason to doubt;
+            None, as at first, keeps none.
     """
 
     def __init__(self, limit: int = MAX_KEPT) -> None:
         self.revision = 1
         self.events: list[Event] | None = None
+        self._least = limit
         self._limit = limit
         self._inputs: dict[Hashable, _Input] = {}
         self._answers: dict[_Key, _Answer] = {}
@@ -89,7 +103,9 @@ class Database:
         if changed:
             self.revision += 1
             for name, value in changed:
-                self._inputs[name] = _Input(value, self.revision)
+                known = self._inputs.setdefault(name, _Input(None, 0))
+                known.value, known.changed = value, self.revision
+                self._doubt(known.users)
         if len(self._answers) > self._limit:
             self._forget()
 
@@ -101,18 +117,29 @@ class Database:
         return found.value if found is not None else None
 
     def ask(self, function: Callable[Concatenate["Database", P], T], *arguments: P.args, **_: P.kwargs) -> T:
-        """Return what a function gives for its arguments, by content the same as if it were called now."""
+        """Return what a function gives for its arguments, the same as if it were called now."""
         key: _Key = (function, *cast(tuple[Hashable, ...], arguments))
         if self._running:
             self._running[-1].answers[key] = None
         found = self._answers.get(key)
-        if found is None or found.verified != self.revision:
+        if found is None or found.is_doubtful:
             found = self._verified(key, found)
+        found.asked = self.revision
         return cast(T, found.value)
+
+    def _doubt(self, users: set[_Key]) -> None:
+        """Let all that depends on something be looked at before it is used again."""
+        work = [users]
+        while work:
+            for key in work.pop():
+                one = self._answers.get(key)
+                if one is not None and not one.is_doubtful:
+                    one.is_doubtful = True
+                    work.append(one.users)
 
     def _verified(self, key: _Key, known: _Answer | None) -> _Answer:
         if known is not None and self._holds(known):
-            known.verified = self.revision
+            known.verified, known.is_doubtful = self.revision, False
             self._note(key, Outcome.REUSED)
             return known
         function = cast(Callable[..., object], key[0])
@@ -124,21 +151,35 @@ class Database:
         is_kept = known is not None and is_same(known.value, value)
         changed = known.changed if known is not None and is_kept else self.revision
         value = known.value if known is not None and is_kept else value
-        found = _Answer(value, self.revision, changed, tuple(looked.inputs), tuple(looked.answers))
+        users = known.users if known is not None else set()
+        inputs, answers = tuple(looked.inputs), tuple(looked.answers)
+        found = _Answer(value, changed, self.revision, self.revision, inputs, answers, users)
         self._answers[key] = found
+        self._connect(key, known, found)
         self._note(key, Outcome.SAME if is_kept else Outcome.RAN)
         return found
 
+    def _connect(self, key: _Key, known: _Answer | None, found: _Answer) -> None:
+        """Let what an answer is made of know that it is, and what it is no longer made of that it is not."""
+        if known is not None:
+            for name in known.inputs:
+                self._inputs[name].users.discard(key)
+            for asked in known.answers:
+                if asked in self._answers:
+                    self._answers[asked].users.discard(key)
+        for name in found.inputs:
+            self._inputs.setdefault(name, _Input(None, 0)).users.add(key)
+        for asked in found.answers:
+            self._answers[asked].users.add(key)
+
     def _holds(self, known: _Answer) -> bool:
-        """Return whether nothing that an answer was made of has changed since it was known to hold."""
+        """Return whether nothing that an answer was made of has changed since it was found to hold."""
         since = known.verified
-        for name in known.inputs:
-            given = self._inputs.get(name)
-            if given is not None and given.changed > since:
-                return False
+        if any(self._inputs[name].changed > since for name in known.inputs):
+            return False
         for key in known.answers:
             one = self._answers.get(key)
-            if one is None or one.verified != self.revision:
+            if one is None or one.is_doubtful:
                 one = self._verified(key, one)
             if one.changed > since:
                 return False
@@ -150,9 +191,19 @@ class Database:
             self.events.append(Event(name, key[1:], outcome))
 
     def _forget(self) -> None:
-        """Give up answers of no use lately, and inputs that were gone before any of the others was known."""
+        """Give up answers of no use lately; what those in use are made of stays."""
         oldest = self.revision - KEPT_REVISIONS
-        self._answers = {key: one for key, one in self._answers.items() if one.verified >= oldest}
-        self._inputs = {
-            name: one for name, one in self._inputs.items() if one.value is not None or one.changed >= oldest
-        }
+        work = [key for key, one in self._answers.items() if one.asked >= oldest]
+        kept: dict[_Key, _Answer] = {}
+        while work:
+            key = work.pop()
+            if key not in kept and key in self._answers:
+                kept[key] = self._answers[key]
+                work += kept[key].answers
+        self._answers = kept
+        for answer in kept.values():
+            answer.users &= kept.keys()
+        for given in self._inputs.values():
+            given.users &= kept.keys()
+        self._inputs = {name: one for name, one in self._inputs.items() if one.value is not None or one.users}
+        self._limit = max(self._least, 2 * len(kept))

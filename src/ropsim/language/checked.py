@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ropsim.core import Diagnostic, Span
-from ropsim.language.check import questions, signatures
+from ropsim.language import questions
 from ropsim.language.check.body import settled
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.world import Variable, World
@@ -52,12 +52,16 @@ def check(units: Units, report: Report, db: Database) -> Checked:
         for one in found:
             report.add(units.map.finding(one))
 
-    tell(db.ask(questions.declared).found)
+    declared = db.ask(questions.declared)
+    tell(declared.found)
     order = db.ask(questions.order)
-    for name in order:
+    db.give({questions.DECLARED: declared, questions.ORDER: order})
+    for name in order:  # callees first, so that no chain of calls becomes a chain of questions
         tell(db.ask(questions.header, name).found)
+    db.give({questions.INFERRED: db.ask(questions.inference)})
     for name in order:
-        db.ask(questions.types, name)  # callees first, so that no chain of calls becomes a chain of questions
+        db.ask(questions.types, name)
+    db.give({questions.JOINT_COUNT: db.ask(questions.joint_count)})
     for name in order:
         called = db.ask(questions.signature, name)
         tell(called.found if called is not None else ())
@@ -67,19 +71,16 @@ def check(units: Units, report: Report, db: Database) -> Checked:
         tell(bodies[name].found)
     control = db.ask(questions.checked_control)
     tell(control.found)
+    db.give({questions.CONTROL_LOCALS: control.locals})
     if not report.has_errors:
         for one in (*bodies.values(), control):
             tell(one.unread)
     if not control.block:
         _report_empty(tuple(units.tasks), units.opener, report)
-    world = db.ask(questions.declared).world
+    world = declared.world
     program = _program(units.tasks, bodies, control, world, db)
-    every = {name: db.ask(questions.signature, name) for name in (*world.environment.tasks, *order)}
-    forms = {
-        name: signatures.form_of(called.signature, world.units)
-        for name, called in every.items()
-        if called is not None
-    }
+    told = ((name, db.ask(questions.form, name)) for name in (*world.environment.tasks, *order))
+    forms = {name: form for name, form in told if form is not None}
     return Checked(program, forms, bodies, control)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, Span
 from ropsim.language.check import declarations, one_body, signatures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.declarations import Declared
@@ -24,6 +24,7 @@ from ropsim.language.check.world import Formal, Signature, Symbol, Variable, Wor
 from ropsim.language.environment import Environment
 from ropsim.language.reading import CALLABLE, Names
 from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
 from ropsim.language.units import CONTROL, Items, of_task
 from ropsim.query import Database
@@ -35,6 +36,16 @@ TASKS = "tasks"
 """Input: names of the tasks of the text, in order."""
 STATEMENTS = "control statements"
 """Input: what stands outside of tasks."""
+DECLARED = "declarations"
+"""Input, as `declared` tells it: where it is the same nothing that depends on it is looked at."""
+ORDER = "order"
+"""Input, as `order` tells it."""
+INFERRED = "inferred types"
+"""Input, as `inference` tells it."""
+CONTROL_LOCALS = "variables of the control statements"
+"""Input, as `checked_control` tells them."""
+JOINT_COUNT = "joint count"
+"""Input, as `joint_count` tells it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,36 +114,41 @@ def _nothing(environment: Environment) -> World:
     return World(environment, system, False, False, "", (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), {}, {})  # noqa: FBT003
 
 
+def _declared(db: Database) -> Declared:
+    found: Declared = db.read(DECLARED)
+    return found
+
+
 def basics(db: Database) -> World:
     """Return what holds for the whole text, without any names."""
-    return replace(db.ask(declared).world, frames={}, tools={}, symbols={})
+    return replace(_declared(db).world, frames={}, tools={}, symbols={})
 
 
 def frame(db: Database, name: str) -> PoseTuple | None:
     """Return a frame."""
-    return db.ask(declared).world.frames.get(name)
+    return _declared(db).world.frames.get(name)
 
 
 def tool(db: Database, name: str) -> PoseTuple | None:
     """Return a tool."""
-    return db.ask(declared).world.tools.get(name)
+    return _declared(db).world.tools.get(name)
 
 
 def declared_symbol(db: Database, name: str) -> Symbol | None:
     """Return what a name is declared as; the type of a variable may be open."""
-    return db.ask(declared).world.symbols.get(name)
+    return _declared(db).world.symbols.get(name)
 
 
 def names_in(db: Database, table: str) -> tuple[str, ...]:
     """Return the names of all `frames`, `tools` or `symbols`."""
-    return tuple(getattr(db.ask(declared).world, table))
+    return tuple(getattr(_declared(db).world, table))
 
 
 def symbol(db: Database, name: str) -> Symbol | None:
     """Return what a name means everywhere; the types of variables are known."""
     found = db.ask(declared_symbol, name)
     if isinstance(found, Variable) and found.type is OPEN:
-        inferred = db.ask(inference)
+        inferred = _inferred(db)
         assert inferred is not None
         return replace(found, type=inferred.variables[name])
     return found
@@ -174,7 +190,7 @@ def order(db: Database) -> tuple[str, ...]:
 
 def ranks(db: Database) -> Mapping[str, int]:
     """Return the place of each task in that order."""
-    return {name: rank for rank, name in enumerate(db.ask(order))}
+    return {name: rank for rank, name in enumerate(db.read(ORDER))}
 
 
 def precedes(db: Database, one: str, other: str) -> bool:
@@ -222,10 +238,10 @@ def is_inferred(db: Database) -> bool:
     That is where a variable of the whole text has no type of its own, and in classic texts where a parameter
     has none.
     """
-    world = db.ask(declared).world
+    world = _declared(db).world
     if any(isinstance(one, Variable) and one.type is OPEN for one in world.symbols.values()):
         return True
-    headers = (db.ask(header, name).signature for name in db.ask(order)) if world.is_classic else ()
+    headers = (db.ask(header, name).signature for name in db.read(ORDER)) if world.is_classic else ()
     return any(formal.type is OPEN for signature in headers for formal in signature.formals)
 
 
@@ -233,12 +249,12 @@ def inference(db: Database) -> Inferred | None:
     """Return what a silent walk through all bodies tells of types; None where each body tells its own."""
     if not db.ask(is_inferred):
         return None
-    world = db.ask(declared).world
+    world = _declared(db).world
     symbols = {name: of_body(one) for name, one in world.symbols.items()}
     environment: Environment = db.read(ENVIRONMENT)
     called = {name: signatures.of_library(one) for name, one in environment.tasks.items()}
     world = replace(world, symbols=symbols, signatures=called)
-    names = db.ask(order)
+    names = db.read(ORDER)
     texts = {name: text for name in names if (text := db.ask(task, name)) is not None}
     for name, text in texts.items():
         if world.is_classic:
@@ -256,9 +272,14 @@ def inference(db: Database) -> Inferred | None:
     return Inferred(found, variables)
 
 
+def _inferred(db: Database) -> Inferred | None:
+    found: Inferred | None = db.read(INFERRED)
+    return found
+
+
 def types(db: Database, name: str) -> Walked:
     """Return the types of a task, or of the control statements by the empty name."""
-    inferred = db.ask(inference)
+    inferred = _inferred(db)
     if inferred is None:
         return db.ask(walked, name) if name else db.ask(walked_control)
     found = inferred.bodies[name]
@@ -280,7 +301,7 @@ def signature(db: Database, name: str) -> Called | None:
         found = db.ask(library, name)
         return Called(found, ()) if found is not None else None
     report = Report(of_task(name))
-    world = replace(_world(db, lambda _: None), joint_count=db.ask(joint_count))
+    world = replace(_world(db, lambda _: None), joint_count=db.read(JOINT_COUNT))
     body = Body(world, report, EXPRESSIONS, None, name)
     start = db.ask(header, name).signature
     kinds = db.ask(types, name).formals
@@ -295,7 +316,7 @@ def joint_count(db: Database) -> int:
     world = db.ask(basics)
     if world.environment.axes or world.joint_count:
         return world.joint_count
-    names = db.ask(order)
+    names = db.read(ORDER)
     told = (db.ask(header, name).joint_count for name in names)
     used = (db.ask(walked_joints, name) for name in (*names, ""))
     return next(filter(None, (*told, *used)), 0)
@@ -321,6 +342,17 @@ def checked(db: Database, name: str) -> Outcome:
     assert text is not None
     assert found is not None
     return one_body.checked_task(_final_world(db), text, found.signature, db.ask(types, name).types)
+
+
+def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
+    """Return the tasks that a task of the text calls, and where."""
+    return db.ask(checked, name).calls
+
+
+def form(db: Database, name: str) -> TaskForm | None:
+    """Return how a task is called, in words of the language."""
+    found = db.ask(signature, name)
+    return signatures.form_of(found.signature, db.ask(basics).units) if found is not None else None
 
 
 def checked_control(db: Database) -> Outcome:
@@ -352,13 +384,13 @@ def _final_world(db: Database) -> World:
         _world(db, lambda name: _signature(db, name)),
         symbols=Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),
         without_result=Marked(lambda name: db.ask(lacks_result, name)),
-        joint_count=db.ask(joint_count),
+        joint_count=db.read(JOINT_COUNT),
     )
 
 
 def _all_tasks(db: Database) -> tuple[str, ...]:
     environment: Environment = db.read(ENVIRONMENT)
-    return tuple(dict.fromkeys((*environment.tasks, *db.ask(order))))
+    return tuple(dict.fromkeys((*environment.tasks, *db.read(ORDER))))
 
 
 def _signature(db: Database, name: str) -> Signature | None:
