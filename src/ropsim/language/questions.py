@@ -18,7 +18,7 @@ from ropsim.language.check.expressions import EXPRESSIONS
 from ropsim.language.check.outcome import Outcome
 from ropsim.language.check.table import Marked, Table
 from ropsim.language.check.tasks import TaskText, callee_first, callees
-from ropsim.language.check.types import OPEN, Type, closed, opened
+from ropsim.language.check.types import Type, Unknown, closed, is_open, is_untold, opened
 from ropsim.language.check.units import UnitSystem
 from ropsim.language.check.world import Formal, Signature, Symbol, Variable, World
 from ropsim.language.environment import Environment
@@ -72,12 +72,14 @@ class Walked:
         types: of all its variables.
         joint_count: how many coordinates `joints(…)` has in it.
         lacks_result: whether it returns a value for which its header has no type.
+        untold: parameters whose types neither header nor body tell.
     """
 
     formals: tuple[Type, ...]
     types: Mapping[str, Type]
     joint_count: int
     lacks_result: bool
+    untold: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +149,7 @@ def names_in(db: Database, table: str) -> tuple[str, ...]:
 def symbol(db: Database, name: str) -> Symbol | None:
     """Return what a name means everywhere; the types of variables are known."""
     found = db.ask(declared_symbol, name)
-    if isinstance(found, Variable) and found.type is OPEN:
+    if isinstance(found, Variable) and is_open(found.type):
         inferred = _inferred(db)
         assert inferred is not None
         return replace(found, type=inferred.variables[name])
@@ -239,10 +241,10 @@ def is_inferred(db: Database) -> bool:
     has none.
     """
     world = _declared(db).world
-    if any(isinstance(one, Variable) and one.type is OPEN for one in world.symbols.values()):
+    if any(isinstance(one, Variable) and is_open(one.type) for one in world.symbols.values()):
         return True
     headers = (db.ask(header, name).signature for name in db.read(ORDER)) if world.is_classic else ()
-    return any(formal.type is OPEN for signature in headers for formal in signature.formals)
+    return any(is_open(formal.type) for signature in headers for formal in signature.formals)
 
 
 def inference(db: Database) -> Inferred | None:
@@ -298,17 +300,20 @@ def signature(db: Database, name: str) -> Called | None:
     """Return how a task of text or library is called, None where there is none of that name."""
     text = db.ask(task, name)
     if text is None:
-        found = db.ask(library, name)
-        return Called(found, ()) if found is not None else None
+        of_library = db.ask(library, name)
+        return Called(of_library, ()) if of_library is not None else None
     report = Report(of_task(name))
     world = replace(_world(db, lambda _: None), joint_count=db.read(JOINT_COUNT))
     body = Body(world, report, EXPRESSIONS, None, name)
     start = db.ask(header, name).signature
     kinds = db.ask(types, name).formals
+    untold = () if db.ask(basics).is_classic else db.ask(untold_of, name)
     try:
-        return Called(signatures.final(body, text, start, kinds), tuple(report.log))
+        found = signatures.final(body, text, start, kinds)
+        signatures.report_untold(body, text, untold)
     except TooManyFindingsError:
-        return Called(_with_types(start, kinds), tuple(report.log))
+        found = _with_types(start, kinds)
+    return Called(replace(found, is_known=found.is_known and not untold), tuple(report.log))
 
 
 def joint_count(db: Database) -> int:
@@ -327,6 +332,11 @@ def walked_joints(db: Database, name: str) -> int:
     return db.ask(types, name).joint_count
 
 
+def untold_of(db: Database, name: str) -> tuple[str, ...]:
+    """Return the parameters of a task whose types it does not tell."""
+    return db.ask(walked, name).untold
+
+
 def lacks_result(db: Database, name: str) -> bool:
     """Return whether a task returns a value for which its header has no type."""
     return db.ask(is_own, name) and db.ask(types, name).lacks_result
@@ -341,7 +351,8 @@ def checked(db: Database, name: str) -> Outcome:
     found = db.ask(signature, name)
     assert text is not None
     assert found is not None
-    return one_body.checked_task(_final_world(db), text, found.signature, db.ask(types, name).types)
+    own = replace(found.signature, is_known=db.ask(header, name).signature.is_known)
+    return one_body.checked_task(_final_world(db), text, own, db.ask(types, name).types)
 
 
 def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
@@ -416,7 +427,10 @@ def _own_signature(db: Database, name: str) -> Signature | None:
     """Return how a task is called by what it tells alone."""
     if not db.ask(is_own, name):
         return db.ask(library, name)
-    return _with_types(db.ask(header, name).signature, db.ask(formals_of, name))
+    found = _with_types(db.ask(header, name).signature, db.ask(formals_of, name))
+    untold = db.ask(untold_of, name)
+    formals = (replace(one, type=Unknown()) if one.name in untold else one for one in found.formals)
+    return replace(found, formals=tuple(formals))
 
 
 def formals_of(db: Database, name: str) -> tuple[Type, ...]:
@@ -441,4 +455,5 @@ def _with_types(found: Signature, kinds: tuple[Type, ...]) -> Signature:
 def _told(body: Body, called: Signature | None) -> Walked:
     formals: tuple[Formal, ...] = called.formals if called is not None else ()
     told = tuple(settled(one.type) for one in formals)
-    return Walked(told, body.types(), body.joint_count, body.lacks_result)
+    untold = tuple(one.name for one in formals if is_untold(one.type))
+    return Walked(told, body.types(), body.joint_count, body.lacks_result, untold)

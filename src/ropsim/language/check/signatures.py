@@ -13,6 +13,7 @@ from ropsim.language.check.world import Formal, Signature
 from ropsim.language.environment import TaskSignature
 from ropsim.language.findings import hidden as hidden_kinds
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.task_form import ParameterForm, TaskForm
@@ -132,6 +133,17 @@ def final(body: Body, task: TaskText, signature: Signature, types: Sequence[Type
         if node is not None:
             formals[k] = replace(formal, default=_default(body, formal.name, node, formal.type))
     return replace(signature, formals=tuple(formals), references=references)
+
+
+def report_untold(body: Body, task: TaskText, untold: Container[str]) -> None:
+    """Report parameters whose types neither header nor body tell."""
+    header = task.header
+    for one in (header.parameters or ()) if header is not None else ():
+        if one.name.text in untold:
+            message = f"nothing in the task tells what `{one.name.text}` is"
+            hint = f"write its type: `{one.name.text}: num`, `: length`, `: loc` …"
+            fix = f"{one.name.text}: num"
+            body.report.at(kinds.NO_TYPE, task.block.opener, one.name, message, hint, fix=fix)
 
 
 def form_of(signature: Signature, units: UnitSystem) -> TaskForm:

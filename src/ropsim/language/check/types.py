@@ -72,10 +72,10 @@ class Unknown:
 
     __slots__ = ("bound", "has_fraction", "has_number")
 
-    def __init__(self) -> None:
+    def __init__(self, *, has_number: bool = False, has_fraction: bool = False) -> None:
         self.bound: Type | Unknown | None = None
-        self.has_fraction = False
-        self.has_number = False
+        self.has_fraction = has_fraction
+        self.has_number = has_number
 
     def root(self) -> "Type | Unknown":
         """Return the known type behind this one, or the cell that stands for it."""
@@ -94,19 +94,34 @@ class Unknown:
 
 AnyType = Type | Unknown
 
-OPEN = Unknown()
-"""Stands, in what is kept between bodies, for a type that only use will tell."""
+_OPEN = {(n, f): Unknown(has_number=n, has_fraction=f) for n in (False, True) for f in (False, True)}
+"""Stand, in what is kept between bodies, for types that only use will tell, by what literals have told."""
+
+
+def is_open(kind: AnyType) -> bool:
+    """Return whether only use will tell a type."""
+    return isinstance(known(kind), Unknown)
+
+
+def is_untold(kind: AnyType) -> bool:
+    """Return whether nothing at all has told a type, not even that it is a number."""
+    found = known(kind)
+    return isinstance(found, Unknown) and not found.has_number
 
 
 def opened(kind: AnyType) -> AnyType:
     """Return a type as one body sees it: where it is open, with a new cell."""
-    return Unknown() if kind is OPEN else kind
+    return (
+        Unknown(has_number=kind.has_number, has_fraction=kind.has_fraction)
+        if isinstance(kind, Unknown)
+        else kind
+    )
 
 
 def closed(kind: AnyType) -> AnyType:
     """Return a type as it is kept between bodies."""
     found = known(kind)
-    return OPEN if isinstance(found, Unknown) else found
+    return _OPEN[found.has_number, found.has_fraction] if isinstance(found, Unknown) else found
 
 
 def article(kind: AnyType) -> str:

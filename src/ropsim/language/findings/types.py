@@ -208,3 +208,23 @@ more than eight minutes, where other controllers wait 500 ms; `speed 0.2` under 
 0.2 m/s or a fifth of what the joints can do was meant. Write the unit behind the number, and nothing is said.
 """,
 )
+NO_TYPE = define(
+    "T339",
+    "parameter-without-type",
+    Severity.ERROR,
+    "nothing tells the type of a parameter",
+    """
+In a modern text a task tells by itself how it is called: a parameter has the type that its header gives, or
+the one that its use in the task tells. What callers pass tells nothing, so that a task means the same whoever
+calls it. A parameter that is only handed on or printed has no such use: write its type into the header.
+
+```
+task note(what)            # error: a number, a length, a location?
+  print what
+endp
+task note(what: length)    # right
+```
+
+In classic texts, as in the papers, callers may tell.
+""",
+)
