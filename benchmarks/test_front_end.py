@@ -7,7 +7,8 @@ import subprocess
 import sys
 from typing import Any
 
-from measuring import Measure
+import pytest
+from measuring import Measure, processor_seconds
 
 import ropsim
 
@@ -39,6 +40,48 @@ def test_compile_10k_lines(benchmark: Any) -> None:
     compiled, time = measure(lambda: ropsim.language.compile(text))
     assert compiled.diagnostics == ()
     measure.figure("lines per second", text.count("\n") / time.median)
+
+
+FLAT = """\
+x{k} = {k} mm * 3 - 20 mm / 2
+lin (100, {k}, 300; rpy 180 0 10) speed 150 mm/s acc 2 m/s2
+if x{k} > 40 mm then print x{k}
+mov (400, 0, x{k})
+"""
+
+
+def flat_program_of(lines: int) -> str:
+    """Return a program of about `lines` lines without tasks."""
+    head = "program large\nunits mm, deg\n"
+    return head + "".join(FLAT.format(k=k + 1) for k in range(lines // FLAT.count("\n")))
+
+
+def processor_time_of_edits(text: str, rounds: int = 5) -> tuple[float, float]:
+    """Return the least processor seconds of compiling a text anew, and after an edit in its middle."""
+    cache = ropsim.language.LineCache()
+    lines = text.split("\n")
+    place = next(k for k in range(len(lines) // 2, len(lines)) if "lin (100" in lines[k])
+    ropsim.language.compile(text, cache=cache)
+    first, second = lines[place], lines[place].replace("300", "301")
+
+    def edited() -> None:
+        lines[place] = second if lines[place] == first else first
+        assert ropsim.language.compile("\n".join(lines), cache=cache).ok
+
+    anew, after = processor_seconds(lambda: ropsim.language.compile(text), edited, rounds=rounds)
+    return anew, after
+
+
+@pytest.mark.parametrize("kind", ["of tasks", "flat"])
+def test_edits_of_10k_lines(benchmark: Any, kind: str) -> None:
+    measure = Measure(benchmark)
+    text = program_of(10_000) if kind == "of tasks" else flat_program_of(10_000)
+    (anew, after), _ = measure(lambda: processor_time_of_edits(text), rounds=1, warmup=0)
+    measure.figure("seconds anew", anew)
+    measure.figure("seconds after an edit", after)
+    measure.figure(
+        "part of the work that an edit costs", after / anew, most=0.05 if kind == "of tasks" else 1.5
+    )
 
 
 LOOP = """\
