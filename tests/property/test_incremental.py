@@ -52,6 +52,8 @@ PIECES = [
     "Lift infeed",
     "tsak Other",
     "reapet 3",
+    "task reapet(n: int)",
+    "task reapet(n)",
     "units cm, deg",
     "strict",
     "classic",

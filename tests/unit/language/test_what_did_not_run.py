@@ -133,3 +133,34 @@ def test_the_types_of_a_modern_task_do_not_come_from_its_callers() -> None:
     editor = Editor()
     editor.edited(TEXT.replace("Count 1\n", "Count 5\nCount 2\n"))
     assert editor.ran("walked") == set()
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "  reapet 3\n    open\n  endr\n",
+        "  needs the gripper to be\n  reapet 3\n",
+        "  open\n  reapet 3\n",
+        "  x = reapet(3)\n",
+    ],
+)
+def test_a_line_is_read_anew_where_its_first_word_becomes_a_task(body: str) -> None:
+    without = f"task T\n{body}endp\n\nT\n"
+    given = f"task reapet(n: int)\n  wait n\nendp\n{without}"
+    cache = language.LineCache()
+    for text in (without, given, without, given):
+        kept = language.compile(text, CELL, "t.task", cache)
+        fresh = language.compile(text, CELL, "t.task")
+        assert kept.diagnostics == fresh.diagnostics
+        assert kept.icr == fresh.icr
+    assert language.compile(without).diagnostics != language.compile(given).diagnostics
+
+
+def test_what_depends_on_a_name_is_found_by_name() -> None:
+    editor = Editor()
+    editor.edited(TEXT.replace("loc bin", "loc box"))
+    assert editor.checked() == {"Fetch"}
+    editor.edited(TEXT)
+    assert editor.checked() == {"Fetch"}
+    editor.edited(f"{TEXT}const part = 3 mm\n")
+    assert editor.checked() == {"Pick"}  # whose parameter hides that constant
