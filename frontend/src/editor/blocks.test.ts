@@ -37,4 +37,9 @@ describe('blocks of a text', () => {
     expect(doc.sliceString(0, fold?.from ?? 0).endsWith('repeat 3')).toBe(true)
     expect(doc.sliceString(fold?.to ?? 0).startsWith('ENDR')).toBe(true)
   })
+
+  it('lets `end` close the innermost block', () => {
+    const short = Text.of(['task a', 'for i = 1 to end', 'if x', 'end', 'end = 3', 'END. # i', 'end'])
+    expect([1, 2, 3].map(line => closingLine(short, line))).toEqual([7, 6, 4])
+  })
 })

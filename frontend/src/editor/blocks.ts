@@ -11,6 +11,8 @@ const CLOSERS: Readonly<Record<string, string>> = {
   endf: 'for',
   endwith: 'with',
 }
+/** Closes the innermost block where nothing else stands on its line. */
+const END = /^\s*end\s*\.?\s*(?:#.*|\/\/.*)?$/i
 const OPENERS = new Set(Object.values(CLOSERS))
 const HEAD = /^\s*(?:\d+\.\s+)?([A-Za-z_]\w*)/
 const ONE_LINE_IF = /\bthen\s+[^\s#/]/i
@@ -19,19 +21,24 @@ function headOf(line: string): string {
   return HEAD.exec(line)?.[1]?.toLowerCase() ?? ''
 }
 
+function opens(head: string, line: string): boolean {
+  return OPENERS.has(head) && !(head === 'if' && ONE_LINE_IF.test(line))
+}
+
 /** Number of the line that closes the block opened on line `number`; null where it opens none. */
 export function closingLine(doc: Text, number: number): number | null {
   const first = doc.line(number).text
   const opener = headOf(first)
-  if (!OPENERS.has(opener) || (opener === 'if' && ONE_LINE_IF.test(first))) return null
-  let depth = 1
+  if (!opens(opener, first)) return null
+  const open = [opener]
   for (let at = number + 1; at <= doc.lines; at += 1) {
     const { text } = doc.line(at)
     const head = headOf(text)
     if (head === 'task' && opener !== 'task') return null
-    if (head === opener && !(head === 'if' && ONE_LINE_IF.test(text))) depth += 1
-    if (CLOSERS[head] === opener) depth -= 1
-    if (depth === 0) return at
+    if (opens(head, text)) open.push(head)
+    else if (END.test(text)) open.pop()
+    else if (open.includes(CLOSERS[head] ?? '')) open.length = open.lastIndexOf(CLOSERS[head] ?? '')
+    if (open.length === 0) return at
   }
   return null
 }

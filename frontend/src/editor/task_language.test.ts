@@ -90,6 +90,12 @@ describe('grammar of task texts', () => {
     ])
   })
 
+  it('takes `end` for a closer where it stands alone', () => {
+    const text = 'task T\n  END. # x\nend = end + 1\nlin q at 4 mm before end do set glue on\nend'
+    expect(errors(text)).toBe(0)
+    expect(nodes(text, 'End', 'VariableName')).toEqual(['End END', 'VariableName end', 'End end'])
+  })
+
   it('goes on after a wrong line', () => {
     expect(nodes('mov ??\ntask T\nendp', 'TaskName')).toEqual(['TaskName T'])
     expect(nodes('mov (1, 2\ntask T\nendp', 'Task', 'StatementWord').at(-1)).toBe('StatementWord endp')

@@ -9,7 +9,7 @@ export const taskLanguage = LRLanguage.define({
   parser: parser.configure({
     props: [
       styleTags({
-        'Task StatementWord CallWord': tags.keyword,
+        'Task StatementWord CallWord End': tags.keyword,
         Word: tags.operatorKeyword,
         Function: tags.standard(tags.function(tags.variableName)),
         'TaskHeader/TaskName': tags.definition(tags.function(tags.variableName)),
@@ -26,7 +26,7 @@ export const taskLanguage = LRLanguage.define({
   languageData: {
     commentTokens: { line: '#' },
     closeBrackets: { brackets: ['(', '[', '"'] },
-    indentOnInput: /^\s*(?:end\w+|until|else|elseif)$/i,
+    indentOnInput: /^\s*(?:end\w*|until|else|elseif)$/i,
   },
 })
 

@@ -1,6 +1,8 @@
 /** Tells the words of the task language apart; words may be written in any case. */
+import { ExternalTokenizer, type InputStream } from '@lezer/lr'
 import {
   CallWord,
+  End,
   Function as FunctionWord,
   StatementWord,
   Task,
@@ -30,3 +32,18 @@ const TERMS = new Map<string, number>([
 export function specializeWord(word: string): number {
   return TERMS.get(word.toLowerCase()) ?? -1
 }
+
+const LINE_FEED = 10
+const LONGEST_COMMENT = 2000
+
+/** Takes `end` where nothing but a full stop or a comment follows it on its line. */
+export const endToken = new ExternalTokenizer((input: InputStream) => {
+  let line = ''
+  for (let at = 0; at < LONGEST_COMMENT; at += 1) {
+    const code = input.peek(at)
+    if (code < 0 || code === LINE_FEED) break
+    line += String.fromCharCode(code)
+    if (at === 2 && line.toLowerCase() !== 'end') return
+  }
+  if (/^end[ \t\r]*\.?[ \t\r]*(?:$|#|\/\/)/i.test(line)) input.acceptToken(End, 3)
+})

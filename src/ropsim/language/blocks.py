@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from ropsim.core import Label, Span
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax.statements import (
@@ -20,13 +21,17 @@ from ropsim.language.syntax.statements import (
     While,
     With,
 )
-from ropsim.language.syntax.words import OPENERS
+from ropsim.language.syntax.words import END, OPENERS
 from ropsim.language.text import Line
 
 MAX_DEPTH = 32
 
+ANY = "block"
+"""What `end` closes: the innermost block, whichever it is."""
+
 _CLOSES: dict[str, str] = {word: opener for opener, words in OPENERS.items() for word in words}
 _MIDDLE = {"else": ("if", "try"), "elseif": ("if",), "catch": ("try",)}
+_ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 _ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
 
 
@@ -58,6 +63,12 @@ class _Open:
     done: list[Section] = field(default_factory=list)
     body: list[Line | Block] = field(default_factory=list)
     cut: list[str] = field(default_factory=list)
+    ended: list[tuple[Line, Line]] = field(default_factory=list)
+    """Openers of the blocks inside that an `end` has closed, each with the line of that `end`."""
+
+    @property
+    def opener(self) -> Line:
+        return self.done[0].header if self.done else self.header
 
     def next_section(self, header: Line) -> None:
         self.done.append(Section(self.header, tuple(self.body)))
@@ -110,21 +121,26 @@ def _open(stack: list[_Open], word: str, line: Line, report: Report) -> None:
 
 
 def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
+    if word == ANY and len(stack) > 1:
+        opener = stack[-1].opener
+        _pop(stack, line)
+        stack[-1].ended.append((opener, line))
+        return
     for depth in range(len(stack) - 1, 0, -1):
         if stack[depth].word == word:
             _close_down_to(stack, depth + 1, report)
             _pop(stack, line)
             return
-    if word in stack[-1].cut:  # its opener was reported as not closed when an outer block ended
-        stack[-1].cut.remove(word)
+    cut = stack[-1].cut
+    if cut and word in (ANY, *cut):  # its opener was reported as not closed when an outer block ended
+        cut.remove(cut[-1] if word == ANY else word)
         return
-    head = line.head
-    report.line(
-        kinds.UNOPENED,
-        line,
-        f"`{head}` closes nothing: no `{word}` is open here",
-        f"remove it, or write the `{word}`",
-    )
+    what = "block" if word == ANY else f"`{word}`"
+    message = f"`{line.head}` closes nothing: no {what} is open here"
+    hint = "remove it" if word == ANY else f"remove it, or write the `{word}`"
+    taken = [pair for pair in stack[-1].ended if word in (ANY, opened(pair[0]))]
+    place = _span(report, line)
+    report.add(kinds.UNOPENED.at(place, message, hint=hint, secondary=_ended_early(report, taken[-1:])))
 
 
 def _next_section(stack: list[_Open], line: Line, report: Report) -> None:
@@ -149,15 +165,43 @@ def _close_down_to(stack: list[_Open], depth: int, report: Report) -> None:
     cut: list[str] = []
     while len(stack) > depth:
         frame = stack[-1]
-        opener = frame.done[0].header if frame.done else frame.header
-        closers = " or ".join(f"`{word}`" for word in OPENERS[frame.word])
-        if not isinstance(opener.statement, Broken):  # that line has its own finding
-            report.line(kinds.UNCLOSED, opener, f"`{frame.word}` is not closed", f"add {closers}")
+        if not isinstance(frame.opener.statement, Broken):  # that line has its own finding
+            _unclosed(frame, report)
         cut.append(frame.word)
         _pop(stack, None)
     stack[-1].cut.extend(word for word in cut if word != "task")
     if depth > 1 and cut:
         stack[-2].cut.extend(cut)
+
+
+def _unclosed(frame: _Open, report: Report) -> None:
+    """Report a block without end; an `end` that stands as far left as its opener was meant for it."""
+    closers = ", ".join(f"`{word}`" for word in OPENERS[frame.word]) + f" or `{END}`"
+    meant = [pair for pair in frame.ended if _indent(pair[1]) <= _indent(frame.opener) < _indent(pair[0])]
+    place = _span(report, frame.opener)
+    labels = _ended_early(report, (meant or frame.ended)[-1:])
+    message = f"`{frame.word}` is not closed"
+    report.add(kinds.UNCLOSED.at(place, message, hint=f"add {closers}", secondary=labels))
+
+
+def _ended_early(report: Report, pairs: Iterable[tuple[Line, Line]]) -> tuple[Label, ...]:
+    """Return which block an `end` has closed, as a label at that line."""
+    return tuple(
+        label
+        for opener, line in pairs
+        for label in (
+            Label(_span(report, line), f"closes the `{opener.head}`"),
+            Label(_span(report, opener), "which begins here"),
+        )
+    )
+
+
+def _span(report: Report, line: Line) -> Span:
+    return line.logical.span(report.source, line.start, line.end)
+
+
+def _indent(line: Line) -> int:
+    return len(line.logical.text) - len(line.logical.text.lstrip())
 
 
 def _pop(stack: list[_Open], closer: Line | None) -> None:
@@ -187,14 +231,15 @@ def opened(line: Line) -> str:
 
 
 def closed(line: Line) -> str:
-    """Return the opener of the block that a line closes, empty for none."""
+    """Return the opener of the block that a line closes, `ANY` for `end`, empty for none."""
     match line.statement:
         case Closer(word=word):
-            return _CLOSES[word]
+            return ANY if word == END else _CLOSES[word]
         case Until():
             return "repeat"
         case Broken(head=head):
-            return _CLOSES.get(head, "")
+            is_end = head == END and not _ASSIGNED.match(line.logical.text)
+            return ANY if is_end else _CLOSES.get(head, "")
     return ""
 
 

@@ -5,13 +5,13 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from ropsim.language.blocks import closed, opened
+from ropsim.language.blocks import ANY, closed, opened
 from ropsim.language.findings import names as kinds
 from ropsim.language.prose import edit_distance
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import LOOP_NAME
 from ropsim.language.syntax.statements import Broken, Call
-from ropsim.language.syntax.words import HEADS, OPENERS
+from ropsim.language.syntax.words import END, HEADS, OPENERS
 from ropsim.language.text import Line
 
 _CLOSES = {word: opener for opener, words in OPENERS.items() for word in words}
@@ -26,6 +26,7 @@ def ends_of(lines: Iterable[Line]) -> Counter[str]:
     read = list(lines)
     ends = Counter(closed(line) for line in read)
     ends.subtract(opened(line) for line in read)
+    del ends[""]
     return ends
 
 
@@ -55,6 +56,8 @@ def mended(lines: Sequence[Line], task_names: Container[str], ends: Counter[str]
             ends[meant] -= 1
         elif meant in _CLOSES:
             ends[_CLOSES[meant]] += 1
+        elif meant == END:
+            ends[ANY] += 1
         message, hint = f"Task not defined: `{word}`", f"did you mean `{meant}`?"
         fault = Fault(kinds.UNKNOWN_TASK, line.start, line.start + len(word), message, hint, meant)
         yield replace(line, statement=Broken(meant, _name(line, meant), line.start, line.end), fault=fault)
@@ -74,8 +77,10 @@ def _foreign(line: Line, task_names: Container[str]) -> str:
 
 def _meant(line: Line, word: str, ends: Counter[str]) -> str:
     """Return the word that was meant, empty where the text does not tell."""
-    words = [one for one in OPENERS if ends[one] > 0]
-    words += [one for one, opener in _CLOSES.items() if ends[opener] < 0]
+    spare = ends[ANY] + sum(min(ends[one], 0) for one in OPENERS)  # of the `end`s that close any block
+    words = [one for one in OPENERS if ends[one] > 0 or spare > 0]
+    words += [one for one, opener in _CLOSES.items() if ends[opener] < 0 and spare < 0]
+    words += [END] if spare < 0 and line.logical.text.strip().lower() == word else ()
     words += _DECLARATIONS if _DECLARED.match(line.logical.text) else ()
     return min(
         (one for one in words if _is_near(word, one)), key=lambda one: edit_distance(word, one), default=""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.core import SourceText, Span
+from ropsim.language.blocks import ANY, closed, opened
 from ropsim.language.cache import LineCache
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
@@ -98,6 +99,7 @@ def outline(source: SourceText, cache: LineCache) -> Outline:
     notes: list[str] = []
     header: Definition | None = None
     last = Span.whole_line(source.name, 1)
+    inner: list[str] = []
     for line in read(source, cache):
         statement = line.statement
         span = line.logical.span(source.name, line.start, line.end)
@@ -107,6 +109,7 @@ def outline(source: SourceText, cache: LineCache) -> Outline:
                 notes = []
             header = _definition(source, line, statement.name, Role.TASK, "")
             definitions.append(header)
+            inner = []
         elif statement is None:
             comment = _COMMENT.match(line.logical.text)
             if header is None:
@@ -118,12 +121,26 @@ def outline(source: SourceText, cache: LineCache) -> Outline:
         task = header.name if header is not None else ""
         definitions += [_definition(source, line, name, role, task) for name, role in _defined(statement)]
         last = span if statement is not None else last
-        if isinstance(statement, syntax.Closer) and statement.word == "endp" and header is not None:
+        if header is not None and _ends_task(line, inner):
             tasks.append(TaskOutline(header, header.span.to(span), tuple(notes)))
             header, notes = None, []
     if header is not None:
         tasks.append(TaskOutline(header, header.span.to(last), tuple(notes)))
     return Outline(tuple(definitions), tuple(tasks))
+
+
+def _ends_task(line: Line, inner: list[str]) -> bool:
+    """Return whether a line ends the task in which it stands; `inner` are the blocks open there."""
+    opener, closes = opened(line), closed(line)
+    if opener and opener != "task":
+        inner.append(opener)
+    elif closes in inner:
+        del inner[len(inner) - 1 - inner[::-1].index(closes) :]
+    elif closes == ANY and inner:
+        inner.pop()
+    else:
+        return closes in ("task", ANY)
+    return False
 
 
 def _definition(source: SourceText, line: Line, name: Name, role: Role, task: str) -> Definition:

@@ -11,15 +11,15 @@ from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.nodes import Binary, External, Function, Item, Member, Name, Rebase, Tuple
 from ropsim.language.syntax.other_languages import HINTS
 from ropsim.language.syntax.statements import (
-    Assign,
     Broken,
     Call,
+    Closer,
     ContractClause,
     Mode,
     ProgramHeader,
     TaskHeader,
 )
-from ropsim.language.syntax.words import HEADS, VERBS
+from ropsim.language.syntax.words import END, HEADS, VERBS
 from ropsim.language.text import Line
 
 _COMMENT = re.compile(r"#|//")
@@ -154,8 +154,8 @@ def _is_prose(line: Line, task_names: Collection[str]) -> bool:
             return head not in HEADS and _ASSIGNED.match(line.logical.text) is None
         case Call(name=name):
             return name.text not in task_names and line.head != "call"
-        case Assign():
-            return False
+        case Closer(word=word):
+            return word == END
     return False
 
 
@@ -186,6 +186,8 @@ def _warned(line: Line, task_names: Collection[str], report: Report) -> bool:
 def _reading(line: Line) -> tuple[Name | None, bool]:
     """Return the first word of a prose line that may be a statement, and whether it can hardly be prose."""
     match line.statement:
+        case Closer(word=word, start=start):
+            return Name(line.logical.text[start : start + len(word)], start, start + len(word)), True
         case Call(name=name, arguments=arguments):
             return name, any(map(_is_computed, arguments))
         case Broken(head=head, start=start) if head and _INSIDE.search(line.logical.text):

@@ -3,12 +3,12 @@
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax.declarations import TYPES
 from ropsim.language.syntax.lexer import UNITS
-from ropsim.language.syntax.words import EXTERNAL, HEADS, MOTION_MODIFIERS, NOT_YET, RESERVED, VIA
+from ropsim.language.syntax.words import END, EXTERNAL, HEADS, MOTION_MODIFIERS, NOT_YET, RESERVED, VIA
 
 _REFUSED_TYPES = frozenset(["frame", "tool", "signal"])
 
-STATEMENT_WORDS = HEADS - NOT_YET
-"""Words that start a statement of this version."""
+STATEMENT_WORDS = (HEADS - NOT_YET) | {END}
+"""Words that start a statement of this version; `end` does so alone only and may be a name elsewhere."""
 
 INNER_WORDS = RESERVED - HEADS
 """Words that stand inside statements and cannot be names."""

@@ -26,6 +26,7 @@ STATEMENTS: dict[str, Word] = {
     "task": Word("task NAME [(parameters)] [-> type] … endp", "A named piece of program with parameters."),
     "needs": Word("needs words", "What the task needs at its start, such as `gripper open`."),
     "assumes": Word("assumes words", "What the task takes for granted, such as `gripper closed`."),
+    "end": Word("end", "Alone on a line: end of the innermost block, whichever it is."),
     "endp": Word("endp", "End of a task."),
     "endtask": Word("endtask", "End of a task; the same as `endp`."),
     "mov": Word("mov [via a, … to] target", "Pose-to-pose motion: all joints start and end together."),

@@ -49,7 +49,7 @@ def written(program: Program) -> str:
         result = f" -> {word(task.result)}" if task.result else ""
         lines.append(f"task {task.name}" + ("" if task.is_classic else f"({parameters})") + result)
         _block(lines, task.body, 1)
-        lines.append("endp")
+        lines.append(_closer(lines, "endp"))
     _block(lines, program.main, 0)
     return "\n".join(lines) + "\n"
 
@@ -75,7 +75,12 @@ def _block(lines: list[str], block: list[Stmt], depth: int) -> None:
             lines.append("  " * depth + f"until {expression(one.parts[-1])}")
             one.lines = (*one.lines, len(lines))
         elif one.op in _CLOSERS:
-            lines.append("  " * depth + _CLOSERS[one.op])
+            lines.append("  " * depth + _closer(lines, _CLOSERS[one.op]))
+
+
+def _closer(lines: list[str], long: str) -> str:
+    """Return the closer of a block: on every other line the short one."""
+    return long if len(lines) % 2 else "end"
 
 
 def _head(one: Stmt) -> str:

@@ -74,12 +74,16 @@ UNCLOSED = define(
     """
 | opener | closer |
 |---|---|
+| any block | `end`, alone on its line |
 | `task` | `endp` or `endtask` |
 | `repeat` | `endr` or `until condition` |
 | `if` (without a statement after `then`) | `endif` |
 | `while` | `endw` |
 | `for`, `for each` | `endf` |
 | `with` | `endwith` |
+
+`end` closes the innermost block that is open. Where one is missing further in, the `end` that was meant
+for this block has closed an inner one; the finding shows it.
 
 The block is closed where the surrounding block ends, so that everything else is still checked.
 """,
@@ -90,7 +94,7 @@ UNOPENED = define(
     Severity.ERROR,
     "the end or the middle of a block without its beginning",
     """
-`endp`, `endr`, `endif`, `endw`, `endf`, `endwith`, `until`, `else` and `elseif` belong to an opener
+`end`, `endp`, `endr`, `endif`, `endw`, `endf`, `endwith`, `until`, `else` and `elseif` belong to an opener
 before them. Here no block of the right kind is open: either the opener is missing or misspelt, or this
 line is one too many.
 """,

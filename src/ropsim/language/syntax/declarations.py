@@ -21,7 +21,7 @@ from ropsim.language.syntax.statements import (
     Units,
     VariableDeclaration,
 )
-from ropsim.language.syntax.words import RESERVED
+from ropsim.language.syntax.words import END, RESERVED
 
 TYPES = (
     "num", "int", "bool", "str", "length", "angle", "time", "speed", "accel", "force", "loc", "joints",
@@ -134,7 +134,7 @@ def pattern(cursor: Cursor, head: Token) -> Statement:
 def task(cursor: Cursor, head: Token) -> Statement:
     """Read `task name [(parameters)] [-> type]`; the name may stand in quotes, as in paper 1."""
     token = cursor.token
-    name = _quoted_name(cursor, token) if token.kind == "text" else cursor.name("a task name")
+    name = _quoted_name(cursor, token) if token.kind == "text" else _plain_name(cursor)
     parameters: tuple[Parameter, ...] | None = None
     if cursor.accept("("):
         listed_parameters: list[Parameter] = []
@@ -148,9 +148,17 @@ def task(cursor: Cursor, head: Token) -> Statement:
     return TaskHeader(name, parameters, result, head.start, cursor.end)
 
 
+def _plain_name(cursor: Cursor) -> Name:
+    if cursor.word == END:
+        cursor.fail(
+            "a task name", f"`{cursor.token.text}` alone on a line closes a block and cannot name a task"
+        )
+    return cursor.name("a task name")
+
+
 def _quoted_name(cursor: Cursor, token: Token) -> Name:
     text = text_value(token.text)
-    if not (text.isascii() and text.isidentifier()) or text.lower() in RESERVED:
+    if not (text.isascii() and text.isidentifier()) or text.lower() in {*RESERVED, END}:
         cursor.fail("a task name of letters, digits and `_` that is no word of the language")
     cursor.advance()
     return Name(text, token.start, token.end)

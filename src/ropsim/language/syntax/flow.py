@@ -26,7 +26,7 @@ from ropsim.language.syntax.statements import (
 
 
 def closer(cursor: Cursor, head: Token) -> Statement:
-    """Read `endp` and its like."""
+    """Read `endp` and its like, or `end` alone."""
     return Closer("endp" if head.word == "endtask" else head.word, head.start, cursor.end)
 
 

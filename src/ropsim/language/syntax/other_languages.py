@@ -14,7 +14,10 @@ _WAIT_UNTIL = "inputs are read by name: write `wait until NAME`"
 _WAIT_TIME = "a wait says its time with a unit: write `wait 0.5 s`"
 
 _TASK = "a task begins with `task Name(parameter: type)` and ends with `endp`"
-_CLOSER = "each block has its own end: `endif`, `endw`, `endr`, `endf`, `endwith`, `endp`"
+_CLOSER = (
+    "a block ends with `end` alone on its line, or with an end of its own: "
+    "`endif`, `endw`, `endr`, `endf`, `endwith`, `endp`"
+)
 _LOOP = "loops are `repeat 3 … endr`, `while … endw`, `for i = 1 to 3 … endf`; `repeat` alone has no end"
 _CHOICE = "write `if … elseif … else … endif`"
 _STOP = "the end of a program is `stop`, the way out of a task `return`, out of a loop `break`"

@@ -28,7 +28,7 @@ from ropsim.language.syntax.statements import (
     WaitCondition,
     WaitTime,
 )
-from ropsim.language.syntax.words import NOT_YET, RESERVED, VERBS
+from ropsim.language.syntax.words import END, NOT_YET, RESERVED, VERBS
 
 _SIMPLE = (
     Motion, Gripper, Load, SetSignal, SetMode, WaitTime, WaitCondition, Jump, Return, Stop, Print, Call,
@@ -60,6 +60,8 @@ def statement(cursor: Cursor) -> Statement:
             )
         cursor.advance()
         return reader(cursor, token)
+    if token.word == END and cursor.look(1).kind == "end":
+        return flow.closer(cursor, cursor.advance())
     if token.word in NOT_YET:
         cursor.not_yet(token, token.word)
     if token.word in RESERVED:

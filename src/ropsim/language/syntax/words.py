@@ -100,6 +100,9 @@ RESERVED = HEADS | frozenset(
 )
 """Words that cannot be names."""
 
+END = "end"
+"""Alone on a line it closes the innermost block; elsewhere it may be a name, but not that of a task."""
+
 VIA = "via"
 """Stands before the points on the way of a motion; elsewhere it may be a name."""
 

@@ -17,7 +17,7 @@ class Broken:
 
 @dataclass(frozen=True, slots=True)
 class Closer:
-    """`endp endr endif endw endf endwith`."""
+    """`end`, or a closer of one kind of block: `endp endr endif endw endf endwith`."""
 
     word: str
     start: int
