@@ -46,6 +46,7 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _new(commands)
     _check(commands)
+    _fmt(commands)
     _run(commands)
     _calibrate(commands)
     _icr(commands)
@@ -92,6 +93,25 @@ def _check(commands: Commands) -> None:
         "Nothing is simulated.",
     )
     parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or a .task or .icr file")
+
+
+def _fmt(commands: Commands) -> None:
+    parser = _command(
+        commands,
+        "fmt",
+        "fmt:fmt",
+        "write task programs in their form",
+        "Indentation, blanks and the case of words change, never the meaning; wrong lines stay as they are.",
+    )
+    parser.add_argument(
+        "paths",
+        metavar="PATH",
+        nargs="*",
+        default=["."],
+        help=".task files or project folders (default: this folder); - for standard input",
+    )
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 where one would change")
+    parser.add_argument("--diff", action="store_true", help="write nothing; print what would change")
 
 
 def _run(commands: Commands) -> None:

@@ -6,6 +6,7 @@ from ropsim.language.compile import compile as compile
 from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature
+from ropsim.language.form import formatted as formatted
 from ropsim.language.outline import Definition as Definition
 from ropsim.language.outline import Outline as Outline
 from ropsim.language.outline import Role as Role

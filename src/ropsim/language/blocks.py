@@ -105,7 +105,7 @@ def build(lines: Iterable[Line], report: Report, cut: tuple[str, ...] = ()) -> T
             _open(stack, opener, line, report)
         elif closes:
             _close(stack, closes, line, report)
-        elif _middle(line):
+        elif middle(line):
             _next_section(stack, line, report)
         else:
             stack[-1].body.append(line)
@@ -144,7 +144,7 @@ def _close(stack: list[_Open], word: str, line: Line, report: Report) -> None:
 
 
 def _next_section(stack: list[_Open], line: Line, report: Report) -> None:
-    allowed = _MIDDLE[line.head]
+    allowed = middle(line)
     for depth in range(len(stack) - 1, 0, -1):
         if stack[depth].word in allowed:
             _close_down_to(stack, depth + 1, report)
@@ -243,10 +243,9 @@ def closed(line: Line) -> str:
     return ""
 
 
-def _middle(line: Line) -> bool:
+def middle(line: Line) -> tuple[str, ...]:
+    """Return the openers of the blocks that a line may divide, as `else` does; empty for none."""
     match line.statement:
-        case Else() | ElseIf():
-            return True
-        case Broken(head=head):
-            return head in _MIDDLE
-    return False
+        case Else() | ElseIf() | Broken():
+            return _MIDDLE.get(line.head, ())
+    return ()

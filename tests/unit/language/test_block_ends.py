@@ -97,6 +97,11 @@ def test_a_misspelt_end_or_beginning_is_one_finding(text: str, code: str, word: 
     assert f"`{word}`" in finding.hint
 
 
+def test_a_parenthesis_left_open_does_not_take_in_an_end() -> None:
+    finding = only("program p\nrepeat 2\n  mov (1, 2, 3\nend\nmov home\n")
+    assert (finding.code, finding.span and finding.span.line) == ("L101", 3)
+
+
 def test_prose_of_a_classic_text_may_hold_the_word() -> None:
     text = "task T\n  needs gripper open at the\n  end\n  of the line.\n  mov home\nendp\nT\n"
     assert "L112" in codes(text)

@@ -12,7 +12,8 @@ from ropsim.language.syntax.statements import Broken, ContractClause, Statement
 MAX_LENGTH = 2000
 
 _CONTRACT = re.compile(r"\s*(needs|assumes)\b", re.IGNORECASE)
-_ORDINAL = re.compile(r"\s*\d+\.\s+(?=task\b)", re.IGNORECASE)
+ORDINAL = re.compile(r"\s*\d+\.\s+(?=task\b)", re.IGNORECASE)
+"""The number before a task in listing style."""
 _HEAD = re.compile(
     r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)\s*(?:each\s+)?\"?([A-Za-z_]\w*)?", re.ASCII | re.IGNORECASE
 )
@@ -47,7 +48,7 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
 
 
 def _read(line: str) -> Statement | None:
-    ordinal = _ORDINAL.match(line)
+    ordinal = ORDINAL.match(line)
     found = tokens(" " * ordinal.end() + line[ordinal.end() :] if ordinal else line)
     if found and found[-1].word == ".":
         found.pop()

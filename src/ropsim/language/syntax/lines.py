@@ -11,6 +11,7 @@ MAX_JOINED = 20
 
 _BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|\#.*|//.*|[()\[\]]')
 _HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)(.?)")
+_END = re.compile(r"\s*end\s*\.?\s*(?:#|//|$)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +46,7 @@ def logical_lines(source: SourceText) -> Iterator[LogicalLine]:
     """Yield all logical lines, empty ones included.
 
     A line with an open parenthesis goes on in the next ones, but never into a line that starts with a
-    statement word: a forgotten parenthesis spoils its own line and no other.
+    statement word or is `end` alone: a forgotten parenthesis spoils its own line and no other.
     """
     lines = source.lines
     number = 0
@@ -71,7 +72,7 @@ def _goes_on(joined: list[str], following: str) -> bool:
     for text in joined:
         for mark in _BRACKETS.findall(text):
             depth += (mark in "([") - (mark in ")]")
-    if depth <= 0 or not following.strip():
+    if depth <= 0 or not following.strip() or _END.match(following):
         return False
     head = _HEAD.match(following)
     return head is None or head.group(1).lower() not in HEADS
