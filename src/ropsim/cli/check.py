@@ -3,6 +3,7 @@
 import argparse
 
 from ropsim.cli.output import Output
+from ropsim.cli.watch import watch
 from ropsim.records import diagnostic_document
 from ropsim.views import count_text
 from ropsim.workbench import open_project
@@ -10,6 +11,8 @@ from ropsim.workbench import open_project
 
 def check(options: argparse.Namespace, output: Output) -> int:
     """Compile every program of a project and return the exit code."""
+    if options.watch:
+        return watch(options, output)
     project = open_project(options.path)
     compiled = project.compile()
     code = output.findings(compiled.diagnostics, project.texts)

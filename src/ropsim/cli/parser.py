@@ -93,6 +93,9 @@ def _check(commands: Commands) -> None:
         "Nothing is simulated.",
     )
     parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or a .task or .icr file")
+    parser.add_argument(
+        "--watch", action="store_true", help="check again whenever a file changes, until Ctrl+C"
+    )
 
 
 def _fmt(commands: Commands) -> None:
