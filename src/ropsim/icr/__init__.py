@@ -5,6 +5,7 @@ from ropsim.icr.dry_run import DryRun as DryRun
 from ropsim.icr.dry_run import run as run
 from ropsim.icr.errors import AssemblyError as AssemblyError
 from ropsim.icr.errors import UnverifiedError as UnverifiedError
+from ropsim.icr.identity import program_id as program_id
 from ropsim.icr.location import Location as Location
 from ropsim.icr.location import composed as composed
 from ropsim.icr.location import external_part as external_part
@@ -48,4 +49,3 @@ from ropsim.icr.verifier import verify as verify
 from ropsim.icr.world import StillWorld as StillWorld
 from ropsim.icr.world import World as World
 from ropsim.icr.writer import disassemble as disassemble
-from ropsim.icr.writer import program_id as program_id

@@ -1,14 +1,9 @@
-"""Program -> canonical ICR text, and the identity of a program."""
-
-import hashlib
-from dataclasses import replace
+"""Program -> canonical ICR text."""
 
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.operands import written_operand
-from ropsim.icr.program import Procedure, Program, Step, Variable
+from ropsim.icr.program import Procedure, Program, Step
 from ropsim.icr.tokens import named, quoted
-
-_VARIABLES = frozenset(word for word, opcode in OPCODES.items() if opcode.operands == (OperandKind.VARIABLE,))
 
 
 def disassemble(program: Program) -> str:
@@ -31,39 +26,6 @@ def disassemble(program: Program) -> str:
     for procedure in program.procedures:
         records += _procedure(procedure)
     return "\n".join(records) + "\n"
-
-
-def program_id(program: Program) -> str:
-    """Return the SHA-256 of the canonical text without source lines: what makes two programs the same.
-
-    Local variables count by their place in the procedure, not by name.
-    """
-    bare = tuple(_by_place(procedure) for procedure in program.procedures)
-    return hashlib.sha256(
-        disassemble(replace(program, procedures=bare, source="")).encode("ascii", "backslashreplace")
-    ).hexdigest()
-
-
-def _by_place(procedure: Procedure) -> Procedure:
-    """Return a procedure without source lines whose variables are called by their numbers."""
-    names = {name: f"{number}." for name, number in procedure.numbers.items()}  # no global one is called so
-
-    def renamed(variables: tuple[Variable, ...]) -> tuple[Variable, ...]:
-        return tuple(Variable(names[one.name], one.type) for one in variables)
-
-    code = tuple(
-        Step(step.mnemonic, (names.get(step.operands[0], step.operands[0]),))
-        if step.mnemonic in _VARIABLES and len(step.operands) == 1 and isinstance(step.operands[0], str)
-        else step
-        for step in procedure.code
-    )
-    return replace(
-        procedure,
-        parameters=renamed(procedure.parameters),
-        locals=renamed(procedure.locals),
-        code=code,
-        lines=(),
-    )
 
 
 def _numbers(values: tuple[float, ...]) -> str:
