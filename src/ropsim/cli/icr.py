@@ -1,12 +1,12 @@
-"""`ropsim icr`: compile, verify and run the neutral robot program."""
+"""`ropsim icr`: compile, verify and run the neutral robot program, and its two forms."""
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from ropsim import icr
 from ropsim.cli.output import Output, cannot_write
-from ropsim.core import Diagnostic, replace_file
+from ropsim.core import Diagnostic, SourceText, replace_file
 from ropsim.flow import (
     GripInstruction,
     Instruction,
@@ -17,29 +17,54 @@ from ropsim.flow import (
 )
 from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose, quaternion
-from ropsim.workbench import CompiledProgram, Project, ProjectError, open_project
+from ropsim.userfiles import read_program_file
+from ropsim.workbench import CompiledProgram, ProjectError, open_project
+
+_BINARY = ".icb"
+"""Ending of binary programs."""
 
 
 def compile_(options: argparse.Namespace, output: Output) -> int:
     """Print or write the ICR of a task program."""
-    project, compiled = _open(options.path)
-    code = _report(project, compiled.diagnostics, output)
+    texts, compiled = _open(options.path)
+    code = output.findings(compiled.diagnostics, texts)
     text = icr.disassemble(compiled.icr) if compiled.icr is not None and code == 0 else ""
     if text and options.output:
-        try:
-            replace_file(Path(options.output), text.encode())
-        except OSError as error:
-            raise ProjectError(cannot_write(options.output, error)) from error
+        _write(options.output, text.encode())
     elif text:
         output.text(text.rstrip())
     output.document({"ok": code == 0, "icr": text, **diagnostic_document(compiled.diagnostics)})
     return code
 
 
+def asm(options: argparse.Namespace, output: Output) -> int:
+    """Write the binary form of a program."""
+    texts, compiled = _open(options.path)
+    code = output.findings(compiled.diagnostics, texts)
+    content, identity = b"", ""
+    found = compiled.diagnostics
+    if code == 0 and compiled.icr is not None:
+        try:
+            content, identity = icr.encoded(compiled.icr), icr.program_id(compiled.icr)
+        except icr.UnverifiedError as error:
+            found = (*found, *error.diagnostics)
+            code = output.findings(error.diagnostics, texts)
+    if content:
+        _write(options.output, content)
+        output.text(f"wrote {options.output}: {len(content)} bytes, id {identity}")
+    output.document({"ok": code == 0, "id": identity, "bytes": len(content), **diagnostic_document(found)})
+    return code
+
+
+def dis(options: argparse.Namespace, output: Output) -> int:
+    """Print or write the text of a binary program."""
+    return compile_(options, output)
+
+
 def verify(options: argparse.Namespace, output: Output) -> int:
     """Verify a program against rules V1 to V9."""
-    project, compiled = _open(options.path)
-    code = _report(project, compiled.diagnostics, output)
+    texts, compiled = _open(options.path)
+    code = output.findings(compiled.diagnostics, texts)
     identity = ""
     if code == 0 and compiled.icr is not None:
         identity = icr.program_id(compiled.icr)
@@ -50,8 +75,8 @@ def verify(options: argparse.Namespace, output: Output) -> int:
 
 def run(options: argparse.Namespace, output: Output) -> int:
     """Execute a program without a robot and print the instructions in order."""
-    project, compiled = _open(options.path)
-    code = _report(project, compiled.diagnostics, output)
+    texts, compiled = _open(options.path)
+    code = output.findings(compiled.diagnostics, texts)
     if code or compiled.icr is None:
         output.document({"ok": False, **diagnostic_document(compiled.diagnostics)})
         return 1
@@ -60,7 +85,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     output.text("\n".join([" line pass  instruction", *lines]))
     output.text(f"{len(trace.moves)} moves, {len(trace.grips)} gripper actions; {trace.steps} machine steps")
     traps: tuple[Diagnostic, ...] = (trace.trap,) if trace.trap else ()
-    code = _report(project, traps, output)
+    code = output.findings(traps, texts)
     output.document(
         {"ok": code == 0, "instructions": lines, "steps": trace.steps, **diagnostic_document(traps)}
     )
@@ -129,10 +154,26 @@ def _place_text(pose: Pose) -> str:
     return f"x {x:.3f} y {y:.3f} z {z:.3f}"
 
 
-def _open(path: str) -> tuple[Project, CompiledProgram]:
+def _open(path: str) -> tuple[Mapping[str, SourceText], CompiledProgram]:
+    """Return the texts of a project and its program; a binary program has none."""
+    if path.endswith(_BINARY) and Path(path).exists():
+        return {}, _read_binary(path)
     project = open_project(path)
-    return project, project.program()
+    return project.texts, project.program()
 
 
-def _report(project: Project, found: tuple[Diagnostic, ...], output: Output) -> int:
-    return output.findings(found, project.texts)
+def _read_binary(path: str) -> CompiledProgram:
+    content, found = read_program_file(Path(path), path)
+    program = None
+    if content is not None:
+        program, found = icr.read_binary(content, path)
+    if program is not None:
+        found = icr.verify(program)
+    return CompiledProgram(SourceText(path, ""), None, program, found)
+
+
+def _write(path: str, content: bytes) -> None:
+    try:
+        replace_file(Path(path), content)
+    except OSError as error:
+        raise ProjectError(cannot_write(path, error)) from error

@@ -21,7 +21,7 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 
 
 _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
-_PROGRAM = "a .task or .icr file, or a project: its program"
+_PROGRAM = "a .task, .icr or .icb file, or a project: its program"
 _ROBOT = "name of a robot, see `ropsim robot list`"
 
 
@@ -173,6 +173,12 @@ def _icr(commands: Commands) -> None:
     compile_ = _command(actions, "compile", "icr:compile_", "print the ICR of a task program")
     compile_.add_argument("path", metavar="FILE.task", help=_PROGRAM)
     compile_.add_argument("-o", "--output", metavar="FILE.icr", help="write to a file instead")
+    asm = _command(actions, "asm", "icr:asm", "write the binary form of a program")
+    asm.add_argument("path", metavar="FILE", help=_PROGRAM)
+    asm.add_argument("-o", "--output", metavar="FILE.icb", required=True, help="file to write")
+    dis = _command(actions, "dis", "icr:dis", "print the text of a binary program")
+    dis.add_argument("path", metavar="FILE.icb", help="a binary program")
+    dis.add_argument("-o", "--output", metavar="FILE.icr", help="write to a file instead")
     verify = _command(actions, "verify", "icr:verify", "check an ICR program against rules V1 to V9")
     verify.add_argument("path", metavar="FILE", help=_PROGRAM)
     run = _command(

@@ -1,5 +1,7 @@
 """ICR 1.0, the neutral robot program: text form, verifier and stack machine."""
 
+from ropsim.icr.binary import encoded as encoded
+from ropsim.icr.binary import read_binary as read_binary
 from ropsim.icr.computing import computed as computed
 from ropsim.icr.dry_run import DryRun as DryRun
 from ropsim.icr.dry_run import run as run

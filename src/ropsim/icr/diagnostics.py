@@ -1,4 +1,4 @@
-"""Kinds of diagnostics about ICR text (I401 to I409) and its static rules V1 to V9 (I410 to I449)."""
+"""Kinds of diagnostics about the forms of ICR (I401 to I409) and its static rules V1 to V9 (I410 to I449)."""
 
 from ropsim.core import Severity, define
 
@@ -45,6 +45,37 @@ TOO_MANY_FAULTS = define(
     """
 The text has so many wrong lines that it is probably no ICR program. Reading stopped; the lines below were not
 looked at. Check that the right file was given.
+""",
+)
+BINARY_DAMAGED = define(
+    "I405",
+    "icr-binary-damaged",
+    _ERROR,
+    "a file is no binary ICR program, or is damaged",
+    """
+Binary ICR begins with the four bytes `ICB` and 0 and ends with the SHA-256 of all bytes before. Where one bit
+has changed on the way, where the file is cut short, or where a number in it leads nowhere, nothing of it is
+taken. Get the file again, or make it anew with `ropsim icr asm`.
+""",
+)
+BINARY_OTHER_FORM = define(
+    "I406",
+    "icr-binary-other-form",
+    _ERROR,
+    "binary ICR that is not written in its one form",
+    """
+A program has one binary form, so that equal programs have equal files: numbers in as few bytes as they need,
+sections in their order and only where they say something, each name once. This file says a program in another
+way. Make it anew with `ropsim icr asm`.
+""",
+)
+NAME_TOO_LONG = define(
+    "I407",
+    "icr-name-too-long",
+    _ERROR,
+    "a name is too long for the binary form",
+    """
+Names of variables, channels, frames, tools, procedures and postures have at most 255 bytes in binary ICR.
 """,
 )
 HEADER_WRONG = define(

@@ -12,6 +12,7 @@ from ropsim.userfiles.recent_projects import recent_projects as recent_projects
 from ropsim.userfiles.recent_projects import remember_project as remember_project
 from ropsim.userfiles.text_diagnostics import UNREADABLE as UNREADABLE
 from ropsim.userfiles.text_file import missing_file as missing_file
+from ropsim.userfiles.text_file import read_program_file as read_program_file
 from ropsim.userfiles.text_file import read_text_file as read_text_file
 from ropsim.userfiles.trust import Trust as Trust
 from ropsim.userfiles.trust import inert_code as inert_code

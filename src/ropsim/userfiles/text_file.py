@@ -12,6 +12,22 @@ LARGEST = 5_000_000
 
 def read_text_file(path: Path, name: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
     """Return the text of a file under the name that messages use, or why it cannot be read."""
+    content, findings = read_program_file(path, name)
+    if content is None:
+        return None, findings
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        message = (
+            f"byte {error.start + 1} (line {line}) of `{name}` is no UTF-8: 0x{content[error.start]:02x}"
+        )
+        return None, (UNREADABLE.at(None, message, hint="save the file as UTF-8 text"),)
+    return SourceText(name, text), ()
+
+
+def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagnostic, ...]]:
+    """Return the bytes of a file that holds a program, or why it cannot be read."""
     try:
         facts = path.stat()
         if not stat.S_ISREG(facts.st_mode):
@@ -23,20 +39,11 @@ def read_text_file(path: Path, name: str) -> tuple[SourceText | None, tuple[Diag
                 f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB are read as a program"
             )
             return None, (TOO_LARGE.at(None, message, hint="is this a program?", data={"bytes": size}),)
-        content = read_bytes(path)
+        return read_bytes(path), ()
     except FileNotFoundError:
         return None, (missing_file(path, name),)
     except OSError as error:
         return None, (UNREADABLE.at(None, f"`{name}` cannot be opened: {error.strerror or error}"),)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        message = (
-            f"byte {error.start + 1} (line {line}) of `{name}` is no UTF-8: 0x{content[error.start]:02x}"
-        )
-        return None, (UNREADABLE.at(None, message, hint="save the file as UTF-8 text"),)
-    return SourceText(name, text), ()
 
 
 def missing_file(path: Path, name: str) -> Diagnostic:

@@ -2,10 +2,17 @@
 
 from collections.abc import Mapping
 
-from support.fuzzing import meshes, recordings, server, texts, traces
+from support.fuzzing import binaries, meshes, recordings, server, texts, traces
 from support.fuzzing.target import Target
 
 TARGETS: Mapping[str, Target] = {
     one.name: one
-    for one in (*meshes.TARGETS, *texts.TARGETS, *recordings.TARGETS, *server.TARGETS, *traces.TARGETS)
+    for one in (
+        *meshes.TARGETS,
+        *texts.TARGETS,
+        *binaries.TARGETS,
+        *recordings.TARGETS,
+        *server.TARGETS,
+        *traces.TARGETS,
+    )
 }
