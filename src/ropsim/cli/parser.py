@@ -48,6 +48,7 @@ def build_parser() -> argparse.ArgumentParser:
     _check(commands)
     _fmt(commands)
     _run(commands)
+    _repl(commands)
     _calibrate(commands)
     _icr(commands)
     _robot(commands)
@@ -143,6 +144,22 @@ def _run(commands: Commands) -> None:
         help="also run with one change, may stand several times: "
         "speed=120%%, acceleration=80%%, payload=3kg, tool=2kg, zones=stop, zones=each",
     )
+
+
+def _repl(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "repl",
+        help="tell the simulated robot of a project one command after the other",
+        description="Tell the simulated robot of a project one command after the other. `help` lists what is "
+        "no statement of the task language.",
+    )
+    parser.add_argument(
+        "path", metavar="PROJECT", nargs="?", default=".", help="project folder (default: this folder)"
+    )
+    parser.add_argument(
+        "--kinematic", action="store_true", help="without drives and dynamics: the arm follows exactly"
+    )
+    parser.set_defaults(command=_lazy("repl:repl"), json=False)
 
 
 def _calibrate(commands: Commands) -> None:

@@ -13,6 +13,8 @@ from ropsim.language.outline import Role as Role
 from ropsim.language.outline import TaskOutline as TaskOutline
 from ropsim.language.outline import outline as outline
 from ropsim.language.places import named_at as named_at
+from ropsim.language.prelude import goes_on as goes_on
+from ropsim.language.prelude import prelude as prelude
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
 from ropsim.language.vocabulary import BEHIND_TARGETS as BEHIND_TARGETS

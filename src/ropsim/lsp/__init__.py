@@ -1,5 +1,8 @@
 """The language server: findings, completion and hover for programs and cell files, on standard streams."""
 
+from ropsim.lsp.completion import completions as completions
+from ropsim.lsp.document import Document as Document
+from ropsim.lsp.protocol import Position as Position
 from ropsim.lsp.server import answer as answer
 from ropsim.lsp.server import settle as settle
 from ropsim.lsp.state import State as State

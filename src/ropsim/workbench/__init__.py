@@ -19,6 +19,12 @@ from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
+from ropsim.workbench.session import Answer as Answer
+from ropsim.workbench.session import Session as Session
+from ropsim.workbench.session import as_program as as_program
+from ropsim.workbench.session import begin_session as begin_session
+from ropsim.workbench.session import taken_back as taken_back
+from ropsim.workbench.session import told as told
 from ropsim.workbench.what_if import Change as Change
 from ropsim.workbench.what_if import Subject as Subject
 from ropsim.workbench.what_if import WhatIfError as WhatIfError

@@ -1,0 +1,88 @@
+"""Lines as they are typed: with history and completion where the terminal has them, plain from a pipe."""
+
+import contextlib
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from ropsim.lsp import Document, Position, Workshop, completions
+from ropsim.userfiles import state_folder
+
+LONGEST_HISTORY = 1000
+"""Lines that are kept between two sessions."""
+
+
+class LineEditor:
+    """Reads lines from standard input.
+
+    Args:
+        text: returns the text that the next line continues, for completion.
+        place: file that such a text would have; the project around it gives names.
+
+    Attributes:
+        is_typed: whether somebody types, on a terminal.
+    """
+
+    def __init__(self, text: Callable[[], str], place: Path) -> None:
+        self._text = text
+        self._place = place
+        self._workshop = Workshop()
+        self._found: list[str] = []
+        self.is_typed = sys.stdin.isatty() and sys.stdout.isatty()
+        if self.is_typed:
+            self._prepare()
+
+    def line(self, prompt: str) -> str | None:
+        """Return the next line, None at the end of the input."""
+        try:
+            if self.is_typed:
+                return input(prompt)
+            line = sys.stdin.readline()
+        except (EOFError, UnicodeDecodeError):
+            return None
+        return line.rstrip("\r\n") if line else None
+
+    def keep_history(self) -> None:
+        """Keep what was typed for the next session, where that can be done."""
+        if self.is_typed:
+            with contextlib.suppress(ImportError, OSError):
+                import readline
+
+                path = _history()
+                path.parent.mkdir(parents=True, exist_ok=True)
+                readline.set_history_length(LONGEST_HISTORY)
+                readline.write_history_file(path)
+
+    def offered(self, line: str) -> list[str]:
+        """Return what can stand where a line ends, as far as it begins like the word there."""
+        text = f"{self._text()}\n{line}"
+        number = text.count("\n")
+        document = Document(self._place.absolute().as_uri(), 0, text)
+        found = completions(
+            document, Position(number, len(line.encode("utf-16-le")) // 2), {}, self._workshop
+        )
+        labels = sorted({str(one["label"]) for one in found})
+        begun = line[len(line.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")) :]
+        return [label for label in labels if label.lower().startswith(begun.lower())]
+
+    def _prepare(self) -> None:
+        try:
+            import readline
+        except ImportError:  # Windows has none; lines can be typed all the same
+            return
+        readline.set_completer(self._complete)
+        readline.parse_and_bind("tab: complete")
+        with contextlib.suppress(OSError):
+            readline.read_history_file(_history())
+
+    def _complete(self, begun: str, number: int) -> str | None:
+        import readline
+
+        if number == 0:
+            self._found = [*self.offered(readline.get_line_buffer()[: readline.get_endidx()])]
+        del begun
+        return self._found[number] if number < len(self._found) else None
+
+
+def _history() -> Path:
+    return state_folder() / "repl_history"

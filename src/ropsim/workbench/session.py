@@ -1,0 +1,159 @@
+"""A robot told one command after the other: each is compiled and carried out at once."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from ropsim import language
+from ropsim.core import Diagnostic, Severity, SourceText, Span
+from ropsim.workbench.compiled_project import compile_program
+from ropsim.workbench.project import Project, ProjectError
+
+if TYPE_CHECKING:
+    from ropsim.flow import Recording
+    from ropsim.simulation import RunOptions
+
+SESSION = "session"
+"""Name of the text of the commands."""
+
+_PROGRAM = re.compile(r"^\s*program\s+\w+", re.MULTILINE | re.IGNORECASE)
+_START = "wait 0 s"
+"""A program that does nothing, which is no program, would be refused."""
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """The commands so far, and the run that they make.
+
+    A command may change what became of those before it, as a move does that the one before goes over into. So
+    after each command all of them are run again from the start: the result is the one that the saved
+    commands give as a program, bit for bit.
+
+    Attributes:
+        project: whose robot is told, the one of its first station; the others stand still.
+        prelude: declarations and tasks of its program, on their lines.
+        commands: statements, some of several lines.
+        recording: of all commands.
+    """
+
+    project: Project
+    prelude: str
+    commands: tuple[str, ...]
+    recording: "Recording"
+
+    @property
+    def text(self) -> str:
+        """Return the commands as lines."""
+        return "\n".join(self.commands)
+
+    @property
+    def texts(self) -> Mapping[str, SourceText]:
+        """Return what findings point into."""
+        return {**self.project.texts, SESSION: SourceText(SESSION, self.text)}
+
+    @property
+    def whole(self) -> str:
+        """Return the text that is compiled: the prelude and the commands."""
+        return _whole(self.prelude, self.commands)
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What became of a command.
+
+    Attributes:
+        session: with the command, or as before where it was refused.
+        diagnostics: errors and warnings about it; hints look at what is not told yet.
+        texts: what they point into.
+        is_taken: whether it was carried out.
+    """
+
+    session: Session
+    diagnostics: tuple[Diagnostic, ...]
+    texts: Mapping[str, SourceText]
+    is_taken: bool
+
+
+def begin_session(project: Project, options: "RunOptions") -> Session:
+    """Return a session without commands: the robot stands where it begins.
+
+    Raises:
+        ProjectError: the project is broken, has no cell, or its program has errors.
+    """
+    compiled = project.program()
+    project.runnable({"": compiled})
+    is_task_text = PurePath(compiled.source.name).suffix == ".task"
+    prelude = language.prelude(compiled.source.text) if is_task_text else "program session"
+    found, recording = _run(project, _whole(prelude, ()), options)
+    if recording is None:
+        raise ProjectError(next(one for one in found if one.is_error))
+    return Session(project, prelude, (), recording)
+
+
+def told(session: Session, command: str, options: "RunOptions") -> Answer:
+    """Return what becomes of a command; one with an error, of its own or of the arm, changes nothing.
+
+    Raises:
+        RopsimError: the simulation cannot go on, as `simulation.run` says.
+    """
+    after = replace(session, commands=(*session.commands, command))
+    before = frozenset(map(str, session.recording.findings))
+    found, recording = _run(after.project, after.whole, options)
+    first = session.whole.count("\n") + 2
+    own = (one for one in found if one.is_error or (one.span is not None and one.span.line >= first))
+    ran = () if recording is None else recording.findings
+    new = (one for one in ran if one.span is not None and str(one) not in before)
+    diagnostics = tuple(_placed(one, after) for one in (*own, *new) if one.severity is not Severity.HINT)
+    if recording is None or any(one.is_error for one in diagnostics):
+        return Answer(session, diagnostics, after.texts, is_taken=False)
+    return Answer(replace(after, recording=recording), diagnostics, after.texts, is_taken=True)
+
+
+def taken_back(session: Session, options: "RunOptions") -> Session:
+    """Return a session without its last command."""
+    before = replace(session, commands=session.commands[:-1])
+    _, recording = _run(before.project, before.whole, options)
+    return replace(before, recording=recording or session.recording)
+
+
+def as_program(session: Session, name: str) -> str:
+    """Return a program that has the commands as a task, and calls it."""
+    declared = [one for one in session.commands if language.prelude(one).strip()]
+    body = [one for one in session.commands if one not in declared]
+    named = _PROGRAM.sub(f"program {name}", session.prelude)
+    head = "\n".join(line for line in named.splitlines() if line.strip())
+    return language.formatted("\n".join((head, *declared, f"task {name}", *body, "end", name)))
+
+
+def _whole(prelude: str, commands: tuple[str, ...]) -> str:
+    return "\n".join((prelude, _START, *commands))
+
+
+def _run(
+    project: Project, text: str, options: "RunOptions"
+) -> tuple[tuple[Diagnostic, ...], "Recording | None"]:
+    """Return the findings of compiling a text and, without an error, the recording of its run."""
+    from ropsim.simulation import run
+
+    cell = project.cell
+    assert cell is not None  # a project without one has no session
+    compiled = compile_program(SourceText(SESSION, text), cell, cell.first)
+    if compiled.icr is None or any(one.is_error for one in compiled.diagnostics):
+        return compiled.diagnostics, None
+    return compiled.diagnostics, run(cell, {cell.first.name: compiled.icr}, options)
+
+
+def _placed(one: Diagnostic, session: Session) -> Diagnostic:
+    """Return a finding that counts the lines of the commands, or points into the program of the project."""
+    offset = session.prelude.count("\n") + 2
+    program = session.project.program().source.name
+
+    def moved(span: Span) -> Span:
+        if span.line <= offset:
+            return replace(span, source=program)
+        return replace(span, line=span.line - offset, end_line=span.end_line - offset)
+
+    labels = tuple(replace(label, span=moved(label.span)) for label in one.secondary)
+    return replace(one, span=moved(one.span) if one.span else None, secondary=labels, fix=None)
