@@ -17,6 +17,12 @@ from ropsim.language.prelude import goes_on as goes_on
 from ropsim.language.prelude import prelude as prelude
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
+from ropsim.language.uses import Act as Act
+from ropsim.language.uses import Meaning as Meaning
+from ropsim.language.uses import Space as Space
+from ropsim.language.uses import Use as Use
+from ropsim.language.uses import Uses as Uses
+from ropsim.language.uses_of import uses_of as uses_of
 from ropsim.language.vocabulary import BEHIND_TARGETS as BEHIND_TARGETS
 from ropsim.language.vocabulary import FUNCTIONS as FUNCTIONS
 from ropsim.language.vocabulary import INNER_WORDS as INNER_WORDS
