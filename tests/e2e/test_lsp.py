@@ -66,3 +66,45 @@ def test_noise_ends_in_an_answer_and_no_traceback(noise: bytes) -> None:
     code, answers, errors = exchange(*START, rest=noise)
     assert (code, errors) == (1, "")
     assert answers[-1]["error"]["code"] == -32700
+
+
+def asked(folder: Path, *requests: tuple[str, dict[str, Any]], text: str = "") -> list[Any]:
+    """Open a program of a project in a real server and return the answers to requests about it."""
+    program = folder / "programs" / "main.task"
+    document = {
+        "uri": program.as_uri(),
+        "languageId": "task",
+        "version": 1,
+        "text": text or program.read_text("utf-8"),
+    }
+    sent = [
+        {"id": number, "method": method, "params": {"textDocument": {"uri": program.as_uri()}, **params}}
+        for number, (method, params) in enumerate(requests, 10)
+    ]
+    opening = {"method": "textDocument/didOpen", "params": {"textDocument": document}}
+    code, answers, errors = exchange(*START, opening, *sent, *END)
+    assert (code, errors) == (0, "")
+    by_id = {one["id"]: one.get("result", one.get("error")) for one in answers if "id" in one}
+    return [by_id[number] for number, _ in enumerate(requests, 10)]
+
+
+def test_names_are_followed_and_changed_over_the_streams(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    at = {"position": {"line": 6, "character": 6}}
+    references, marks, renamed, refused, folds, found = asked(
+        folder,
+        ("textDocument/references", at),
+        ("textDocument/documentHighlight", at),
+        ("textDocument/rename", {**at, "newName": "Fetch"}),
+        ("textDocument/rename", {**at, "newName": "Place"}),
+        ("textDocument/foldingRange", {}),
+        ("workspace/symbol", {"query": "plc"}),
+    )
+    assert [one["range"]["start"]["line"] for one in references] == [6, 23]
+    assert [one["kind"] for one in marks] == [3, 2]
+    (edits,) = renamed["changes"].values()
+    assert [one["newText"] for one in edits] == ["Fetch", "Fetch"]
+    assert refused["code"] == -32803
+    assert len(folds) == 3
+    assert [one["name"] for one in found] == ["Place"]

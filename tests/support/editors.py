@@ -61,3 +61,17 @@ def place(line: int, character: int) -> dict[str, int]:
 
 def uri_of(path: Path) -> str:
     return path.absolute().as_uri()
+
+
+def applied(text: str, edits: list[dict[str, Any]]) -> str:
+    """Return a text after the edits of an answer, which do not overlap; columns are those of ASCII lines."""
+    lines = text.split("\n")
+    starts = [sum(len(line) + 1 for line in lines[:number]) for number in range(len(lines))]
+
+    def offset(at: dict[str, int]) -> int:
+        return starts[at["line"]] + at["character"]
+
+    for edit in sorted(edits, key=lambda one: offset(one["range"]["start"]), reverse=True):
+        start, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
+        text = text[:start] + edit["newText"] + text[end:]
+    return text

@@ -1,5 +1,7 @@
 """Where the cell file gives names to things."""
 
+from collections.abc import Iterable
+
 from ropsim.cellfile.tomltext.positions import positions
 from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.core import SourceText, Span
@@ -8,11 +10,17 @@ from ropsim.model import ROBOT
 _TABLES = ("locations", "frames", "tools", "signals", "stations", "devices")
 
 
-def place_in_cell_file(text: SourceText, name: str) -> Span | None:
-    """Return where a location, frame, tool, signal, station or device is defined; None where none is."""
+def place_in_cell_file(text: SourceText, name: str, tables: Iterable[str] = _TABLES) -> Span | None:
+    """Return where a location, frame, tool, signal, station or device is defined; None where none is.
+
+    Args:
+        text: the cell file.
+        name: of what is looked for.
+        tables: in which it may stand, in this order.
+    """
     try:
         keys = positions(text).keys
-        return next((keys[table, name] for table in _TABLES if (table, name) in keys), None)
+        return next((keys[table, name] for table in tables if (table, name) in keys), None)
     except (ValueError, RecursionError):
         return None
 

@@ -20,6 +20,7 @@ class Part(Enum):
     LOOP = "given values by a loop"
     LOOP_PLACES = "given the places of a pattern by a loop"
     WRITTEN = "given a value"
+    CHANGED = "given a component"
     READ = "read"
     CALLED = "called"
     ARGUMENT = "parameter of the task that is called"
@@ -44,8 +45,8 @@ class Mention:
 
 
 def mentions(statement: syntax.Statement | None) -> tuple[Mention, ...]:
-    """Return the names of a statement in the order of their places; components such as `.x` are none."""
-    return tuple(sorted(_mentioned(statement), key=lambda one: one.name.start))
+    """Return the names of a statement, what is read before what is given a value; components are none."""
+    return tuple(_mentioned(statement))
 
 
 def _mentioned(statement: syntax.Statement | None) -> Iterator[Mention]:
@@ -69,17 +70,17 @@ def _header(header: syntax.TaskHeader) -> Iterator[Mention]:
 
 
 def _assign(statement: syntax.Assign) -> Iterator[Mention]:
-    yield Mention(statement.name, Part.WRITTEN)
     value = statement.value
     if isinstance(value, nodes.Function) and value.name.text.lower() not in NAMES:
         yield from _task_value(value)
     else:
         yield from _read(value)
+    yield Mention(statement.name, Part.WRITTEN if statement.member is None else Part.CHANGED)
 
 
 def _load(statement: syntax.Load) -> Iterator[Mention]:
-    yield from (Mention(name, Part.WRITTEN) for name in statement.names)
     yield from _read(statement.source)
+    yield from (Mention(name, Part.WRITTEN) for name in statement.names)
 
 
 def _gripper(statement: syntax.Gripper) -> Iterator[Mention]:
@@ -126,12 +127,12 @@ def _motion(motion: syntax.Motion) -> Iterator[Mention]:
     for trigger in motion.triggers:
         yield from _read(trigger.place)
         yield from _set_signal(trigger.action)
-    if motion.store is not None:
-        yield Mention(motion.store, Part.WRITTEN)
     if motion.tracking is not None:
         yield Mention(motion.tracking.signal, Part.READ)
         yield from _read(motion.tracking.value)
         yield from _read(motion.tracking.gain)
+    if motion.store is not None:
+        yield Mention(motion.store, Part.WRITTEN)
 
 
 def _setting(setting: syntax.Setting) -> Iterator[Mention]:

@@ -81,12 +81,15 @@ class Uses:
         found: the uses.
         broken: places of the statements that could not be read, whose names nobody knows.
         tasks: first and last line of each task, in order, with its name.
+        blocks: first and last line of each part of a block that has a header of its own; the line that closes
+            a block belongs to none.
         is_classic: whether tasks may have implicit parameters.
     """
 
     found: tuple[Use, ...] = ()
     broken: tuple[Span, ...] = ()
     tasks: tuple[tuple[str, int, int], ...] = ()
+    blocks: tuple[tuple[int, int], ...] = ()
     is_classic: bool = True
 
     def at(self, line: int, column: int) -> Use | None:

@@ -69,7 +69,13 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
         else:
             walk.items((item,), main)
     walk.close(main)
-    return Uses(tuple(in_order(walk.found)), tuple(walk.broken), tuple(walk.tasks), walk.is_classic)
+    return Uses(
+        tuple(in_order(walk.found)),
+        tuple(walk.broken),
+        tuple(walk.tasks),
+        tuple(walk.blocks),
+        walk.is_classic,
+    )
 
 
 def _tree(source: SourceText, cache: LineCache) -> Tree:
@@ -109,6 +115,7 @@ class _Walk:
         self.found: list[Use] = []
         self.broken: list[Span] = []
         self.tasks: list[tuple[str, int, int]] = []
+        self.blocks: list[tuple[int, int]] = []
         self.is_classic = False
         self._source = source
         self._outside = outside
@@ -142,10 +149,11 @@ class _Walk:
     def task(self, block: Block) -> None:
         """Walk through a task."""
         opener, last = block.opener, block.closer or _last(block)
+        self.blocks += _parts(block)
         header = opener.statement
         assert isinstance(header, syntax.TaskHeader | syntax.Broken)
         name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name
-        self.tasks.append((name, opener.logical.number, last.logical.number + last.logical.text.count("\n")))
+        self.tasks.append((name, opener.logical.number, _end(last)))
         scope = _Scope(name, dict(self._parameters.get(name, {})))
         scope.is_classic = (
             self.is_classic and isinstance(header, syntax.TaskHeader) and header.parameters is None
@@ -163,6 +171,7 @@ class _Walk:
             if isinstance(item, Line):
                 self._line(item, scope)
                 continue
+            self.blocks += _parts(item)
             opener = item.opener.statement
             if isinstance(opener, syntax.For | syntax.ForEach):
                 with self._loop(item.opener, opener, scope):
@@ -177,10 +186,8 @@ class _Walk:
     def close(self, scope: _Scope) -> None:
         """Say what the names mean that had no meaning where they stood."""
         for line, name in scope.open:
-            meaning = scope.names.get(name.text)
-            if meaning is None and scope.is_classic and name.text not in self._outside:
-                meaning = Meaning(name.text, Space.SYMBOL, Role.PARAMETER, scope.task, is_global=False)
-            self._use(line, name, Act.READS, meaning or self._nobodys(Space.SYMBOL, name.text), scope)
+            meaning = scope.names.get(name.text) or self._nobodys(Space.SYMBOL, name.text)
+            self._use(line, name, Act.READS, meaning, scope)
 
     def _line(self, line: Line, scope: _Scope) -> None:
         statement = line.statement
@@ -214,17 +221,23 @@ class _Walk:
             space = _SPACES[part]
             meaning = self._known.get((space, name.text)) or self._nobodys(space, name.text)
             self._use(line, name, Act.READS, meaning, scope)
+        elif part is Part.CHANGED:
+            self._symbol(line, name, scope, Act.WRITES)
         elif part in _GIVES:
             self._given(line, name, scope)
         else:
             self._symbol(line, name, scope)
 
-    def _symbol(self, line: Line, name: Name, scope: _Scope) -> None:
+    def _symbol(self, line: Line, name: Name, scope: _Scope, act: Act = Act.READS) -> None:
+        """Note that a name is read; what a classic task reads first is a parameter of it."""
         meaning = self._find(name.text, scope)
+        if meaning is None and scope.is_classic and name.text not in self._outside:
+            meaning = Meaning(name.text, Space.SYMBOL, Role.PARAMETER, scope.task, is_global=False)
+            scope.names[name.text] = meaning
         if meaning is None:
             scope.open.append((line, name))
         else:
-            self._use(line, name, Act.READS, meaning, scope)
+            self._use(line, name, act, meaning, scope)
 
     def _given(self, line: Line, name: Name, scope: _Scope) -> Meaning:
         """Note that a name is given a value; the first time that makes a variable."""
@@ -309,6 +322,19 @@ def _name_in(line: Line, broken: syntax.Broken) -> Name | None:
         return None
     found = re.compile(rf"\w\s+({re.escape(broken.name)})\b").search(line.logical.text, line.start)
     return Name(broken.name, found.start(1), found.end(1)) if found else None
+
+
+def _parts(block: Block) -> Iterator[tuple[int, int]]:
+    """Yield first and last line of each section of a block."""
+    heads = [section.header.logical.number for section in block.sections]
+    after = block.closer.logical.number if block.closer is not None else _end(_last(block)) + 1
+    for first, following in zip(heads, (*heads[1:], after), strict=True):
+        yield first, following - 1
+
+
+def _end(line: Line) -> int:
+    """Return the last physical line of a statement."""
+    return line.logical.number + line.logical.text.count("\n")
 
 
 def _last(block: Block) -> Line:

@@ -9,7 +9,7 @@ from ropsim.lsp import names, words
 from ropsim.lsp.document import Document
 from ropsim.lsp.expected import LITERALS, expected, in_call, may_give, type_of
 from ropsim.lsp.messages import Json
-from ropsim.lsp.protocol import Position
+from ropsim.lsp.protocol import CompletionAt, Position
 from ropsim.lsp.workshop import Workshop
 from ropsim.workbench import CheckedText, environment_of
 
@@ -61,11 +61,22 @@ _MOTION = re.compile(r"^\s*(?:mov[jlc]?|lin|circ|spline)\b.*\S\s+$", re.IGNORECA
 
 
 def completions(
+    document: Document, params: CompletionAt, documents: Mapping[str, Document], workshop: Workshop
+) -> Json:
+    """Return what can be written at a place, the likeliest first; it is the whole list."""
+    trigger = params.context.trigger_character if params.context is not None else None
+    return {
+        "isIncomplete": False,
+        "items": _items(document, params.position, documents, workshop, trigger or ""),
+    }
+
+
+def _items(
     document: Document,
     position: Position,
     documents: Mapping[str, Document],
     workshop: Workshop,
-    trigger: str = "",
+    trigger: str,
 ) -> list[Json]:
     """Return what can be written at a place, the likeliest first.
 

@@ -7,16 +7,17 @@ from ropsim.core import catalogue
 from ropsim.lsp import findings, names, words
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
-from ropsim.lsp.protocol import Position
+from ropsim.lsp.protocol import AtPosition, Position
 from ropsim.lsp.workshop import Workshop
 
 _MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
 
 
 def hover(
-    document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
+    document: Document, params: AtPosition, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json | None:
     """Return what is known about a place, None for nothing."""
+    position = params.position
     found = names.word_at(document, position)
     parts = [*_finding(document, position, documents, workshop)]
     if found is not None:

@@ -18,6 +18,8 @@ class ErrorCode(IntEnum):
     INVALID_PARAMS = -32602
     INTERNAL_ERROR = -32603
     NOT_INITIALIZED = -32002
+    REQUEST_FAILED = -32803
+    REQUEST_CANCELLED = -32800
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +46,13 @@ class Fault:
     code: ErrorCode
     message: str
     id: Id = None
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """A request that is understood and cannot be done, with the reason."""
+
+    message: str
 
 
 def read_message(body: bytes) -> Call | Fault | None:

@@ -92,5 +92,29 @@ class InRange(msgspec.Struct, frozen=True, rename="camel"):
     range: Range
 
 
+class ReferenceContext(msgspec.Struct, frozen=True, rename="camel"):
+    """What is asked for beside the uses."""
+
+    include_declaration: bool = True
+
+
+class ReferencesAt(AtPosition, frozen=True, rename="camel"):
+    """`textDocument/references`."""
+
+    context: ReferenceContext | None = None
+
+
+class RenameAt(AtPosition, frozen=True, rename="camel"):
+    """`textDocument/rename`."""
+
+    new_name: str
+
+
+class SymbolQuery(msgspec.Struct, frozen=True):
+    """`workspace/symbol`."""
+
+    query: str = ""
+
+
 class Anything(msgspec.Struct, frozen=True):
     """Methods whose parameters do not matter."""

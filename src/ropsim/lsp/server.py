@@ -1,19 +1,15 @@
 """The middle of the server: one message and the state before it give the state after it and the answers."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import msgspec
 
 from ropsim.lsp import findings, protocol
-from ropsim.lsp.completion import completions
-from ropsim.lsp.definition import definition
 from ropsim.lsp.document import Document
-from ropsim.lsp.hover import hover
-from ropsim.lsp.messages import Call, ErrorCode, Json, failure, notification, result
+from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, result
+from ropsim.lsp.requests import ASKED, Method
 from ropsim.lsp.state import Phase, State
-from ropsim.lsp.symbols import symbols
 from ropsim.lsp.workshop import Workshop
 from ropsim.version import __version__
 
@@ -23,18 +19,17 @@ CAPABILITIES: Json = {
     "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " "]},
     "hoverProvider": True,
     "definitionProvider": True,
+    "referencesProvider": True,
+    "documentHighlightProvider": True,
+    "renameProvider": {"prepareProvider": True},
     "documentSymbolProvider": True,
+    "workspaceSymbolProvider": True,
+    "foldingRangeProvider": True,
     "codeActionProvider": {"codeActionKinds": ["quickfix"]},
 }
 _IDENTITY: Json = {"name": "ropsim", "version": __version__}
 
 Answer = tuple[State, tuple[Json, ...]]
-
-
-@dataclass(frozen=True, slots=True)
-class _Method:
-    params: type[Any]
-    run: Callable[[State, Any, Workshop], object]
 
 
 def answer(state: State, call: Call, workshop: Workshop) -> Answer:
@@ -56,7 +51,7 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
     if call.method in _LIFE:
         state, value = _LIFE[call.method](state)
         return state, (result(call.id, value),) if call.is_request else ()
-    table: dict[str, _Method] = _ASKED if call.is_request else _TOLD
+    table: dict[str, Method] = ASKED if call.is_request else _TOLD
     method = table.get(call.method)
     if method is None:
         unknown = failure(call.id, ErrorCode.METHOD_NOT_FOUND, f"`{call.method[:80]}` is not supported")
@@ -70,6 +65,8 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
     if not call.is_request:
         assert isinstance(made, State)
         return made, ()
+    if isinstance(made, Refusal):
+        return state, (failure(call.id, ErrorCode.REQUEST_FAILED, made.message),)
     return state, (result(call.id, made),)
 
 
@@ -136,55 +133,14 @@ def _look_again(state: State, _: protocol.Anything, __: Workshop) -> State:
     return state.all_stale()
 
 
-def _complete(state: State, params: protocol.CompletionAt, workshop: Workshop) -> object:
-    document = state.documents.get(params.text_document.uri)
-    trigger = params.context.trigger_character if params.context is not None else None
-    items = (
-        completions(document, params.position, state.documents, workshop, trigger or "") if document else []
-    )
-    return {"isIncomplete": False, "items": items}
-
-
-def _hover(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
-    document = state.documents.get(params.text_document.uri)
-    return hover(document, params.position, state.documents, workshop) if document else None
-
-
-def _definition(state: State, params: protocol.AtPosition, workshop: Workshop) -> object:
-    document = state.documents.get(params.text_document.uri)
-    return definition(document, params.position, state.documents, workshop) if document else None
-
-
-def _symbols(state: State, params: protocol.OfDocument, workshop: Workshop) -> object:
-    document = state.documents.get(params.text_document.uri)
-    return symbols(document, workshop) if document else []
-
-
-def _actions(state: State, params: protocol.InRange, workshop: Workshop) -> object:
-    document = state.documents.get(params.text_document.uri)
-    if document is None:
-        return []
-    first, last = params.range.start.line, params.range.end.line
-    found = workshop.checked(document, state.documents).diagnostics
-    near = (one for one in found if findings.touches(one.span, first, last))
-    return [action for one in near for action in findings.code_actions(one, document)]
-
-
 _LIFE: dict[str, Callable[[State], tuple[State, object]]] = {
     "initialize": _initialize,
     "shutdown": _shut_down,
 }
 _TOLD = {
-    "textDocument/didOpen": _Method(protocol.DidOpen, _open),
-    "textDocument/didChange": _Method(protocol.DidChange, _change),
-    "textDocument/didClose": _Method(protocol.OfDocument, _close),
-    "textDocument/didSave": _Method(protocol.Anything, _look_again),
-    "workspace/didChangeWatchedFiles": _Method(protocol.Anything, _look_again),
-}
-_ASKED = {
-    "textDocument/completion": _Method(protocol.CompletionAt, _complete),
-    "textDocument/hover": _Method(protocol.AtPosition, _hover),
-    "textDocument/definition": _Method(protocol.AtPosition, _definition),
-    "textDocument/documentSymbol": _Method(protocol.OfDocument, _symbols),
-    "textDocument/codeAction": _Method(protocol.InRange, _actions),
+    "textDocument/didOpen": Method(protocol.DidOpen, _open),
+    "textDocument/didChange": Method(protocol.DidChange, _change),
+    "textDocument/didClose": Method(protocol.OfDocument, _close),
+    "textDocument/didSave": Method(protocol.Anything, _look_again),
+    "workspace/didChangeWatchedFiles": Method(protocol.Anything, _look_again),
 }

@@ -1,11 +1,15 @@
 """The outline of a document, as editors list it."""
 
-from ropsim.language import Definition, Role
+from collections.abc import Mapping
+
+from ropsim.language import Definition, Outline, Role
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Json
+from ropsim.lsp.protocol import OfDocument
 from ropsim.lsp.workshop import Workshop
 
-_KINDS = {
+#: Numbers of the protocol for what a name stands for.
+KINDS = {
     Role.TASK: 12,
     Role.PARAMETER: 13,
     Role.LOCATION: 14,
@@ -18,23 +22,27 @@ _KINDS = {
 }
 
 
-def symbols(document: Document, workshop: Workshop) -> list[Json]:
+def symbols(document: Document, _: OfDocument, __: Mapping[str, Document], workshop: Workshop) -> list[Json]:
     """Return the tasks and declarations of a document in order of their place."""
     if document.name.endswith((".toml", ".icr")):
         return []
     outline = workshop.outline(document)
     spans = {task.definition: task.span for task in outline.tasks}
-    shown = [one for one in outline.definitions if one.role is Role.TASK or _is_declared(one)]
     return [
         {
             "name": one.name,
             "detail": one.line[:120],
-            "kind": _KINDS[one.role],
+            "kind": KINDS[one.role],
             "range": document.range_of(spans.get(one, one.span)),
             "selectionRange": document.range_of(one.span),
         }
-        for one in shown
+        for one in shown(outline)
     ]
+
+
+def shown(outline: Outline) -> list[Definition]:
+    """Return the definitions that lists show: tasks, and declarations outside of them."""
+    return [one for one in outline.definitions if one.role is Role.TASK or _is_declared(one)]
 
 
 def _is_declared(one: Definition) -> bool:

@@ -57,6 +57,7 @@ class Workshop:
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
+        self._uses: dict[str, tuple[str, frozenset[str], language.Uses]] = {}
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
         """Return the project around a document; an open cell file counts instead of the one on the disk."""
@@ -100,10 +101,22 @@ class Workshop:
         self._outlines[document.uri] = (document.text, made)
         return made
 
+    def uses(self, document: Document, documents: Mapping[str, Document]) -> language.Uses:
+        """Return where a document uses which names."""
+        cell = self.surroundings(document, documents).cell
+        outside = frozenset((*cell.locations, *cell.signals)) if cell is not None else frozenset()
+        known = self._uses.get(document.uri)
+        if known is not None and known[:2] == (document.text, outside):
+            return known[2]
+        made = language.uses_of(SourceText(document.name, document.text), self._lines, outside)
+        self._uses[document.uri] = (document.text, outside, made)
+        return made
+
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""
         self._checked.pop(uri, None)
         self._outlines.pop(uri, None)
+        self._uses.pop(uri, None)
 
     def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
         known = self._surroundings.get((folder, program))

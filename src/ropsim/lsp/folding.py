@@ -1,0 +1,36 @@
+"""What can be folded away: tasks, blocks of statements, and comments of several lines."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from ropsim.lsp.document import Document
+from ropsim.lsp.messages import Json
+from ropsim.lsp.programs import is_program
+from ropsim.lsp.protocol import OfDocument
+from ropsim.lsp.workshop import Workshop
+
+_COMMENT = re.compile(r"\s*(?:#|//)")
+
+
+def folding_ranges(
+    document: Document, _: OfDocument, documents: Mapping[str, Document], workshop: Workshop
+) -> list[Json]:
+    """Return the stretches of lines that can be folded, in order of their first line."""
+    if not is_program(document):
+        return []
+    blocks = workshop.uses(document, documents).blocks
+    found = [(first - 1, last - 1, "region") for first, last in blocks if first < last]
+    found += [(first, last, "comment") for first, last in _comments(document)]
+    return [{"startLine": first, "endLine": last, "kind": kind} for first, last, kind in sorted(found)]
+
+
+def _comments(document: Document) -> Iterator[tuple[int, int]]:
+    """Yield first and last line (from 0) of comments that fill several lines."""
+    begun: int | None = None
+    for number in range(len(document.starts) + 1):
+        if _COMMENT.match(document.line(number)):
+            begun = number if begun is None else begun
+        else:
+            if begun is not None and number - begun > 1:
+                yield begun, number - 1
+            begun = None

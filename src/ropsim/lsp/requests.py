@@ -1,0 +1,66 @@
+"""The table of requests: their parameters, and what answers them; one file for each kind."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ropsim.lsp import protocol
+from ropsim.lsp.code_actions import actions
+from ropsim.lsp.completion import completions
+from ropsim.lsp.definition import definition
+from ropsim.lsp.document import Document
+from ropsim.lsp.folding import folding_ranges
+from ropsim.lsp.highlight import highlights
+from ropsim.lsp.hover import hover
+from ropsim.lsp.references import references
+from ropsim.lsp.rename import prepare_rename, rename
+from ropsim.lsp.state import State
+from ropsim.lsp.symbols import symbols
+from ropsim.lsp.workshop import Workshop
+from ropsim.lsp.workspace_symbols import workspace_symbols
+
+_OfDocument = Callable[[Document, Any, Mapping[str, Document], Workshop], object]
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """A message: the form of its parameters, and what makes the answer, or the state after it."""
+
+    params: type[Any]
+    run: Callable[[State, Any, Workshop], object]
+
+
+def _about(params: type[Any], run: _OfDocument, otherwise: Callable[[], object]) -> Method:
+    """Return a request about one document, and what is said of one that is not open."""
+
+    def answered(state: State, given: Any, workshop: Workshop) -> object:  # noqa: ANN401 - as the table says
+        document = state.documents.get(given.text_document.uri)
+        return run(document, given, state.documents, workshop) if document is not None else otherwise()
+
+    return Method(params, answered)
+
+
+def _nothing() -> None:
+    return None
+
+
+def _no_items() -> object:
+    return {"isIncomplete": False, "items": []}
+
+
+ASKED: dict[str, Method] = {
+    "textDocument/completion": _about(protocol.CompletionAt, completions, _no_items),
+    "textDocument/hover": _about(protocol.AtPosition, hover, _nothing),
+    "textDocument/definition": _about(protocol.AtPosition, definition, _nothing),
+    "textDocument/references": _about(protocol.ReferencesAt, references, list),
+    "textDocument/documentHighlight": _about(protocol.AtPosition, highlights, list),
+    "textDocument/prepareRename": _about(protocol.AtPosition, prepare_rename, _nothing),
+    "textDocument/rename": _about(protocol.RenameAt, rename, _nothing),
+    "textDocument/documentSymbol": _about(protocol.OfDocument, symbols, list),
+    "textDocument/foldingRange": _about(protocol.OfDocument, folding_ranges, list),
+    "textDocument/codeAction": _about(protocol.InRange, actions, list),
+    "workspace/symbol": Method(
+        protocol.SymbolQuery,
+        lambda state, params, workshop: workspace_symbols(params, state.documents, workshop),
+    ),
+}
