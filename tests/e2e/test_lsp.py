@@ -108,3 +108,15 @@ def test_names_are_followed_and_changed_over_the_streams(tmp_path: Path) -> None
     assert refused["code"] == -32803
     assert len(folds) == 3
     assert [one["name"] for one in found] == ["Place"]
+
+
+def test_calls_and_places_are_explained_over_the_streams(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    hover, help_ = asked(
+        folder,
+        ("textDocument/hover", {"position": {"line": 8, "character": 22}}),
+        ("textDocument/signatureHelp", {"position": {"line": 23, "character": 13}}),
+    )
+    assert "length" in hover["contents"]["value"]
+    assert help_["activeParameter"] == 0

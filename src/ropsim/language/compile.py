@@ -33,6 +33,8 @@ class Compiled:
         source: the text.
         tasks: how each task that can be called is called, also where other lines are wrong.
         places: where the statements of the structured program lie in the text.
+        variables: type of each variable in a word of the language, by the name of its task (empty for the
+            control statements and for what all tasks see) and its own name in the structured program.
     """
 
     program: Program | None
@@ -41,6 +43,7 @@ class Compiled:
     source: SourceText
     tasks: Mapping[str, TaskForm] = field(default_factory=dict)
     places: SourceMap = field(default_factory=lambda: SourceMap(""))
+    variables: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -72,7 +75,9 @@ def compile(
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
     icr = None if report.has_errors else _lowered(checked, places, source, report, db)
-    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks, places)
+    return Compiled(
+        checked.program, icr, report.in_order(), source, checked.tasks, places, checked.variables
+    )
 
 
 def _lowered(

@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 
 from ropsim.language import Role, TaskForm
+from ropsim.lsp.call_place import call_place
 from ropsim.lsp.names import Known
 
 #: A literal of each type, as it may be typed and changed.
@@ -16,14 +17,6 @@ LITERALS: Mapping[str, tuple[str, ...]] = {
     "force": ("10 N",),
     "bool": ("true", "false"),
 }
-
-_CALL = re.compile(
-    r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
-    re.ASCII | re.IGNORECASE,
-)
-_INSIDE = re.compile(r"([A-Za-z_]\w*)\(([^()]*)$", re.ASCII)
-_NAMED = re.compile(r"([A-Za-z_]\w*)\s*=\s*$", re.ASCII)
-_TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 
 #: What the word before a place asks for.
 _AFTER = tuple(
@@ -60,22 +53,10 @@ def in_call(lead: str, tasks: Mapping[str, TaskForm]) -> str:
         lead: the line up to the word that is being typed.
         tasks: how each task is called.
     """
-    bare = _TEXT.sub('""', lead)
-    match = _INSIDE.search(bare) or _CALL.match(bare)
-    form = tasks.get(match[1]) if match else None
-    if match is None or form is None or not form.parameters:
+    place = call_place(lead, tasks)
+    if place is None or place.is_inner or place.typed:  # in a location or function, or behind a value
         return ""
-    arguments = match[2].removeprefix("(").lstrip()
-    if arguments.count("(") > arguments.count(")"):  # inside of a location or a function
-        return ""
-    named = _NAMED.search(arguments)
-    if named is not None:
-        return next((one.type for one in form.parameters if one.name == named[1]), "")
-    before, _, last = arguments.rpartition(",")
-    if last.strip():  # a value stands there already
-        return ""
-    place = _outer_commas(before) + 1 if "," in arguments else 0
-    return form.parameters[place].type if place < len(form.parameters) else ""
+    return place.parameter.type if place.parameter is not None else ""
 
 
 def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
@@ -102,12 +83,3 @@ def may_give(wanted: str, type_: str) -> bool:
     if wanted == "loc":
         return type_ in ("loc", "")
     return type_ != "loc" or wanted in ("", "bool")
-
-
-def _outer_commas(arguments: str) -> int:
-    """Return how many commas stand outside of brackets."""
-    depth = count = 0
-    for character in arguments:
-        depth += (character == "(") - (character == ")")
-        count += character == "," and depth == 0
-    return count

@@ -1,16 +1,29 @@
-"""What is said about the word under the pointer."""
+"""What is said about the word or the move under the pointer."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from ropsim.core import catalogue
+from ropsim.language import Meaning, Role, Space
 from ropsim.lsp import findings, names, words
 from ropsim.lsp.document import Document
+from ropsim.lsp.found_name import FoundName, found_name
 from ropsim.lsp.messages import Json
+from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import AtPosition, Position
+from ropsim.lsp.resolved import Resolved, location_of
+from ropsim.lsp.types_of import type_of_meaning
 from ropsim.lsp.workshop import Workshop
+from ropsim.model import Station
+from ropsim.spatial import Pose
 
 _MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
+_ROLES = {
+    Space.SYMBOL: (Role.LOCATION, Role.SIGNAL),
+    Space.FRAME: (Role.FRAME,),
+    Space.TOOL: (Role.TOOL,),
+    Space.TASK: (),
+}
 
 
 def hover(
@@ -20,8 +33,8 @@ def hover(
     position = params.position
     found = names.word_at(document, position)
     parts = [*_finding(document, position, documents, workshop)]
-    if found is not None:
-        parts = [*_about(found[0], document, position, documents, workshop), *parts]
+    if is_program(document):
+        parts = [*_about(document, params, documents, workshop), *parts]
     if not parts:
         return None
     answer: Json = {"contents": {"kind": "markdown", "value": "\n\n".join(parts)}}
@@ -36,24 +49,75 @@ def hover(
 
 
 def _about(
-    word: str, document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
-) -> list[str]:
-    if document.name.endswith((".toml", ".icr")):
-        return []
-    form = workshop.checked(document, documents).tasks.get(word)
+    document: Document, params: AtPosition, documents: Mapping[str, Document], workshop: Workshop
+) -> Iterator[str]:
+    found = found_name(document, params.position, documents, workshop)
+    if found is not None and found.meaning is not None:
+        if found.meaning.role is None:
+            yield from _of_cell(found, document, documents, workshop)
+        else:
+            yield from _of_text(found.meaning, document, documents, workshop)
+        return
+    word = names.word_at(document, params.position)
+    known = words.meaning_of(word[0]) if word is not None else None
+    if known is not None:
+        yield from (_code(known.form), plain(known.meaning))
+    target = workshop.target(document, documents, params.position.line)
+    if target is not None:
+        station = workshop.surroundings(document, documents).station
+        passes = f" at the first of {target.visits} times" if target.visits > 1 else ""
+        yield f"goes{passes} to " + _places(target, station)
+
+
+def _of_text(
+    meaning: Meaning, document: Document, documents: Mapping[str, Document], workshop: Workshop
+) -> Iterator[str]:
+    """Yield what is known of a name that the text defines."""
+    checked = workshop.checked(document, documents)
     outline = workshop.outline(document)
-    if form is not None:
-        return [_code(names.task_words(form)), *map(plain, names.task_notes(outline, word))]
-    defined = names.definition_of(outline, word, position.line)
-    if defined is not None:
-        return [_code(defined.line), plain(f"{defined.role.value}, line {defined.span.line}")]
+    if meaning.space is Space.TASK:
+        form = checked.tasks.get(meaning.name)
+        yield _code(names.task_words(form) if form is not None else meaning.line)
+        yield from map(plain, names.task_notes(outline, meaning.name))
+        return
+    type_ = type_of_meaning(meaning, workshop.uses(document, documents), checked)
+    kind = f"{meaning.role.value if meaning.role else 'name'}{f' of type {type_}' if type_ else ''}"
+    if meaning.definition is None:
+        yield plain(f"{kind}: an implicit parameter of the task {meaning.task}")
+        return
+    yield _code(meaning.line)
+    yield plain(f"{kind}, line {meaning.definition.line}")
     around = workshop.surroundings(document, documents)
-    for one in names.of_cell(around):
-        if one.name == word:
+    if meaning.role is Role.LOCATION:
+        resolved = location_of(document.text, outline, meaning.name, around.environment)
+        if resolved is not None:
+            yield _places(resolved, around.station)
+
+
+def _of_cell(
+    found: FoundName, document: Document, documents: Mapping[str, Document], workshop: Workshop
+) -> Iterator[str]:
+    """Yield what is known of a name that the cell gives, or a task that lies elsewhere."""
+    form = workshop.checked(document, documents).tasks.get(found.name) if found.space is Space.TASK else None
+    if form is not None:
+        yield _code(names.task_words(form))
+    for one in names.of_cell(workshop.surroundings(document, documents)):
+        if one.name == found.name and one.role in _ROLES[found.space]:
+            yield f"**{plain(found.name)}**: {one.role.value} of the cell"
             told = [f"{one.text} {one.where}".strip(), *([one.note] if one.note else [])]
-            return [f"**{plain(word)}**: {one.role.value} of the cell", *map(plain, told)]
-    known = words.meaning_of(word)
-    return [_code(known.form), plain(known.meaning)] if known is not None else []
+            yield from map(plain, told)
+
+
+def _places(resolved: Resolved, station: Station | None) -> str:
+    """Return a location in the world frame, or in that of the base without a cell, and in its own."""
+    if resolved.moving:
+        return plain(f"{names.pose_words(resolved.X_FT)} in {resolved.moving}, which moves")
+    X_WB = station.X_WB if station is not None else Pose()
+    known = "W" if station is not None else "the base frame"
+    parts = [f"{names.pose_words(X_WB @ resolved.X_BT)} in {known}"]
+    if resolved.frame:
+        parts.append(f"{names.pose_words(resolved.X_FT)} in {resolved.frame}")
+    return plain("; ".join(parts))
 
 
 def _finding(

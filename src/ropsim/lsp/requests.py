@@ -14,6 +14,7 @@ from ropsim.lsp.highlight import highlights
 from ropsim.lsp.hover import hover
 from ropsim.lsp.references import references
 from ropsim.lsp.rename import prepare_rename, rename
+from ropsim.lsp.signature_help import signature_help
 from ropsim.lsp.state import State
 from ropsim.lsp.symbols import symbols
 from ropsim.lsp.workshop import Workshop
@@ -51,6 +52,7 @@ def _no_items() -> object:
 ASKED: dict[str, Method] = {
     "textDocument/completion": _about(protocol.CompletionAt, completions, _no_items),
     "textDocument/hover": _about(protocol.AtPosition, hover, _nothing),
+    "textDocument/signatureHelp": _about(protocol.AtPosition, signature_help, _nothing),
     "textDocument/definition": _about(protocol.AtPosition, definition, _nothing),
     "textDocument/references": _about(protocol.ReferencesAt, references, list),
     "textDocument/documentHighlight": _about(protocol.AtPosition, highlights, list),

@@ -18,6 +18,7 @@ CAPABILITIES: Json = {
     "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
     "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " "]},
     "hoverProvider": True,
+    "signatureHelpProvider": {"triggerCharacters": ["(", ",", " ", "="]},
     "definitionProvider": True,
     "referencesProvider": True,
     "documentHighlightProvider": True,

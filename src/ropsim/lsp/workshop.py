@@ -9,6 +9,7 @@ from ropsim import language
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.lsp.document import Document
+from ropsim.lsp.resolved import Resolved, targets_by_line
 from ropsim.model import Cell, Station
 from ropsim.userfiles import read_text_file
 from ropsim.workbench import CheckedText, check_text, environment_of
@@ -44,6 +45,11 @@ class Surroundings:
         return self.cell.stations[next(iter(self.environments))] if self.cell else None
 
     @property
+    def environment(self) -> language.Environment:
+        """Return the names for the compiler at the first station that runs the program."""
+        return next(iter(self.environments.values()))
+
+    @property
     def is_broken(self) -> bool:
         """Return whether there is a cell file from which no cell can be made."""
         return self.folder is not None and self.cell is None
@@ -58,6 +64,7 @@ class Workshop:
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
         self._uses: dict[str, tuple[str, frozenset[str], language.Uses]] = {}
+        self._targets: dict[str, tuple[Document, Surroundings, Document, Mapping[int, Resolved]]] = {}
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
         """Return the project around a document; an open cell file counts instead of the one on the disk."""
@@ -112,11 +119,29 @@ class Workshop:
         self._uses[document.uri] = (document.text, outside, made)
         return made
 
+    def target(self, document: Document, documents: Mapping[str, Document], line: int) -> Resolved | None:
+        """Return where the move on a line (from 0) goes first, by the last text without errors.
+
+        None for a line without a move to a pose, and for one that has changed since then.
+        """
+        around = self.surroundings(document, documents)
+        known = self._targets.get(document.uri)
+        if known is None or known[0].text != document.text or known[1] is not around:
+            found = targets_by_line(document.text, around.environment)
+            if found is not None:
+                known = (document, around, document, found)
+            else:
+                known = (document, around, *(known[2:] if known is not None else (document, {})))
+            self._targets[document.uri] = known
+        _, _, good, targets = known
+        return targets.get(line + 1) if good.line(line) == document.line(line) else None
+
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""
         self._checked.pop(uri, None)
         self._outlines.pop(uri, None)
         self._uses.pop(uri, None)
+        self._targets.pop(uri, None)
 
     def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
         known = self._surroundings.get((folder, program))

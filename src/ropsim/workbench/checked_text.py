@@ -17,11 +17,13 @@ class CheckedText:
         source: the text.
         diagnostics: the findings of `ropsim check`, in order of place.
         tasks: how each task that the text can call is called.
+        variables: type of each variable in a word of the language, by task and name.
     """
 
     source: SourceText
     diagnostics: tuple[Diagnostic, ...]
     tasks: Mapping[str, language.TaskForm] = field(default_factory=dict)
+    variables: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
 def check_text(
@@ -45,7 +47,7 @@ def check_text(
         for name, environment in environments.items()
     ]
     found = {name: one.diagnostics for name, one in zip(environments, checked, strict=True)}
-    return CheckedText(text, found_at(found), checked[0].tasks)
+    return CheckedText(text, found_at(found), checked[0].tasks, checked[0].variables)
 
 
 def _at_station(
@@ -59,4 +61,4 @@ def _at_station(
         return CheckedText(text, compile_program(text, cell, station).diagnostics)
     compiled = language.compile(text.text, environment, text.name, cache)
     missing = () if compiled.icr is None else unbound(compiled.icr, text, cell, station)
-    return CheckedText(text, (*compiled.diagnostics, *missing), compiled.tasks)
+    return CheckedText(text, (*compiled.diagnostics, *missing), compiled.tasks, compiled.variables)

@@ -151,15 +151,16 @@ def form_of(signature: Signature, units: UnitSystem) -> TaskForm:
     parameters = tuple(
         ParameterForm(
             formal.name,
-            _word(settled(formal.type)),
+            word_of(settled(formal.type)),
             units.name(settled(formal.type).dimension),
             formal.default is not None,
         )
         for formal in signature.formals
     )
-    result = _word(signature.result) if signature.result is not None else ""
+    result = word_of(signature.result) if signature.result is not None else ""
     return TaskForm(signature.name, parameters, result, signature.is_known)
 
 
-def _word(kind: Type) -> str:
+def word_of(kind: Type) -> str:
+    """Return a type in a word of the language."""
     return next((word for word, known in NAMED.items() if known == kind), str(kind))

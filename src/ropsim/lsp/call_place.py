@@ -1,0 +1,100 @@
+"""In which call of a task a place of a line stands, and in which of its arguments."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ropsim.language import ParameterForm, TaskForm
+
+_CALL = re.compile(
+    r"^\s*(?:\d+\.\s*)?(?:.*\b(?:then|else)\s+)?(?:call\s+)?([A-Za-z_]\w*)([ (].*)$",
+    re.ASCII | re.IGNORECASE,
+)
+_BEFORE = re.compile(r"([A-Za-z_]\w*)\s*$", re.ASCII)
+_NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*=(?!=)", re.ASCII)
+_TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
+_NO_PLACE = re.compile(r'["#]|//')
+
+
+@dataclass(frozen=True, slots=True)
+class CallPlace:
+    """A place in the arguments of a call.
+
+    Attributes:
+        form: how the task is called.
+        index: of the parameter, from 0; beyond the last one where there are too many arguments.
+        typed: what stands of the argument before the place, without the name of its parameter.
+        is_inner: whether the place lies in a parenthesis of the argument.
+    """
+
+    form: TaskForm
+    index: int
+    typed: str
+    is_inner: bool
+
+    @property
+    def parameter(self) -> ParameterForm | None:
+        """Return the parameter, None beyond the last one."""
+        return self.form.parameters[self.index] if self.index < len(self.form.parameters) else None
+
+
+def call_place(lead: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
+    """Return in which argument of which call the end of a line stands, None outside of calls.
+
+    Args:
+        lead: the line up to the place.
+        tasks: how each task is called.
+    """
+    bare = _TEXT.sub(lambda text: "_" * len(text[0]), lead)
+    if _NO_PLACE.search(bare):  # in a text that goes on, or in a comment
+        return None
+    for start in reversed(_open_brackets(bare)):
+        before = _BEFORE.search(bare[:start])
+        form = tasks.get(before[1]) if before is not None else None
+        if form is not None:
+            touches = bare[start - 1 : start] not in (" ", "\t")
+            arguments = bare[start + 1 :]
+            return _place(form, arguments if touches or _is_list(arguments, form) else bare[start:])
+    call = _CALL.match(bare)
+    form = tasks.get(call[1]) if call is not None else None
+    return _place(form, call[2]) if call is not None and form is not None else None
+
+
+def _open_brackets(text: str) -> list[int]:
+    """Return the places of the parentheses that are not closed."""
+    found: list[int] = []
+    for place, sign in enumerate(text):
+        if sign == "(":
+            found.append(place)
+        elif sign == ")" and found:
+            found.pop()
+    return found
+
+
+def _is_list(arguments: str, form: TaskForm) -> bool:
+    """Return whether one parenthesis with a blank before it is an argument list and no location."""
+    starts_with_location = bool(form.parameters) and form.parameters[0].type == "loc"
+    return not starts_with_location or any(_NAMED.match(one) for one in _outer_parts(arguments))
+
+
+def _place(form: TaskForm, arguments: str) -> CallPlace:
+    parts = _outer_parts(arguments)
+    last = parts[-1]
+    named = _NAMED.match(last)
+    names = [one.name for one in form.parameters]
+    index = len(parts) - 1
+    if named is not None:
+        index = names.index(named[1]) if named[1] in names else len(names)
+        last = last[named.end() :]
+    return CallPlace(form, index, last.strip(), bool(_open_brackets(last)))
+
+
+def _outer_parts(arguments: str) -> list[str]:
+    """Return what stands between the commas outside of parentheses."""
+    parts, depth, begun = [], 0, 0
+    for place, sign in enumerate(arguments):
+        depth += (sign == "(") - (sign == ")")
+        if sign == "," and depth == 0:
+            parts.append(arguments[begun:place])
+            begun = place + 1
+    return [*parts, arguments[begun:]]
