@@ -120,3 +120,15 @@ def test_calls_and_places_are_explained_over_the_streams(tmp_path: Path) -> None
     )
     assert "length" in hover["contents"]["value"]
     assert help_["activeParameter"] == 0
+
+
+def test_colours_and_types_come_over_the_streams(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    whole = {"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}}
+    colours, hints = asked(
+        folder, ("textDocument/semanticTokens/full", {}), ("textDocument/inlayHint", {"range": whole})
+    )
+    assert len(colours["data"]) % 5 == 0
+    assert len(colours["data"]) > 100
+    assert [one["label"] for one in hints] == [": loc"]

@@ -10,10 +10,10 @@ from ropsim.lsp.messages import Call
 class Editor:
     """One connection; positions are given by a mark `|` in the text where that is shorter."""
 
-    def __init__(self) -> None:
+    def __init__(self, **said: Any) -> None:
         self.state = State()
         self.workshop = Workshop()
-        self.ask("initialize")
+        self.capabilities = self.ask("initialize", **said)["capabilities"]
         self.tell("initialized")
 
     def ask(self, method: str, **params: Any) -> Any:

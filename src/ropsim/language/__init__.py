@@ -7,6 +7,9 @@ from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature
 from ropsim.language.form import formatted as formatted
+from ropsim.language.marked_words import Mark as Mark
+from ropsim.language.marked_words import Marked as Marked
+from ropsim.language.marked_words import marked_words as marked_words
 from ropsim.language.outline import Definition as Definition
 from ropsim.language.outline import Outline as Outline
 from ropsim.language.outline import Role as Role

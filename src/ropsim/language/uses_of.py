@@ -52,7 +52,7 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
     """
     if len(source.lines) > MAX_LINES:
         return Uses()
-    tree = _tree(source, cache)
+    tree = blocks.build(statements_of(source, cache), _silent(source))
     top = [item for item in tree if isinstance(item, Line)]
     modes = {line.statement.word for line in top if isinstance(line.statement, syntax.Mode)}
     is_modern = "strict" in modes or any(isinstance(line.statement, syntax.ProgramHeader) for line in top)
@@ -78,15 +78,20 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
     )
 
 
-def _tree(source: SourceText, cache: LineCache) -> Tree:
-    silent = Report(source.name)
-    silent.muted = True
+def statements_of(source: SourceText, cache: LineCache) -> list[Line]:
+    """Return the statements as the compiler takes them: prose in its clause, misspelt words mended."""
+    silent = _silent(source)
     lines = list(read(source, cache))
     names = frozenset(
         line.statement.name.text for line in lines if isinstance(line.statement, syntax.TaskHeader)
     )
-    mended = list(misspelt.mended(lines, names))
-    return blocks.build(prose.absorb(mended, names, silent), silent)
+    return list(prose.absorb(list(misspelt.mended(lines, names)), names, silent))
+
+
+def _silent(source: SourceText) -> Report:
+    report = Report(source.name)
+    report.muted = True
+    return report
 
 
 @dataclass(slots=True)

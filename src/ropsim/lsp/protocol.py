@@ -116,5 +116,11 @@ class SymbolQuery(msgspec.Struct, frozen=True):
     query: str = ""
 
 
+class TokensSince(OfDocument, frozen=True, rename="camel"):
+    """`textDocument/semanticTokens/full/delta`."""
+
+    previous_result_id: str
+
+
 class Anything(msgspec.Struct, frozen=True):
     """Methods whose parameters do not matter."""

@@ -12,8 +12,10 @@ from ropsim.lsp.document import Document
 from ropsim.lsp.folding import folding_ranges
 from ropsim.lsp.highlight import highlights
 from ropsim.lsp.hover import hover
+from ropsim.lsp.inlay_hints import inlay_hints
 from ropsim.lsp.references import references
 from ropsim.lsp.rename import prepare_rename, rename
+from ropsim.lsp.semantic_tokens import all_tokens, tokens_in, tokens_since
 from ropsim.lsp.signature_help import signature_help
 from ropsim.lsp.state import State
 from ropsim.lsp.symbols import symbols
@@ -60,6 +62,10 @@ ASKED: dict[str, Method] = {
     "textDocument/rename": _about(protocol.RenameAt, rename, _nothing),
     "textDocument/documentSymbol": _about(protocol.OfDocument, symbols, list),
     "textDocument/foldingRange": _about(protocol.OfDocument, folding_ranges, list),
+    "textDocument/semanticTokens/full": _about(protocol.OfDocument, all_tokens, _nothing),
+    "textDocument/semanticTokens/full/delta": _about(protocol.TokensSince, tokens_since, _nothing),
+    "textDocument/semanticTokens/range": _about(protocol.InRange, tokens_in, _nothing),
+    "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
     "textDocument/codeAction": _about(protocol.InRange, actions, list),
     "workspace/symbol": Method(
         protocol.SymbolQuery,

@@ -9,6 +9,7 @@ from ropsim.lsp import findings, protocol
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, result
 from ropsim.lsp.requests import ASKED, Method
+from ropsim.lsp.semantic_tokens import LEGEND
 from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
 from ropsim.version import __version__
@@ -26,6 +27,8 @@ CAPABILITIES: Json = {
     "documentSymbolProvider": True,
     "workspaceSymbolProvider": True,
     "foldingRangeProvider": True,
+    "semanticTokensProvider": {"legend": LEGEND, "full": {"delta": True}, "range": True},
+    "inlayHintProvider": True,
     "codeActionProvider": {"codeActionKinds": ["quickfix"]},
 }
 _IDENTITY: Json = {"name": "ropsim", "version": __version__}

@@ -56,7 +56,11 @@ class Surroundings:
 
 
 class Workshop:
-    """Makes findings and outlines of documents and keeps the last ones; a result depends on texts only."""
+    """Makes findings and outlines of documents and keeps the last ones; a result depends on texts only.
+
+    Attributes:
+        told_tokens: name and numbers of the last answer about the words of each document.
+    """
 
     def __init__(self) -> None:
         self._lines = language.LineCache()
@@ -64,6 +68,8 @@ class Workshop:
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
         self._uses: dict[str, tuple[str, frozenset[str], language.Uses]] = {}
+        self._marked: dict[str, tuple[language.Uses, tuple[language.Marked, ...]]] = {}
+        self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
         self._targets: dict[str, tuple[Document, Surroundings, Document, Mapping[int, Resolved]]] = {}
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
@@ -119,6 +125,16 @@ class Workshop:
         self._uses[document.uri] = (document.text, outside, made)
         return made
 
+    def marked(self, document: Document, documents: Mapping[str, Document]) -> tuple[language.Marked, ...]:
+        """Return words of the language, numbers, texts and comments of a document."""
+        uses = self.uses(document, documents)
+        known = self._marked.get(document.uri)
+        if known is not None and known[0] is uses:
+            return known[1]
+        made = language.marked_words(SourceText(document.name, document.text), self._lines, uses)
+        self._marked[document.uri] = (uses, made)
+        return made
+
     def target(self, document: Document, documents: Mapping[str, Document], line: int) -> Resolved | None:
         """Return where the move on a line (from 0) goes first, by the last text without errors.
 
@@ -142,6 +158,8 @@ class Workshop:
         self._outlines.pop(uri, None)
         self._uses.pop(uri, None)
         self._targets.pop(uri, None)
+        self._marked.pop(uri, None)
+        self.told_tokens.pop(uri, None)
 
     def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
         known = self._surroundings.get((folder, program))
