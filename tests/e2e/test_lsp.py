@@ -132,3 +132,13 @@ def test_colours_and_types_come_over_the_streams(tmp_path: Path) -> None:
     assert len(colours["data"]) % 5 == 0
     assert len(colours["data"]) > 100
     assert [one["label"] for one in hints] == [": loc"]
+
+
+def test_a_task_is_made_of_lines_over_the_streams(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    lines = {"start": {"line": 23, "character": 0}, "end": {"line": 25, "character": 0}}
+    (found,) = asked(folder, ("textDocument/codeAction", {"range": lines, "context": {"diagnostics": []}}))
+    (made,) = [one for one in found if one["kind"] == "refactor.extract"]
+    (edits,) = made["edit"]["changes"].values()
+    assert [one["newText"] for one in edits][1] == "  Task1 slot"

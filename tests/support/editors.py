@@ -71,7 +71,7 @@ def applied(text: str, edits: list[dict[str, Any]]) -> str:
     def offset(at: dict[str, int]) -> int:
         return starts[at["line"]] + at["character"]
 
-    for edit in sorted(edits, key=lambda one: offset(one["range"]["start"]), reverse=True):
-        start, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
+    places = [(offset(one["range"]["start"]), offset(one["range"]["end"]), one) for one in edits]
+    for start, end, edit in sorted(places, key=lambda one: one[:2], reverse=True):
         text = text[:start] + edit["newText"] + text[end:]
     return text

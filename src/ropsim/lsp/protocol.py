@@ -116,6 +116,18 @@ class SymbolQuery(msgspec.Struct, frozen=True):
     query: str = ""
 
 
+class ActionContext(msgspec.Struct, frozen=True):
+    """Which kinds of actions are asked for; None for all."""
+
+    only: list[str] | None = None
+
+
+class ActionsIn(InRange, frozen=True, rename="camel"):
+    """`textDocument/codeAction`."""
+
+    context: ActionContext | None = None
+
+
 class TokensSince(OfDocument, frozen=True, rename="camel"):
     """`textDocument/semanticTokens/full/delta`."""
 

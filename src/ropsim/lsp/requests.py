@@ -66,7 +66,7 @@ ASKED: dict[str, Method] = {
     "textDocument/semanticTokens/full/delta": _about(protocol.TokensSince, tokens_since, _nothing),
     "textDocument/semanticTokens/range": _about(protocol.InRange, tokens_in, _nothing),
     "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
-    "textDocument/codeAction": _about(protocol.InRange, actions, list),
+    "textDocument/codeAction": _about(protocol.ActionsIn, actions, list),
     "workspace/symbol": Method(
         protocol.SymbolQuery,
         lambda state, params, workshop: workspace_symbols(params, state.documents, workshop),

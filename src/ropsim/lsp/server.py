@@ -6,6 +6,7 @@ from dataclasses import replace
 import msgspec
 
 from ropsim.lsp import findings, protocol
+from ropsim.lsp.code_actions import KINDS
 from ropsim.lsp.document import Document
 from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, result
 from ropsim.lsp.requests import ASKED, Method
@@ -29,7 +30,7 @@ CAPABILITIES: Json = {
     "foldingRangeProvider": True,
     "semanticTokensProvider": {"legend": LEGEND, "full": {"delta": True}, "range": True},
     "inlayHintProvider": True,
-    "codeActionProvider": {"codeActionKinds": ["quickfix"]},
+    "codeActionProvider": {"codeActionKinds": list(KINDS)},
 }
 _IDENTITY: Json = {"name": "ropsim", "version": __version__}
 

@@ -1,0 +1,184 @@
+"""What the editor offers to do, and that it changes nothing that is done."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ropsim import icr, language
+from ropsim.flow import Origin
+from ropsim.workbench import new_project
+from support.editors import Editor, applied, place, uri_of
+
+BARE = "file:///nowhere-at-all/x.task"
+TEXT = """program p
+units mm, deg
+frame table = (300, 0, 100)
+# Goes there.
+task Go(part, clear, n = 2) -> int
+  gap = clear + 5 mm
+  for k = 1 to n
+    lin part above gap speed 100 mm/s
+    lin (0, 10, 20) in table
+    print k
+  endf
+  with frame table
+    lin (1, 2, 3)
+  endwith
+  total = n + 1
+  return total
+endp
+m = Go((400, 0, 300), 20 mm)
+repeat m
+  lin (400, 1, 300) offset (0, 0, 5)
+endr
+"""
+
+
+def offered(text: str, first: tuple[int, int], last: tuple[int, int], **context: Any) -> list[dict[str, Any]]:
+    editor = Editor()
+    editor.open(BARE, text)
+    span = {"start": place(*first), "end": place(*last)}
+    about = {"textDocument": {"uri": BARE}, "range": span, "context": {"diagnostics": [], **context}}
+    found: list[dict[str, Any]] = editor.ask("textDocument/codeAction", **about)
+    return found
+
+
+def after(text: str, action: dict[str, Any]) -> str:
+    (edits,) = action["edit"]["changes"].values()
+    return applied(text, edits)
+
+
+def done(text: str) -> list[Any]:
+    """Return all that a dry run hands out, whoever calls for it."""
+    compiled = language.compile(text)
+    assert compiled.icr is not None, compiled.diagnostics
+    run = icr.run(compiled.icr)
+    assert run.trap is None
+    return [replace(one, origin=Origin()) for one in run.instructions if not isinstance(one, str)]
+
+
+def named(actions: list[dict[str, Any]], title: str) -> dict[str, Any]:
+    (found,) = [one for one in actions if one["title"].startswith(title)]
+    return found
+
+
+def test_types_are_written_into_the_header_and_the_code_stays() -> None:
+    action = named(offered(TEXT, (4, 8), (4, 8)), "write the types of `Go`")
+    changed = after(TEXT, action)
+    assert "task Go(part: loc, clear: length, n: int = 2) -> int\n" in changed
+    assert action["kind"] == "refactor.rewrite"
+    before, now = language.compile(TEXT), language.compile(changed)
+    assert before.icr is not None
+    assert now.icr is not None
+    assert icr.disassemble(now.icr) == icr.disassemble(before.icr)
+    assert not [one for one in offered(changed, (4, 8), (4, 8)) if one["title"].startswith("write")]
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "literal"),
+    [(8, 10, "(0, 10, 20) in table"), (17, 9, "(400, 0, 300)"), (19, 8, "(400, 1, 300)")],
+)
+def test_a_named_location_leaves_the_code_as_it_is(line: int, column: int, literal: str) -> None:
+    action = named(offered(TEXT, (line, column), (line, column)), "name this location")
+    changed = after(TEXT, action)
+    assert changed.split("\n")[3] == f"loc place1 = {literal}"
+    assert changed.count(literal) == 1
+    assert changed.count("place1") == 2
+    assert done(changed) == done(TEXT)
+
+
+@pytest.mark.parametrize(("line", "column"), [(12, 10), (19, 30)])
+def test_a_literal_that_would_not_be_the_same_elsewhere_is_left_with_a_reason(line: int, column: int) -> None:
+    action = named(offered(TEXT, (line, column), (line, column)), "name this location")
+    assert "edit" not in action
+    assert "would not be the same" in action["disabled"]["reason"]
+
+
+def test_a_new_name_is_free() -> None:
+    text = TEXT.replace("m = Go", "place1 = 3\nprint place1\nm = Go")
+    action = named(offered(text, (19, 9), (19, 9)), "name this location")
+    assert action["title"] == "name this location `place2`"
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "header", "call"),
+    [
+        (7, 8, "task Task1(part: loc, gap: length)", "    Task1 part, gap"),
+        (6, 10, "task Task1(n: int, part: loc, gap: length)", "  Task1 n, part, gap"),
+        (5, 5, "task Task1(clear: length) -> length", "  gap = Task1(clear)"),
+        (14, 14, "task Task1(n: int) -> int", "  total = Task1(n)"),
+        (11, 13, "task Task1()", "  Task1"),
+        (9, 9, "task Task1(k: int)", "    Task1 k"),
+        (19, 19, "task Task1()", "  Task1"),
+        (18, 20, "task Task1(m: int)", "Task1 m"),
+    ],
+)
+def test_lines_become_a_task_and_the_same_is_done(first: int, last: int, header: str, call: str) -> None:
+    width = len(TEXT.split("\n")[last])
+    action = named(offered(TEXT, (first, 0), (last, width)), "make a task")
+    changed = after(TEXT, action)
+    lines = changed.split("\n")
+    assert header in lines
+    assert call in lines
+    assert done(changed) == done(TEXT)
+    body = changed[changed.index(header) : changed.index("endp", changed.index(header))]
+    moved = [line.strip() for line in TEXT.split("\n")[first : last + 1]]
+    assert [line.strip() for line in body.split("\n")[1:] if line.strip() and "return" not in line] == moved
+
+
+def test_a_selection_that_ends_at_the_start_of_a_line_is_that_of_the_lines_before() -> None:
+    assert "Task1 part, gap" in after(TEXT, named(offered(TEXT, (7, 0), (9, 0)), "make a task"))
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "reason"),
+    [
+        (6, 7, "would not be complete"),
+        (16, 16, "`return` has to stay"),
+        (2, 2, "`frame` has to stay"),
+        (4, 16, "`task` has to stay"),
+        (5, 14, "they give values to `gap` and `total`"),
+    ],
+)
+def test_lines_that_cannot_be_a_task_are_told_why(first: int, last: int, reason: str) -> None:
+    text = TEXT.replace("  return total", "  print gap\n  return total")
+    action = named(offered(text, (first, 0), (last, 99)), "make a task")
+    assert "edit" not in action
+    assert reason in action["disabled"]["reason"]
+
+
+def test_a_component_that_only_a_loop_has_keeps_its_lines() -> None:
+    grid = "pattern slots = grid 2 x 2 from (400, 0, 300) step (70, 0, 0), (0, 90, 0)\n"
+    text = f"program p\nunits mm\n{grid}for each s in slots\n  lin s\n  print s.row\nendf\n"
+    assert "disabled" in named(offered(text, (5, 0), (5, 13)), "make a task")
+    assert done(after(text, named(offered(text, (4, 0), (4, 7)), "make a task"))) == done(text)
+
+
+def test_only_the_kinds_that_are_asked_for_are_offered() -> None:
+    kinds = {one["kind"] for one in offered(TEXT, (4, 0), (8, 99))}
+    assert {"refactor.rewrite", "refactor.extract"} <= kinds
+    assert {one["kind"] for one in offered(TEXT, (4, 0), (8, 99), only=["refactor.rewrite"])} == {
+        "refactor.rewrite"
+    }
+    assert offered(TEXT, (4, 0), (8, 99), only=["source"]) == []
+
+
+def test_a_wrong_text_is_mended_first() -> None:
+    text = TEXT.replace("print k", "pritn k")
+    assert {one["kind"] for one in offered(text, (4, 0), (9, 9))} == {"quickfix"}
+
+
+def test_a_task_in_a_project_takes_locations_of_the_cell_as_they_are(tmp_path: Path) -> None:
+    folder = tmp_path / "cell"
+    new_project(folder, "palletizing")
+    program = folder / "programs" / "main.task"
+    text = program.read_text("utf-8")
+    editor = Editor()
+    editor.open(uri_of(program), text)
+    span = {"start": place(23, 0), "end": place(24, 99)}
+    about = {"textDocument": {"uri": uri_of(program)}, "range": span}
+    action = named(editor.ask("textDocument/codeAction", **about), "make a task")
+    changed = after(text, action)
+    assert "task Task1(slot: loc)\n  Pick infeed\n  Place slot in pallet\nendp\n\nfor each" in changed
