@@ -142,3 +142,20 @@ def test_a_task_is_made_of_lines_over_the_streams(tmp_path: Path) -> None:
     (made,) = [one for one in found if one["kind"] == "refactor.extract"]
     (edits,) = made["edit"]["changes"].values()
     assert [one["newText"] for one in edits][1] == "  Task1 slot"
+
+
+def test_a_request_that_is_cancelled_is_answered_as_such(tmp_path: Path) -> None:
+    document = {"uri": (tmp_path / "x.task").as_uri(), "text": "mov home\n" * 3000, "version": 1}
+    about = {"textDocument": {"uri": document["uri"]}}
+    _, answers, errors = exchange(
+        *START,
+        {"method": "textDocument/didOpen", "params": {"textDocument": document}},
+        {"id": 2, "method": "textDocument/diagnostic", "params": about},
+        {"id": 3, "method": "textDocument/documentSymbol", "params": about},
+        {"method": "$/cancelRequest", "params": {"id": 3}},
+        *END,
+    )
+    assert errors == ""
+    by_id = {one["id"]: one for one in answers if "id" in one}
+    assert by_id[2]["result"]["kind"] == "full"
+    assert by_id[3]["error"]["code"] == -32800

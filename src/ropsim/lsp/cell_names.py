@@ -31,9 +31,10 @@ def names_of(around: Surroundings) -> Iterator[tuple[Space, str]]:
 
 
 def place_of(
-    space: Space, name: str, text: SourceText | None, documents: Mapping[str, Document]
+    space: Space, name: str, around: Surroundings, document: Document, documents: Mapping[str, Document]
 ) -> Json | None:
-    """Return the location of a name in the cell file, None where that does not define it."""
+    """Return the location of a name in the cell file around a document, None where it is not there."""
+    text = around.cell_text
     if text is None or space not in TABLES:
         return None
     span = place_in_cell_file(text, name, TABLES[space])
@@ -41,7 +42,7 @@ def place_of(
         return None
     place = Path(text.name)
     opened = (one for one in documents.values() if one.path == place)
-    cell = next(opened, None) or Document(place.absolute().as_uri(), 0, text.text)
+    cell = next(opened, None) or Document(place.absolute().as_uri(), 0, text.text, document.encoding)
     return {"uri": cell.uri, "range": cell.range_of(span)}
 
 

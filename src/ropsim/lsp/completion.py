@@ -96,7 +96,7 @@ def _items(
     place = next((offer for pattern, offer in _PLACES if pattern.search(lead)), "value")
     if trigger in _QUIET_TRIGGERS and not in_call(lead, workshop.checked(document, documents).tasks):
         return []
-    around = workshop.surroundings(document, documents)
+    around = workshop.named(document, documents)
     known = {one.name: one for one in names.of_cell(around)}
     known |= {one.name: one for one in names.of_text(workshop.outline(document), position.line)}
     checked = workshop.checked(document, documents)

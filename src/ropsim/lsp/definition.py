@@ -19,5 +19,5 @@ def definition(
         return None
     if found.meaning is not None and found.meaning.definition is not None:
         return {"uri": document.uri, "range": document.range_of(found.meaning.definition)}
-    text = workshop.surroundings(document, documents).cell_text
-    return place_of(found.space, found.name, text, documents) if found.is_of_cell else None
+    around = workshop.named(document, documents)
+    return place_of(found.space, found.name, around, document, documents) if found.is_of_cell else None

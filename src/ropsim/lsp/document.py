@@ -11,6 +11,9 @@ from ropsim.core import Span
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import ContentChange, Position
 
+#: Ways of counting characters that an editor may choose; the first one where it says nothing.
+ENCODINGS = ("utf-16", "utf-8", "utf-32")
+
 _LINE_END = re.compile(r"\r\n|\n|\r")
 _WIDE = re.compile("[\U00010000-\U0010ffff]")
 
@@ -23,6 +26,7 @@ class Document:
         uri: its name in the protocol.
         version: as the editor counts.
         text: all characters, line ends included.
+        encoding: in which units positions of the protocol count, one of `ENCODINGS`.
         starts: offset of the first character of each line.
         ends: offset after the last character of each line, without its line end.
     """
@@ -30,6 +34,7 @@ class Document:
     uri: str
     version: int
     text: str
+    encoding: str = "utf-16"
     starts: tuple[int, ...] = field(init=False, repr=False, compare=False)
     ends: tuple[int, ...] = field(init=False, repr=False, compare=False)
 
@@ -73,7 +78,7 @@ class Document:
         for column, character in enumerate(line):
             if units >= position.character:
                 return column
-            units += 2 if ord(character) > 0xFFFF else 1
+            units += _units(character, self.encoding)
         return len(line)
 
     def position(self, line: int, column: int) -> Json:
@@ -82,7 +87,7 @@ class Document:
         if line > last:
             line, column = last, len(self.text)
         before = self.line(line)[: max(column, 0)]
-        return {"line": line, "character": len(before) + len(_WIDE.findall(before))}
+        return {"line": line, "character": _units(before, self.encoding)}
 
     def range_of(self, span: Span | None) -> Json:
         """Return the range of a span; one of a whole line, or none, becomes the words of that line."""
@@ -110,3 +115,10 @@ class Document:
                 text = after.text[:start] + change.text + after.text[end:]
             after = replace(after, text=text)
         return replace(after, version=version)
+
+
+def _units(text: str, encoding: str) -> int:
+    """Return how many units a text has."""
+    if encoding == "utf-8" and not text.isascii():
+        return len(text.encode("utf-8", "surrogatepass"))
+    return len(text) + (len(_WIDE.findall(text)) if encoding == "utf-16" else 0)

@@ -41,9 +41,7 @@ def extract_task(
     if isinstance(made, str):
         yield refused(TITLE, KIND, made)
         return
-    if does_the_same(
-        document.text, applied(document, made), workshop.surroundings(document, documents).environment
-    ):
+    if does_the_same(document.text, applied(document, made), workshop.named(document, documents).environment):
         yield action(TITLE, KIND, document, made)
     else:
         yield refused(TITLE, KIND, "as a task they would not be complete, or would not do the same")
@@ -67,7 +65,7 @@ def _made(
     types = _types((*taken, *given), uses, workshop.checked(document, documents))
     if isinstance(types, str):
         return types
-    name = free_name("Task", uses, workshop.surroundings(document, documents))
+    name = free_name("Task", uses, workshop.named(document, documents))
     header = f"task {name}({', '.join(f'{one.name}: {types[one]}' for one in taken)})"
     body = indent(dedent(text), "  ", lambda line: bool(line.strip()))
     call = f"{name} {', '.join(one.name for one in taken)}".rstrip()

@@ -35,7 +35,7 @@ def found_name(
     document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
 ) -> FoundName | None:
     """Return what name stands at a place, None for none."""
-    around = workshop.surroundings(document, documents)
+    around = workshop.named(document, documents)
     if not is_program(document):
         named = name_at(document, position, around)
         return FoundName(*named, None, None, is_of_cell=True) if named is not None else None
@@ -70,7 +70,7 @@ def locations_of(
         for use in uses_in(program, found, documents, workshop):
             yield use.act, {"uri": program.uri, "range": program.range_of(use.span)}
     if found.is_of_cell:
-        text = workshop.surroundings(document, documents).cell_text
-        place = place_of(found.space, found.name, text, documents)
+        around = workshop.named(document, documents)
+        place = place_of(found.space, found.name, around, document, documents)
         if place is not None:
             yield Act.DEFINES, place

@@ -64,7 +64,7 @@ def _about(
         yield from (_code(known.form), plain(known.meaning))
     target = workshop.target(document, documents, params.position.line)
     if target is not None:
-        station = workshop.surroundings(document, documents).station
+        station = workshop.named(document, documents).station
         passes = f" at the first of {target.visits} times" if target.visits > 1 else ""
         yield f"goes{passes} to " + _places(target, station)
 
@@ -87,7 +87,7 @@ def _of_text(
         return
     yield _code(meaning.line)
     yield plain(f"{kind}, line {meaning.definition.line}")
-    around = workshop.surroundings(document, documents)
+    around = workshop.named(document, documents)
     if meaning.role is Role.LOCATION:
         resolved = location_of(document.text, outline, meaning.name, around.environment)
         if resolved is not None:
@@ -101,7 +101,7 @@ def _of_cell(
     form = workshop.checked(document, documents).tasks.get(found.name) if found.space is Space.TASK else None
     if form is not None:
         yield _code(names.task_words(form))
-    for one in names.of_cell(workshop.surroundings(document, documents)):
+    for one in names.of_cell(workshop.named(document, documents)):
         if one.name == found.name and one.role in _ROLES[found.space]:
             yield f"**{plain(found.name)}**: {one.role.value} of the cell"
             told = [f"{one.text} {one.where}".strip(), *([one.note] if one.note else [])]

@@ -56,7 +56,7 @@ class Refusal:
 
 
 def read_message(body: bytes) -> Call | Fault | None:
-    """Return what a message body says; None for answers, since this server asks nothing."""
+    """Return what a message body says; None for answers, on which nothing depends."""
     try:
         message = msgspec.json.decode(body)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
@@ -78,6 +78,11 @@ def read_message(body: bytes) -> Call | Fault | None:
 def result(identity: Id, value: object) -> Json:
     """Return the answer to a request."""
     return {"jsonrpc": "2.0", "id": identity, "result": value}
+
+
+def request(identity: str, method: str) -> Json:
+    """Return a request of the server, without parameters."""
+    return {"jsonrpc": "2.0", "id": identity, "method": method}
 
 
 def failure(identity: Id, code: ErrorCode, message: str) -> Json:

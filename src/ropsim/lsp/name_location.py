@@ -30,7 +30,7 @@ def name_location(
     at = [one for one in spans if one.column <= column <= one.end_column]
     if not at:
         return
-    around = workshop.surroundings(document, documents)
+    around = workshop.named(document, documents)
     name = free_name("place", workshop.uses(document, documents), around)
     for span in at:
         changes = _changes(document, span, name, workshop)

@@ -31,7 +31,7 @@ def programs_of(
         if place not in found:
             text, _ = read_text_file(place, str(place))
             if text is not None:
-                yield Document(place.absolute().as_uri(), 0, text.text)
+                yield Document(place.absolute().as_uri(), 0, text.text, document.encoding)
 
 
 def _is_in(place: Path, folder: Path) -> bool:

@@ -7,7 +7,7 @@ LARGEST = 2**31 - 1
 
 
 class Position(msgspec.Struct, frozen=True):
-    """A place in a text: line and UTF-16 code unit, both from 0."""
+    """A place in a text: line and unit on it, both from 0."""
 
     line: int
     character: int
@@ -126,6 +126,12 @@ class ActionsIn(InRange, frozen=True, rename="camel"):
     """`textDocument/codeAction`."""
 
     context: ActionContext | None = None
+
+
+class FindingsSince(OfDocument, frozen=True, rename="camel"):
+    """`textDocument/diagnostic`."""
+
+    previous_result_id: str | None = None
 
 
 class TokensSince(OfDocument, frozen=True, rename="camel"):

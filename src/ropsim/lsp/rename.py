@@ -45,7 +45,7 @@ def rename(
         return Refusal(_nothing(document, params))
     uses = workshop.uses(document, documents)
     new = params.new_name.strip()
-    of_cell = frozenset(names_of(workshop.surroundings(document, documents)))
+    of_cell = frozenset(names_of(workshop.named(document, documents)))
     refused = _fixed(document, found, uses) or _wrong(new, found) or _clash(new, uses, of_cell)
     if refused is not None or new == found.name:
         return refused or {"changes": {}}

@@ -13,6 +13,7 @@ from ropsim.lsp.folding import folding_ranges
 from ropsim.lsp.highlight import highlights
 from ropsim.lsp.hover import hover
 from ropsim.lsp.inlay_hints import inlay_hints
+from ropsim.lsp.pulled import pulled
 from ropsim.lsp.references import references
 from ropsim.lsp.rename import prepare_rename, rename
 from ropsim.lsp.semantic_tokens import all_tokens, tokens_in, tokens_since
@@ -47,6 +48,10 @@ def _nothing() -> None:
     return None
 
 
+def _no_findings() -> object:
+    return {"kind": "full", "items": []}
+
+
 def _no_items() -> object:
     return {"isIncomplete": False, "items": []}
 
@@ -66,6 +71,7 @@ ASKED: dict[str, Method] = {
     "textDocument/semanticTokens/full/delta": _about(protocol.TokensSince, tokens_since, _nothing),
     "textDocument/semanticTokens/range": _about(protocol.InRange, tokens_in, _nothing),
     "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
+    "textDocument/diagnostic": _about(protocol.FindingsSince, pulled, _no_findings),
     "textDocument/codeAction": _about(protocol.ActionsIn, actions, list),
     "workspace/symbol": Method(
         protocol.SymbolQuery,

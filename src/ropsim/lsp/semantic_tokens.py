@@ -110,7 +110,7 @@ def _kept(
 def _tokens(document: Document, documents: Mapping[str, Document], workshop: Workshop) -> list[_Token]:
     if not is_program(document):
         return []
-    around = workshop.surroundings(document, documents)
+    around = workshop.named(document, documents)
     of_cell = set(names_of(around))
     signals = frozenset(around.cell.signals) if around.cell is not None else frozenset()
     found = [_Token(one.span, _MARKS[one.mark]) for one in workshop.marked(document, documents)]

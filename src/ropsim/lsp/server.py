@@ -5,18 +5,19 @@ from dataclasses import replace
 
 import msgspec
 
-from ropsim.lsp import findings, protocol
+from ropsim.lsp import protocol
+from ropsim.lsp.abilities import encoding_of, pulls_of
 from ropsim.lsp.code_actions import KINDS
 from ropsim.lsp.document import Document
-from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, result
+from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notification, request, result
+from ropsim.lsp.pulled import findings_of
 from ropsim.lsp.requests import ASKED, Method
 from ropsim.lsp.semantic_tokens import LEGEND
-from ropsim.lsp.state import Phase, State
+from ropsim.lsp.state import Phase, Pulls, State
 from ropsim.lsp.workshop import Workshop
 from ropsim.version import __version__
 
 CAPABILITIES: Json = {
-    "positionEncoding": "utf-16",
     "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
     "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " "]},
     "hoverProvider": True,
@@ -28,6 +29,11 @@ CAPABILITIES: Json = {
     "documentSymbolProvider": True,
     "workspaceSymbolProvider": True,
     "foldingRangeProvider": True,
+    "diagnosticProvider": {
+        "identifier": "ropsim",
+        "interFileDependencies": True,
+        "workspaceDiagnostics": False,
+    },
     "semanticTokensProvider": {"legend": LEGEND, "full": {"delta": True}, "range": True},
     "inlayHintProvider": True,
     "codeActionProvider": {"codeActionKinds": list(KINDS)},
@@ -54,7 +60,7 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
     if refusal is not None:
         return state, (refusal,) if call.is_request else ()
     if call.method in _LIFE:
-        state, value = _LIFE[call.method](state)
+        state, value = _LIFE[call.method](state, call.params)
         return state, (result(call.id, value),) if call.is_request else ()
     table: dict[str, Method] = ASKED if call.is_request else _TOLD
     method = table.get(call.method)
@@ -76,24 +82,26 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
 
 
 def settle(state: State, workshop: Workshop) -> Answer:
-    """Tell the findings of all documents that have changed; called when no message is waiting."""
-    said = tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
-    return replace(state, stale=frozenset()), said
+    """Tell the findings of all documents that have changed; called when no message is waiting.
+
+    An editor that asks for findings itself is told to ask again where more than the text in hand has changed.
+    """
+    settled = replace(state, stale=frozenset(), asks_again=False)
+    if state.pulls is Pulls.NO:
+        return settled, tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
+    if state.pulls is Pulls.YES or not state.asks_again:
+        return settled, ()
+    identity = f"ropsim-{state.asked}"
+    return replace(settled, asked=state.asked + 1), (request(identity, "workspace/diagnostic/refresh"),)
 
 
 def _published(state: State, uri: str, workshop: Workshop) -> Json:
     document = state.documents.get(uri)
     if document is None:  # closed: nothing of it is shown any more
         return notification("textDocument/publishDiagnostics", {"uri": uri, "diagnostics": []})
-    checked = workshop.checked(document, state.documents)
-    return notification(
-        "textDocument/publishDiagnostics",
-        {
-            "uri": document.uri,
-            "version": document.version,
-            "diagnostics": [findings.diagnostic(one, document) for one in checked.diagnostics],
-        },
-    )
+    found = findings_of(document, state.documents, workshop)
+    told = {"uri": document.uri, "version": document.version, "diagnostics": found}
+    return notification("textDocument/publishDiagnostics", told)
 
 
 def _refusal(state: State, call: Call) -> Json | None:
@@ -106,17 +114,20 @@ def _refusal(state: State, call: Call) -> Json | None:
     return None
 
 
-def _initialize(state: State) -> tuple[State, object]:
-    return replace(state, phase=Phase.RUNNING), {"capabilities": CAPABILITIES, "serverInfo": _IDENTITY}
+def _initialize(state: State, params: object) -> tuple[State, object]:
+    encoding = encoding_of(params)
+    begun = replace(state, phase=Phase.RUNNING, encoding=encoding, pulls=pulls_of(params))
+    capabilities = {**CAPABILITIES, "positionEncoding": encoding}
+    return begun, {"capabilities": capabilities, "serverInfo": _IDENTITY}
 
 
-def _shut_down(state: State) -> tuple[State, object]:
+def _shut_down(state: State, _: object) -> tuple[State, object]:
     return replace(state, phase=Phase.SHUT_DOWN), None
 
 
 def _open(state: State, params: protocol.DidOpen, _: Workshop) -> State:
     item = params.text_document
-    return state.opened(Document(item.uri, item.version, item.text))
+    return state.opened(Document(item.uri, item.version, item.text, state.encoding))
 
 
 def _change(state: State, params: protocol.DidChange, _: Workshop) -> State:
@@ -138,7 +149,7 @@ def _look_again(state: State, _: protocol.Anything, __: Workshop) -> State:
     return state.all_stale()
 
 
-_LIFE: dict[str, Callable[[State], tuple[State, object]]] = {
+_LIFE: dict[str, Callable[[State, object], tuple[State, object]]] = {
     "initialize": _initialize,
     "shutdown": _shut_down,
 }

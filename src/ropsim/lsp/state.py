@@ -16,6 +16,14 @@ class Phase(Enum):
     OVER = "over"
 
 
+class Pulls(Enum):
+    """Whether an editor asks for findings itself."""
+
+    NO = "it is told"
+    YES = "it asks"
+    WHEN_TOLD = "it asks, also when it is told to"
+
+
 @dataclass(frozen=True, slots=True)
 class State:
     """A connection.
@@ -24,18 +32,27 @@ class State:
         phase: before `initialize`, between, after `shutdown`, after `exit`.
         documents: open documents by URI.
         stale: URIs whose findings have not been told since their last change.
+        encoding: in which units the editor counts characters.
+        pulls: whether the editor asks for findings itself, and is told when to ask again.
+        asks_again: whether the editor is to be told that findings have changed of which it does not know.
+        asked: how many requests the server has made.
         exit_code: of the process, once it is over.
     """
 
     phase: Phase = Phase.NEW
     documents: Mapping[str, Document] = field(default_factory=dict)
     stale: frozenset[str] = frozenset()
+    encoding: str = "utf-16"
+    pulls: Pulls = Pulls.NO
+    asks_again: bool = False
+    asked: int = 0
     exit_code: int = 1
 
     def opened(self, document: Document) -> "State":
         """Return the state with a document new or changed."""
         documents = {**self.documents, document.uri: document}
-        return replace(self, documents=documents, stale=self._stale_after(document, documents))
+        stale = self._stale_after(document, documents)
+        return replace(self, documents=documents, stale=stale, asks_again=self.asks_again or len(stale) > 1)
 
     def closed(self, uri: str) -> "State":
         """Return the state without a document; what was shown of it is stale."""
@@ -46,7 +63,7 @@ class State:
 
     def all_stale(self) -> "State":
         """Return the state in which every document has to be looked at again."""
-        return replace(self, stale=frozenset(self.documents))
+        return replace(self, stale=frozenset(self.documents), asks_again=True)
 
     def _stale_after(self, document: Document, documents: Mapping[str, Document]) -> frozenset[str]:
         """Return what has to be looked at after a change; a cell file gives names to all programs."""

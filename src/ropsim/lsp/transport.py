@@ -3,11 +3,13 @@
 import gc
 import queue
 import threading
+from dataclasses import replace
 from typing import BinaryIO, Protocol
 
 import msgspec
 
 from ropsim.lsp.framing import FrameFault, FrameReader, framed
+from ropsim.lsp.inbox import Ended, Inbox
 from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notification, read_message
 from ropsim.lsp.server import answer, settle
 from ropsim.lsp.state import Phase, State
@@ -34,19 +36,24 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     gc.set_threshold(_GARBAGE_AFTER, 10, 10)
     inbox: queue.SimpleQueue[bytes | FrameFault | None] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
-    state, workshop = State(), Workshop()
-    waiting: bytes | FrameFault | None = b""
-    while state.phase is not Phase.OVER and waiting is not None:
-        waiting = inbox.get()
+    state, workshop, waiting = State(), Workshop(), Inbox()
+    is_open = True
+    while state.phase is not Phase.OVER and is_open:
+        _receive(inbox, waiting)
+        message, is_cancelled = waiting.next()
         said: tuple[Json, ...] = ()
-        if waiting is not None:
-            state, said = _step(state, waiting, workshop)
-        if state.stale and (waiting is None or inbox.empty()):
+        if isinstance(message, Ended):
+            is_open = False
+        elif is_cancelled and isinstance(message, Call):
+            said = (failure(message.id, ErrorCode.REQUEST_CANCELLED, "the request has been cancelled"),)
+        else:
+            state, said = _step(state, message, workshop)
+        if state.stale and (not is_open or (waiting.is_empty and inbox.empty())):
             state, more = _settled(state, workshop)
             said = (*said, *more)
         try:
-            for message in said:
-                sink.write(framed(msgspec.json.encode(message)))
+            for one in said:
+                sink.write(framed(msgspec.json.encode(one)))
             if said:
                 sink.flush()
         except (OSError, ValueError):  # the editor has gone away
@@ -54,25 +61,34 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     return state.exit_code
 
 
-def _step(state: State, body: bytes | FrameFault, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
-    if isinstance(body, FrameFault):
-        return state, (failure(None, ErrorCode.PARSE_ERROR, body.message),)
-    call = read_message(body)
-    if call is None:
+def _receive(source: "queue.SimpleQueue[bytes | FrameFault | None]", waiting: Inbox) -> None:
+    """Take all that has come; wait for a message where there is none."""
+    while waiting.is_empty or not source.empty():
+        body = source.get()
+        if body is None:
+            waiting.put(Ended())
+            return
+        waiting.put(
+            Fault(ErrorCode.PARSE_ERROR, body.message) if isinstance(body, FrameFault) else read_message(body)
+        )
+
+
+def _step(state: State, message: Call | Fault | None, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
+    if message is None:
         return state, ()
-    if isinstance(call, Fault):
-        return state, (failure(call.id, call.code, call.message),)
+    if isinstance(message, Fault):
+        return state, (failure(message.id, message.code, message.message),)
     try:
-        return answer(state, call, workshop)
+        return answer(state, message, workshop)
     except Exception as error:  # a fault of ours must not take the editor's other documents with it
-        return state, (_own_fault(error, call),)
+        return state, (_own_fault(error, message),)
 
 
 def _settled(state: State, workshop: Workshop) -> tuple[State, tuple[Json, ...]]:
     try:
         return settle(state, workshop)
     except Exception as error:  # as above; the next change tries again
-        nothing_stale = State(state.phase, state.documents, frozenset(), state.exit_code)
+        nothing_stale = replace(state, stale=frozenset(), asks_again=False)
         return nothing_stale, (_own_fault(error, None),)
 
 

@@ -1,7 +1,7 @@
 """What is made of documents: the cell around them and their findings, remembered until a text changes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -32,12 +32,14 @@ class Surroundings:
         cell_text: text of the cell file, open or on the disk.
         cell: the cell, None outside of a project and where the file is wrong.
         environments: names for the compiler, by the name of each station that runs the program.
+        before: of the last cell file that was right, where this one is wrong.
     """
 
     folder: Path | None = None
     cell_text: SourceText | None = None
     cell: Cell | None = None
     environments: Mapping[str, language.Environment] = field(default_factory=lambda: NO_STATION)
+    before: "Surroundings | None" = None
 
     @property
     def station(self) -> Station | None:
@@ -56,7 +58,10 @@ class Surroundings:
 
 
 class Workshop:
-    """Makes findings and outlines of documents and keeps the last ones; a result depends on texts only.
+    """Makes findings and outlines of documents and keeps the last ones.
+
+    What is said depends on the open texts alone; where nothing can be made of one, on the last one of it that
+    was better.
 
     Attributes:
         told_tokens: name and numbers of the last answer about the words of each document.
@@ -86,6 +91,11 @@ class Workshop:
                 return self._read(folder, text, program)
         return Surroundings()
 
+    def named(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
+        """Return the project whose names a document can use: those of the last cell file that was right."""
+        around = self.surroundings(document, documents)
+        return around.before or around
+
     def checked(self, document: Document, documents: Mapping[str, Document]) -> CheckedText:
         """Return the findings of a document and the tasks that it can call."""
         around = self.surroundings(document, documents)
@@ -99,9 +109,12 @@ class Workshop:
         elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
             checked = check_text(source, None, NO_STATION, self._lines)
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
-            checked = CheckedText(source, syntax, checked.tasks)
+            checked = replace(checked, diagnostics=syntax)
         else:
             checked = check_text(source, around.cell, around.environments, self._lines)
+        if known is not None and not checked.tasks and known[2].tasks and self.outline(document).tasks:
+            # too wrong to be compiled: requests are answered by what was known before
+            checked = replace(checked, tasks=known[2].tasks, variables=known[2].variables)
         self._checked[document.uri] = (document, around, checked)
         return checked
 
@@ -116,7 +129,7 @@ class Workshop:
 
     def uses(self, document: Document, documents: Mapping[str, Document]) -> language.Uses:
         """Return where a document uses which names."""
-        cell = self.surroundings(document, documents).cell
+        cell = self.named(document, documents).cell
         outside = frozenset((*cell.locations, *cell.signals)) if cell is not None else frozenset()
         known = self._uses.get(document.uri)
         if known is not None and known[:2] == (document.text, outside):
@@ -140,7 +153,7 @@ class Workshop:
 
         None for a line without a move to a pose, and for one that has changed since then.
         """
-        around = self.surroundings(document, documents)
+        around = self.named(document, documents)
         known = self._targets.get(document.uri)
         if known is None or known[0].text != document.text or known[1] is not around:
             found = targets_by_line(document.text, around.environment)
@@ -171,7 +184,8 @@ class Workshop:
             if cell
             else NO_STATION
         )
-        made = Surroundings(folder, text, cell, environments)
+        before = None if cell is not None or known is None else (known if known.cell else known.before)
+        made = Surroundings(folder, text, cell, environments, before)
         self._surroundings[folder, program] = made
         return made
 

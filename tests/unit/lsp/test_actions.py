@@ -56,7 +56,12 @@ def done(text: str) -> list[Any]:
     assert compiled.icr is not None, compiled.diagnostics
     run = icr.run(compiled.icr)
     assert run.trap is None
-    return [replace(one, origin=Origin()) for one in run.instructions if not isinstance(one, str)]
+    return [_anonymous(one) for one in run.instructions]
+
+
+def _anonymous(one: Any) -> Any:
+    """Return an instruction without the place that it comes from, where it tells one."""
+    return replace(one, origin=Origin()) if hasattr(one, "origin") else one
 
 
 def named(actions: list[dict[str, Any]], title: str) -> dict[str, Any]:

@@ -1,0 +1,27 @@
+"""What an editor says of itself when it begins, as far as the server heeds it."""
+
+from collections.abc import Sequence
+
+from ropsim.lsp.document import ENCODINGS
+from ropsim.lsp.state import Pulls
+
+
+def encoding_of(params: object) -> str:
+    """Return in which units positions count: the first of the editor's that is known, else UTF-16."""
+    offered = _at(params, ("capabilities", "general", "positionEncodings"))
+    known = (one for one in offered if one in ENCODINGS) if isinstance(offered, list) else ()
+    return next(iter(known), ENCODINGS[0])
+
+
+def pulls_of(params: object) -> Pulls:
+    """Return whether the editor asks for findings itself."""
+    if not isinstance(_at(params, ("capabilities", "textDocument", "diagnostic")), dict):
+        return Pulls.NO
+    refresh = _at(params, ("capabilities", "workspace", "diagnostics", "refreshSupport"))
+    return Pulls.WHEN_TOLD if refresh is True else Pulls.YES
+
+
+def _at(value: object, path: Sequence[str]) -> object:
+    for key in path:
+        value = value.get(key) if isinstance(value, dict) else None
+    return value
