@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 from ropsim.lsp.document import ENCODINGS
-from ropsim.lsp.state import Pulls
 
 
 def encoding_of(params: object) -> str:
@@ -13,12 +12,13 @@ def encoding_of(params: object) -> str:
     return next(iter(known), ENCODINGS[0])
 
 
-def pulls_of(params: object) -> Pulls:
-    """Return whether the editor asks for findings itself."""
-    if not isinstance(_at(params, ("capabilities", "textDocument", "diagnostic")), dict):
-        return Pulls.NO
-    refresh = _at(params, ("capabilities", "workspace", "diagnostics", "refreshSupport"))
-    return Pulls.WHEN_TOLD if refresh is True else Pulls.YES
+def pulls_of(params: object) -> bool:
+    """Return whether the editor asks for findings itself and can be told to ask again.
+
+    One that cannot be told would not know of what a change of the cell means for its programs.
+    """
+    asks = isinstance(_at(params, ("capabilities", "textDocument", "diagnostic")), dict)
+    return asks and _at(params, ("capabilities", "workspace", "diagnostics", "refreshSupport")) is True
 
 
 def _at(value: object, path: Sequence[str]) -> object:

@@ -13,7 +13,7 @@ from ropsim.lsp.messages import Call, ErrorCode, Json, Refusal, failure, notific
 from ropsim.lsp.pulled import findings_of
 from ropsim.lsp.requests import ASKED, Method
 from ropsim.lsp.semantic_tokens import LEGEND
-from ropsim.lsp.state import Phase, Pulls, State
+from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
 from ropsim.version import __version__
 
@@ -87,9 +87,9 @@ def settle(state: State, workshop: Workshop) -> Answer:
     An editor that asks for findings itself is told to ask again where more than the text in hand has changed.
     """
     settled = replace(state, stale=frozenset(), asks_again=False)
-    if state.pulls is Pulls.NO:
+    if not state.pulls:
         return settled, tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
-    if state.pulls is Pulls.YES or not state.asks_again:
+    if not state.asks_again:
         return settled, ()
     identity = f"ropsim-{state.asked}"
     return replace(settled, asked=state.asked + 1), (request(identity, "workspace/diagnostic/refresh"),)

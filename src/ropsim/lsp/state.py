@@ -16,14 +16,6 @@ class Phase(Enum):
     OVER = "over"
 
 
-class Pulls(Enum):
-    """Whether an editor asks for findings itself."""
-
-    NO = "it is told"
-    YES = "it asks"
-    WHEN_TOLD = "it asks, also when it is told to"
-
-
 @dataclass(frozen=True, slots=True)
 class State:
     """A connection.
@@ -33,7 +25,7 @@ class State:
         documents: open documents by URI.
         stale: URIs whose findings have not been told since their last change.
         encoding: in which units the editor counts characters.
-        pulls: whether the editor asks for findings itself, and is told when to ask again.
+        pulls: whether the editor asks for findings itself, and can be told to ask again.
         asks_again: whether the editor is to be told that findings have changed of which it does not know.
         asked: how many requests the server has made.
         exit_code: of the process, once it is over.
@@ -43,7 +35,7 @@ class State:
     documents: Mapping[str, Document] = field(default_factory=dict)
     stale: frozenset[str] = frozenset()
     encoding: str = "utf-16"
-    pulls: Pulls = Pulls.NO
+    pulls: bool = False
     asks_again: bool = False
     asked: int = 0
     exit_code: int = 1

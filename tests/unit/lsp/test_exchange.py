@@ -13,13 +13,8 @@ from support.editors import Editor, place, uri_of
 
 BARE = "file:///nowhere-at-all/x.task"
 WRONG = "program p\nunits mm\nlin nobody\n"
-ASKS: dict[str, Any] = {"capabilities": {"textDocument": {"diagnostic": {}}}}
-ASKS_WHEN_TOLD: dict[str, Any] = {
-    "capabilities": {
-        "textDocument": {"diagnostic": {}},
-        "workspace": {"diagnostics": {"refreshSupport": True}},
-    }
-}
+ASKS: dict[str, Any] = {"textDocument": {"diagnostic": {}}}
+REFRESHES: dict[str, Any] = {"workspace": {"diagnostics": {"refreshSupport": True}}}
 
 
 @pytest.fixture
@@ -43,7 +38,7 @@ def test_findings_that_are_asked_for_are_those_that_are_told() -> None:
 
 
 def test_findings_that_the_editor_has_are_not_sent_again() -> None:
-    editor = Editor(**ASKS)
+    editor = Editor(capabilities={**ASKS, **REFRESHES})
     editor.open(BARE, WRONG)
     first = pull(editor, BARE)
     assert pull(editor, BARE, previousResultId=first["resultId"]) == {
@@ -60,20 +55,25 @@ def test_findings_that_the_editor_has_are_not_sent_again() -> None:
 
 def test_the_cell_file_has_findings_that_can_be_asked_for(folder: Path) -> None:
     place_of = folder / "cell.toml"
-    editor = Editor(**ASKS)
+    editor = Editor(capabilities={**ASKS, **REFRESHES})
     editor.open(uri_of(place_of), place_of.read_text("utf-8").replace('model = "puma560"', 'model = "puma"'))
     (found,) = pull(editor, uri_of(place_of))["items"]
     assert "puma560" in found["message"]
 
 
-def test_an_editor_that_asks_is_not_told() -> None:
-    editor = Editor(**ASKS)
+def test_an_editor_that_asks_and_can_be_told_to_ask_again_is_not_told() -> None:
+    editor = Editor(capabilities={**ASKS, **REFRESHES})
     assert editor.open(BARE, WRONG) == []
     assert editor.settle() == {}
 
 
+@pytest.mark.parametrize("said", [ASKS, REFRESHES])
+def test_every_other_editor_is_told(said: dict[str, Any]) -> None:
+    assert [one["code"] for one in Editor(capabilities=said).open(BARE, WRONG)] == ["N202"]
+
+
 def test_an_editor_is_told_to_ask_again_when_the_cell_has_changed(folder: Path) -> None:
-    editor = Editor(**ASKS_WHEN_TOLD)
+    editor = Editor(capabilities={**ASKS, **REFRESHES})
     cell = folder / "cell.toml"
     for name in (folder / "programs" / "main.task", cell):
         editor.tell(
