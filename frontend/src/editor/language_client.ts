@@ -1,15 +1,12 @@
-/** The language server in the editor: marks after 30 ms, completion, hover, definition. */
-import {
-  hoverTooltips,
-  jumpToDefinitionKeymap,
-  LSPClient,
-  LSPPlugin,
-  serverCompletion,
-} from '@codemirror/lsp-client'
+/** The language server in the editor: marks after 30 ms, completion, hover, names, calls, actions. */
+import { hoverTooltips, LSPClient, LSPPlugin, serverCompletion, signatureHelp } from '@codemirror/lsp-client'
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
 import type { Problem } from '../studio/problems'
+import { actionsPanel } from './actions_panel'
 import { marksOf, type Published, problemsOf } from './findings'
 import { foundMarks } from './found_marks'
+import { LANGUAGE_KEYS } from './language_keys'
+import { sameName } from './same_name'
 import { sanitizeHTML } from './sanitize'
 import { putMarks } from './shown_marks'
 import { LanguageLink } from './transport'
@@ -76,7 +73,10 @@ export class LanguageClient {
         soon,
         serverCompletion({ override: true }),
         hoverTooltips({ hoverTime: 300 }),
-        keymap.of(jumpToDefinitionKeymap),
+        signatureHelp({ keymap: false }),
+        sameName,
+        actionsPanel,
+        keymap.of(LANGUAGE_KEYS),
       ],
     })
     this.#link = new LanguageLink(address, {

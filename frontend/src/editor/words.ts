@@ -4,6 +4,9 @@ export const words = {
   running: 'runs at the cursor',
   ghost: 'shown as a ghost',
   times: (count: number) => `${count} times on this line`,
+  actions: 'What can be done here',
+  noActions: 'Nothing can be done here.',
+  cannot: (title: string, reason: string) => `Not possible: ${title}. ${reason}`,
   phrases: {
     'Control character': 'control character',
     'Go to line': 'Go to line',
@@ -26,5 +29,10 @@ export const words = {
     'Unfold line': 'unfold',
     'folded code': 'folded lines',
     unfold: 'unfold',
+    'New name': 'New name',
+    rename: 'rename',
+    'Rename request failed': 'The name stays',
+    'Reference list': 'Places of this name',
+    'No references found': 'this name has no places',
   },
 } as const

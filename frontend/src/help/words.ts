@@ -19,5 +19,14 @@ export const helpWords = {
     turnAbout: 'Turn about the point under the pointer',
     zoomTo: 'Towards the pointer and away',
   },
+  editorKeys: 'Text editor',
+  editor: {
+    definition: 'Go to the definition',
+    references: 'All places of the name',
+    rename: 'Another name at all places',
+    signature: 'How the task is called',
+    actions: 'What can be done about the selection',
+    fold: 'Fold, unfold',
+  },
   drag: { left: 'Left drag', right: 'Right drag, or Shift with left', wheel: 'Wheel' },
 } as const

@@ -1,4 +1,5 @@
 /** All keys on one sheet, taken from the registry of commands: a key that works stands here. */
+import { EDITOR_KEYS } from '../help/editor_keys'
 import { VIEW_DRAGS, VIEW_KEYS } from '../help/view_keys'
 import { helpWords as words } from '../help/words'
 import { MENUS } from '../studio/commands'
@@ -18,7 +19,12 @@ export function KeySheet({ query }: { query: string }) {
     return [studioWords.menus[menu], own.map((one): Row => [one.keys, one.title])] as const
   })
   const drags = VIEW_DRAGS.map(([gesture, title]): Row => [[gesture], title])
-  const groups = [...menus, [words.views, VIEW_KEYS] as const, [words.mouse, drags] as const]
+  const groups = [
+    ...menus,
+    [words.editorKeys, EDITOR_KEYS] as const,
+    [words.views, VIEW_KEYS] as const,
+    [words.mouse, drags] as const,
+  ]
     .map(([name, rows]) => [name, rows.filter(fits)] as const)
     .filter(([, rows]) => rows.length > 0)
   if (groups.length === 0) return <p className="empty">{words.none}</p>
