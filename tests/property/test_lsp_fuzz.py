@@ -10,14 +10,15 @@ from hypothesis import strategies as st
 from ropsim.lsp import serve
 from ropsim.lsp.document import Document
 from ropsim.lsp.framing import FrameReader, framed
+from ropsim.lsp.messages import ErrorCode
 from ropsim.lsp.protocol import ContentChange, Position, Range
-from support.editors import Editor
+from ropsim.lsp.requests import ASKED
+from support.editors import Editor, applied, place
 
 URI = "file:///nowhere-at-all/x.task"
 METHODS = [
     "initialize", "shutdown", "textDocument/didOpen", "textDocument/didChange", "textDocument/didClose",
-    "textDocument/completion", "textDocument/hover", "textDocument/definition", "textDocument/codeAction",
-    "textDocument/documentSymbol", "nothing/known",
+    "nothing/known", "$/cancelRequest", *ASKED,
 ]  # fmt: skip
 
 json_values = st.recursive(
@@ -36,6 +37,9 @@ params = json_values | st.fixed_dictionaries(
             {"uri": st.sampled_from([URI, "", "file:", "file:///%00"]), "text": st.text(max_size=40)}
         ),
         "position": positions,
+        "newName": st.sampled_from(["b", "a", "lin", "2", ""]),
+        "previousResultId": st.just("x"),
+        "query": st.text(max_size=3),
         "range": st.fixed_dictionaries({"start": positions, "end": positions}),
         "contentChanges": st.lists(
             st.fixed_dictionaries(
@@ -122,3 +126,45 @@ def test_diagnostics_stand_inside_of_the_text(edits: list[tuple[str, int, int]])
             units = len(document.line(end["line"]).encode("utf-16-le")) // 2
             assert 0 <= end["line"] < len(document.starts)
             assert 0 <= end["character"] <= units
+
+
+names = st.sampled_from(["a", "b", "c", "T"])
+statements = st.builds(
+    str.format,
+    st.sampled_from(
+        [
+            "{0} = {1} + 1", "for {0} = 1 to {1}", "endf", "task {0}({1}, {2})", "endp", "{0} {1}, {2}",
+            "print {0}", "loc {0} = (1, 2, 3)", "lin {0} in {1}", "frame {0} = (1, 2, 3)", "repeat {0}",
+            "endr", "{0} = {1}({2})", "program {0}", "lin (1, 2", "{0} {1} = {2}", "load (a, b, c), {0}",
+            "set {0} on", "{0}.x = {1}",
+        ]
+    ),
+    names, names, names,
+)  # fmt: skip
+
+
+@settings(max_examples=150)
+@given(st.lists(statements, max_size=12).map("\n".join), st.data())
+def test_a_name_changed_and_changed_back_is_the_same_text(text: str, data: st.DataObject) -> None:
+    editor = Editor()
+    editor.open(URI, text)
+    lines = text.split("\n")
+    line = data.draw(st.integers(0, len(lines) - 1))
+    at = {"textDocument": {"uri": URI}, "position": place(line, data.draw(st.integers(0, len(lines[line]))))}
+    answer = editor.ask("textDocument/rename", **at, newName="fresh")
+    if "code" in answer:
+        assert answer["code"] == ErrorCode.REQUEST_FAILED
+        assert answer["message"]
+        return
+    (edits,) = answer["changes"].values()
+    changed = applied(text, edits)
+    starts = [one["range"]["start"] for one in edits]
+    start = min(starts, key=lambda one: (one["line"], one["character"]))
+    old = lines[start["line"]][start["character"]]
+    assert changed.replace("fresh", old) == text
+    editor.open(URI, changed)
+    back = editor.ask("textDocument/rename", textDocument={"uri": URI}, position=start, newName=old)
+    if "code" in back:  # the old name is one that other places have, too
+        assert "already" in back["message"]
+    else:
+        assert applied(changed, *back["changes"].values()) == text

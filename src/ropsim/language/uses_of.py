@@ -125,6 +125,7 @@ class _Walk:
         self._source = source
         self._outside = outside
         self._known: dict[tuple[Space, str], Meaning] = {}
+        self._own: dict[int, dict[str, Meaning]] = {}
         self._parameters: dict[str, dict[str, Meaning]] = {}
         self._number = 0
 
@@ -149,6 +150,7 @@ class _Walk:
         for one in statement.parameters or ():
             if one.name.text not in own:
                 own[one.name.text] = self._local(line, one.name, Role.PARAMETER, statement.name.text)
+        self._own[line.logical.number] = own
         self._parameters.setdefault(statement.name.text, own)
 
     def task(self, block: Block) -> None:
@@ -159,7 +161,7 @@ class _Walk:
         assert isinstance(header, syntax.TaskHeader | syntax.Broken)
         name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name
         self.tasks.append((name, opener.logical.number, _end(last)))
-        scope = _Scope(name, dict(self._parameters.get(name, {})))
+        scope = _Scope(name, dict(self._own.get(opener.logical.number, {})))
         scope.is_classic = (
             self.is_classic and isinstance(header, syntax.TaskHeader) and header.parameters is None
         )

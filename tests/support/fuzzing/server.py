@@ -15,8 +15,7 @@ from support.fuzzing.target import Target
 
 _URI = "file:///nowhere-at-all/x.task"
 _PROGRAM = (
-    "program main\nunits mm, deg\nlocation a = (500, 0, 300)\nmov a\n"
-    "while true\n  lin a \N{ROBOT FACE}\nendw\n"
+    "program main\nunits mm, deg\nloc a = (500, 0, 300)\nmov a\nwhile true\n  lin a \N{ROBOT FACE}\nendw\n"
 )
 _DOCUMENT = {"textDocument": {"uri": _URI}}
 _PLACE = {**_DOCUMENT, "position": {"line": 3, "character": 5}}
@@ -26,6 +25,26 @@ _CHANGE = {
     "textDocument": {"uri": _URI, "version": 2},
     "contentChanges": [{"range": _RANGE, "text": "mvo b\n"}, {"text": _PROGRAM}],
 }
+_OTHERS: dict[str, dict[str, object]] = {
+    "references": {**_PLACE, "context": {"includeDeclaration": False}},
+    "documentHighlight": _PLACE,
+    "prepareRename": _PLACE,
+    "rename": {**_PLACE, "newName": "b"},
+    "signatureHelp": _PLACE,
+    "foldingRange": _DOCUMENT,
+    "semanticTokens/full": _DOCUMENT,
+    "semanticTokens/full/delta": {**_DOCUMENT, "previousResultId": "0"},
+    "semanticTokens/range": {**_DOCUMENT, "range": _RANGE},
+    "inlayHint": {**_DOCUMENT, "range": _RANGE},
+    "diagnostic": {**_DOCUMENT, "previousResultId": "0"},
+}
+_FURTHER: list[dict[str, object]] = [
+    {"jsonrpc": "2.0", "id": number, "method": f"textDocument/{kind}", "params": params}
+    for number, (kind, params) in enumerate(_OTHERS.items(), 20)
+] + [
+    {"jsonrpc": "2.0", "id": 40, "method": "workspace/symbol", "params": {"query": "a"}},
+    {"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": 40}},
+]
 _SESSION: list[dict[str, object]] = [
     {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}},
     {"jsonrpc": "2.0", "method": "initialized", "params": {}},
@@ -41,6 +60,7 @@ _SESSION: list[dict[str, object]] = [
         "method": "textDocument/codeAction",
         "params": {**_DOCUMENT, "range": _RANGE},
     },
+    *_FURTHER,
     {"jsonrpc": "2.0", "method": "textDocument/didClose", "params": _DOCUMENT},
     {"jsonrpc": "2.0", "id": 7, "method": "shutdown"},
     {"jsonrpc": "2.0", "method": "exit"},
