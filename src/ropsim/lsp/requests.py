@@ -6,6 +6,7 @@ from typing import Any
 
 from ropsim.lsp import protocol
 from ropsim.lsp.code_actions import actions
+from ropsim.lsp.code_lens import code_lenses
 from ropsim.lsp.completion import completions
 from ropsim.lsp.definition import definition
 from ropsim.lsp.document import Document
@@ -71,6 +72,7 @@ ASKED: dict[str, Method] = {
     "textDocument/semanticTokens/full/delta": _about(protocol.TokensSince, tokens_since, _nothing),
     "textDocument/semanticTokens/range": _about(protocol.InRange, tokens_in, _nothing),
     "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
+    "textDocument/codeLens": _about(protocol.OfDocument, code_lenses, list),
     "textDocument/diagnostic": _about(protocol.FindingsSince, pulled, _no_findings),
     "textDocument/codeAction": _about(protocol.ActionsIn, actions, list),
     "workspace/symbol": Method(

@@ -36,6 +36,7 @@ CAPABILITIES: Json = {
     },
     "semanticTokensProvider": {"legend": LEGEND, "full": {"delta": True}, "range": True},
     "inlayHintProvider": True,
+    "codeLensProvider": {"resolveProvider": False},
     "codeActionProvider": {"codeActionKinds": list(KINDS)},
 }
 _IDENTITY: Json = {"name": "ropsim", "version": __version__}

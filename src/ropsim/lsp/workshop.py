@@ -5,10 +5,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 
-from ropsim import language
+from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.lsp.document import Document
+from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.lsp.resolved import Resolved, targets_by_line
 from ropsim.model import Cell, Station
 from ropsim.userfiles import read_text_file
@@ -73,6 +74,8 @@ class Workshop:
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
         self._uses: dict[str, tuple[str, frozenset[str], language.Uses]] = {}
+        self._codes: dict[str, tuple[str, Surroundings, str]] = {}
+        self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
         self._marked: dict[str, tuple[language.Uses, tuple[language.Marked, ...]]] = {}
         self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
         self._targets: dict[str, tuple[Document, Surroundings, Document, Mapping[int, Resolved]]] = {}
@@ -165,6 +168,25 @@ class Workshop:
         _, _, good, targets = known
         return targets.get(line + 1) if good.line(line) == document.line(line) else None
 
+    def code_id(self, document: Document, documents: Mapping[str, Document]) -> str:
+        """Return the identity of the code that a document compiles to, empty where it has errors."""
+        around = self.surroundings(document, documents)
+        known = self._codes.get(document.uri)
+        if known is not None and known[0] == document.text and known[1] is around:
+            return known[2]
+        code = language.compile(document.text, around.environment, cache=self._lines).icr
+        made = icr.program_id(code) if code is not None else ""
+        self._codes[document.uri] = (document.text, around, made)
+        return made
+
+    def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
+        """Return the programs of a recording, which is read anew where its file has changed."""
+        place, *state = stamp
+        known = self._recorded.get(place)
+        if known is None or known[0] != state:
+            known = self._recorded[place] = (state, programs_in(place))
+        return known[1]
+
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""
         self._checked.pop(uri, None)
@@ -172,6 +194,7 @@ class Workshop:
         self._uses.pop(uri, None)
         self._targets.pop(uri, None)
         self._marked.pop(uri, None)
+        self._codes.pop(uri, None)
         self.told_tokens.pop(uri, None)
 
     def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:

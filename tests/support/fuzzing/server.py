@@ -17,7 +17,7 @@ _URI = "file:///nowhere-at-all/x.task"
 _PROGRAM = (
     "program main\nunits mm, deg\nloc a = (500, 0, 300)\nmov a\nwhile true\n  lin a \N{ROBOT FACE}\nendw\n"
 )
-_DOCUMENT = {"textDocument": {"uri": _URI}}
+_DOCUMENT: dict[str, object] = {"textDocument": {"uri": _URI}}
 _PLACE = {**_DOCUMENT, "position": {"line": 3, "character": 5}}
 _RANGE = {"start": {"line": 1, "character": 2}, "end": {"line": 2, "character": 4}}
 _OPEN = {"textDocument": {"uri": _URI, "languageId": "task", "version": 1, "text": _PROGRAM}}
@@ -36,6 +36,7 @@ _OTHERS: dict[str, dict[str, object]] = {
     "semanticTokens/full/delta": {**_DOCUMENT, "previousResultId": "0"},
     "semanticTokens/range": {**_DOCUMENT, "range": _RANGE},
     "inlayHint": {**_DOCUMENT, "range": _RANGE},
+    "codeLens": _DOCUMENT,
     "diagnostic": {**_DOCUMENT, "previousResultId": "0"},
 }
 _FURTHER: list[dict[str, object]] = [

@@ -1,0 +1,56 @@
+"""What the recordings in the `out` folder of a project say of the times of tasks."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from ropsim.core import RopsimError
+from ropsim.flow import TaskEvent
+from ropsim.records import read_recording
+
+#: Older recordings than so many are not looked at.
+MOST = 8
+
+#: A file, and what tells that it has not changed: time of its last change, size.
+Stamp = tuple[Path, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedProgram:
+    """One program of a recorded run.
+
+    Attributes:
+        icr_id: identity of the code that ran.
+        durations: of each call of a task, in order of time [s], by the name of the task.
+    """
+
+    icr_id: str
+    durations: Mapping[str, tuple[float, ...]]
+
+
+def recordings_in(folder: Path) -> tuple[Stamp, ...]:
+    """Return the recordings of a project, the newest first."""
+    found: list[tuple[int, Stamp]] = []
+    try:
+        for place in (folder / "out").glob("*.npz"):
+            state = place.stat()
+            found.append((state.st_mtime_ns, (place, state.st_mtime_ns, state.st_size)))
+    except OSError:
+        return ()
+    return tuple(stamp for _, stamp in sorted(found, reverse=True)[:MOST])
+
+
+def programs_in(place: Path) -> tuple[RecordedProgram, ...]:
+    """Return the programs of a recording, none where it cannot be read."""
+    try:
+        recording = read_recording(place)
+    except RopsimError:
+        return ()
+    made = []
+    for station in recording.facts.stations:
+        durations: dict[str, tuple[float, ...]] = {}
+        for event in recording.events_of(TaskEvent):
+            if event.station == station.name:
+                durations[event.name] = (*durations.get(event.name, ()), event.duration)
+        made.append(RecordedProgram(station.icr_id, durations))
+    return tuple(made)
