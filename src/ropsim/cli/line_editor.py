@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from ropsim.lsp import Document, Position, Workshop, completions
+from ropsim.lsp import Document, Position, Workshop, proposed
 from ropsim.userfiles import state_folder
 
 LONGEST_HISTORY = 1000
@@ -58,9 +58,7 @@ class LineEditor:
         text = f"{self._text()}\n{line}"
         number = text.count("\n")
         document = Document(self._place.absolute().as_uri(), 0, text)
-        found = completions(
-            document, Position(number, len(line.encode("utf-16-le")) // 2), {}, self._workshop
-        )
+        found = proposed(document, Position(number, len(line.encode("utf-16-le")) // 2), {}, self._workshop)
         labels = sorted({str(one["label"]) for one in found})
         begun = line[len(line.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_")) :]
         return [label for label in labels if label.lower().startswith(begun.lower())]

@@ -28,12 +28,14 @@ class Checked:
         tasks: how its tasks are called.
         bodies: what was told of each task, those called first.
         control: what was told of the control statements.
+        variables: type of each variable in a word, by its task (empty for what all tasks see) and name.
     """
 
     program: Program
     tasks: Mapping[str, TaskForm]
     bodies: Mapping[str, Outcome]
     control: Outcome
+    variables: Mapping[str, Mapping[str, str]]
 
 
 def check(units: Units, report: Report, db: Database) -> Checked:
@@ -81,7 +83,8 @@ def check(units: Units, report: Report, db: Database) -> Checked:
     program = _program(units.tasks, bodies, control, world, db)
     told = ((name, db.ask(questions.form, name)) for name in (*world.environment.tasks, *order))
     forms = {name: form for name, form in told if form is not None}
-    return Checked(program, forms, bodies, control)
+    words = {name: db.ask(questions.words, name) for name in ("", *order)}
+    return Checked(program, forms, bodies, control, words)
 
 
 def _program(

@@ -75,9 +75,7 @@ def compile(
     if checked is None:
         return Compiled(None, None, report.in_order(), source)
     icr = None if report.has_errors else _lowered(checked, places, source, report, db)
-    return Compiled(
-        checked.program, icr, report.in_order(), source, checked.tasks, places, checked.variables
-    )
+    return Compiled(checked.program, icr, report.in_order(), source, checked.tasks, places, checked.variables)
 
 
 def _lowered(

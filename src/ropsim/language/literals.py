@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
 from ropsim.core import SourceText, Span
+from ropsim.language.cache import LineCache
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
-from ropsim.language.text import LineCache
 from ropsim.language.uses_of import statements_of
 
 _NAMED = (

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.core import SourceText, Span
+from ropsim.language.cache import LineCache
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax.declarations import TYPES
 from ropsim.language.syntax.fault import LineFaultError
 from ropsim.language.syntax.lexer import Token, tokens
 from ropsim.language.syntax.statements import ContractClause
-from ropsim.language.text import Line, LineCache
+from ropsim.language.text import Line
 from ropsim.language.uses import Uses
 from ropsim.language.uses_of import statements_of
 

@@ -1,6 +1,7 @@
 """What a text defines, without what it does; and whether more lines must follow."""
 
 from ropsim.core import SourceText
+from ropsim.language.cache import LineCache
 from ropsim.language.form.indents import indented
 from ropsim.language.form.told import told
 from ropsim.language.syntax.statements import (
@@ -16,7 +17,7 @@ from ropsim.language.syntax.statements import (
     Units,
     VariableDeclaration,
 )
-from ropsim.language.text import Line, LineCache, read
+from ropsim.language.text import Line, read
 
 _DECLARATIONS = (
     ConstantDeclaration,

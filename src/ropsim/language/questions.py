@@ -296,6 +296,15 @@ def walked_control(db: Database) -> Walked:
     return _told(body, None)
 
 
+def words(db: Database, name: str) -> Mapping[str, str]:
+    """Return the types of the variables of a task in words; by the empty name of those that all tasks see."""
+    found = dict(db.ask(types, name).types)
+    if not name:
+        symbols = {one: db.ask(symbol, one) for one in db.ask(names_in, "symbols")}
+        found = {**{n: settled(s.type) for n, s in symbols.items() if isinstance(s, Variable)}, **found}
+    return {one: signatures.word_of(kind) for one, kind in found.items()}
+
+
 def signature(db: Database, name: str) -> Called | None:
     """Return how a task of text or library is called, None where there is none of that name."""
     text = db.ask(task, name)

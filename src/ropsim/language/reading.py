@@ -1,7 +1,7 @@
 """A chunk of a text, read line by line and in blocks; again only where it, or what it depends on, changes."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ropsim.core import Diagnostic, SourceText
@@ -11,7 +11,7 @@ from ropsim.language.blocks import Block
 from ropsim.language.check.tasks import TaskText, task_of
 from ropsim.language.check.tasks import is_task as stands_for_task
 from ropsim.language.report import Report, TooManyFindingsError
-from ropsim.language.syntax.statements import Broken, TaskHeader
+from ropsim.language.taken import task_names
 from ropsim.language.text import Line
 from ropsim.query import Database
 
@@ -89,7 +89,7 @@ def parsed(db: Database, lines: tuple[str, ...]) -> Parsed:
     ends = misspelt.ends_of(read)
     return Parsed(
         read,
-        _task_names(read),
+        task_names(read),
         tuple(sorted((word, count) for word, count in ends.items() if count)),
         sum(line.fault is not None for line in read),
         prose.modes(read),
@@ -110,7 +110,7 @@ def mended(db: Database, lines: tuple[str, ...], ends: Ends) -> tuple[tuple[Line
 
 def mended_names(db: Database, lines: tuple[str, ...], ends: Ends) -> frozenset[str]:
     """Return the tasks of a chunk, also those whose header is misspelt."""
-    return _task_names(db.ask(mended, lines, ends)[0])
+    return task_names(db.ask(mended, lines, ends)[0])
 
 
 def read_chunk(
@@ -173,15 +173,3 @@ class Names:
 def is_task(db: Database, table: str, name: str) -> bool:
     """Return whether a task of that name can be called."""
     return name in db.read(table)
-
-
-def _task_names(lines: Iterable[Line]) -> frozenset[str]:
-    """Return the names of the tasks of some lines, also of those whose header is wrong."""
-    found = set()
-    for line in lines:
-        match line.statement:
-            case TaskHeader(name=name):
-                found.add(name.text)
-            case Broken(head="task", name=name) if name:
-                found.add(name)
-    return frozenset(found)

@@ -6,15 +6,17 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from ropsim.core import SourceText, Span
-from ropsim.language import blocks, misspelt, prose
+from ropsim.language import blocks
 from ropsim.language.blocks import Block
+from ropsim.language.cache import LineCache
 from ropsim.language.check.tasks import is_task
 from ropsim.language.mentions import Mention, Part, mentions
 from ropsim.language.outline import Role
 from ropsim.language.report import Report
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.text import MAX_LINES, Line, LineCache, read
+from ropsim.language.taken import taken
+from ropsim.language.text import MAX_LINES, Line, read
 from ropsim.language.uses import Act, Meaning, Space, Use, Uses, in_order
 
 _ROLES: dict[type, tuple[Space, Role]] = {
@@ -52,7 +54,7 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
     """
     if len(source.lines) > MAX_LINES:
         return Uses()
-    tree = blocks.build(statements_of(source, cache), _silent(source))
+    tree = blocks.build(statements_of(source, cache), _silent(source)).items
     top = [item for item in tree if isinstance(item, Line)]
     modes = {line.statement.word for line in top if isinstance(line.statement, syntax.Mode)}
     is_modern = "strict" in modes or any(isinstance(line.statement, syntax.ProgramHeader) for line in top)
@@ -80,12 +82,7 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
 
 def statements_of(source: SourceText, cache: LineCache) -> list[Line]:
     """Return the statements as the compiler takes them: prose in its clause, misspelt words mended."""
-    silent = _silent(source)
-    lines = list(read(source, cache))
-    names = frozenset(
-        line.statement.name.text for line in lines if isinstance(line.statement, syntax.TaskHeader)
-    )
-    return list(prose.absorb(list(misspelt.mended(lines, names)), names, silent))
+    return list(taken(list(read(source, cache))))
 
 
 def _silent(source: SourceText) -> Report:

@@ -1,6 +1,6 @@
 """The language server: findings, completion and hover for programs and cell files, on standard streams."""
 
-from ropsim.lsp.completion import completions as completions
+from ropsim.lsp.completion import proposed as proposed
 from ropsim.lsp.document import Document as Document
 from ropsim.lsp.protocol import Position as Position
 from ropsim.lsp.server import answer as answer

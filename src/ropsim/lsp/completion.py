@@ -67,16 +67,16 @@ def completions(
     trigger = params.context.trigger_character if params.context is not None else None
     return {
         "isIncomplete": False,
-        "items": _items(document, params.position, documents, workshop, trigger or ""),
+        "items": proposed(document, params.position, documents, workshop, trigger or ""),
     }
 
 
-def _items(
+def proposed(
     document: Document,
     position: Position,
     documents: Mapping[str, Document],
     workshop: Workshop,
-    trigger: str,
+    trigger: str = "",
 ) -> list[Json]:
     """Return what can be written at a place, the likeliest first.
 

@@ -1,4 +1,4 @@
-"""What a verdict rests on and did not look at: beside it in one line, the same in terminal, page and studio."""
+"""What a verdict rests on and did not look at: one line beside it, in terminal, page and studio the same."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -13,9 +13,8 @@ from ropsim.cli.main import main
 from ropsim.cli.output import Output
 from ropsim.cli.stamps import SETTLED, contents, stamps
 from ropsim.cli.watch import watch
-from ropsim.views import Style
 
-TEXT = Output(json=False, style=Style.PLAIN)
+TEXT = Output(json=False, is_coloured=False)
 WRONG = "wihle true\n  mov home\nendw\n"
 
 
@@ -104,7 +103,7 @@ def test_a_project_that_is_away_for_a_moment_is_waited_for(
 def test_each_check_is_a_document(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     watched(
-        project, [appended(project / "programs" / "main.task", WRONG)], Output(json=True, style=Style.PLAIN)
+        project, [appended(project / "programs" / "main.task", WRONG)], Output(json=True, is_coloured=False)
     )
     first, second = capsys.readouterr().out.split("\n}\n{")
     assert json.loads(first + "}")["ok"] is True
