@@ -60,6 +60,16 @@ def is_our_own(entity: object) -> bool:
     return module.partition(".")[0] == "ropsim"
 
 
+def foreign_of(maker: object, path: object) -> object | None:
+    """Return whose code a path is looked at for: its own or that of who made it; None where all is ours.
+
+    Args:
+        maker: who made it.
+        path: what was made.
+    """
+    return next((one for one in (path, maker) if not is_our_own(one)), None)
+
+
 def refused(entity: object, found: str, move: MoveInstruction) -> Refusal:
     """Return C603 at the line of a move.
 

@@ -9,7 +9,6 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.pieces import Piece
 from ropsim.controller.wording import passes
-from ropsim.flow import MotionKind
 from ropsim.motion import NO_SPLINE
 from ropsim.spatial import Array
 
@@ -25,7 +24,7 @@ def standing_refusal(leg: Leg, piece: Piece) -> Refusal | None:
         leg: the move.
         piece: a part of the course that belongs to it.
     """
-    if leg.tool is None or piece.corner or leg.move.kind is not MotionKind.SPLINE:
+    if leg.tool is None or piece.corner:
         return None
     place = piece.begin
     for stage in piece.stages:

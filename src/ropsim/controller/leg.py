@@ -69,7 +69,7 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
     joints: JointPath | None = planned.joints
     found: tuple[Diagnostic, ...] = ()
     if planned.tool is not None:
-        wrong = unusable_tool_path(planned.tool, move)
+        wrong = unusable_tool_path(planner, planned.tool, move)
         if wrong:
             return wrong
     if planned.tool is not None and joints is None:

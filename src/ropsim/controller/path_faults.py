@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.entity_faults import guarded, is_our_own, refused
+from ropsim.controller.entity_faults import foreign_of, guarded, is_our_own, refused
 from ropsim.controller.path_truth import wrong_derivatives
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JointPath, JointPoints, ToolPath, ToolPoints
@@ -54,32 +54,45 @@ def unusable_samples(
     return _begins_elsewhere(entity, q[0], q_start, move) or _unusable_length(entity, samples.length, move)
 
 
-def unusable_tool_path(path: ToolPath, move: MoveInstruction) -> Refusal | None:
-    """Return why a path of the tool cannot be followed, None where it can; our own are not looked at.
+def unusable_tool_path(maker: object, path: ToolPath, move: MoveInstruction) -> Refusal | None:
+    """Return why a path of the tool cannot be followed, None where it can.
+
+    Our own that our own code has made are not looked at; tests do that for each kind of them.
 
     Args:
-        path: what a planner returned.
+        maker: who made it.
+        path: what it made.
         move: what it is for.
     """
-    if is_our_own(path):
-        return None
-    length = guarded(path, lambda: float(path.length), (float,), move)
-    wrong = length if isinstance(length, Refusal) else _unusable_length(path, length, move)
+    entity = foreign_of(maker, path)
+    return None if entity is None else faults_of_tool_path(entity, path, move)
+
+
+def faults_of_tool_path(entity: object, path: ToolPath, move: MoveInstruction) -> Refusal | None:
+    """Return why a path of the tool cannot be followed, None where it can.
+
+    Args:
+        entity: who is named where it cannot.
+        path: that is looked at.
+        move: what it is for.
+    """
+    length = guarded(entity, lambda: float(path.length), (float,), move)
+    wrong = length if isinstance(length, Refusal) else _unusable_length(entity, length, move)
     if wrong:
         return wrong
     places = np.linspace(0.0, path.length, _LOOKS)
-    points = guarded(path, lambda: path.tool(places), (ToolPoints,), move)
+    points = guarded(entity, lambda: path.tool(places), (ToolPoints,), move)
     if isinstance(points, Refusal):
         return points
-    positions = guarded(path, lambda: path.positions(places), (np.ndarray,), move)
+    positions = guarded(entity, lambda: path.positions(places), (np.ndarray,), move)
     if isinstance(positions, Refusal):
         return positions
     shapes = {"matrices": (_LOOKS, 4, 4), "d1": (_LOOKS, 6), "d2": (_LOOKS, 6)}
     arrays = {name: np.asarray(getattr(points, name)) for name in shapes}
     wrong = _unusable_arrays(
-        path, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
+        entity, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
     )
-    return wrong or wrong_derivatives(path, places, points, move)
+    return wrong or wrong_derivatives(entity, path, places, points, move)
 
 
 def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveInstruction) -> Refusal | None:

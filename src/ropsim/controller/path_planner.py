@@ -166,9 +166,9 @@ class StandardPathPlanner:
             return Refusal(path)
         if path is None and not axes:
             return so_far
-        path = Standing(X_end) if path is None else path
-        wrong = unusable_tool_path(path, move) or misplaced_tool_path(path, request)
-        if wrong:
+        if path is None:
+            path = Standing(X_end)
+        elif wrong := unusable_tool_path(make, path, move) or misplaced_tool_path(make, path, request):
             return wrong
         if axes:
             share = self.controller.speed_override

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.controller.entities import Refusal
-from ropsim.controller.entity_faults import is_our_own, refused
+from ropsim.controller.entity_faults import foreign_of, refused
 from ropsim.controller.kinds import PathRequest
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ToolPath, ToolPoints
@@ -17,14 +17,16 @@ _SAME = 1e-6
 """By how much an end may be elsewhere [m], or turned as entries of the rotation."""
 
 
-def misplaced_tool_path(path: ToolPath, request: PathRequest) -> Refusal | None:
+def misplaced_tool_path(maker: object, path: ToolPath, request: PathRequest) -> Refusal | None:
     """Return why a usable path of the tool is not the one that was wanted; our own are not looked at.
 
     Args:
-        path: what a kind of paths made.
+        maker: the kind of paths that made it.
+        path: what it made.
         request: what it was made of.
     """
-    if is_our_own(path):
+    entity = foreign_of(maker, path)
+    if entity is None:
         return None
     ends = path.tool(np.array([0.0, path.length])).matrices
     wanted = {"begins": (ends[0], request.X_start)}
@@ -38,12 +40,12 @@ def misplaced_tool_path(path: ToolPath, request: PathRequest) -> Refusal | None:
             found = (
                 f"{word} {away * 1e3:.3g} mm from {place}" if away > _SAME else f"{word} with the tool turned"
             )
-            return refused(path, f"is a path that {found}", request.move)
+            return refused(entity, f"{'is' if entity is path else 'made'} a path that {found}", request.move)
     return None
 
 
 def wrong_derivatives(
-    path: ToolPath, places: Array, points: ToolPoints, move: MoveInstruction
+    entity: object, path: ToolPath, places: Array, points: ToolPoints, move: MoveInstruction
 ) -> Refusal | None:
     """Return C603 where `d1` or `d2` are not the derivatives of the poses, by differences around places."""
     step = _STEP * path.length
@@ -61,5 +63,5 @@ def wrong_derivatives(
         row = int(np.argmax(off))
         if not off[row] <= allowed[name]:
             found = f"`{name}` that is not the derivative at place {middles[row]:.3g}: off by {off[row]:.3g}"
-            return refused(path, f"returned {found}", move)
+            return refused(entity, f"returned {found}", move)
     return None

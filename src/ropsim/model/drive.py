@@ -9,9 +9,7 @@ class InputKind(StrEnum):
     """What a joint controller puts out, and what the amplifier of a drive takes."""
 
     VOLTAGE = "voltage"
-    CURRENT = "current"
     EFFORT = "effort"
-    VALVE = "valve"
 
 
 @dataclass(frozen=True, slots=True)

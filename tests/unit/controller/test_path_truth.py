@@ -15,8 +15,10 @@ from ropsim.controller import (
     plan,
     plan_move,
 )
+from ropsim.controller.kinds import TOOL_PATHS
+from ropsim.controller.path_faults import faults_of_tool_path
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
-from ropsim.motion import Line, ToolPoints
+from ropsim.motion import Line, OrientationMode, ToolPoints
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, LINE, START, interface_pose, lin, shifted
 
@@ -78,6 +80,58 @@ def test_a_path_that_is_another_one_than_it_says_is_refused(wrong: dict[str, flo
     assert isinstance(found, Refusal)
     assert found.diagnostics[0].code == "C603"
     assert told in found.diagnostics[0].message
+
+
+def test_a_path_of_ours_that_code_of_a_user_has_made_is_looked_at() -> None:
+    """Whose class it is says nothing about the points it was given."""
+
+    def astray(request: PathRequest) -> Line:
+        return Line(shifted(request.X_start, 0.02, 0.0, 0.0), request.X_end)
+
+    planner = CHAIN.planner
+    assert isinstance(planner, StandardPathPlanner)
+    chain = replace(CHAIN, planner=replace(planner, kinds={"LIN": astray}))
+    found = plan_move(chain, lin(THERE), START)
+    assert isinstance(found, Refusal)
+    assert "`astray` made a path that begins 20 mm from where the tool is" in found.diagnostics[0].message
+
+
+VIA = (shifted(HERE, -0.05, 0.08, 0.0), shifted(HERE, -0.08, 0.02, 0.05))
+
+
+def turned(z: float, angle: float) -> Pose:
+    """Return the pose where the tool is, moved by z [m] and turned about the vertical [rad]."""
+    c, s = np.cos(angle), np.sin(angle)
+    X = shifted(HERE, 0.0, 0.0, z).matrix()
+    X[:3, :3] = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]) @ X[:3, :3]
+    return Pose.from_matrix(X)
+
+
+WAYS: dict[str, tuple[Pose, ...]] = {"LIN": (), "CIRC": VIA[:1], "SPLINE": VIA}
+"""Points on the way of a move of each kind."""
+
+
+@pytest.mark.parametrize("kind", TOOL_PATHS)
+def test_each_kind_of_path_of_the_house_stands_the_look_that_those_of_users_get(kind: str) -> None:
+    """A new kind needs an entry in `WAYS`: our own paths are not looked at while we plan."""
+    move = MoveInstruction(kind, THERE, ModalState(), via=WAYS[kind])
+    request = PathRequest(move, HERE, WAYS[kind], THERE, OrientationMode.FIXED_AXIS)
+    path = TOOL_PATHS[kind](request)
+    assert path is not None
+    assert not isinstance(path, tuple)
+    assert faults_of_tool_path(path, path, move) is None
+
+
+def test_a_curve_of_another_kind_that_turns_back_in_a_point_is_refused_like_a_spline() -> None:
+    planner = CHAIN.planner
+    assert isinstance(planner, StandardPathPlanner)
+    chain = replace(CHAIN, planner=replace(planner, kinds={"WAVE": TOOL_PATHS["SPLINE"]}))
+    ends = ((0.0, -21.0), (-0.000072579, -22.559461), (-0.000004723, -24.361847), (-0.000093222, -31.830284))
+    _, *via, target = (turned(z, np.radians(angle + 21.0)) for z, angle in ends)
+    wave = MoveInstruction("WAVE", target, ModalState(), via=tuple(via))
+    _, refusal = plan(chain, [wave], MotionState.at_rest(START))
+    assert refusal is not None
+    assert [one.code for one in refusal.diagnostics] == ["M567"]
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,13 @@ from math import inf, nan
 import numpy as np
 import pytest
 
+from ropsim.codegen import Tracer
+from ropsim.codegen.reachable import reachable
 from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, friction, mass_matrix, steady_drive
 from ropsim.dynamics.drives import command_limit
+from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
+from ropsim.dynamics.drives.chain import DriveChain
+from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
 from ropsim.model import (
     CurrentLimitedAmplifier,
     Drive,
@@ -53,6 +58,23 @@ def test_an_ideal_drive_gives_what_it_is_commanded() -> None:
     assert steady_drive(ideal_drive(), 0.3, 2.0, 12.5) == ((), 12.5, 12.5)
     assert command_limit(ideal_drive()) == inf
     assert command_limit(ideal_drive(40.0)) == 40.0
+
+
+@pytest.mark.parametrize("transmission", TRANSMISSIONS.values())
+@pytest.mark.parametrize("motor", MOTORS.values())
+@pytest.mark.parametrize("amplifier", AMPLIFIERS.values())
+def test_friction_and_inertia_at_the_joint_are_those_of_numbers_and_speed_alone(
+    amplifier: AmplifierBlock, motor: MotorBlock, transmission: TransmissionBlock
+) -> None:
+    """Planning knows no states of drives: what a block brings to the joint must not need them."""
+    chain, tracer = DriveChain(amplifier, motor, transmission), Tracer()
+    p = tracer.variables("numbers", chain.size)
+    states = tracer.variables("states", len(chain.states))
+    q, qd, u = (tracer.variable(name) for name in ("q", "qd", "u"))
+    carried = chain.trace(p, q, qd, states, u)
+    sides = [side for side in (carried.friction, carried.inertia) if side is not None]
+    read = {node.text.partition("[")[0] for node in reachable(sides) if node.op == "var"}
+    assert read <= {"numbers", "qd"}
 
 
 def test_an_elastic_gear_is_twisted_by_what_it_carries() -> None:

@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import Beyond, JointBounds, JointPoints, ProfileError, keep_limits, no_ways, time_optimal
+from ropsim.motion import (
+    Beyond,
+    JointBounds,
+    JointPoints,
+    ProfileError,
+    Quantity,
+    keep_limits,
+    no_ways,
+    time_optimal,
+)
+from ropsim.motion.limits import strain_kernel
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.need import rates_needed
@@ -18,6 +28,11 @@ def test_acceleration_that_does_not_begin_and_end_at_0_is_jerk_at_the_first_and_
     rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), np.array([[1.0], [1.0], [1.0], [3.0]]))
     used = strain(rows, None, BOUNDS, 0.01).used
     assert used[2] == pytest.approx([1.0, 0.0, 0.0, 3.0])
+
+
+def test_the_rows_of_strains_are_those_of_the_quantities() -> None:
+    rows = {quantity.name: getattr(strain_kernel, quantity.name) for quantity in Quantity}
+    assert list(rows.values()) == list(range(len(Quantity)))
 
 
 def test_strains_are_shares_of_each_bound() -> None:

@@ -1,3 +1,5 @@
+from typing import cast
+
 import pytest
 
 from ropsim import icr
@@ -213,6 +215,12 @@ def test_arcs_and_curves_become_one_move_each() -> None:
 def test_an_arc_through_another_number_of_points_is_unsound(via: tuple[Expression, ...]) -> None:
     with pytest.raises(LoweringError, match="through one point"):
         compiled(Move(MotionKind.CIRC, place(0.3), Settings(), at(1), via))
+
+
+def test_a_path_of_a_kind_without_an_instruction_is_unsound() -> None:
+    helix = cast("MotionKind", "HELIX")
+    with pytest.raises(LoweringError, match="no instruction makes a path of kind `HELIX`"):
+        compiled(Move(helix, place(0.3), Settings(), at(1), (place(0.1),)))
 
 
 def test_a_task_called_inside_with_inherits_the_settings_and_with_takes_them_back() -> None:

@@ -31,8 +31,7 @@ def _move_joints(registers: Registers, _world: World, site: Site) -> Instruction
 
 
 def _move_pose(registers: Registers, _world: World, site: Site) -> Instruction:
-    kind = MotionKind.LIN if site.mnemonic == "MOVE.LIN" else MotionKind.PTP
-    return _moved(registers, site, kind, _taken(registers, 1))
+    return _moved(registers, site, _TO_POSES[site.mnemonic], _taken(registers, 1))
 
 
 def _move_arc(registers: Registers, _world: World, site: Site) -> Instruction:
@@ -175,6 +174,8 @@ def _seen_now(registers: Registers) -> Location:
 
 _UNKNOWN = "move to a pose before, or let the move before keep where it ends: `store NAME`, then use NAME"
 _SIDES = {"before": Side.BEFORE_END, "after": Side.AFTER_START}
+_TO_POSES = {"MOVE.PTP": MotionKind.PTP, "MOVE.LIN": MotionKind.LIN}
+"""Kinds of the moves to one pose."""
 
 MOTION: dict[str, Operation] = {
     "MOVE.PTP.J": _move_joints,

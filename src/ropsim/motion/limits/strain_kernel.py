@@ -8,6 +8,10 @@ from ropsim.spatial import Array
 _TINY = 1e-300
 _MOST_AT_ONCE = 2.0
 """Greatest excess that is made good at once."""
+SPEED, ACCELERATION, JERK, TORQUE = range(4)
+"""Rows of what is used, of peaks and of limits, in the order of `Quantity`."""
+RATE, SWING, WINDOW, LOAD = range(4)
+"""Rows of lacks: rate and acceleration are divided by them, windows multiplied, torque divided."""
 
 
 @kernel(
@@ -65,7 +69,7 @@ def strain_of(
                 jump = max(jump, abs(qdd[k, j]))
             load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
             values = (abs(qd[k, j]), abs(qdd[k, j]), jump, load)
-            for kind in range(4):
+            for kind in range(len(values)):
                 value = values[kind]
                 share = value / limits[kind, here, j]
                 if not share < math.inf:
@@ -74,23 +78,30 @@ def strain_of(
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)
                     continue
-                if kind == 3:
+                if kind == TORQUE:
                     past = (course[0, k] - places[way]) / (places[way + 1] - places[way])
                     held = still[way, j] + past * (still[way + 1, j] - still[way, j])
                     held = math.copysign(held, held * torque[k, j])
-                    share = (value - held) / max(limits[3, here, j] - held, _TINY)
+                    share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
-                of_rate, of_swing = 0.0, 0.0
-                if kind == 2:
+                of_rate, of_swing, of_window, of_load = 0.0, 0.0, 0.0, 0.0
+                if kind == JERK:
                     by_path, bend, change = _causes(path, course, j, before, k)
                     of_rate = by_path / 3.0 * lack
                     of_swing = (bend + 0.2 * change) * lack
-                    lack *= change
+                    of_window = lack * change
+                elif kind == ACCELERATION:
+                    of_swing = lack
+                elif kind == TORQUE:
+                    of_load = lack
+                else:  # whatever it is, slowing is what helps
+                    of_rate = lack
                 for i in range(way, way + 2):
-                    lacks[kind, i] = max(lacks[kind, i], lack)
-                    lacks[0, i] = max(lacks[0, i], of_rate)
-                    lacks[1, i] = max(lacks[1, i], of_swing)
+                    lacks[RATE, i] = max(lacks[RATE, i], of_rate)
+                    lacks[SWING, i] = max(lacks[SWING, i], of_swing)
+                    lacks[WINDOW, i] = max(lacks[WINDOW, i], of_window)
+                    lacks[LOAD, i] = max(lacks[LOAD, i], of_load)
 
 
 def _causes(path: Array, course: Array, j: int, before: int, now: int) -> tuple[float, float, float]:

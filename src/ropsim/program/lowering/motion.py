@@ -145,7 +145,13 @@ def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
 
 
 def _curved(scope: Scope, move: Move) -> None:
-    """Emit an arc or a smooth curve."""
+    """Emit an arc or a smooth curve.
+
+    Raises:
+        LoweringError: no instruction makes a path of this kind.
+    """
+    if move.kind not in (MotionKind.CIRC, MotionKind.SPLINE):
+        raise unsound(f"no instruction makes a path of kind `{move.kind}`", move.span)
     if move.kind == MotionKind.CIRC and len(move.via) != 1:
         raise unsound(f"an arc leads through one point, not {len(move.via)}", move.span)
     for point in (*move.via, move.target):
