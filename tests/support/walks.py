@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.controller import MotionChain, MotionPlan
+from ropsim.controller import MotionChain, MotionPlan, MotionState, plan
 from ropsim.controller.kept_limits import arm_bounds
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward_batch
@@ -12,8 +12,11 @@ from ropsim.model import Payload, RobotModel
 from ropsim.spatial import Array, Pose
 from support.motion import references
 
+WITHIN = 1.0 + 1e-9  # of limits: rounding
+WITHIN_TOOL = 1.0 + 1e-3  # paths of joints are true to 1e-9 m between samples, seen by third differences
 _MARGIN = 0.1  # of the range of a joint, on either side
 _FEWEST_TICKS = 8
+_SHORT = MotionKind.LIN, MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE
 _KINDS = MotionKind.PTP, MotionKind.LIN, MotionKind.CIRC, MotionKind.SPLINE
 _POINTS = {MotionKind.PTP: 1, MotionKind.LIN: 1, MotionKind.CIRC: 2, MotionKind.SPLINE: 3}
 
@@ -48,6 +51,49 @@ def random_walk(chain: MotionChain, random: np.random.Generator) -> Walk:
         moves.append(MoveInstruction(kind, poses[-1], modal, external=external, via=tuple(poses[:-1])))
         q = points[-1]
     return Walk(start, tuple(moves))
+
+
+def hairpins(chain: MotionChain, random: np.random.Generator) -> Walk:
+    """Return three to eight lines, arcs and curves of millimetres that turn back, most of them sharply."""
+    robot = chain.robot
+    start = _between(robot, random.uniform(size=robot.n))
+    X_BT, ahead = _pose(robot, start), _direction(random.normal(size=3))
+    external = tuple(float(start[axis]) for axis in robot.external)
+    size, here, moves = 10.0 ** random.uniform(-3.3, -2.3), X_BT.position, []
+    for number in range(random.integers(3, 9)):
+        aside = _direction(np.cross(ahead, random.normal(size=3)))
+        opening = 10.0 ** random.uniform(-3.0, 0.3)
+        way = ((-1.0) ** number * ahead + opening * aside) * size * random.uniform(0.5, 2.0)
+        kind = _SHORT[random.integers(len(_SHORT))]
+        off = aside * size * random.normal(scale=0.3)
+        shares = {MotionKind.LIN: (), MotionKind.CIRC: (0.5,), MotionKind.SPLINE: (0.3, 0.7)}[kind]
+        via = tuple(Pose(here + share * way + off, X_BT.orientation) for share in shares)
+        zone, speed = 10.0 ** random.uniform(-5.0, -2.7), 10.0 ** random.uniform(-1.0, 0.5)
+        here = here + way
+        modal = ModalState(path_speed=speed, zone=zone)
+        moves.append(MoveInstruction(kind, Pose(here, X_BT.orientation), modal, external=external, via=via))
+    return Walk(start, tuple(moves))
+
+
+def faults_of(chain: MotionChain, walk: Walk, payload: Payload) -> list[str]:
+    """Return which laws the plan of a walk breaks: limits of joints and tool at each tick, and continuity."""
+    planned, refusal = plan(chain, walk.moves, MotionState.at_rest(walk.q_start), payload)
+    if planned is None:
+        return [] if refusal else ["neither a plan nor a refusal"]
+    robot, period = chain.robot, planned.period
+    asked, of_tool = shares(robot, planned, payload), tool_shares(robot, planned)
+    faults = [f"{name} of a joint {share:.12g}" for name, share in asked.items() if not share <= WITHIN]
+    faults += [f"{name} of the tool {share:.9g}" for name, share in of_tool.items() if share > WITHIN_TOOL]
+    q, qd, qdd = references(planned)
+    bend = np.abs(np.diff(qdd, axis=0)).max(initial=0.0)
+    for name, way, rate, most in (
+        ("position", q, qd, bend * period + 1e-9),
+        ("speed", qd, qdd, bend + 1e-6),
+    ):
+        jump = np.diff(way, axis=0) / period - (rate[1:] + rate[:-1]) / 2.0
+        if not np.abs(jump).max(initial=0.0) <= most:
+            faults.append(f"{name} of a joint jumps")
+    return faults
 
 
 def shares(robot: RobotModel, plan: MotionPlan, payload: Payload) -> dict[str, float]:
@@ -100,6 +146,10 @@ def _near(robot: RobotModel, q: Array, reach: float, random: np.random.Generator
     low, high = _between(robot, np.zeros(robot.n)), _between(robot, np.ones(robot.n))
     near: Array = np.clip(q + random.uniform(-reach, reach, robot.n) * (high - low), low, high)
     return near
+
+
+def _direction(vector: Array) -> Array:
+    return np.asarray(vector / np.linalg.norm(vector))
 
 
 def _pose(robot: RobotModel, q: Array) -> Pose:

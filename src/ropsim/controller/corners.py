@@ -6,9 +6,10 @@ import numpy as np
 
 from ropsim.controller.coordination import Coordination, coordination_round
 from ropsim.controller.entities import Refusal
-from ropsim.controller.leg import Leg, trace
+from ropsim.controller.leg import Leg
 from ropsim.controller.meeting import meeting_of
 from ropsim.controller.motion_chain import MotionChain
+from ropsim.controller.tracing import trace
 from ropsim.controller.wrist_corner import are_led, wrist_corner
 from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward_batch

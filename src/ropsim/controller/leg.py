@@ -1,33 +1,18 @@
 """A leg: one move with its path in joint space."""
 
-import math
-from functools import partial
-
 import numpy as np
 
-from ropsim.controller.coordination import Coordination
-from ropsim.controller.entities import JointInterpolator, Refusal
+from ropsim.controller.entities import Refusal
 from ropsim.controller.entity_faults import guarded
 from ropsim.controller.motion_chain import MotionChain
-from ropsim.controller.path_faults import (
-    unusable_path,
-    unusable_samples,
-    unusable_setpoints,
-    unusable_tool_path,
-)
+from ropsim.controller.path_faults import unusable_path, unusable_tool_path
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_wish import other_posture
+from ropsim.controller.tracing import trace
 from ropsim.core import Diagnostic
-from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.motion import JUMP_ON_LINE, JointPath, ToolPath
+from ropsim.flow import MoveInstruction
+from ropsim.motion import JointPath, ToolPath
 from ropsim.spatial import Array, frozen, record
-
-MOST_DENSITY = 64
-"""How many times more samples than at first are tried where a path runs near a singularity."""
-
-_SMOOTH = 5e-8
-"""Difference of the paths through all samples and through every second one [rad | m]; halving the distance of
-the samples divides it by 64, so the path through all of them is true to about 1e-9."""
 
 
 @record
@@ -86,80 +71,3 @@ def leg_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> Leg | R
     q_end = frozen(joints.joints(np.array([joints.length])).q[0])
     found += other_posture(move, chain.robot, q_end)
     return Leg(move, planned, joints, q_end, planned.findings + found)
-
-
-def trace(
-    chain: MotionChain,
-    path: ToolPath,
-    q_start: Array,
-    move: MoveInstruction,
-    coordination: Coordination | None = None,
-) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
-    """Return the path of the joints that leads the tool along a path, and what is found on it.
-
-    Where the joints turn too fast from sample to sample, near a singularity, samples are taken more densely;
-    what even then jumps is refused.
-
-    Args:
-        chain: the entities.
-        path: of the tool in the base frame, or in that of the coordination.
-        q_start: joint coordinates at its start [rad | m], shape (n,).
-        move: the instruction.
-        coordination: external axes that go along; None where they stand.
-    """
-    density = 1
-    while True:
-        setpoints = _setpoints(chain, path, move, density)
-        if isinstance(setpoints, Refusal):
-            return setpoints
-        if coordination:
-            coarseness = coordination.coarseness(len(setpoints.matrices) - 1)
-            if coarseness > 1.0 and density < MOST_DENSITY:
-                density = min(MOST_DENSITY, density * 2 ** math.ceil(math.log2(coarseness)))
-                continue
-            setpoints = coordination.in_base(setpoints)
-        samples = _samples(chain, setpoints, q_start, move)
-        if isinstance(samples, Refusal):
-            if density == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
-                return samples
-        else:
-            entity = chain.joint_interpolator
-            joints = guarded(entity, partial(entity.refine, samples), (object,), move)
-            if isinstance(joints, Refusal):
-                return joints
-            wrong = unusable_path(entity, joints, q_start, move)
-            if wrong:
-                return wrong
-            if density == MOST_DENSITY or _is_smooth(entity, samples):
-                return joints, samples.findings
-        density *= 2
-
-
-def _setpoints(
-    chain: MotionChain, path: ToolPath, move: MoveInstruction, density: int
-) -> PoseSetpoints | Refusal:
-    interpolator = chain.interpolator
-    setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
-    if isinstance(setpoints, Refusal):
-        return setpoints
-    return unusable_setpoints(interpolator, setpoints, move) or setpoints
-
-
-def _samples(
-    chain: MotionChain, setpoints: PoseSetpoints, q_start: Array, move: MoveInstruction
-) -> JointSamples | Refusal:
-    inverse = chain.inverse
-    samples = guarded(inverse, lambda: inverse.solve(setpoints, q_start, move), (JointSamples,), move)
-    if isinstance(samples, Refusal):
-        return samples
-    return unusable_samples(inverse, samples, q_start, move) or samples
-
-
-def _is_smooth(entity: JointInterpolator, samples: JointSamples) -> bool:
-    """Return whether the path through every second sample passes the others."""
-    rows = len(samples.q)
-    if rows < 5 or rows % 2 == 0:
-        return False
-    coarse = entity.refine(JointSamples(samples.length, samples.q[::2]))
-    between: Array = np.arange(1.0, rows - 1.0, 2.0) * (samples.length / (rows - 1))
-    return float(np.abs(coarse.joints(between).q - samples.q[1:-1:2]).max()) <= _SMOOTH

@@ -5,11 +5,11 @@ import numpy as np
 from ropsim.controller.coordination import Coordination
 from ropsim.controller.leg import Leg
 from ropsim.controller.posture_choice import JointRange
-from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_lead
+from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_joints, wrist_lead
 from ropsim.controller.wrist_path import WristPath
 from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.model import RobotModel
-from ropsim.motion import JointPath, JointPoints, ToolPath, Traced, smoothly
+from ropsim.motion import JointPath, JointPoints, ToolPath, smoothly
 from ropsim.spatial import record
 
 
@@ -52,14 +52,14 @@ def wrist_corner(
     first, last = _joints(*before), _joints(*behind)
     wrist = list(arm_axes(robot)[3:])
     turned = (JointPoints(one.q[:, wrist], one.d1[:, wrist], one.d2[:, wrist]) for one in (first, last))
-    wrist_joints = smoothly(path.length, *turned)
-    way = WristWay(robot, before[0].planned.X_MT, path, wrist_joints, first.q[0], along)
+    turning = smoothly(path.length, *turned)
+    way = WristWay(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
     lead = wrist_lead(way)
     if lead.share < 1.0 or float(np.abs(lead.q[-1] - last.q[0]).max()) > SAME_JOINTS:
         return None
     if JointRange.of(robot).excess(lead.q).any():
         return None
-    joints = Traced(path.length, lead.q)
+    joints = wrist_joints(way, lead.q)
     return WristCorner(way.led_by(joints), joints)
 
 

@@ -9,18 +9,17 @@ from dataclasses import field
 
 import numpy as np
 
+from ropsim.controller.tracing import SMOOTH
 from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
 from ropsim.model import BASE_LINK, RobotModel, held_arm
-from ropsim.motion import Traced
+from ropsim.motion import JointPath, Refined, Traced, joins, rough_parts
 from ropsim.spatial import Array, Pose, record
 
 _COARSE = (16, 64, 256)
 """Steps of four parts of a way that are gone one after the other; more where a place is not found."""
 _MOST = 4096
 """Steps of four parts of a way at most."""
-_SMOOTH = 5e-8
-"""Difference of the paths through all samples and through every second one [rad], as in `leg`."""
 _NEWTON = 20  # steps at most; from a near start each doubles the digits
 _SAME_PLACE = 1e-10  # [m]
 SAME_JOINTS = 1e-6
@@ -60,18 +59,54 @@ def wrist_lead(way: WristWay, parts: int = 1) -> WristLead:
             break
     else:
         return lead
-    q = lead.q
+    return _densely(arm, way, lead.q, (0.0, way.path.length), _MOST * fours)
+
+
+def wrist_joints(way: WristWay, q: Array) -> JointPath:
+    """Return the smooth path through joint coordinates; where they are too far apart, more are found.
+
+    Args:
+        way: with what is given on it.
+        q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
+    """
+    length, arm = way.path.length, _Arm(way.robot, way.X_MT)
+    whole, step = Traced(length, q), length / (len(q) - 1)
+    places = np.arange(1.0, len(q) - 1.0, 2.0) * step
+    rough = np.abs(Traced(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
+    begins, parts = [], []
+    for first, last in rough_parts(rough > SMOOTH):
+        begin, end = first * step, last * step
+        lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
+        part = Traced(end - begin, lead.q)
+        if lead.share == 1.0 and joins(whole, begin, part, step, SMOOTH):
+            begins.append(begin)
+            parts.append(part)
+    return Refined(whole, np.array(begins), tuple(parts)) if parts else whole
+
+
+def _densely(arm: "_Arm", way: WristWay, q: Array, ends: tuple[float, float], most: int) -> WristLead:
+    """Return the joints between two places of a way, as dense as their smooth path needs.
+
+    Args:
+        arm: that leads.
+        way: with what is given on it.
+        q: at equidistant places between the two, shape (k, n).
+        ends: the two places, in the unit of the way.
+        most: steps, about.
+    """
+    begin, end = ends
     while True:
         shares = (np.arange(len(q) - 1) + 0.5) / (len(q) - 1)
-        guess = way.given(shares * way.path.length)
+        places = begin + shares * (end - begin)
+        guess = way.given(places)
         guess[:, arm.first] = 0.5 * (q[:-1] + q[1:])[:, arm.first]
-        between, found = arm.solved(guess, way.positions(shares * way.path.length))
+        between, found = arm.solved(guess, way.positions(places))
         if not found.all():
             return WristLead(q, float(shares[int(np.argmin(found))]))
-        is_smooth = float(np.abs(Traced(1.0, q).joints(shares).q - between).max()) <= _SMOOTH
+        is_smooth = float(np.abs(Traced(1.0, q).joints(shares).q - between).max()) <= SMOOTH
         both = np.empty((2 * len(q) - 1, q.shape[1]))
         both[::2], both[1::2], q = q, between, both
-        if is_smooth or len(q) > _MOST * fours:
+        if is_smooth or len(q) > most:
             return WristLead(q, 1.0)
 
 

@@ -9,7 +9,7 @@ from ropsim.controller.line_check import Line, end_findings, limit_refusals
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.posture_choice import JointRange, nearest_turns
 from ropsim.controller.wording import coordinate, passes
-from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_lead
+from ropsim.controller.wrist_lead import SAME_JOINTS, wrist_joints, wrist_lead
 from ropsim.controller.wrist_points import WristPoints, points_of
 from ropsim.controller.wrist_way import WristWay, arm_axes
 from ropsim.core import Diagnostic
@@ -68,7 +68,7 @@ class WristPlanner:
         refusals = limit_refusals(line, q, self.limits)
         if refusals:
             return Refusal(refusals)
-        joints = Traced(path.length, q)
+        joints = wrist_joints(way, q)
         findings = so_far.findings + end_findings(line, q[-1])
         return replace(so_far, joints=joints, tool=way.led_by(joints), findings=findings)
 

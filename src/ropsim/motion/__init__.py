@@ -63,6 +63,7 @@ from ropsim.motion.paths import JointSection as JointSection
 from ropsim.motion.paths import JointSpline as JointSpline
 from ropsim.motion.paths import Line as Line
 from ropsim.motion.paths import Path as Path
+from ropsim.motion.paths import Refined as Refined
 from ropsim.motion.paths import Seen as Seen
 from ropsim.motion.paths import SplineFault as SplineFault
 from ropsim.motion.paths import Standing as Standing
@@ -77,10 +78,12 @@ from ropsim.motion.paths import corner as corner
 from ropsim.motion.paths import enter as enter
 from ropsim.motion.paths import evenly as evenly
 from ropsim.motion.paths import grid as grid
+from ropsim.motion.paths import joins as joins
 from ropsim.motion.paths import leave as leave
 from ropsim.motion.paths import monotone as monotone
 from ropsim.motion.paths import numeric_points as numeric_points
 from ropsim.motion.paths import pose_derivatives as pose_derivatives
+from ropsim.motion.paths import rough_parts as rough_parts
 from ropsim.motion.paths import smoothly as smoothly
 from ropsim.motion.paths import spline as spline
 from ropsim.motion.paths import tool_turn as tool_turn

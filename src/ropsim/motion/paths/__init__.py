@@ -27,6 +27,9 @@ from ropsim.motion.paths.path import JointPoints as JointPoints
 from ropsim.motion.paths.path import Path as Path
 from ropsim.motion.paths.path import ToolPath as ToolPath
 from ropsim.motion.paths.path import ToolPoints as ToolPoints
+from ropsim.motion.paths.refined import Refined as Refined
+from ropsim.motion.paths.refined import joins as joins
+from ropsim.motion.paths.refined import rough_parts as rough_parts
 from ropsim.motion.paths.section import JointSection as JointSection
 from ropsim.motion.paths.section import ToolSection as ToolSection
 from ropsim.motion.paths.seen import Seen as Seen
