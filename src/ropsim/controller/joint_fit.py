@@ -14,7 +14,17 @@ from ropsim.controller.parts import Part
 from ropsim.controller.pieces import piece_borders
 from ropsim.controller.slowed_bands import slowed_in
 from ropsim.controller.stretch_motion import StretchMotion
-from ropsim.motion import ROUNDING, Quantity, Reference, Slowed, as_planned, demand, places_of, too_heavy
+from ropsim.motion import (
+    LONGEST_DELAY,
+    ROUNDING,
+    Quantity,
+    Reference,
+    Slowed,
+    as_planned,
+    demand,
+    places_of,
+    too_heavy,
+)
 from ropsim.spatial import record
 
 _SPACING = 4e-3
@@ -61,7 +71,8 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
     """Return the course with its bounds brought down where joints could not follow.
 
     The limits that the program gives for the tool stay those of every time law. Where joints leave next to
-    nothing of the speed, the course stays as it was; so does one without a path of the tool.
+    nothing of the speed, or the motion would take far too long, the course stays as it was; so does one
+    without a path of the tool.
 
     Args:
         planned: the course as the bounds of its parts alone would have it.
@@ -98,6 +109,8 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
             bands[number].replanned(look_ahead) if number in ticks else run.part
             for number, run in enumerate(now.course.runs)
         ]
+        if course_of(changed, legs).duration - planned.course.duration > LONGEST_DELAY:
+            return planned
         now = as_bounds_allow(changed, legs, looked_at, period)
     return planned
 

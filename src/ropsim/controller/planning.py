@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
@@ -99,9 +100,8 @@ def _planned(
     period = chain.controller.rates.control_period
     if not course.runs:
         return standing(legs, state.q, period, findings)
-    for number, duration in enumerate(np.diff(course.ends, prepend=0.0).tolist()):
-        if check_duration(legs[number].move, duration):
-            return _too_long(legs, number, duration)
+    if late := _late(legs, course.ends):
+        return _too_long(legs, *late)
     bounds = arm_bounds(chain.robot, payload)
     for number, leg in enumerate(legs):
         if refusal := joints_refusal(leg, bounds.joints.speed):
@@ -113,9 +113,23 @@ def _planned(
     if isinstance(kept, Beyond):
         number = move_at(course.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
+    if late := _late(legs, kept.clock.times_of(course.ends)):
+        return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
     findings += slowed_findings(legs, course.ends, keeping.slowed, chain.robot)
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     return in_ticks(chain, legs, zones, course, kept, findings)
+
+
+def _late(legs: list[Leg], ends: npt.ArrayLike) -> tuple[int, float] | None:
+    """Return the first move that lasts too long, and how long [s]; None where all end soon enough.
+
+    Args:
+        legs: the moves.
+        ends: times at which they end [s].
+    """
+    lasting = np.diff(np.asarray(ends), prepend=0.0).tolist()
+    numbered = zip(legs, enumerate(lasting), strict=True)
+    return next((found for leg, found in numbered if check_duration(leg.move, found[1])), None)
 
 
 def _too_long(legs: list[Leg], number: int, duration: float) -> _Hurdle:

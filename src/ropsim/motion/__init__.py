@@ -22,6 +22,7 @@ from ropsim.motion.limits.joint_bounds import Effort as Effort
 from ropsim.motion.limits.joint_bounds import JointBounds as JointBounds
 from ropsim.motion.limits.joint_bounds import Quantity as Quantity
 from ropsim.motion.limits.joint_bounds import torques as torques
+from ropsim.motion.limits.keep import LONGEST_DELAY as LONGEST_DELAY
 from ropsim.motion.limits.keep import keep_limits as keep_limits
 from ropsim.motion.limits.keep import kept_from as kept_from
 from ropsim.motion.limits.kept import Beyond as Beyond

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.controller import MotionChain, MotionPlan, MotionState, plan
+from ropsim.controller import MotionChain, MotionPlan, MotionState, move_check, plan
+from ropsim.controller.stretch_motion import StretchMotion
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
-from ropsim.model import Rates
-from ropsim.motion import ToolSection
+from ropsim.model import Rates, RobotModel
+from ropsim.motion import Effort, JointBounds, Reference, ToolSection, as_planned
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import (
@@ -249,6 +250,50 @@ def test_shares_next_to_nothing_take_too_long(modal: ModalState) -> None:
     assert done is None
     assert refusal is not None
     assert [found.code for found in refusal.diagnostics] == ["M513"]
+
+
+def test_a_move_that_would_take_too_long_once_a_joint_has_slowed_it_ends_the_plan_before_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The joints have so little jerk that the line takes longer than its limits alone would have it."""
+    robot = slow_to_start(3e-3)
+    chain = replace(CHAIN, robot=robot)
+    first, line = lin(shifted(HERE, -0.01, 0.0, 0.0)), lin(shifted(HERE, -0.3, 0.2, 0.0))
+    whole, refusal = plan(chain, [replace(first, modal=ZONE), line], MotionState.at_rest(START))
+    assert whole is not None
+    assert refusal is None
+    alone = planned(line).duration
+    assert whole.duration > 2.0 * alone
+    monkeypatch.setattr(move_check, "MAX_DURATION", 0.5 * (whole.duration + alone))
+    found, refusal = plan(chain, [first, line], MotionState.at_rest(START))
+    assert found is not None
+    assert refusal is not None
+    assert [one.code for one in refusal.diagnostics] == ["M513"]
+    assert len(found.moves) == 1
+
+
+def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list[float] = []
+
+    def counted(
+        motion: StretchMotion, bounds: JointBounds, effort: Effort | None, period: float
+    ) -> Reference:
+        asked.append(motion.duration)
+        return as_planned(motion, bounds, effort, period)
+
+    monkeypatch.setattr("ropsim.controller.joint_fit.as_planned", counted)
+    monkeypatch.setattr("ropsim.controller.joint_fit.LONGEST_DELAY", 2.0)
+    chain = replace(CHAIN, robot=slow_to_start(1e-3))
+    plan(chain, [lin(shifted(HERE, -0.3, 0.2, 0.0))], MotionState.at_rest(START))
+    assert len(asked) > 1
+    assert max(asked) <= asked[0] + 2.0
+
+
+def slow_to_start(jerk: float) -> RobotModel:
+    """Return the PUMA whose joints may change their acceleration by so much of what they may else."""
+    return replace(PUMA, joints=tuple(replace(one, max_jerk=jerk * one.max_jerk) for one in PUMA.joints))
 
 
 @pytest.mark.parametrize("mix", MIXES)

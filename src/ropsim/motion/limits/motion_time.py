@@ -1,6 +1,7 @@
 """How far a motion has come at a time, where it is slowed: motion time over real time."""
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.spatial import Array, frozen, record
 
@@ -57,6 +58,14 @@ class MotionTime:
             first + past * (change + past * (square + past * cube)),
             change + past * (2.0 * square + past * 3.0 * cube),
         )
+
+    def times_of(self, places: npt.ArrayLike) -> Array:
+        """Return about when motion times are reached [s], evenly between knots.
+
+        Args:
+            places: motion times [s], shape (k,).
+        """
+        return np.asarray(np.interp(np.asarray(places), self.places, self.times))
 
     def slower(self, share: float) -> "MotionTime":
         """Return the same course at a share, in ]0, 1], of all its rates."""
