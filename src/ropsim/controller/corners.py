@@ -31,6 +31,7 @@ class Stop(Enum):
     TOO_SMALL = "it is smaller than a micrometre"
     NO_WAY = "there is no way between it and its neighbour"
     UNREACHABLE = "the arm cannot follow the rounded corner"
+    QUICKER = "a stop takes less time than the way round so small a corner"
     NO_LOOK_AHEAD = "the controller does not look ahead"
 
 

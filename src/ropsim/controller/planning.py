@@ -20,6 +20,7 @@ from ropsim.controller.motion_plan import MotionPlan, MotionState
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.parts import parts_of
 from ropsim.controller.pieces import pieces_of
+from ropsim.controller.quicker_stops import quicker_stops, without
 from ropsim.controller.stages import along_with, joint_stages, tool_stages
 from ropsim.controller.start_check import check_start
 from ropsim.controller.stretch_legs import legs_of
@@ -95,6 +96,10 @@ def _planned(
     for piece in (one for pieces, _ in walks for one in pieces):
         if refusal := standing_refusal(legs[piece.leg], piece):
             return _Hurdle(piece.leg, refusal)
+    if stops := quicker_stops(legs, corners, walks, chain.controller.look_ahead):
+        findings += (hint for one in stops for hint in stopped(legs[one].move, Stop.QUICKER))
+        corners = without(corners, stops)
+        walks = pieces_of(legs, corners)
     parts = parts_of(walks, chain.controller.look_ahead)
     course = course_of(parts, len(legs))
     period = chain.controller.rates.control_period

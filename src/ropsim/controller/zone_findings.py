@@ -30,7 +30,8 @@ def clipped(move: MoveInstruction, zone: float) -> tuple[Diagnostic, ...]:
 
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
     """Return M560 for a corner at which the arm stops though a zone is in force; only at its first visit."""
-    return _stops(move, why.value, "shift the point, or give the move `fine`")
+    hint = "give a larger zone" if why is Stop.QUICKER else "shift the point"
+    return _stops(move, why.value, f"{hint}, or give the move `fine`")
 
 
 def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:

@@ -11,11 +11,11 @@ ZONE_STOPS = define(
 A zone lets the arm leave its path near a point and go on to the next one without a stop. It needs a next move
 that is known in time. The arm stops all the same where the program ends or has to wait for the arm: before a
 gripper, an output, an input that is read, a wait; where the path turns back on itself; where there is no way
-to the next point; and where the controller may not look far enough ahead. The message says which of these it
-is.
+to the next point; where the controller may not look far enough ahead; and where the zone is so small that to
+slow down for its bend takes longer than to stop. The message says which of these it is.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
-(`at 5 mm before end do set valve on`), read the input earlier, or shift the point.
+(`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.
 """,
 )
 
