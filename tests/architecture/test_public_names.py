@@ -25,7 +25,7 @@ def test_an_unknown_name_of_the_root_is_an_attribute_error() -> None:
 
 
 def test_the_root_offers_every_package_that_users_call() -> None:
-    inner = {"cli", "codegen", "lsp", "studio"}
+    inner = {"cli", "codegen", "lsp", "query", "studio"}
     assert set(PACKAGES) - inner <= set(ropsim.__all__)
 
 

@@ -100,12 +100,12 @@ END
         ("LINE 4", "LINE 40", True),
         ("ICR 1.0 p\n", 'ICR 1.0 p\nSOURCE "p.task"\n', True),
         (" a", " later", True),
-        (" x", " y", False),
+        (" x", " y", True),
         ("LOAD a", "LOAD b", False),
         ("LOAD x", "LOAD a", False),
     ],
 )
-def test_lines_sources_and_names_of_locals_are_no_part_of_what_a_program_is(
+def test_lines_sources_and_names_of_variables_are_no_part_of_what_a_program_is(
     old: str, new: str, *, is_same: bool
 ) -> None:
     program, other = assemble(LOCALS), assemble(LOCALS.replace(old, new))
