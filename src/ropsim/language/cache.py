@@ -5,7 +5,7 @@ from ropsim.language.questions import ENVIRONMENT
 from ropsim.language.reading import PARSER
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.text import Parsed
-from ropsim.query import Database
+from ropsim.query import Database, Once
 
 MAX_KEPT = 250_000
 MAX_TEXTS = 8
@@ -44,3 +44,10 @@ class LineCache:
         db.give({PARSER: self, ENVIRONMENT: environment})
         self._databases = [*self._databases[-MAX_TEXTS + 1 :], (environment, name, db)]
         return db
+
+
+def once(environment: Environment) -> Database:
+    """Return what takes answers about one text in these surroundings that is compiled one time only."""
+    db = Once()
+    db.give({PARSER: LineCache(), ENVIRONMENT: environment})
+    return db

@@ -8,7 +8,7 @@ from ropsim.icr import Program as IcrProgram
 from ropsim.language import checked as checker
 from ropsim.language import questions
 from ropsim.language import text as texts
-from ropsim.language.cache import LineCache
+from ropsim.language.cache import LineCache, once
 from ropsim.language.check.reached import uncalled, unreached
 from ropsim.language.codes import code_of
 from ropsim.language.division import divided
@@ -70,7 +70,7 @@ def compile(
     """
     source = SourceText(name, text)
     report = Report(name)
-    db = (cache or LineCache()).database(signatures, name)
+    db = cache.database(signatures, name) if cache is not None else once(signatures)
     checked, places = _checked(source, signatures, report, db)
     if checked is None:
         return Compiled(None, None, report.in_order(), source)

@@ -1,6 +1,6 @@
 """The query engine: what runs again when an input changes, and what does not."""
 
-from ropsim.query import Database, Event, Outcome
+from ropsim.query import Database, Event, Once, Outcome
 
 
 def words(db: Database) -> tuple[str, ...]:
@@ -114,3 +114,14 @@ def test_answers_of_no_use_lately_are_given_up_and_all_others_hold() -> None:
         assert db.ask(is_long, k - 1) is True
         assert db.ask(is_long, k) is False
         assert len(db) < 60
+
+
+def test_a_database_for_one_state_gives_the_same_answers() -> None:
+    once, db = Once(), database(text="a b c", is_left=False, left="l", right="r")
+    once.give({"text": "a b c", "is left": False, "left": "l", "right": "r"})
+    assert [once.ask(is_long, 2), once.ask(chosen), once.ask(count)] == [
+        db.ask(is_long, 2),
+        db.ask(chosen),
+        db.ask(count),
+    ]
+    assert len(once) == 4

@@ -1,0 +1,41 @@
+"""The same questions where inputs never change: answers are kept, and nothing else."""
+
+from collections.abc import Callable, Hashable, Mapping
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+
+from ropsim.query.database import Database
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+_MISSING = object()
+
+
+class Once(Database):
+    """A database for one state of the inputs, each given before anybody asks for what is made of it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._given: dict[Hashable, object] = {}
+        self._known: dict[tuple[Hashable, ...], object] = {}
+
+    def __len__(self) -> int:
+        """Return how many answers are kept."""
+        return len(self._known)
+
+    def give(self, values: Mapping[Hashable, object]) -> None:
+        """Give inputs."""
+        self._given.update(values)
+
+    def read(self, name: Hashable) -> Any:  # noqa: ANN401 - inputs are of any type
+        """Return an input; None where nobody has given it."""
+        return self._given.get(name)
+
+    def ask(self, function: Callable[Concatenate[Database, P], T], *arguments: P.args, **_: P.kwargs) -> T:
+        """Return what a function gives for its arguments."""
+        key = (function, *cast(tuple[Hashable, ...], arguments))
+        found = self._known.get(key, _MISSING)
+        if found is _MISSING:
+            called = cast(Callable[..., object], function)
+            found = self._known[key] = called(self, *arguments)
+        return cast(T, found)
