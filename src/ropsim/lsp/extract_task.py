@@ -35,7 +35,7 @@ def extract_task(
     first, last = start.line, end.line - 1 if end.character == 0 else end.line
     is_whole = start.character <= _blank(document.line(first))
     lines = [document.line(number) for number in range(first, last + 1)]
-    if first > last or not is_whole or not any(line.strip() for line in lines):
+    if start == end or first > last or not is_whole or not any(line.strip() for line in lines):
         return
     made = _made(document, first, last, documents, workshop)
     if isinstance(made, str):

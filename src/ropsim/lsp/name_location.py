@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from ropsim.core import SourceText, Span
-from ropsim.language import LineCache, Role, Uses, literals_of
+from ropsim.language import Role, Uses, literals_of
 from ropsim.lsp.cell_names import names_of
 from ropsim.lsp.document import Document
 from ropsim.lsp.edits import Change, action, applied, refused
@@ -26,7 +26,7 @@ def name_location(
     """Yield the change for the location at a place; where the code would not be the same, the reason."""
     line, column = params.range.start.line + 1, document.column(params.range.start) + 1
     source = SourceText(document.name, document.text)
-    spans = [one for one in literals_of(source, LineCache()) if one.line == one.end_line == line]
+    spans = [one for one in literals_of(source, workshop.lines) if one.line == one.end_line == line]
     at = [one for one in spans if one.column <= column <= one.end_column]
     if not at:
         return

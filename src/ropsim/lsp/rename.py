@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 
 from ropsim.core import SourceText
-from ropsim.language import FUNCTIONS, INNER_WORDS, STATEMENT_WORDS, LineCache, Meaning, Space, Uses, uses_of
+from ropsim.language import FUNCTIONS, INNER_WORDS, STATEMENT_WORDS, Meaning, Space, Uses, uses_of
 from ropsim.lsp.cell_names import names_of
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import FoundName, found_name
@@ -52,7 +52,8 @@ def rename(
     places = [use.span for use in uses.of(found.meaning)]
     edits: list[Json] = [{"range": document.range_of(span), "newText": new} for span in places]
     outside = frozenset(name for space, name in of_cell if space is Space.SYMBOL)
-    if not _keeps(document, uses, found, new, outside):
+    after = uses_of(_renamed(document, uses, found, new), workshop.lines, outside)
+    if not _keeps(uses, after, found, new):
         return Refusal(f"with the name `{new}` a line would be read in another way")
     return {"changes": {document.uri: edits}}
 
@@ -114,14 +115,18 @@ def _article(what: str) -> str:
     return f"{'an' if what[0] in 'aeiou' else 'a'} {what}"
 
 
-def _keeps(document: Document, uses: Uses, found: FoundName, new: str, outside: frozenset[str]) -> bool:
-    """Return whether the text with the new name uses all names as before, the new one instead of the old."""
+def _renamed(document: Document, uses: Uses, found: FoundName, new: str) -> SourceText:
+    """Return the text with the new name."""
     lines = [document.line(number) for number in range(len(document.starts))]
     for use in reversed(uses.found):
         if use.meaning == found.meaning:
             line = lines[use.span.line - 1]
             lines[use.span.line - 1] = line[: use.span.column - 1] + new + line[use.span.end_column - 1 :]
-    after = uses_of(SourceText(document.name, "\n".join(lines)), LineCache(), outside)
+    return SourceText(document.name, "\n".join(lines))
+
+
+def _keeps(uses: Uses, after: Uses, found: FoundName, new: str) -> bool:
+    """Return whether a text with the new name uses all names as before, the new one instead of the old."""
     return len(uses.broken) == len(after.broken) and _shape(uses, found.meaning, new) == _shape(after)
 
 

@@ -65,11 +65,12 @@ class Workshop:
     was better.
 
     Attributes:
+        lines: what lines were parsed to, of all documents.
         told_tokens: name and numbers of the last answer about the words of each document.
     """
 
     def __init__(self) -> None:
-        self._lines = language.LineCache()
+        self.lines = language.LineCache()
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
         self._outlines: dict[str, tuple[str, language.Outline]] = {}
@@ -110,11 +111,11 @@ class Workshop:
             _, findings = read_cell(source, _folder_name(document))
             checked = CheckedText(source, findings)
         elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
-            checked = check_text(source, None, NO_STATION, self._lines)
+            checked = check_text(source, None, NO_STATION, self.lines)
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
             checked = replace(checked, diagnostics=syntax)
         else:
-            checked = check_text(source, around.cell, around.environments, self._lines)
+            checked = check_text(source, around.cell, around.environments, self.lines)
         if known is not None and not checked.tasks and known[2].tasks and self.outline(document).tasks:
             # too wrong to be compiled: requests are answered by what was known before
             checked = replace(checked, tasks=known[2].tasks, variables=known[2].variables)
@@ -126,7 +127,7 @@ class Workshop:
         known = self._outlines.get(document.uri)
         if known is not None and known[0] == document.text:
             return known[1]
-        made = language.outline(SourceText(document.name, document.text), self._lines)
+        made = language.outline(SourceText(document.name, document.text), self.lines)
         self._outlines[document.uri] = (document.text, made)
         return made
 
@@ -137,7 +138,7 @@ class Workshop:
         known = self._uses.get(document.uri)
         if known is not None and known[:2] == (document.text, outside):
             return known[2]
-        made = language.uses_of(SourceText(document.name, document.text), self._lines, outside)
+        made = language.uses_of(SourceText(document.name, document.text), self.lines, outside)
         self._uses[document.uri] = (document.text, outside, made)
         return made
 
@@ -147,7 +148,7 @@ class Workshop:
         known = self._marked.get(document.uri)
         if known is not None and known[0] is uses:
             return known[1]
-        made = language.marked_words(SourceText(document.name, document.text), self._lines, uses)
+        made = language.marked_words(SourceText(document.name, document.text), self.lines, uses)
         self._marked[document.uri] = (uses, made)
         return made
 
@@ -174,7 +175,7 @@ class Workshop:
         known = self._codes.get(document.uri)
         if known is not None and known[0] == document.text and known[1] is around:
             return known[2]
-        code = language.compile(document.text, around.environment, cache=self._lines).icr
+        code = language.compile(document.text, around.environment, cache=self.lines).icr
         made = icr.program_id(code) if code is not None else ""
         self._codes[document.uri] = (document.text, around, made)
         return made

@@ -161,6 +161,10 @@ def test_a_component_that_only_a_loop_has_keeps_its_lines() -> None:
     assert done(after(text, named(offered(text, (4, 0), (4, 7)), "make a task"))) == done(text)
 
 
+def test_a_cursor_selects_no_lines() -> None:
+    assert not [one for one in offered(TEXT, (7, 2), (7, 2)) if one["title"].startswith("make a task")]
+
+
 def test_only_the_kinds_that_are_asked_for_are_offered() -> None:
     kinds = {one["kind"] for one in offered(TEXT, (4, 0), (8, 99))}
     assert {"refactor.rewrite", "refactor.extract"} <= kinds
