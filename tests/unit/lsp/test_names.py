@@ -205,3 +205,32 @@ def test_blocks_their_branches_and_comments_fold() -> None:
     assert [(one["startLine"], one["endLine"], one["kind"]) for one in found] == [
         (0, 1, "comment"), (2, 7, "region"), (3, 4, "region"), (5, 6, "region"),
     ]  # fmt: skip
+
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_every_name_that_an_example_defines_can_be_changed_and_the_code_stays() -> None:
+    changed = [name for path in sorted(ROOT.glob("examples/*/programs/*.task")) for name in _changed(path)]
+    assert {"Pick", "Place", "slots", "slot", "clear", "grip", "x"} <= set(changed)
+
+
+def _changed(path: Path) -> list[str]:
+    """Give every name of a program another one, by itself, and return the names."""
+    editor, text = Editor(), path.read_text("utf-8")
+    editor.open(uri_of(path), text)
+    document = editor.state.documents[uri_of(path)]
+    around = editor.workshop.surroundings(document, editor.state.documents)
+    before = language.compile(text, around.environment).icr
+    assert before is not None
+    meanings = editor.workshop.uses(document, editor.state.documents).meanings()
+    defined = [one for one in meanings if one.definition is not None]
+    for meaning in defined:
+        assert meaning.definition is not None
+        at = place(meaning.definition.line - 1, meaning.definition.column - 1)
+        asked = {"textDocument": {"uri": document.uri}, "position": at, "newName": "zz_fresh"}
+        (edits,) = editor.ask("textDocument/rename", **asked)["changes"].values()
+        after = language.compile(applied(text, edits), around.environment).icr
+        assert after is not None, meaning
+        assert icr.disassemble(after).replace("zz_fresh", meaning.name) == icr.disassemble(before)
+    return [one.name for one in defined]
