@@ -1,14 +1,16 @@
 """Bands of a part: bounds that joints bring down, and the time law with them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ropsim.controller.bands import Bands, bands_of
 from ropsim.controller.joint_caps import ACCELERATION, SPEED, Caps
 from ropsim.controller.leg import Leg, leg_of
-from ropsim.controller.parts import Part, parts_of
+from ropsim.controller.parts import Part, part_of, parts_of
 from ropsim.controller.pieces import pieces_of
-from ropsim.motion import Quantity
+from ropsim.motion import JointSection, Quantity
 from support.motion import CHAIN, START, interface_pose, lin, shifted
 
 AHEAD = 10
@@ -44,6 +46,20 @@ def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
     again = BANDS.replanned(AHEAD)
     assert len(again.pieces[0].stages) == 1
     assert again.law.duration == pytest.approx(PART.law.duration, rel=1e-12)
+
+
+def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
+    piece = PART.pieces[0]
+    (stage,) = piece.stages
+    half = replace(stage, length=0.5 * stage.length)
+    pieces = [
+        replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=(half,))
+        for begin, end in ((0.0, 0.5), (0.5, 1.0))
+    ]
+    two = part_of(pieces, None, AHEAD)
+    again = bands_of(two, np.linspace(0.0, two.law.duration, 40)).replanned(AHEAD)
+    assert [len(one.stages) for one in again.pieces] == [1, 1]
+    assert [one.stages[0].length for one in again.pieces] == pytest.approx([half.length, half.length])
 
 
 def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:

@@ -104,6 +104,26 @@ def test_of_a_torque_only_what_motion_takes_can_be_given_up() -> None:
     assert found == (ACCELERATION, pytest.approx(2.0), Quantity.TORQUE)
 
 
+def test_of_a_torque_in_a_bend_what_holds_the_arm_has_no_part() -> None:
+    """3 q̈ + 2 with q̈ = q" v² = 4 is 14: of the 12 that the bend takes 6 are too much with the limit 8."""
+    found = only(joint_caps(walked((2.0, 2.0), (0.0, 0.0), d2=(1.0, 1.0)), bounds(effort=8.0), TICK, 1.0))
+    assert found == (SPEED, pytest.approx(2.0 * np.sqrt(0.5), rel=1e-6), Quantity.TORQUE)
+
+
+def test_what_works_against_an_excess_is_not_brought_down() -> None:
+    """q" v² is -16, and q' a takes 1 of that away: with the limit 12, 3 of the 16 are too much."""
+    way = walked((2.0, 2.0), (1.0, 1.0), d2=(-4.0, -4.0))
+    found = only(joint_caps(way, bounds(acceleration=12.0), TICK, 1.0))
+    assert found == (SPEED, pytest.approx(2.0 * np.sqrt(13.0 / 16.0)), Quantity.ACCELERATION)
+
+
+def test_a_change_of_the_slope_in_a_tick_bounds_the_acceleration() -> None:
+    """Q' goes from 1 to 1.01 while a is 2: 0.02 in a tick, of which 0.01 is allowed."""
+    way = walked((1.0, 1.0), (2.0, 2.0), d1=(1.0, 1.01))
+    found = only(joint_caps(way, bounds(jerk=10.0), TICK, 1.0))
+    assert found == (ACCELERATION, pytest.approx(1.0), Quantity.JERK)
+
+
 def test_where_motions_overlap_the_other_one_may_have_to_be_slower() -> None:
     """Nearly all of the acceleration is that of another motion: nothing here could mend it."""
     caps = joint_caps(walked((1.0, 1.0), (0.01, 0.01), others=9.0), bounds(acceleration=5.0), TICK, 1.0)

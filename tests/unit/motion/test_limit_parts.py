@@ -9,6 +9,7 @@ from ropsim.motion import (
     JointPoints,
     ProfileError,
     Quantity,
+    Ways,
     keep_limits,
     no_ways,
     time_optimal,
@@ -79,6 +80,34 @@ def test_of_a_torque_that_is_too_much_only_what_gravity_leaves_can_be_given_up()
     assert found.peaks == pytest.approx([0.0, 0.0, 0.0, (6.0 - 3.0) / (5.0 - 3.0)])
     assert found.lacks[3] == pytest.approx([0.0, np.log(1.5) + 0.1, np.log(1.5) + 0.1])
     assert not found.is_kept
+
+
+def test_a_steady_jerk_needs_the_cube_root_of_what_it_is_too_much() -> None:
+    """Q'' rises by 8 in each second, and 1 is allowed: at half the rate jerk is an eighth."""
+    places = np.arange(1.0, 6.0)
+    points = JointPoints(*(8.0 * column[:, None] for column in (places**3 / 6.0, places**2 / 2.0, places)))
+    bounds = JointBounds(np.array([1e9]), np.array([1e9]), np.array([1.0]))
+    assert rates_needed(demand(points, bounds, None), places, 1e-6)[2] == pytest.approx(0.5)
+
+
+def test_places_are_close_where_the_speed_that_a_joint_allows_changes_steeply() -> None:
+    """From a crawl to a rush and back; with places 0.1 s apart alone it would change by half at once."""
+
+    class Rush:
+        duration = 2.0
+
+        def at(self, phi: Array) -> JointPoints:
+            d1 = np.exp(-(((phi - 1.0) / 0.1) ** 2))[:, None] * 50.0
+            return JointPoints(np.zeros((len(phi), 1)), d1, np.zeros((len(phi), 1)))
+
+        def ways(self, phi: Array) -> Ways:
+            return no_ways(len(phi))
+
+    bounds = JointBounds(np.ones(1), np.ones(1), np.ones(1))
+    places, points = places_of(Rush(), bounds, 0.1, np.array([0.0, 2.0]), np.ones(2))
+    allowed = 1.0 / np.maximum(np.abs(points.d1[:, 0]), 1.0)
+    assert np.abs(np.diff(np.log(allowed))).max() < 0.5
+    assert len(places) < 200
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf])
