@@ -70,6 +70,8 @@ q = a
 q.y = q.y + 5
 mov q until not (ready is off) store q
 """
+_COMPARED = 20_000
+"""Larger texts are formatted and not compiled before and after, which takes long [bytes]."""
 _TASKS = (
     *(path.read_bytes() for path in sorted(_ROOT.glob("examples/*/programs/*.task"))),
     _ON_FIXTURE,
@@ -123,6 +125,20 @@ def _task(content: bytes) -> str:
     return _check(language.compile(source.text, _everything(), source.name).diagnostics, source)
 
 
+def _form(content: bytes) -> str:
+    text = content.decode("utf-8", errors="replace")
+    form = language.formatted(text)
+    assert language.formatted(form) == form
+    if len(content) > _COMPARED:
+        return "large"
+    before, after = (language.compile(one, _everything(), "main.task") for one in (text, form))
+    assert [one.code for one in before.diagnostics] == [one.code for one in after.diagnostics]
+    if before.icr is None or after.icr is None:
+        return before.diagnostics[0].code if before.diagnostics else "read"
+    assert icr.program_id(before.icr) == icr.program_id(after.icr)
+    return "read"
+
+
 @cache
 def _everything() -> language.Environment:
     """Return an environment with all names of the cells, so that the programs are right."""
@@ -166,4 +182,5 @@ TARGETS = (
     Target("cell", _made_cell, _cell),
     Target("icr", lambda random: _made(_ICRS, random), _icr),
     Target("task", lambda random: _made(_TASKS, random), _task),
+    Target("form", lambda random: _made(_TASKS, random), _form),
 )

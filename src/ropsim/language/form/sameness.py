@@ -1,8 +1,11 @@
-"""Whether two statements are the same wherever they stand in their lines."""
+"""Whether two statements are the same wherever they stand in their lines, and the names in them."""
 
+from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from functools import cache
 from typing import Any
+
+from ropsim.language.syntax.nodes import Name
 
 _PLACES = frozenset(("start", "end"))
 
@@ -15,6 +18,19 @@ def shape(node: object) -> object:
     if not is_dataclass(kind):
         return node
     return (kind, *(shape(getattr(node, name)) for name in _parts(kind)))
+
+
+def names_in(node: object) -> Iterator[tuple[int, str]]:
+    """Yield where the names in a statement begin, and the names, whose letters may not change their case."""
+    kind: type[Any] = type(node)
+    if isinstance(node, Name):
+        yield node.start, node.text
+    elif isinstance(node, tuple):
+        for one in node:
+            yield from names_in(one)
+    elif is_dataclass(kind):
+        for name in _parts(kind):
+            yield from names_in(getattr(node, name))
 
 
 @cache

@@ -1,13 +1,13 @@
 """A statement in its form, on as many physical lines as it was written."""
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 from ropsim.language.form.rows import Row
-from ropsim.language.form.sameness import shape
+from ropsim.language.form.sameness import names_in
 from ropsim.language.form.spacing import spaced
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.line import parse_line
+from ropsim.language.syntax.statements import Statement
 
 INDENT = "  "
 _BEFORE_COMMENT = 2
@@ -22,14 +22,15 @@ class _Open:
     end: int
 
 
-def written(rows: Sequence[Row], logical: str, depth: int) -> list[str]:
+def written(rows: Sequence[Row], logical: str, statement: Statement | None, depth: int) -> list[str]:
     """Return the physical lines of a statement that stands in `depth` blocks.
 
     Lines that go on in a parenthesis begin behind it, or where nothing follows it on its line two blanks
     further in than that line; others that go on begin two blanks further in than the statement.
     """
     line = [token for row in rows for token in row.tokens]
-    texts = [_cased(line, number, logical) for number in range(len(line))]
+    names = frozenset(names_in(statement))
+    texts = [_cased(line, number, names) for number in range(len(line))]
     blanks = spaced(line, logical)
     opened: list[_Open] = []
     result: list[str] = []
@@ -69,14 +70,15 @@ def _ended(text: str, row: Row) -> str:
     return f"{text.rstrip()} \\" if row.is_continued else text.rstrip()
 
 
-def _cased(line: Sequence[Token], number: int, logical: str) -> str:
+def _cased(line: Sequence[Token], number: int, names: Container[tuple[int, str]]) -> str:
     """Return a word in lower case where the language does not tell cases apart, else as it is written.
 
     The axes of `euler` are one word in any case, and are kept.
     """
     token = line[number]
-    if token.kind != "word" or token.text == token.word or (number and line[number - 1].word == "euler"):
-        return token.text
-    other = logical[: token.start] + token.word + logical[token.end :]
-    is_same = shape(parse_line(other)[0]) == shape(parse_line(logical)[0])
-    return token.word if is_same else token.text
+    is_kept = (
+        token.kind != "word"
+        or (token.start, token.text) in names
+        or (number and line[number - 1].word == "euler")
+    )
+    return token.text if is_kept else token.word
