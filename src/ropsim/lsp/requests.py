@@ -11,6 +11,7 @@ from ropsim.lsp.completion import completions
 from ropsim.lsp.definition import definition
 from ropsim.lsp.document import Document
 from ropsim.lsp.folding import folding_ranges
+from ropsim.lsp.formatting import formatting
 from ropsim.lsp.highlight import highlights
 from ropsim.lsp.hover import hover
 from ropsim.lsp.inlay_hints import inlay_hints
@@ -74,6 +75,7 @@ ASKED: dict[str, Method] = {
     "textDocument/inlayHint": _about(protocol.InRange, inlay_hints, list),
     "textDocument/codeLens": _about(protocol.OfDocument, code_lenses, list),
     "textDocument/diagnostic": _about(protocol.FindingsSince, pulled, _no_findings),
+    "textDocument/formatting": _about(protocol.OfDocument, formatting, list),
     "textDocument/codeAction": _about(protocol.ActionsIn, actions, list),
     "workspace/symbol": Method(
         protocol.SymbolQuery,

@@ -36,6 +36,7 @@ CAPABILITIES: Json = {
     },
     "semanticTokensProvider": {"legend": LEGEND, "full": {"delta": True}, "range": True},
     "inlayHintProvider": True,
+    "documentFormattingProvider": True,
     "codeLensProvider": {"resolveProvider": False},
     "codeActionProvider": {"codeActionKinds": list(KINDS)},
 }

@@ -37,6 +37,7 @@ _OTHERS: dict[str, dict[str, object]] = {
     "semanticTokens/range": {**_DOCUMENT, "range": _RANGE},
     "inlayHint": {**_DOCUMENT, "range": _RANGE},
     "codeLens": _DOCUMENT,
+    "formatting": {**_DOCUMENT, "options": {"tabSize": 2, "insertSpaces": True}},
     "diagnostic": {**_DOCUMENT, "previousResultId": "0"},
 }
 _FURTHER: list[dict[str, object]] = [
