@@ -1,15 +1,14 @@
 """What calibration found: limits before and after, and the times of each stretch."""
 
 import math
-from dataclasses import dataclass
 
 from ropsim.calibration.knowledge import Knowledge, LimitKnowledge
 from ropsim.calibration.limits import MotionSettings
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.spatial import record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StretchTimes:
     """How long a stretch lasted, in the trace and as planned.
 

@@ -3,10 +3,9 @@
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ropsim.calibration.diagnostics import BAD_TRACE, CalibrationError
-from ropsim.core import Span, did_you_mean
+from ropsim.core import Span, did_you_mean, frozen_dataclass
 from ropsim.model import Joint, JointType
 
 _TITLE = re.compile(r"([^\[(]*)(?:[\[(]([^\])]*)[\])])?")
@@ -19,7 +18,7 @@ _AXIS = re.compile(r"(?:j|q|a|joint|axis|achse)[0-9]{1,2}(?:position|pos)?")
 _BEHIND = ("", "position", "pos", "commandedposition")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Column:
     """A column.
 

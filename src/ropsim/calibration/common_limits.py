@@ -1,7 +1,6 @@
 """Limits of all joints and of the tool, from what many stretches ask of them."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -9,6 +8,7 @@ from ropsim.calibration.demands import Demand
 from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.replanning import Replan
 from ropsim.calibration.stretch_fit import StretchFit
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array
 
 _AT_LIMIT = 0.95
@@ -21,7 +21,7 @@ _TOO_QUICK = 0.003
 """Share of its time by which a motion must be too short for a limit to be lowered."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Guess:
     """A limit that may set the time of a stretch.
 

@@ -1,7 +1,7 @@
 """How many moves ahead the controller of a trace knows."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ropsim.calibration.knowledge import Knowledge
 from ropsim.calibration.limits import MotionSettings
@@ -9,6 +9,7 @@ from ropsim.calibration.logged_stretch import LoggedStretch
 from ropsim.calibration.refining import fits_under, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.controller import StretchOrder
+from ropsim.core import frozen_dataclass
 
 MOST = 40
 """Largest look-ahead that is told from a larger one."""
@@ -18,7 +19,7 @@ _AS_GOOD = 1.02
 """Factor of the squared error within which a look-ahead is as good as the best one."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FoundLookAhead:
     """A look-ahead that was looked for.
 

@@ -1,11 +1,11 @@
 """Which stops of a trace are the stops of a program, in order."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ropsim.calibration.rests import Rests
+from ropsim.core import frozen_dataclass
 from ropsim.model import Joint, JointType
 from ropsim.spatial import Array
 
@@ -20,7 +20,7 @@ _MOST_CELLS = 30_000_000
 """Pairs of stops that are compared at most; beyond that the later stops of the trace are left out."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Passage:
     """A stretch of the program with the part of the trace between its stops.
 

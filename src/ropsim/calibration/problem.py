@@ -1,7 +1,6 @@
 """What is to be fitted, and how: settings from stretches, with any look-ahead."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +21,7 @@ from ropsim.calibration.refining import fits_under, refined, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.calibration.stretch_fit import StretchFit, fit_stretch
 from ropsim.controller import StretchOrder
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
 
 _MOST_FITTED = 12
@@ -34,7 +34,7 @@ _CLOSE = 0.002
 _ROUNDS = 3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Problem:
     """What is to be fitted.
 

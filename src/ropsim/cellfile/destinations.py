@@ -1,7 +1,6 @@
 """Where parts of a cell file are to be at the end: the key `destination` of parts and supplies."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.frames import note_moving
@@ -9,6 +8,7 @@ from ropsim.cellfile.grid import read_grid
 from ropsim.cellfile.poses import read_pose
 from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.core import frozen_dataclass
 from ropsim.model import Destination
 from ropsim.spatial import Array, Pose
 
@@ -16,7 +16,7 @@ DISTANCE, TURN = 0.005, 0.08726646259971647
 """What counts as there where the file says nothing: 5 mm, 5°."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Surroundings:
     """What readers of parts need to know of the rest of the file.
 

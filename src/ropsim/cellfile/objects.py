@@ -1,7 +1,6 @@
 """The parts, supplies and sinks of a cell file."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
@@ -13,6 +12,7 @@ from ropsim.cellfile.poses import ORIGIN, read_pose
 from ropsim.cellfile.quantity import MASS, Units
 from ropsim.cellfile.shapes import read_colour, read_material
 from ropsim.cellfile.tomltext.checks import Findings, TomlTable
+from ropsim.core import frozen_dataclass
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
 
@@ -20,7 +20,7 @@ _MOST_PARTS = 10_000
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PartGroup:
     """The parts of one table of the file: a single one, a grid, or a supply."""
 

@@ -1,8 +1,9 @@
 """Quantities at the edge: unit as the user writes it, factor to SI and the range that is allowed."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from ropsim.core import frozen_dataclass
 from ropsim.model import JointType
 
 _METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
@@ -17,7 +18,7 @@ LENGTH_UNITS = tuple(_METRES)
 ANGLE_UNITS = tuple(_RADIANS)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Quantity:
     """A sort of number.
 
@@ -55,7 +56,7 @@ TIME = Quantity("s", 1.0, 0.0, 1e5)
 DWELL = TIME.within(0.0, 60.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Units:
     """The units of a cell file.
 

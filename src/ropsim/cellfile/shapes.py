@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 from ropsim.cellfile import diagnostics as kinds
@@ -12,7 +11,7 @@ from ropsim.cellfile.quantity import NUMBER, Quantity, Units
 from ropsim.cellfile.shape_diagnostics import UNFIT_COLOUR, UNFIT_SHAPE
 from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.cellfile.tomltext.words import cut
-from ropsim.core import near
+from ropsim.core import frozen_dataclass, near
 from ropsim.meshes import MESH_ENDINGS, mesh_ending
 from ropsim.model import (
     LIGHT_GREY,
@@ -39,7 +38,7 @@ _SCALE = NUMBER.within(1e-6, 1e3)
 _EDGE = 0.05  # [m], stands in while a wrong size is being reported
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Look:
     """Colour, opacity and material that hold where a shape says nothing."""
 

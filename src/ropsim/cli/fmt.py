@@ -4,11 +4,10 @@ import argparse
 import difflib
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from ropsim.cli.output import Output, cannot_write
-from ropsim.core import Diagnostic, RopsimError, Severity, define, read_bytes, replace_file
+from ropsim.core import Diagnostic, RopsimError, Severity, define, frozen_dataclass, read_bytes, replace_file
 from ropsim.language import formatted
 from ropsim.records import diagnostic_document
 from ropsim.userfiles import UNREADABLE, read_text_file
@@ -33,7 +32,7 @@ class NoTaskTextError(RopsimError):
     """A path that was given is no task program."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Text:
     """A text and its form.
 

@@ -3,7 +3,6 @@
 import argparse
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from ropsim import kinematics, robots
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import remarks, solver_document
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, quaternion
@@ -19,7 +19,7 @@ _WIDTH = 9
 _ALL = IkOptions(limits=Limits.IGNORE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Branch:
     """One joint solution; joint coordinates `q` [rad | m], shape (n,)."""
 

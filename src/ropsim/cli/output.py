@@ -5,11 +5,10 @@ import json
 import os
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ropsim.cli.streams import say
-from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
+from ropsim.core import Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
 
 if TYPE_CHECKING:  # a command that prints nothing, as the language server, starts without them
     from ropsim.views import Style
@@ -20,7 +19,7 @@ USAGE_CODES = frozenset(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Output:
     """Where and how results go.
 

@@ -3,10 +3,9 @@
 import hashlib
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
-from ropsim.core import read_bytes
+from ropsim.core import frozen_dataclass, read_bytes
 
 SETTLED = 2_000_000_000
 """A file that is older than this when it is read changes its time with its content [ns]."""
@@ -17,7 +16,7 @@ MOST_FILES = 2000
 _LEFT_OUT = frozenset(("out", "node_modules", "__pycache__"))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stamp:
     """What is known of a file.
 

@@ -4,12 +4,11 @@ import argparse
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from ropsim.cli.output import Output
 from ropsim.cli.stamps import contents, stamps
-from ropsim.core import Diagnostic, RopsimError, Severity, SourceText
+from ropsim.core import Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
 from ropsim.records import diagnostic_document
 from ropsim.views import count_text
 from ropsim.workbench import open_project
@@ -18,7 +17,7 @@ PERIOD = 0.3
 """Time between two looks at the files [s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Checked:
     """What one check has found.
 

@@ -1,11 +1,11 @@
 """From a traced graph to straight-line Python source."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 
 from ropsim.codegen.reachable import reachable
 from ropsim.codegen.tracer import Scalar
+from ropsim.core import frozen_dataclass
 
 _BINARY = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 _CALLS = {
@@ -33,7 +33,7 @@ class Form(Enum):
     STRAIGHT_LINE = "straight line"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SourceFunction:
     """One function of a generated module.
 

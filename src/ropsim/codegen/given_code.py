@@ -1,7 +1,6 @@
 """Generated functions that are given numbers at run time: other numbers, same machine code."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -14,6 +13,7 @@ from ropsim.codegen.engine import Engine
 from ropsim.codegen.hoist import CONSTANTS, hoisted
 from ropsim.codegen.load import load
 from ropsim.codegen.tracer import Scalar
+from ropsim.core import frozen_dataclass
 
 Array = npt.NDArray[np.float64]
 
@@ -32,7 +32,7 @@ class Formula(NamedTuple):
     results: Sequence[tuple[str, Scalar]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class GivenCode:
     """Functions that share their constants.
 

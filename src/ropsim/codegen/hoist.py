@@ -6,11 +6,11 @@ results stand as `constants[k]`. So other numbers need no other code, and cost n
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from ropsim.codegen.emit import SourceFunction, emit
 from ropsim.codegen.reachable import reachable
 from ropsim.codegen.tracer import Scalar, Tracer
+from ropsim.core import frozen_dataclass
 
 NUMBERS = "numbers"
 """Name of the array from which a formula reads what is given."""
@@ -18,7 +18,7 @@ CONSTANTS = "constants"
 """Name of the array from which generated code reads what has been made of it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Hoisted:
     """A formula in two parts.
 

@@ -5,14 +5,13 @@ function is kept by itself and loaded with llvmlite, which takes a tenth of the 
 numba brings, such as room for new arrays, numba is started first.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.codegen.object_symbols import names_from_elsewhere
-from ropsim.core import read_bytes, replace_file
+from ropsim.core import frozen_dataclass, read_bytes, replace_file
 
 if TYPE_CHECKING:
     from llvmlite.binding import TargetMachine
@@ -21,7 +20,7 @@ _loaded: list[object] = []
 """Machine code stays in memory as long as the process."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MachineCode:
     """One compiled function.
 

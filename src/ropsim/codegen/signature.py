@@ -1,15 +1,15 @@
 """What a compiled function takes: arrays of float64 without gaps, whole numbers and floats."""
 
 import ctypes
-from dataclasses import dataclass
 
 from ropsim.codegen.caller import REAL, Compiled, calling
+from ropsim.core import frozen_dataclass
 
 _AXES = {"f8[::1]": 1, "f8[:,::1]": 2, "f8[:,:,::1]": 3}
 _WHOLE, _FLOAT = "i8", "f8"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Signature:
     """The arguments of a compiled function, which returns nothing.
 

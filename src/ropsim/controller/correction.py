@@ -1,13 +1,14 @@
 """The correction of a path: how far it is shifted, and its next step within limits."""
 
 import math
-from dataclasses import dataclass
+
+from ropsim.core import frozen_dataclass
 
 _GENTLE = 0.7
 """Share of the acceleration with which a correction comes to a stop that is known before."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Correction:
     """A shift of the path along a direction of the tool, over motion time.
 
@@ -20,7 +21,7 @@ class Correction:
     speed: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CorrectionRoom:
     """What a correction may do in its next step.
 

@@ -7,18 +7,17 @@ path between interpolator and inverse transform, while it is made. The joint con
 compiled servo slice: see `ropsim.controller.law`.
 """
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from ropsim.controller.planned_path import PlannedPath
 from ropsim.controller.sensed_cell import SensedCell
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import JointSamples, MoveInstruction, PathTracking, PoseSetpoints
 from ropsim.motion import JointPath, ToolPath
 from ropsim.spatial import Array, Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Refusal:
     """Why a move cannot be made."""
 
@@ -69,7 +68,7 @@ class JointInterpolator(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Sample:
     """What a sensor channel delivers.
 

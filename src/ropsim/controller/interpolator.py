@@ -1,10 +1,10 @@
 """The interpolator: samples a path of the tool."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import PoseSetpoints
 from ropsim.motion import ToolPath
 
@@ -12,7 +12,7 @@ FEWEST = 16
 """Steps of the shortest path."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StandardInterpolator:
     """Samples a path at equally spaced places, not further apart than a way and a turn of the tool.
 

@@ -1,12 +1,11 @@
 """The joint interpolator: joint samples along a path as one smooth path of the joints."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.flow import JointSamples
 from ropsim.motion import JointPath, Traced
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StandardJointInterpolator:
     """Goes through all samples; speed and acceleration along the path are continuous, see `motion.Traced`."""
 

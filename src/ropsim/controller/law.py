@@ -3,11 +3,12 @@
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from ropsim.core import frozen_dataclass
 from ropsim.model import InputKind, Payload
 from ropsim.spatial import Array, frozen, record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LawTraits:
     """What a law says about itself.
 

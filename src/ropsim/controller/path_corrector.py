@@ -1,14 +1,15 @@
 """The path corrector: a sensor shifts the path until it reads what it is to read."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim.controller.entities import Sample
+from ropsim.core import frozen_dataclass
 from ropsim.flow import PathTracking
 from ropsim.model import CorrectionLimits
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StandardPathCorrector:
     """Integrates the difference: dc/dt = k·(measured - wanted), so that none remains where nothing changes.
 

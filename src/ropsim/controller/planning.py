@@ -29,7 +29,7 @@ from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
-from ropsim.motion import Beyond, SynchronisedJoints, ToolLimits
+from ropsim.motion import Beyond, SynchronisedJoints
 from ropsim.spatial import record
 
 NO_PAYLOAD = Payload()
@@ -148,8 +148,7 @@ def _crawls(leg: Leg) -> bool:
     """Return whether a limit of a move is so small that the time of the move is no number to plan with."""
     joints, tool = leg.planned.limits.joints, leg.planned.limits.tool
     of_joints = (float(limit.min()) for limit in (joints.speed, joints.acceleration, joints.jerk))
-    of_tool = (float(getattr(tool, name)) for name in ToolLimits.__slots__)
-    return min(*of_joints, *of_tool) < _CRAWLING
+    return min(*of_joints, *tool.all) < _CRAWLING
 
 
 def _time_alone(leg: Leg) -> float:

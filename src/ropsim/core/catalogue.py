@@ -1,16 +1,16 @@
 """The catalogue of diagnostic kinds: every code once, with the page that `ropsim explain` prints."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 from ropsim.core.diagnostic import Diagnostic, Label, Severity, TextEdit
+from ropsim.core.frozen_dataclass import frozen_dataclass
 from ropsim.core.span import Span
 
 _KINDS: dict[str, "Kind"] = {}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Kind:
     """A sort of diagnostic.
 

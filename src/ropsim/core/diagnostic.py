@@ -5,9 +5,10 @@ explanation that `ropsim explain` prints; see `ropsim.core.catalogue`.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 
+from ropsim.core.frozen_dataclass import frozen_dataclass
 from ropsim.core.span import Span
 
 
@@ -24,7 +25,7 @@ class Severity(Enum):
         return list(Severity).index(self)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Label:
     """A second place that belongs to a diagnostic, with a few words about it."""
 
@@ -32,7 +33,7 @@ class Label:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TextEdit:
     """A replacement that would mend the text."""
 
@@ -40,7 +41,7 @@ class TextEdit:
     replacement: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Diagnostic:
     """One finding.
 

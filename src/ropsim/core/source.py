@@ -1,11 +1,12 @@
 """A named text: what readers read and what diagnostics quote."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core.frozen_dataclass import frozen_dataclass
 from ropsim.core.span import Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SourceText:
     """A text and the name under which messages speak of it.
 

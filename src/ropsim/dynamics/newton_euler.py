@@ -8,15 +8,15 @@ tip wrench, and couplings: by virtual work the torques at the axes are Tᵀ time
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ropsim.codegen import Scalar
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics.traced_arm import TracedArm
 from ropsim.dynamics.vectors import Matrix, Vector, add, apply, cross, scale, transpose
 from ropsim.model import JointType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Wrench:
     """Force and moment about the origin, in the axes of one frame."""
 
@@ -44,7 +44,7 @@ def trace_inverse(
     return arm.of_axes(_inward(arm, wrenches))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Motion:
     """Motion of a step's frame: angular velocity, acceleration of its origin, and how other points differ."""
 

@@ -4,12 +4,12 @@ The structure holds joints, geometry, the blocks of the drives, and which inerti
 of one structure share their code. Masses, inertias, payload, gravity, motors, gears, friction are numbers.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from ropsim.codegen import Scalar, Tracer, given
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics.drives import DriveChain, chain_of
 from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
 from ropsim.model import BASE_LINK, JointType, Mechanism, Payload, joint_tree
@@ -29,7 +29,7 @@ MOST_JOINTS = 12
 """Longest serial chain for straight-line code; longer ones are loops over the joints."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ArmStructure:
     """Everything about an arm that its code depends on; compared by content.
 
@@ -75,7 +75,7 @@ class ArmStructure:
         return serial and self.m > MOST_JOINTS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TracedNumbers:
     """The numbers of an arm as scalars.
 

@@ -1,15 +1,15 @@
 """The arm as traced scalars: the moving frames and bodies from which the recursions are written."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ropsim.codegen import Scalar, Tracer, cos, sin
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics.structure import ArmStructure, Placement, TracedNumbers
 from ropsim.dynamics.vectors import Matrix, Vector
 from ropsim.model import JointType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Body:
     """A rigid body by its barycentric parameters in its joint frame; see `ropsim.dynamics.inertia`.
 
@@ -24,7 +24,7 @@ class Body:
     inertia: Matrix
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TracedArm:
     """An arm in one traced formula: m steps that n axes move.
 

@@ -1,7 +1,8 @@
 """Which limit sets the time of a move."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 
 class LimitQuantity(Enum):
@@ -14,7 +15,7 @@ class LimitQuantity(Enum):
     BEND = "bend"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CriticalLimit:
     """The limit that a planned move is at for longest: the move is quicker only where this one is higher.
 

@@ -1,16 +1,16 @@
 """What happened in a run, one record for each kind of event; texts for people are made by views."""
 
 from collections.abc import Mapping
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY
 from types import MappingProxyType
 from typing import ClassVar
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow.critical_limit import CriticalLimit
 from ropsim.flow.instructions import Origin
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Event:
     """Something that happened from one time on.
 
@@ -50,7 +50,7 @@ class Event:
         return self.origin.visit if self.origin else 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MoveEvent(Event):
     """A move was carried out; it lasts until the arm is in position.
 
@@ -83,7 +83,7 @@ class MoveEvent(Event):
     target: tuple[float, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SkipEvent(Event):
     """A move was refused, a finding says why, and left out."""
 
@@ -93,7 +93,7 @@ class SkipEvent(Event):
     motion: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class WaitEvent(Event):
     """The program stood still for a time.
 
@@ -109,7 +109,7 @@ class WaitEvent(Event):
     looked: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class AwaitEvent(Event):
     """The program stood still until a channel had a value, or its timeout was over.
 
@@ -127,7 +127,7 @@ class AwaitEvent(Event):
     came: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class OutputEvent(Event):
     """The program set an output.
 
@@ -143,7 +143,7 @@ class OutputEvent(Event):
     value: bool | int | float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MessageEvent(Event):
     """The program told its operator something.
 
@@ -157,7 +157,7 @@ class MessageEvent(Event):
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class GripEvent(Event):
     """A gripper closed.
 
@@ -171,7 +171,7 @@ class GripEvent(Event):
     part: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ReleaseEvent(Event):
     """A gripper opened.
 
@@ -185,7 +185,7 @@ class ReleaseEvent(Event):
     part: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskEvent(Event):
     """A task was active, from its first to its last instruction.
 
@@ -203,7 +203,7 @@ class TaskEvent(Event):
     depth: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class InputEvent(Event):
     """An input was changed from outside, by a key or a record of keys.
 

@@ -1,9 +1,9 @@
 """What a recording says about its run: who ran what, on which arm, with which limits."""
 
-from dataclasses import dataclass
 from enum import Enum
 from math import inf, nan
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow.inputs import InputChange, Interventions, OverrideChange
 from ropsim.flow.parameter_origin import ParameterOrigin
 
@@ -25,7 +25,7 @@ class AxisType(Enum):
     PRISMATIC = "prismatic"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class AxisFacts:
     """Name, type and limits of one driven axis.
 
@@ -48,7 +48,7 @@ class AxisFacts:
     max_current: float = inf
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StationFacts:
     """One robot with its controller and the program that it ran.
 
@@ -88,7 +88,7 @@ class StationFacts:
         return tuple(one.parameters for one in self.origins if one.kind == "estimated")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Destinations:
     """The parts that have a destination in the cell.
 
@@ -101,7 +101,7 @@ class Destinations:
     reached: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class RunFacts:
     """Who ran what, where and how.
 

@@ -1,7 +1,8 @@
 """The condition on a channel that ends a move before its target."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 
 class Comparison(Enum):
@@ -12,7 +13,7 @@ class Comparison(Enum):
     BELOW = "below"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Guard:
     """A guarded move ends where its condition is true.
 

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class InputChange:
@@ -31,7 +33,7 @@ class OverrideChange:
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Interventions:
     """All that somebody did to a live run; a run that is given the same does the same.
 

@@ -1,9 +1,9 @@
 """The robot instructions that flow from the interpreter to the simulator, in program order."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum, StrEnum
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow.guard import Guard
 from ropsim.flow.modal import ModalState
 from ropsim.flow.posture_request import PostureRequest
@@ -31,7 +31,7 @@ class GripAction(Enum):
     CLOSE = "close"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Origin:
     """Where an instruction comes from.
 
@@ -48,7 +48,7 @@ class Origin:
     call_serials: tuple[int, ...] = (0,)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MoveInstruction:
     """Go to a target.
 
@@ -82,7 +82,7 @@ class MoveInstruction:
     tracking: PathTracking | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class GripInstruction:
     """Open or close the gripper of a tool (empty name = the tool in force)."""
 
@@ -92,7 +92,7 @@ class GripInstruction:
     origin: Origin = field(default_factory=Origin)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class OutputInstruction:
     """Set an output channel when the motion before it has ended."""
 
@@ -102,7 +102,7 @@ class OutputInstruction:
     origin: Origin = field(default_factory=Origin)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class WaitInstruction:
     """Stand still for a time [s] when the motion before it has ended."""
 
@@ -111,7 +111,7 @@ class WaitInstruction:
     origin: Origin = field(default_factory=Origin)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MessageInstruction:
     """Show a text to the operator."""
 
@@ -120,7 +120,7 @@ class MessageInstruction:
     origin: Origin = field(default_factory=Origin)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SyncInstruction:
     """Wait until everything queued before it has been carried out.
 
@@ -135,7 +135,7 @@ class SyncInstruction:
     before: str = field(default="", kw_only=True)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class AwaitInstruction(SyncInstruction):
     """Then stand still until a channel has a value, or until `timeout` [s] is over; None waits on."""
 

@@ -1,11 +1,12 @@
 """The modal state under which a robot instruction is executed (ICR class 05)."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ModalState:
     """Frame, tool, speeds and zone in force; every robot instruction carries a snapshot.
 

@@ -1,9 +1,9 @@
 """Where the numbers of a model come from."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ParameterOrigin:
     """Where a group of parameters comes from.
 

@@ -1,9 +1,9 @@
 """In which posture, and with which turns of its axes, a program wants a target to be reached."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PostureRequest:
     """What a target asks of the branch of the inverse kinematics that reaches it.
 

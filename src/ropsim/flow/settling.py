@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow.events import Event, MoveEvent
 
 SLOW = 0.02
 """A move that settles longer than this [s] settles slowly."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Settling:
     """Time that the arm needed after moves until every joint was in position.
 

@@ -1,7 +1,8 @@
 """The signal by which a move corrects its path while it goes on."""
 
-from dataclasses import dataclass
 from enum import StrEnum
+
+from ropsim.core import frozen_dataclass
 
 
 class ToolDirection(StrEnum):
@@ -34,7 +35,7 @@ STANDARD_GAIN = 10.0
 """Gain of a motion that names none: a difference of lengths decays with a time constant of 0.1 s."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PathTracking:
     """A move is shifted along a direction of its tool so that a channel comes to have a value.
 

@@ -1,7 +1,8 @@
 """An output that is set at a place of a move, not at its end."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 
 class Side(Enum):
@@ -11,7 +12,7 @@ class Side(Enum):
     AFTER_START = "after start"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Trigger:
     """Set an output channel where a move is some way or some time from one of its ends.
 

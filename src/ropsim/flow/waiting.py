@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow.events import AwaitEvent, Event, WaitEvent
 
 _SAME = 1e-9
 """A wait that begins so soon after another one on its line goes on with it [s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Waiting:
     """Time in which programs stood at a `wait`: for a time, a signal or a condition.
 

@@ -1,8 +1,6 @@
 """A dry run: without a robot, everything that a program would tell one."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import (
     GripInstruction,
     Instruction,
@@ -24,7 +22,7 @@ MAX_INSTRUCTIONS = 100_000
 """Robot instructions and synchronisations after which a dry run ends (about 100 MB)."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DryRun:
     """What a run without a robot hands out.
 

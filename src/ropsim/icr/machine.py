@@ -1,8 +1,6 @@
 """The stack machine: carries out a verified program and hands out its robot instructions one by one."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import Instruction
 from ropsim.icr import trap_kinds as kinds
 from ropsim.icr.loader import load
@@ -14,7 +12,7 @@ from ropsim.icr.world import World
 BUDGET = 10_000_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MachineOptions:
     """How a program is run.
 

@@ -6,9 +6,9 @@ A code is class · 256 + number. Codes are frozen once released and never used a
 """
 
 import re
-from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.icr.types import Type
 
 
@@ -45,7 +45,7 @@ WORDS = {
 """Operands that are one of a few words."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Opcode:
     """One instruction of the set.
 

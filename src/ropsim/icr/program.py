@@ -1,10 +1,10 @@
 """An ICR program as a value: declarations and procedures of flat code."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NamedTuple
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.icr.types import Constant, Type
 from ropsim.spatial import PoseTuple
 
@@ -27,7 +27,7 @@ class Step(NamedTuple):
     operands: tuple[Operand, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Variable:
     """A global variable, parameter or local."""
 
@@ -35,7 +35,7 @@ class Variable:
     type: Type
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class IoChannel:
     """A symbolic channel; the cell file binds it.
 
@@ -63,7 +63,7 @@ def channel_fault(channel: IoChannel) -> str:
     return ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FrameDefinition:
     """A task frame: X_BK, nominal (x, y, z, qw, qx, qy, qz) [m, 1]."""
 
@@ -71,7 +71,7 @@ class FrameDefinition:
     pose: PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ToolDefinition:
     """A tool: X_MT, nominal; None leaves it to the cell file."""
 
@@ -79,7 +79,7 @@ class ToolDefinition:
     pose: PoseTuple | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Procedure:
     """A procedure.
 
@@ -114,7 +114,7 @@ class Procedure:
         return self.parameters + self.locals
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Program:
     """An ICR program.
 

@@ -3,13 +3,13 @@
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import Guard, ModalState, Origin, PathTracking, Trigger
 from ropsim.icr.handlers import Datum
 from ropsim.icr.location import Location
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Finished:
     """The end of a run.
 
@@ -39,7 +39,7 @@ class Caller(NamedTuple):
     values: tuple[Datum, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MachineState:
     """A snapshot: plain values from which `Machine.resume` goes on in exactly the same way.
 

@@ -1,7 +1,8 @@
 """The value types of ICR and constants of them."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 INT_MIN = -(2**63)
 INT_MAX = 2**63 - 1
@@ -33,7 +34,7 @@ MAX_EXTERNAL = 12
 """How many values of external axes a POSE may carry."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Constant:
     """A typed value: what PUSH puts on the stack."""
 

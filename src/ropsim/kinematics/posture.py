@@ -1,9 +1,9 @@
 """The posture of an arm: the name of one branch of its inverse kinematics."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Posture:
     """The name of a branch, in the words of the arm's class; `InverseSolver.parts` says what about.
 

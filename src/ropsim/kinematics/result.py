@@ -1,8 +1,8 @@
 """What inverse kinematics is asked and what it answers."""
 
-from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics.posture import Posture
 from ropsim.model import Joint
 from ropsim.spatial import Array, frozen, record
@@ -46,7 +46,7 @@ class IkOptions:
             object.__setattr__(self, "near", frozen(self.near))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LimitViolation:
     """A joint that a branch needs outside its limits.
 
@@ -73,7 +73,7 @@ class LimitViolation:
         return abs(self.value - self.limit)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Reach:
     """How far a point of the arm would be from one of its axes and how far it may be [m].
 
@@ -92,7 +92,7 @@ class Reach:
     longest: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Miss:
     """How far the best that the arm can do is from a pose.
 
@@ -107,7 +107,7 @@ class Miss:
     angle: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Shortfall:
     """Why no branch reaches a pose.
 

@@ -1,17 +1,17 @@
 """How far an arm with spherical wrist is from its three kinds of singularity."""
 
-from dataclasses import dataclass
 from math import asin, sin
 
 import numpy.typing as npt
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics.arrays import joint_vector
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import RobotModel, held_arm
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SingularDistances:
     """What is left to each kind of singularity; 0 is singular.
 

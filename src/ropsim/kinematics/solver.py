@@ -1,10 +1,10 @@
 """What stands behind the door of the inverse kinematics: one solver for each class of arms."""
 
-from dataclasses import dataclass
 from enum import Enum
 from math import hypot
 from typing import Protocol
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import Shortfall
 from ropsim.spatial import Array
@@ -17,7 +17,7 @@ class Method(Enum):
     NUMERIC = "numeric"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Snap:
     """How far a model is from the exact geometry of its class.
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics.blocks import Blocks, Rows
 from ropsim.model import WORLD
 from ropsim.spatial import Array
@@ -28,7 +29,7 @@ MOST_CELLS = 256
 """What covers more cells of the grid than this is compared with every part."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Standing:
     """How a part stands.
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from ropsim.core import Label, Span
+from ropsim.core import Label, Span, frozen_dataclass
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax.statements import (
@@ -35,7 +35,7 @@ _ASSIGNED = re.compile(r"\s*\w+\s*:?=")
 _ONE_LINE_IF = re.compile(r"\bthen\s+[^\s#/]", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Section:
     """A header line (opener, `elseif` or `else`) and what stands under it."""
 
@@ -43,7 +43,7 @@ class Section:
     body: "tuple[Line | Block, ...]"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Block:
     """A block with its sections and the line that closes it (None where it is missing)."""
 
@@ -79,7 +79,7 @@ class _Open:
         return Block((*self.done, Section(self.header, tuple(self.body))), closer)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Tree:
     """Top-level lines and blocks in order.
 

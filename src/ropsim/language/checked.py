@@ -1,9 +1,8 @@
 """The whole text: what is told of each body, put together."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.language import questions
 from ropsim.language.check.body import settled
 from ropsim.language.check.outcome import Outcome
@@ -19,7 +18,7 @@ from ropsim.program import Local, Program
 from ropsim.query import Database
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Checked:
     """The structured program of all lines that are right.
 

@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+
+from ropsim.core import frozen_dataclass
 
 _TASK = re.compile(r"\s*(?:\d+\.\s+)?task\b", re.IGNORECASE)
 _END = re.compile(r"\s*(?:endp|endtask)\s*(?:(?:#|//).*)?", re.IGNORECASE)
@@ -10,7 +11,7 @@ _FIRST = frozenset("tTeE0123456789")
 """Letters with which such lines begin; most others need no further look."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Chunk:
     """Lines that are read by themselves.
 

@@ -1,8 +1,8 @@
 """What is understood of a contract clause: the gripper, the numbers of locations and parameters."""
 
 import re
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import GripAction
 
 _NUMBERS = {
@@ -17,7 +17,7 @@ _PARAMETERS = re.compile(_COUNT + r"parameters?\b", re.IGNORECASE)
 _GRIPPER = re.compile(r"\bgripper\s+(?:is\s+|to\s+be\s+)?(open|close)d?\b", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Clause:
     """What is understood of a contract clause.
 

@@ -1,9 +1,9 @@
 """The compiler: text to structured program and ICR. This page is the table of contents of its phases."""
 
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from ropsim.core import Diagnostic, SourceText
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.icr import Program as IcrProgram
 from ropsim.language import checked as checker
 from ropsim.language import questions
@@ -22,7 +22,7 @@ from ropsim.program import Program, SourceMap, check_contracts, circles, recursi
 from ropsim.query import Database
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Compiled:
     """What the compiler answers.
 

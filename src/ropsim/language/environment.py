@@ -2,14 +2,15 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.icr import Location
 from ropsim.program import SignalUse, Task
 from ropsim.spatial import PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskSignature:
     """A task of the library.
 
@@ -23,7 +24,7 @@ class TaskSignature:
     dimensions: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Environment:
     """The names that a cell and a library give to programs.
 

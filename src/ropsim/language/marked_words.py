@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.cache import LineCache
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax.declarations import TYPES
@@ -31,7 +30,7 @@ class Mark(Enum):
     COMMENT = "comment"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Marked:
     """A stretch of characters on one line."""
 

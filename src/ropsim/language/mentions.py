@@ -1,10 +1,10 @@
 """Every name that one statement mentions, and as what; it knows nothing of other lines."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
+from ropsim.core import frozen_dataclass
 from ropsim.language.check.functions import NAMES
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
@@ -29,7 +29,7 @@ class Part(Enum):
     TOOL = "tool"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Mention:
     """A name in a statement.
 

@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.blocks import ANY, closed, opened
 from ropsim.language.cache import LineCache
 from ropsim.language.syntax import statements as syntax
@@ -29,7 +28,7 @@ class Role(Enum):
     PATTERN = "pattern"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Definition:
     """A name and where it begins to mean something.
 
@@ -48,7 +47,7 @@ class Definition:
     line: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskOutline:
     """A task of the text.
 
@@ -63,7 +62,7 @@ class TaskOutline:
     notes: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Outline:
     """All definitions of a text in order, and its tasks."""
 

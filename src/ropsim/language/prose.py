@@ -2,8 +2,9 @@
 
 import re
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from ropsim.core import frozen_dataclass
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report
 from ropsim.language.syntax.fault import Fault
@@ -29,7 +30,7 @@ _FULL_STOP = re.compile(r"(?<!\d)\.\s+(?=\S)|(?<=\d)\.\s+(?=\D)")
 _ASSIGNED = re.compile(r"\s*[\w.]+\s*:?=")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Manner:
     """How contracts are read where a part of a text begins.
 

@@ -7,10 +7,10 @@ parameters.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.language.check import declarations, one_body, signatures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.declarations import Declared
@@ -48,7 +48,7 @@ JOINT_COUNT = "joint count"
 """Input, as `joint_count` tells it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Header:
     """How a task is called, as far as its header tells.
 
@@ -63,7 +63,7 @@ class Header:
     joint_count: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Walked:
     """What the silent walk through a body tells.
 
@@ -82,7 +82,7 @@ class Walked:
     untold: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Inferred:
     """What a walk through all bodies tells, where use in one tells types in another."""
 
@@ -90,7 +90,7 @@ class Inferred:
     variables: Mapping[str, Type]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Called:
     """How a task is called, with all types, and findings of its defaults."""
 

@@ -2,9 +2,8 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic, SourceText
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.language import blocks, misspelt, prose, units
 from ropsim.language import text as texts
 from ropsim.language.blocks import Block
@@ -29,7 +28,7 @@ Key = tuple[tuple[str, ...], Ends | None, prose.Manner, tuple[str, ...]]
 """What `read_chunk` is given."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Parsed:
     """A chunk line by line.
 
@@ -48,7 +47,7 @@ class Parsed:
     modes: frozenset[str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Task:
     """A task of a chunk.
 
@@ -61,7 +60,7 @@ class Task:
     places: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Read:
     """A chunk in blocks.
 

@@ -1,9 +1,9 @@
 """How a task is called, in words of the language: for editors and lists of tasks."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ParameterForm:
     """One parameter.
 
@@ -24,7 +24,7 @@ class ParameterForm:
         return f"{self.name}: {self.type}{unit}{' = …' if self.is_optional else ''}"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskForm:
     """A task from its caller's side.
 

@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Protocol
 
-from ropsim.core import SourceText
+from ropsim.core import SourceText, frozen_dataclass
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.lines import LogicalLine, logical_lines
 from ropsim.language.syntax.statements import Broken, Closer, Statement
@@ -16,7 +15,7 @@ _WORD = re.compile(r"[^\W\d]\w*")
 Parsed = tuple[Statement | None, Fault | None]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Line:
     """A logical line with its statement.
 

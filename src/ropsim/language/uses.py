@@ -1,10 +1,9 @@
 """Every place where a text uses a name, and what the name means there; it knows no types."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.language.outline import Role
 
 
@@ -25,7 +24,7 @@ class Act(Enum):
     READS = "reads"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Meaning:
     """What a name stands for, in the part of a text that knows it.
 
@@ -56,7 +55,7 @@ class Meaning:
         return self.role is Role.PARAMETER and self.definition is None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Use:
     """One place with a name.
 
@@ -73,7 +72,7 @@ class Use:
     task: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Uses:
     """All uses of a text in order of their place.
 

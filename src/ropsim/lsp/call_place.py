@@ -2,8 +2,8 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.language import ParameterForm, TaskForm
 
 _CALL = re.compile(
@@ -16,7 +16,7 @@ _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _NO_PLACE = re.compile(r'["#]|//')
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CallPlace:
     """A place in the arguments of a call.
 

@@ -2,12 +2,12 @@
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 from urllib.request import url2pathname
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import ContentChange, Position
 
@@ -18,7 +18,7 @@ _LINE_END = re.compile(r"\r\n|\n|\r")
 _WIDE = re.compile("[\U00010000-\U0010ffff]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Document:
     """A text that an editor has open.
 

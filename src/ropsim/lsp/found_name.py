@@ -1,8 +1,8 @@
 """What the name at a place stands for: in a program by its uses, in a cell file by its tables."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.language import Act, Meaning, Space, Use
 from ropsim.lsp.cell_names import name_at, names_of, place_of
 from ropsim.lsp.document import Document
@@ -12,7 +12,7 @@ from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Workshop
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FoundName:
     """A name at a place.
 

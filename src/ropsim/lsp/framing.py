@@ -1,7 +1,8 @@
 """Messages in a byte stream: `Content-Length` headers, a blank line, the body."""
 
 import re
-from dataclasses import dataclass
+
+from ropsim.core import frozen_dataclass
 
 #: Longest header and longest body that are read [bytes].
 MAX_HEADER = 4096
@@ -12,7 +13,7 @@ _LENGTH = re.compile(rb"^content-length:[ \t]*(\d{1,12})[ \t]*$", re.IGNORECASE 
 _START = re.compile(rb"content-length:", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FrameFault:
     """Bytes that are no message; they are skipped."""
 

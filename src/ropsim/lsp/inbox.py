@@ -1,12 +1,12 @@
 """Messages that wait, with the requests among them that the editor does not want any more."""
 
 from collections import deque
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.lsp.messages import Call, Fault, Id
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Ended:
     """The end of the stream."""
 

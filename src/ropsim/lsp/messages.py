@@ -1,9 +1,10 @@
 """JSON-RPC: what comes in told apart, what goes out put into form."""
 
-from dataclasses import dataclass
 from enum import IntEnum
 
 import msgspec
+
+from ropsim.core import frozen_dataclass
 
 Id = int | str | None
 Json = dict[str, object]
@@ -22,7 +23,7 @@ class ErrorCode(IntEnum):
     REQUEST_CANCELLED = -32800
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Call:
     """A request, or a notification where `is_request` is false.
 
@@ -39,7 +40,7 @@ class Call:
     is_request: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Fault:
     """A message that cannot be understood."""
 
@@ -48,7 +49,7 @@ class Fault:
     id: Id = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Refusal:
     """A request that is understood and cannot be done, with the reason."""
 

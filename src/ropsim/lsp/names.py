@@ -3,8 +3,8 @@
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.language import Definition, Outline, Role, TaskForm
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
@@ -15,7 +15,7 @@ from ropsim.spatial import Pose, quaternion
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Known:
     """A name that can be used.
 

@@ -1,10 +1,9 @@
 """What the recordings in the `out` folder of a project say of the times of tasks."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
-from ropsim.core import RopsimError
+from ropsim.core import RopsimError, frozen_dataclass
 from ropsim.flow import TaskEvent
 from ropsim.records import read_recording
 
@@ -15,7 +14,7 @@ MOST = 8
 Stamp = tuple[Path, int, int]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class RecordedProgram:
     """One program of a recorded run.
 

@@ -1,9 +1,9 @@
 """The table of requests: their parameters, and what answers them; one file for each kind."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from ropsim.core import frozen_dataclass
 from ropsim.lsp import protocol
 from ropsim.lsp.code_actions import actions
 from ropsim.lsp.code_lens import code_lenses
@@ -28,7 +28,7 @@ from ropsim.lsp.workspace_symbols import workspace_symbols
 _OfDocument = Callable[[Document, Any, Mapping[str, Document], Workshop], object]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Method:
     """A message: the form of its parameters, and what makes the answer, or the state after it."""
 

@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from ropsim import icr, language
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MoveInstruction
 from ropsim.language import Environment, Role
 from ropsim.spatial import Pose
@@ -21,7 +21,7 @@ _BEFORE = re.compile(
 _DECLARED = (Role.FRAME, Role.LOCATION, Role.CONSTANT, Role.TOOL)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Resolved:
     """A location with its numbers.
 

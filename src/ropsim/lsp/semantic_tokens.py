@@ -1,10 +1,9 @@
 """What each word of a program is, for colours by meaning: in numbers relative to the word before."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from hashlib import sha256
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.language import Act, Mark, Meaning, Role, Space, Use
 from ropsim.lsp.cell_names import names_of
 from ropsim.lsp.document import Document
@@ -50,7 +49,7 @@ _CHANGING = (Role.VARIABLE, Role.PARAMETER)
 LEGEND: Json = {"tokenTypes": list(TYPES), "tokenModifiers": list(MODIFIERS)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Token:
     span: Span
     type: str

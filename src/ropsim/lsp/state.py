@@ -1,9 +1,10 @@
 """What the server knows between two messages."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.lsp.document import Document
 
 
@@ -16,7 +17,7 @@ class Phase(Enum):
     OVER = "over"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class State:
     """A connection.
 

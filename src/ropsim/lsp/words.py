@@ -1,9 +1,9 @@
 """One sentence on every word of the language, as the manual explains it."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Word:
     """A word, how it is written, and what it means."""
 

@@ -1,13 +1,13 @@
 """What is made of documents: the cell around them and their findings, remembered until a text changes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from types import MappingProxyType
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
-from ropsim.core import SourceText
+from ropsim.core import SourceText, frozen_dataclass
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.lsp.resolved import Resolved, targets_by_line
@@ -24,7 +24,7 @@ NO_STATION: Mapping[str, language.Environment] = MappingProxyType({"": language.
 _MAX_DEPTH = 40
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Surroundings:
     """What a program text can name beyond itself.
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PureWindowsPath
 from typing import TYPE_CHECKING, TypeAlias
 
-from ropsim.core import Diagnostic, Span, did_you_mean
+from ropsim.core import Diagnostic, Span, did_you_mean, frozen_dataclass
 from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_OUTSIDE, MESH_TOO_LARGE
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
@@ -23,7 +23,7 @@ TRIANGLE_BUDGET = 200_000
 """Triangles of all meshes of a cell beyond which a warning is due."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MeshLibrary:
     """The meshes of a cell as the page needs them.
 

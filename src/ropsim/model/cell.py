@@ -1,8 +1,9 @@
 """The work cell: stations, and all that stands around them and can be named by their programs."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.model.device import Device
 from ropsim.model.external_values import ExternalValues
 from ropsim.model.frame import Frame
@@ -13,7 +14,7 @@ from ropsim.model.surroundings import FixedObject, Sink, SupportLimits
 from ropsim.spatial import Pose, record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ClassicSettings:
     """How classic task files are read: units of bare numbers and the frame of their points.
 

@@ -1,8 +1,9 @@
 """The controller of an arm as data: rates, gains, default speeds."""
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
 from ropsim.model.correction_limits import CorrectionLimits
 from ropsim.model.orientation_mode import OrientationMode
@@ -17,7 +18,7 @@ class ControllerKind(Enum):
     COMPUTED_TORQUE = "computed_torque"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Rates:
     """The fixed periods of a controller; integer multiples of each other.
 
@@ -106,7 +107,7 @@ def gain_names(gains: Gains) -> tuple[str, ...]:
     return tuple(one.name for one in fields(gains))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PathDefaults:
     """What holds on LIN paths where the program says nothing.
 

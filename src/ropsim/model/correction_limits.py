@@ -1,9 +1,9 @@
 """How far and how quickly a controller lets a sensor shift a path."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CorrectionLimits:
     """Limits of a path correction; estimated, as manuals keep theirs in settings of the cell.
 

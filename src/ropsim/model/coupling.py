@@ -1,9 +1,9 @@
 """Couplings: coordinates of joints that others determine, by rods, belts or gears inside of a mechanism."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Coupling:
     """One coordinate as an exact linear function of others: q_dependent = Σ factor · q_other + constant.
 

@@ -1,13 +1,13 @@
 """Devices: what moves in a cell beside its robots, told by signals: belts, doors, turntables."""
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from ropsim.core import frozen_dataclass
 from ropsim.model.mechanism import Mechanism
 from ropsim.spatial import Pose, record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Barrier:
     """A light barrier across a belt; the belt stands still while a part is in it.
 
@@ -20,7 +20,7 @@ class Barrier:
     signal: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class BeltDrive:
     """Moves a belt, and what lies on it, along x as long as a signal is on.
 
@@ -39,7 +39,7 @@ class BeltDrive:
     barrier: Barrier | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SwitchDrive:
     """Moves an axis to one of two positions, as a cylinder does: a door, a clamp, a stop.
 
@@ -62,7 +62,7 @@ class SwitchDrive:
     is_on: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class IndexDrive:
     """Moves an axis on by one step each time that a signal comes on: an indexing table.
 

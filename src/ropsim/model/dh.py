@@ -7,11 +7,11 @@ row the mechanical interface. Link data, which tables give in frame i, move into
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import cos, inf, sin
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.model.dh_row import DhRow
 from ropsim.model.joint import PREVIOUS, Joint, JointType
 from ropsim.model.link import Link
@@ -19,7 +19,7 @@ from ropsim.model.placements import snapped
 from ropsim.spatial import Array, Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JointLimits:
     """The limits of one joint, as in `Joint`: position [rad | m] and its derivatives per second."""
 

@@ -1,11 +1,10 @@
 """A row of a Denavit–Hartenberg table."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.model.joint import JointType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DhRow:
     """One row of a Denavit–Hartenberg table in the standard form Rz(θ)·Tz(d)·Tx(a)·Rx(α).
 

@@ -1,8 +1,9 @@
 """The drive of a joint as a chain of blocks: amplifier, motor, transmission, friction."""
 
-from dataclasses import dataclass
 from enum import StrEnum
 from math import inf
+
+from ropsim.core import frozen_dataclass
 
 
 class InputKind(StrEnum):
@@ -12,7 +13,7 @@ class InputKind(StrEnum):
     EFFORT = "effort"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class VoltageAmplifier:
     """A voltage amplifier.
 
@@ -25,7 +26,7 @@ class VoltageAmplifier:
     max_current: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CurrentLimitedAmplifier:
     """A voltage amplifier that lowers its voltage where the current of its motor would grow beyond a limit.
 
@@ -38,7 +39,7 @@ class CurrentLimitedAmplifier:
     max_current: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class EffortAmplifier:
     """An amplifier that commands the torque or force of its motor directly.
 
@@ -49,7 +50,7 @@ class EffortAmplifier:
     max_effort: float = inf
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DcMotor:
     """A permanent-magnet DC motor: L·di/dt = u - R·i - Ke·ω, torque = Kt·i.
 
@@ -68,7 +69,7 @@ class DcMotor:
     rotor_inertia: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class IdealMotor:
     """A source of torque or force: what is commanded acts at once.
 
@@ -79,7 +80,7 @@ class IdealMotor:
     rotor_inertia: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Gear:
     """A rigid gear without play.
 
@@ -90,7 +91,7 @@ class Gear:
     ratio: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ElasticGear:
     """A gear that twists under load: effort at the joint = k·(θ/G - q) + d·(ω/G - q̇), θ the motor angle.
 
@@ -105,7 +106,7 @@ class ElasticGear:
     damping: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Friction:
     """Viscous and Coulomb friction on the motor side of the gear.
 
@@ -130,7 +131,7 @@ Motor = DcMotor | IdealMotor
 Transmission = Gear | ElasticGear
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Drive:
     """Everything between the control signal and the joint, block by block.
 

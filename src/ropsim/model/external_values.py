@@ -1,11 +1,10 @@
 """Where external axes stand at a named location of a cell."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.model.station import Station
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ExternalValues:
     """Values of external axes that belong to a location.
 

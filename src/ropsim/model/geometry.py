@@ -1,8 +1,9 @@
 """Graphic elements: the solids and lines that links, tools and objects of a cell are drawn with."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Pose
 
 Point2 = tuple[float, float]
@@ -23,7 +24,7 @@ class Material(StrEnum):
     GLASS = "glass"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Box:
     """A cuboid, centred at the origin.
 
@@ -34,7 +35,7 @@ class Box:
     size: Point3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Cylinder:
     """A cylinder or, with another radius on top, a cone or frustum; round about z, centred at the origin.
 
@@ -54,7 +55,7 @@ class Cylinder:
         return self.radius if self.top is None else self.top
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Sphere:
     """A sphere about the origin.
 
@@ -65,7 +66,7 @@ class Sphere:
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Revolve:
     """A body of revolution about z.
 
@@ -76,7 +77,7 @@ class Revolve:
     profile: tuple[Point2, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Prism:
     """A flat outline drawn out along z, from z = 0.
 
@@ -89,7 +90,7 @@ class Prism:
     length: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Polyline:
     """Straight lines from point to point; polygons, circles and arcs are made by `ropsim.model.outlines`.
 
@@ -100,7 +101,7 @@ class Polyline:
     points: tuple[Point3, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Mesh:
     """Triangles in a file of the project.
 
@@ -117,7 +118,7 @@ Solid = Box | Cylinder | Sphere | Revolve | Prism | Polyline | Mesh
 """Every graphic element."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Shape:
     """A graphic element in its place.
 

@@ -1,9 +1,9 @@
 """Sensors at the tools of arms, whose readings follow from where the arm is and what stands around it."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DistanceSensor:
     """Measures the distance from the tool centre point to the nearest surface along the z axis of the tool.
 
@@ -22,7 +22,7 @@ class DistanceSensor:
     behind: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ForceSensor:
     """Measures the force along the z axis of a tool whose springy tip is pressed into a surface.
 

@@ -1,11 +1,10 @@
 """Signals: the channels between programs, devices and whoever presses keys."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.model.sensor import Sensor
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Signal:
     """A digital or analog channel of the cell.
 

@@ -1,12 +1,11 @@
 """What stands around in a cell: fixed objects, sinks, and when a part lies on something."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.model.geometry import Shape
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FixedObject:
     """A thing of the cell that moves with its parent only; parts can lie on it.
 
@@ -23,7 +22,7 @@ class FixedObject:
     parent: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Sink:
     """A place where released parts leave the cell.
 
@@ -38,7 +37,7 @@ class Sink:
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SupportLimits:
     """When a part lies on something, and when it is in it.
 

@@ -1,7 +1,8 @@
 """Tools at a mechanical interface: their parts, grippers and fingers."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
+from ropsim.core import frozen_dataclass
 from ropsim.model.geometry import Shape
 from ropsim.model.mechanism import Mechanism
 from ropsim.model.payload import Payload, moved
@@ -24,7 +25,7 @@ class Fingers:
     closed: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Gripper:
     """The gripper of a tool.
 

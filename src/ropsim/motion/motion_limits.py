@@ -1,7 +1,6 @@
 """What moves must respect: limits of the joints, and of the tool."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, frozen, record
 
 
@@ -24,7 +23,7 @@ class JointMotionLimits:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ToolLimits:
     """What the tool must respect on lines and all other paths of its own; all positive.
 
@@ -43,3 +42,15 @@ class ToolLimits:
     orientation_speed: float
     orientation_acceleration: float
     orientation_jerk: float
+
+    @property
+    def all(self) -> tuple[float, ...]:
+        """Return all six, in the order of the fields."""
+        return (
+            self.speed,
+            self.acceleration,
+            self.jerk,
+            self.orientation_speed,
+            self.orientation_acceleration,
+            self.orientation_jerk,
+        )

@@ -1,11 +1,10 @@
 """Jerk-limited rest-to-rest profile of one scalar: the seven-segment S-curve in closed form."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.core import RopsimError
+from ropsim.core import RopsimError, frozen_dataclass
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.spatial import Array
 
@@ -16,7 +15,7 @@ class ProfileError(RopsimError):
     """A profile was asked for with limits or a distance that no motion can have."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ProfileLimits:
     """Limits of a scalar that moves; all positive.
 
@@ -31,7 +30,7 @@ class ProfileLimits:
     jerk: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Profile:
     """A motion from 0 to `distance`, at rest at both ends and symmetric in time.
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 
-from ropsim.core import Diagnostic, Label
+from ropsim.core import Diagnostic, Label, frozen_dataclass
 from ropsim.flow import GripAction
 from ropsim.program import statements as st
 from ropsim.program.calls import callees_first
@@ -83,7 +83,7 @@ def _tools(program: Program) -> set[str]:
     return (named | changed) - {""}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Passage:
     """A block followed from one state: how it ends, what is found in it, and which tasks it enters how."""
 

@@ -1,12 +1,11 @@
 """Typed expressions of the structured program; every value in SI units."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.flow import PostureRequest
 from ropsim.program.types import ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Constant:
     """A value: bool, int, float, str, or a tuple (VEC 3, ORI w x y z, POSE x y z qw qx qy qz, JOINTS n)."""
 
@@ -14,7 +13,7 @@ class Constant:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Variable:
     """The value of a parameter, local or global."""
 
@@ -22,7 +21,7 @@ class Variable:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SignalValue:
     """The present value of an input or output channel (BOOL or REAL)."""
 
@@ -30,7 +29,7 @@ class SignalValue:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Unary:
     """One operand.
 
@@ -43,7 +42,7 @@ class Unary:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Binary:
     """Two operands of one type.
 
@@ -58,7 +57,7 @@ class Binary:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Component:
     """Component `index` of a POSE (x y z, then rx ry rz of the fixed-XYZ angles), VEC or JOINTS."""
 
@@ -67,7 +66,7 @@ class Component:
     type: ValueType = ValueType.REAL
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MakeVector:
     """The vector of three REALs."""
 
@@ -77,7 +76,7 @@ class MakeVector:
     type: ValueType = ValueType.VEC
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MakeZyx:
     """The orientation Rz(c)·Ry(b)·Rx(a) of three angles."""
 
@@ -87,7 +86,7 @@ class MakeZyx:
     type: ValueType = ValueType.ORI
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MakePose:
     """The pose of a VEC and an ORI."""
 
@@ -96,7 +95,7 @@ class MakePose:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MakeExternal:
     """A POSE with REAL values of external axes [rad | m] in place of those that it may have."""
 
@@ -105,7 +104,7 @@ class MakeExternal:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MakeJoints:
     """Joint coordinates from REALs."""
 
@@ -113,14 +112,14 @@ class MakeJoints:
     type: ValueType = ValueType.JOINTS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CommandPose:
     """The pose commanded last, X_KT (`here`)."""
 
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class InPosture:
     """A POSE that is to be reached in a posture, and with turns of the axes."""
 
@@ -129,7 +128,7 @@ class InPosture:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class InFrame:
     """A POSE whose numbers are given in a frame of its own, in whatever frame the program works.
 
@@ -142,7 +141,7 @@ class InFrame:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class InAxes:
     """A POSE that `Offset` shifts along these axes: a unit quaternion, seen in the work frame.
 
@@ -154,7 +153,7 @@ class InAxes:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Offset:
     """A POSE shifted by a VEC along its axes."""
 
@@ -163,7 +162,7 @@ class Offset:
     type: ValueType = ValueType.POSE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Keeping:
     """`result`, in which `Kept` stands for `value`: what is needed more than once is computed once."""
 
@@ -172,14 +171,14 @@ class Keeping:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Kept:
     """The value of the innermost `Keeping` in whose result it stands."""
 
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Home:
     """The home position of the arm; only as the target of a PTP move."""
 

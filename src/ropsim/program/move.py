@@ -1,13 +1,11 @@
 """A motion of the structured program: target, way, settings, outputs on the way and the end."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import Comparison, MotionKind, Side, ToolDirection
 from ropsim.program.expressions import Expression
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Settings:
     """Modal values to set; None leaves a value as it is.
 
@@ -35,7 +33,7 @@ class Settings:
         return self == Settings()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Trigger:
     """An output that is set at a place of a motion.
 
@@ -54,7 +52,7 @@ class Trigger:
     time: Expression | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Guard:
     """The condition on one signal that ends a motion before its target.
 
@@ -71,7 +69,7 @@ class Guard:
     timeout: Expression | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Tracking:
     """The signal by which a path is corrected while it is made.
 
@@ -88,7 +86,7 @@ class Tracking:
     direction: ToolDirection
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Move:
     """A motion to a target, through points on the way.
 

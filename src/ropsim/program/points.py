@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import MotionKind
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import IMPOSSIBLE_PATH
@@ -19,7 +19,7 @@ TOLERANCE = 1e-6
 _Point = tuple[float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Place:
     """Where a location is known to be: a point in the work frame, or in a frame that moves."""
 

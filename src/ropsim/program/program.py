@@ -1,16 +1,16 @@
 """A whole structured program: tasks, global variables, frames, tools and signals by name."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import GripAction
 from ropsim.program.statements import Block
 from ropsim.program.types import ValueType
 from ropsim.spatial import PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Local:
     """A parameter or variable of a task, or a global one."""
 
@@ -18,7 +18,7 @@ class Local:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Contract:
     """What a task needs before it starts.
 
@@ -33,7 +33,7 @@ class Contract:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Task:
     """A task: name, parameters, locals, body.
 
@@ -56,7 +56,7 @@ class Task:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SignalUse:
     """A channel that the program names."""
 
@@ -65,7 +65,7 @@ class SignalUse:
     type: ValueType
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Program:
     """A structured program.
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.icr import IoChannel, Type
 from ropsim.program.diagnostics import unsound
 from ropsim.program.emitter import Emitter, Label
@@ -12,7 +12,7 @@ from ropsim.program.statements import Block
 from ropsim.spatial import PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Known:
     """What a program defines, by name: all that a procedure can look at besides its own statements.
 
@@ -57,7 +57,7 @@ class Used:
     has_guessed_axes: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Loop:
     """A loop around a statement: where break and continue lead, and the saved modal states at its start."""
 
@@ -66,7 +66,7 @@ class Loop:
     depth: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Types:
     """Types of the variables in sight: of two of one name the own one hides the global one."""
 

@@ -1,12 +1,12 @@
 """Where statements lie in the text: places in the structured program count lines inside of their unit."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
-from ropsim.core import Diagnostic, Label, Span, TextEdit
+from ropsim.core import Diagnostic, Label, Span, TextEdit, frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Places:
     """Where the lines of a unit lie.
 
@@ -23,7 +23,7 @@ class Places:
         return self.first + self.offsets[min(number, len(self.offsets)) - 1]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SourceMap:
     """Where the units of a text lie: its tasks and its control statements.
 

@@ -1,8 +1,6 @@
 """Typed statements of the structured program (SIR): what front ends produce and posts print."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Span
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import GripAction
 from ropsim.program.expressions import Expression
 from ropsim.program.move import Move, Settings
@@ -10,7 +8,7 @@ from ropsim.program.move import Move, Settings
 Block = tuple["Statement", ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Grip:
     """Open or close a gripper (empty tool = the tool in force)."""
 
@@ -19,7 +17,7 @@ class Grip:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Output:
     """Set an output channel."""
 
@@ -28,7 +26,7 @@ class Output:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Wait:
     """Wait a REAL time [s]."""
 
@@ -36,7 +34,7 @@ class Wait:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class WaitUntil:
     """Wait until a BOOL holds; after `timeout` [s] run `otherwise`, or stop the program where it is empty."""
 
@@ -46,7 +44,7 @@ class WaitUntil:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Assign:
     """Give a variable a value."""
 
@@ -55,7 +53,7 @@ class Assign:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class AssignComponent:
     """Give component `index` of a POSE, VEC or JOINTS variable a REAL."""
 
@@ -65,7 +63,7 @@ class AssignComponent:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Call:
     """Run a task with its arguments in the order of the parameters; `result` names a variable or is empty."""
 
@@ -75,7 +73,7 @@ class Call:
     result: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class If:
     """The first branch whose condition holds, else `otherwise`; `places` is where each condition stands."""
 
@@ -85,7 +83,7 @@ class If:
     places: tuple[Span, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class While:
     """Run while the condition holds."""
 
@@ -94,7 +92,7 @@ class While:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Repeat:
     """Run `count` (INT, evaluated once; None = without end) times, or until `until` holds after a pass.
 
@@ -108,7 +106,7 @@ class Repeat:
     place: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class For:
     """Run with `variable` from `first` to `last` inclusive by `step` (INT or REAL; a constant, not 0)."""
 
@@ -120,7 +118,7 @@ class For:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class With:
     """Run `body` under `settings`, then restore what held before; tasks called inside inherit them."""
 
@@ -129,7 +127,7 @@ class With:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Set:
     """Change modal values until further notice."""
 
@@ -137,21 +135,21 @@ class Set:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Break:
     """Leave the innermost loop."""
 
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Continue:
     """Go to the next pass of the innermost loop."""
 
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Return:
     """Leave the task."""
 
@@ -159,7 +157,7 @@ class Return:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stop:
     """End the program."""
 
@@ -167,7 +165,7 @@ class Stop:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Message:
     """Show the values, joined by blanks."""
 

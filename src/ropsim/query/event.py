@@ -1,7 +1,8 @@
 """What became of a question: whether its function ran."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 
 class Outcome(Enum):
@@ -15,7 +16,7 @@ class Outcome(Enum):
     """Nothing that the function had looked at has changed: its answer was taken again."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Event:
     """One question that was answered in the present state of the inputs.
 

@@ -1,10 +1,9 @@
 """The JSON header of a recording file: everything but the arrays."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TypeVar
 
-from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit
+from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit, frozen_dataclass
 from ropsim.flow import Channel, ChannelGroup, Event, Placement, Recording, RunFacts
 from ropsim.records.diagnostic_json import diagnostic_entry
 from ropsim.records.events import event_entry, read_event
@@ -20,7 +19,7 @@ Entry = Mapping[str, object]
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ChannelFacts:
     """A channel without its values; see `ropsim.flow.Channel` for the meaning of the entries."""
 
@@ -32,7 +31,7 @@ class ChannelFacts:
     held: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Document:
     """What the JSON header says; see `ropsim.flow.Recording` for the meaning of the entries."""
 

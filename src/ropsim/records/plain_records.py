@@ -5,11 +5,12 @@ missing and has no default, or is of another type, is named. Unknown entries are
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import MISSING, Field, dataclass, fields, is_dataclass
+from dataclasses import MISSING, Field, fields, is_dataclass
 from enum import Enum
 from types import NoneType, UnionType
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
+from ropsim.core import frozen_dataclass
 from ropsim.records.plain_values import tagged, untagged
 
 T = TypeVar("T")
@@ -19,7 +20,7 @@ class DocumentError(ValueError):
     """An entry is missing or of the wrong type; the message names it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Form:
     """How values of one type are written and read; `read` is given the name of the entry, too."""
 

@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model import Destination, Part
 from ropsim.simulation.diagnostics import NOT_AT_DESTINATION
 from ropsim.simulation.moment import Moment
@@ -17,7 +16,7 @@ _STILL = 1e-3
 """Parts that are moved by less are where they were, but for how exactly a drive stands [m | rad]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Arrivals:
     """What became of the parts that have a destination.
 

@@ -1,9 +1,9 @@
 """Named places in a row of numbers that joints have more or fewer of."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Field:
     """A named place in the state vector or in a row of the log.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ropsim.controller import PLANNED_ACCELERATION, ClockLimits, ClockState, MotionPlan, advance
+from ropsim.core import frozen_dataclass
 from ropsim.flow import JointReference
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.correcting import Correcting
@@ -16,7 +17,7 @@ from ropsim.simulation.station_run import StationRun
 from ropsim.spatial import Array
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PlanRows:
     """The reference rows of a plan with that of its start before them."""
 

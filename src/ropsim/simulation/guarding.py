@@ -1,15 +1,13 @@
 """Guarded moves: a condition on a channel is looked at while the arm moves."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Comparison, Guard, MoveInstruction
 from ropsim.simulation.diagnostics import GUARD_NOT_MET
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.world import SimulatedWorld
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Lookout:
     """Looks at the condition of a guarded move.
 

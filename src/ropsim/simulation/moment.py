@@ -1,15 +1,15 @@
 """A moment of a run: where everything that can carry a part is at one time."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import Blocks
 from ropsim.model import WORLD
 from ropsim.simulation.placements import Placements, Seat
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Moment:
     """Where the bodies are with which parts move.
 

@@ -1,15 +1,16 @@
 """Where the parts of a running cell are: on what each one hangs, and with what it moves."""
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from types import MappingProxyType
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Placement
 from ropsim.model import WORLD, BodyTree
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Seat:
     """Where one part or object is.
 
@@ -28,7 +29,7 @@ class Seat:
     pose: Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Exit:
     """How a part has left the cell.
 
@@ -43,7 +44,7 @@ class Exit:
     device: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Placements:
     """Where every part is.
 

@@ -1,9 +1,10 @@
 """How true a run is, and how it is recorded."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim.controller import CompiledLaw, MotionChain, PythonLaw, SensorInterface, StretchOrder
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Fidelity, InputChange, OverrideChange
 from ropsim.simulation.adapting import Adaptation, as_programmed
 from ropsim.simulation.row_log import MOST_ROWS
@@ -20,7 +21,7 @@ def silent(text: str) -> None:
     del text
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class RunOptions:
     """Options of a run.
 

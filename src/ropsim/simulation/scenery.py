@@ -1,10 +1,10 @@
 """What stays as it is in a cell while parts are moved: made once per run."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import NO_BLOCKS, Blocks, Ground, ground_of, shape_blocks
 from ropsim.model import (
     WORLD,
@@ -23,7 +23,7 @@ from ropsim.simulation.placements import Seat
 from ropsim.spatial import Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Scenery:
     """What a run looks up again and again.
 

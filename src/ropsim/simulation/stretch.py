@@ -1,8 +1,8 @@
 """Stretches of a program: moves that are known together before the first of them begins."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import (
     AwaitInstruction,
     GripAction,
@@ -31,7 +31,7 @@ _NEEDED_FOR = {
 """Why the arm stands before an ICR instruction."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stretch:
     """Moves of which all but the last have a zone, and what the program says on its way.
 

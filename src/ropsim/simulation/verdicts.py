@@ -1,12 +1,11 @@
 """What a run proves against the limits of the arm: torque, current, speed, range, voltage."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 
-from ropsim.core import Diagnostic, Kind, Span
+from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
 from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.model import OVERRUN, SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics import (
@@ -53,7 +52,7 @@ _DRIVE_LIMITS = {
 _ANY = {LimitSort.PEAK: DRIVE_EXCEEDED, LimitSort.LASTING: DRIVE_SATURATED}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Check:
     """One kind of limit.
 

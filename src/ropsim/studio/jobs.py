@@ -8,10 +8,11 @@ goes on by pickle.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Meta, Struct
+
+from ropsim.core import frozen_dataclass
 
 Name: TypeAlias = Annotated[str, Meta(max_length=1000)]
 Coordinates: TypeAlias = Annotated[tuple[float, ...], Meta(max_length=64)]
@@ -27,7 +28,7 @@ PoseNumbers: TypeAlias = tuple[float, float, float, float, float, float, float]
 """Position x, y, z [m] and unit quaternion w, x, y, z; in W unless told otherwise."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class InputChange:
     """A change of an input that a key made: from `time` [s of simulated time] on, `signal` has `value`."""
 
@@ -39,7 +40,7 @@ class InputChange:
 # ---- jobs: each is answered by exactly one final reply, before it any number of messages -----------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class OpenScene:
     """Read the project and tell how its cell looks (`SceneReply`); jogs that follow are for this cell.
 
@@ -51,7 +52,7 @@ class OpenScene:
     texts: Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Simulate:
     """Compile and simulate a program (`RunReply`, before it `Progress`). Empty program: the cell's."""
 
@@ -66,7 +67,7 @@ LiveBegin: TypeAlias = Literal["running", "held"]
 """How a live run stands at its start."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LiveStart:
     """Run a program in real time, inputs coming from `SetSignal` (live messages, at last a `RunReply`).
 
@@ -80,7 +81,7 @@ class LiveStart:
     begin: LiveBegin = "running"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SaveRun:
     """Return the finished run of the job of this number as a file (`SavedRun`); the newest one is kept."""
 
@@ -108,12 +109,12 @@ class JogTcp(Struct, frozen=True):
 # ---- orders: they carry the number of the job that they are for and have no answer of their own ----------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Cancel:
     """Give up the job of this number; its reply says `cancelled`."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Renew:
     """The texts have changed: go on if they still say the same (`Renewed`), else give the job up.
 
@@ -149,7 +150,7 @@ class SetSignal(Struct, frozen=True, tag_field="type", tag="signal"):
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stop:
     """End the worker process (number 0); a running job is given up."""
 
@@ -162,42 +163,42 @@ Order: TypeAlias = Cancel | Renew | LiveOrder | Stop
 # ---- answers ---------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Progress:
     """How far a simulation has come, in words."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Planned:
     """What compiling and planning have found, while the drives are still being simulated."""
 
     findings: tuple[Mapping[str, object], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Renewed:
     """The run goes on for newer texts of the same content, under another number."""
 
     run: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LiveMessage:
     """A message of a live run, as the page gets it: `live`, `layout`, `placed`, `stamped` or `printed`."""
 
     payload: Mapping[str, object]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LiveFrame:
     """A state frame of a live run, as the page gets it."""
 
     content: bytes
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SceneReply:
     """The cell as plain JSON values, None while it is broken; findings likewise; GLB files by address."""
 
@@ -206,7 +207,7 @@ class SceneReply:
     meshes: Mapping[str, bytes]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class RunReply:
     """The end of a run.
 
@@ -224,14 +225,14 @@ class RunReply:
     made: Literal["simulated", "kept"] = "simulated"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SavedRun:
     """A finished run as a file."""
 
     content: bytes
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JogReply:
     """Where the arm of a station stands now, and what limits, reach and singularity have to say, worst first.
 
@@ -246,7 +247,7 @@ class JogReply:
     words: tuple[tuple[Level, str], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Failed:
     """A job other than a run could not be done; the reason in words."""
 
@@ -260,7 +261,7 @@ Report: TypeAlias = Progress | Planned | Renewed | LiveMessage | LiveFrame
 # ---- envelopes: what goes through the pipe ---------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Request:
     """To the worker: a job with its number, or an order for the job of that number."""
 
@@ -268,7 +269,7 @@ class Request:
     content: Job | Order
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Answer:
     """From the worker: a report on the job of that number or its final reply."""
 

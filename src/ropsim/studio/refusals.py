@@ -1,9 +1,11 @@
 """Answers to requests that do not get through the gate, in words."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from starlette.types import Scope, Send
+
+from ropsim.core import frozen_dataclass
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>ropsim studio</title></head>
@@ -11,7 +13,7 @@ PAGE = """<!doctype html>
 """
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Refusal:
     """A short answer.
 

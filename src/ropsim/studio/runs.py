@@ -2,11 +2,12 @@
 
 import asyncio
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from itertools import count
 from pathlib import Path
 
+from ropsim.core import frozen_dataclass
 from ropsim.studio import jobs
 from ropsim.studio.live_log import LiveLog
 from ropsim.studio.messages import Message, RunStatus
@@ -29,7 +30,7 @@ class Cause(Enum):
     TEXT = "text"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Wish:
     """A run that is wanted; live where it has a speed."""
 
@@ -40,7 +41,7 @@ class Wish:
     begin: jobs.LiveBegin = "running"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Current:
     """The run that the simulator is at."""
 

@@ -10,7 +10,6 @@ import tempfile
 import threading
 import webbrowser
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from types import FrameType
@@ -20,6 +19,7 @@ from msgspec.structs import replace
 from starlette.applications import Starlette
 from starlette.types import ASGIApp
 
+from ropsim.core import frozen_dataclass
 from ropsim.studio import pages, sockets
 from ropsim.studio.diagnostics import PORT_TAKEN, StudioError
 from ropsim.studio.isolation import leave_project
@@ -40,7 +40,7 @@ class Browser(Enum):
     LEFT_ALONE = "left alone"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StudioOptions:
     """What the user asks for.
 

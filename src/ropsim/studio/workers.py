@@ -2,9 +2,10 @@
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import count
 
+from ropsim.core import frozen_dataclass
 from ropsim.studio.jobs import (
     Answer,
     Failed,
@@ -26,7 +27,7 @@ DESK = "ropsim.studio.desk:main"
 """The worker that simulates, draws and jogs."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Task:
     """A job on its way; `reply` is done when the worker has answered or has died."""
 

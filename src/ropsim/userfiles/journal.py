@@ -5,11 +5,10 @@ import hashlib
 import json
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-from ropsim.core import Diagnostic, read_bytes, replace_file
+from ropsim.core import Diagnostic, frozen_dataclass, read_bytes, replace_file
 from ropsim.userfiles.diagnostics import DAMAGED_JOURNAL
 from ropsim.userfiles.folders import state_folder
 
@@ -20,7 +19,7 @@ MOST_SLOTS = 16
 _TAKEN = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Draft:
     """An unsaved text.
 

@@ -1,16 +1,16 @@
 """Safe reading of channels, station by station: what is absent, misshapen or not finite reads as NaN."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Channel, Recording, StationFacts
 from ropsim.spatial import Array
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Peak:
     """The sample of largest magnitude.
 
@@ -30,7 +30,7 @@ class Peak:
         return abs(self.value)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StationView:
     """The channels of one station in a recording.
 

@@ -1,14 +1,14 @@
 """Aligned columns of text for a terminal."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import zip_longest
 
+from ropsim.core import frozen_dataclass
 from ropsim.views.characters import width
 from ropsim.views.style import Style, Tone, paint
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TableCell:
     """A text in a column, with a tone where it needs attention."""
 

@@ -1,9 +1,8 @@
 """A run beside what it would be with changes: table for a terminal and for the HTML report."""
 
 import math
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.views.characters import clean, fit
 from ropsim.views.columns import TableCell, columns_text
 from ropsim.views.figures import UNKNOWN, seconds
@@ -14,7 +13,7 @@ _NAMES = 28
 _SHOWN_CODES = 3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Alternative:
     """What a run would be with one change.
 
@@ -31,7 +30,7 @@ class Alternative:
     findings: tuple[Diagnostic, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Comparison:
     """A run beside others with a change each.
 

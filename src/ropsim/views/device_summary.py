@@ -1,16 +1,16 @@
 """What each device of a run did: how far it went, and between which ends."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisType, ChannelGroup, Recording
 from ropsim.views.characters import clean
 from ropsim.views.figures import coordinate_scale, fixed, with_unit
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DeviceSummary:
     """One device in one run; lengths and angles in the unit of its coordinate.
 

@@ -1,9 +1,8 @@
 """Diagnostics as text for a terminal, with the source lines they speak of."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic, Label, Severity, SourceText, Span
+from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, frozen_dataclass
 from ropsim.views.characters import clean
 from ropsim.views.findings import FindingGroup, count_text, group_findings, passes_text, plural
 from ropsim.views.snippet import Mark, snippet
@@ -13,7 +12,7 @@ TONES = {Severity.ERROR: Tone.ERROR, Severity.WARNING: Tone.WARNING, Severity.HI
 """The tone of each severity."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Place:
     """All marks on one source line or stretch, shown under one arrow."""
 

@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisType
 
 UNKNOWN = "–"
 """What stands in place of a number that is not known."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Scale:
     """How a quantity is shown: SI value times `factor` in `unit`."""
 

@@ -1,9 +1,8 @@
 """Findings put together: what repeats in every loop pass is said once and counted."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic, Severity
+from ropsim.core import Diagnostic, Severity, frozen_dataclass
 
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
@@ -11,7 +10,7 @@ STATION = "station"
 """Key of the station in the data of a finding: a program may run at several."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FindingGroup:
     """The same finding at the same place.
 

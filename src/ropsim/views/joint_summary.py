@@ -2,11 +2,11 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisFacts, AxisType, Recording
 from ropsim.model import OVERRUN, SPEED_OVERSHOOT
 from ropsim.spatial import Array
@@ -24,7 +24,7 @@ class Closeness(Enum):
     BEYOND = "beyond"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LimitApproach:
     """How near a coordinate came to one of its limits.
 
@@ -44,7 +44,7 @@ class LimitApproach:
     line: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JointSummary:
     """One joint in one run.
 

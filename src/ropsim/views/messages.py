@@ -1,14 +1,14 @@
 """What a program told its operator with `print`, in order of time."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MessageEvent, Recording
 from ropsim.views.characters import clean
 from ropsim.views.figures import seconds
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Message:
     """One message.
 

@@ -7,11 +7,11 @@ are made is told in `views/accuracy`.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MoveEvent, Recording
 from ropsim.spatial import Array
 from ropsim.views.accuracy import SpeedFigures, largest_angle, path_repeatability, speed_figures
@@ -20,7 +20,7 @@ from ropsim.views.channels import StationView, rms, station_views
 Indices = npt.NDArray[np.intp]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PathMove:
     """One move with a path of the tool.
 
@@ -48,7 +48,7 @@ class PathMove:
     speeds: SpeedFigures
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PathLine:
     """All moves with a path of the tool of one source line.
 
@@ -80,7 +80,7 @@ class PathLine:
         return largest_speed_error(self.moves)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PathSummary:
     """The moves of a run that have a path of the tool: lines, arcs, curves and the corners between them.
 
@@ -182,7 +182,7 @@ def path_speed(station: StationView, kind: str) -> Array:
     return np.where(np.isfinite(carried), carried, speed(station, f"{kind}_position"))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Run:
     """The channels of a station that its moves are cut from, all of them by rows."""
 

@@ -1,8 +1,6 @@
 """Source lines with marks under them."""
 
-from dataclasses import dataclass
-
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.views.characters import clean, visible, width
 from ropsim.views.style import Style, Tone, paint
 
@@ -17,7 +15,7 @@ EXCERPT = 2000
 """Characters of one line that are looked at, around the mark."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Mark:
     """A stretch to underline.
 
@@ -34,7 +32,7 @@ class Mark:
     tone: Tone
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Row:
     """One source line as shown: text and the marked display columns (from 0, end exclusive)."""
 

@@ -3,11 +3,12 @@
 import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Protocol
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import (
     Event,
     GripEvent,
@@ -33,7 +34,7 @@ MOVING = 1e-6
 """Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StationSummary:
     """The figures of one station.
 

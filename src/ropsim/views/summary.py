@@ -1,9 +1,8 @@
 """The figures of a run on one page: what `ropsim run` prints and the report shows first."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
-from ropsim.core import Diagnostic, Severity
+from ropsim.core import Diagnostic, Severity, frozen_dataclass
 from ropsim.flow import (
     Destinations,
     GripEvent,
@@ -42,7 +41,7 @@ UNFINISHED = frozenset(
 """Codes of findings of programs that were ended before their own end."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Summary:
     """The figures of one run.
 

@@ -1,12 +1,11 @@
 """How long each task took."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording, TaskEvent
 from ropsim.views.channels import labelled
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskSummary:
     """All activations of one task.
 

@@ -1,8 +1,8 @@
 """What a verdict rests on and did not look at: one line beside it, in terminal, page and studio the same."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
 from ropsim.views.characters import clean
 from ropsim.views.findings import plural
@@ -17,7 +17,7 @@ SHORT = 40
 """Groups of estimated parameters are named if their names take at most so many characters, else counted."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Unchecked:
     """What the figures and the verdict of a run leave open.
 

@@ -1,8 +1,8 @@
 """The verdict on a run in one sentence."""
 
-from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.views.findings import plural
 from ropsim.views.summary import Summary
 
@@ -15,7 +15,7 @@ class Verdict(Enum):
     FAILED = "failed"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class VerdictText:
     """A verdict and the sentence that gives its reasons."""
 

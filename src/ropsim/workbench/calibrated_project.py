@@ -1,17 +1,16 @@
 """What calibrating a project gives."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ropsim.core import SourceText
+from ropsim.core import SourceText, frozen_dataclass
 from ropsim.model import JointType
 
 if TYPE_CHECKING:
     from ropsim.calibration import Calibration
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CalibratedProject:
     """A calibration and what becomes of the cell file.
 

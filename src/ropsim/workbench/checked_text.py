@@ -1,15 +1,15 @@
 """The findings of one program text, for editors: the quick half of `compile_program`."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim import language
-from ropsim.core import Diagnostic, SourceText
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell, Station
 from ropsim.workbench.compiled_project import compile_program, found_at, unbound
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CheckedText:
     """What an editor shows of a program text.
 

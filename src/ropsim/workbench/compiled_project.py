@@ -1,16 +1,16 @@
 """Programs after compilation, from task text or from ICR text."""
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ropsim import icr, language, program
-from ropsim.core import Diagnostic, SourceText, did_you_mean
+from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import Cell, Station
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.project_diagnostics import UNBOUND
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CompiledProgram:
     """One program.
 
@@ -27,7 +27,7 @@ class CompiledProgram:
     diagnostics: tuple[Diagnostic, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CompiledProject:
     """All programs of a project by name, and every finding."""
 

@@ -1,13 +1,13 @@
 """A project folder: its cell, its programs, and what can be done with them."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
-from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean
+from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import ROBOT, Cell, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
@@ -42,7 +42,7 @@ class FailedRunError(RopsimError):
         self.recording = recording
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Project:
     """A project as it was read; nothing of it runs code.
 

@@ -3,12 +3,12 @@
 import base64
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from ropsim.cellfile import mesh_in_cell_file
-from ropsim.core import Diagnostic, SourceText, replace_file
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass, replace_file
 from ropsim.flow import Recording
 from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell, body_tree
@@ -31,7 +31,7 @@ OTHER_ARM = "No 3-D replay: the recording is not of the arm of this cell."
 NOT_BUILT = "No 3-D replay: this ropsim has been installed without its built pages."
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Setting:
     """Where a run took place.
 
@@ -48,7 +48,7 @@ class Setting:
     meshes: MeshLibrary | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Report:
     """A report; everything in it is derived from the recording and the cell.
 

@@ -2,12 +2,12 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from ropsim import language
-from ropsim.core import Diagnostic, Severity, SourceText, Span
+from ropsim.core import Diagnostic, Severity, SourceText, Span, frozen_dataclass
 from ropsim.workbench.compiled_project import compile_program
 from ropsim.workbench.project import Project, ProjectError
 
@@ -23,7 +23,7 @@ _START = "wait 0 s"
 """A program that does nothing, which is no program, would be refused."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Session:
     """The commands so far, and the run that they make.
 
@@ -59,7 +59,7 @@ class Session:
         return _whole(self.prelude, self.commands)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Answer:
     """What became of a command.
 

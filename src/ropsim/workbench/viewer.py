@@ -1,10 +1,11 @@
 """The built viewer of replays: one script and one style sheet that come with the installation."""
 
-from dataclasses import dataclass
 from importlib.resources import files
 
+from ropsim.core import frozen_dataclass
 
-@dataclass(frozen=True, slots=True)
+
+@frozen_dataclass
 class Viewer:
     """The viewer.
 

@@ -3,18 +3,18 @@
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.quantity import Quantity
 from ropsim.cellfile.tomltext.positions import Path, Positions
 from ropsim.cellfile.tomltext.words import cut, float_of, sort_of
-from ropsim.core import Diagnostic, Kind, Span, near
+from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass, near
 
 _SPEAKABLE = re.compile(r"[^\W\d]\w*", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Findings:
     """The diagnostics found so far and the places that they can point to."""
 
@@ -26,7 +26,7 @@ class Findings:
         self.items.append(kind.at(span, message, hint=hint, label=label))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TomlTable:
     """A section or inline table.
 

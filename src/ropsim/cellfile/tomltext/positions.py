@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, frozen_dataclass
 
 Path = tuple[str | int, ...]
 
@@ -29,7 +29,7 @@ _STRINGS = {
 """By their quotation marks; a long text may end with up to two of its own."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Positions:
     """Spans by path; a path has keys for tables and indices (from 0) for lists.
 

@@ -5,11 +5,11 @@ A block is static: it holds functions, not numbers. The numbers of one drive are
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any, NamedTuple
 
 from ropsim.codegen import Scalar
+from ropsim.core import frozen_dataclass
 from ropsim.model import InputKind
 
 Numbers = Sequence[Scalar]
@@ -73,7 +73,7 @@ class Steady(NamedTuple):
     needs: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class AmplifierBlock:
     """An amplifier.
 
@@ -98,7 +98,7 @@ class AmplifierBlock:
     within: Callable[[Numbers, Scalar, Callable[[Scalar], Scalar]], Scalar] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MotorBlock:
     """A motor.
 
@@ -162,7 +162,7 @@ class Carried(NamedTuple):
     given: Scalar
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TransmissionBlock:
     """A transmission; the first of its numbers is the ratio G.
 

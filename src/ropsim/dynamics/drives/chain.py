@@ -1,8 +1,7 @@
 """The chain of a drive: its blocks in series, as one traced formula."""
 
-from dataclasses import dataclass
-
 from ropsim.codegen import Scalar
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     Carried,
@@ -18,7 +17,7 @@ from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
 from ropsim.model import Drive
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class DriveChain:
     """The blocks of a drive, without its numbers.
 

@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from ropsim.core import frozen_dataclass
 from ropsim.icr.binary.sink import Sink
 from ropsim.icr.binary.supply import DamageError, Supply
 from ropsim.icr.binary.values import put_constant, take_constant
@@ -15,7 +16,7 @@ _BY_CODE = {one.code: one for one in OPCODES.values()}
 _INTEGERS = frozenset((OperandKind.COUNT, OperandKind.INDEX, OperandKind.NUMBER, OperandKind.CATEGORY))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Names:
     """The names that operands stand for by their number.
 

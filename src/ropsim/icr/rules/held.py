@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
+from ropsim.core import frozen_dataclass
+
 
 class Slot(NamedTuple):
     """A variable as one procedure sees it."""
@@ -51,7 +53,7 @@ class Held:
         return _union(found)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Ways:
     """The ways through the instructions of a procedure.
 

@@ -2,10 +2,9 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any, NoReturn
 
-from ropsim.core import Kind, Span, did_you_mean
+from ropsim.core import Kind, Span, did_you_mean, frozen_dataclass
 from ropsim.language.check.fold import IDENTITY
 from ropsim.language.check.types import AnyType, Type, Unknown, Value, known
 from ropsim.language.check.world import Poison, Symbol, Variable, World
@@ -21,7 +20,7 @@ class RejectedError(Exception):
     """The statement is wrong and has been reported; it is left out, the next one goes on."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Loop:
     """An open loop.
 

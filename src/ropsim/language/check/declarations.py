@@ -1,10 +1,10 @@
 """Declarations of a text: units, frames, tools, signals, constants, locations, variables, patterns."""
 
 from collections.abc import Container, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import NoneType
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.icr import Location, composed, external_part, pose_part
 from ropsim.language.blocks import Block
 from ropsim.language.check import convert, fold, hidden, poses, values
@@ -25,7 +25,7 @@ from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import PoseTuple, quaternion
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Declared:
     """What a text declares outside of its tasks, and what is wrong with it."""
 
@@ -33,7 +33,7 @@ class Declared:
     found: tuple[Diagnostic, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Tables:
     """What becomes symbols and tools of the world while it is read."""
 

@@ -1,12 +1,10 @@
 """What the checker tells of one body: a task or the control statements, without regard to any other body."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.program import Block, Local, SignalUse, Task
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Outcome:
     """A checked body. Places count lines in its unit.
 

@@ -1,8 +1,8 @@
 """The tasks of a text, apart from its control statements, and the order in which they call each other."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.language.blocks import Block
 from ropsim.language.clause import Clause, understand
 from ropsim.language.syntax import nodes
@@ -10,7 +10,7 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.language.text import Line
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskText:
     """A task of the text: its block, its header as far as readable, and its contract clauses."""
 

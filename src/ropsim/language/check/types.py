@@ -1,14 +1,13 @@
 """Types of values: kind and dimension; unknown types are found by use."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.check import units
 from ropsim.language.check.units import Dimension
 from ropsim.program import Expression, ValueType
 from ropsim.spatial import PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Type:
     """A known type; `dimension` has a meaning for REAL only."""
 
@@ -146,7 +145,7 @@ def bind(cell: Unknown, kind: AnyType) -> None:
     cell.bound = target
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Value:
     """A checked expression.
 

@@ -1,7 +1,9 @@
 """Dimensions and units: what a number measures, and how many SI units one unit is."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
+
+from ropsim.core import frozen_dataclass
 
 Dimension = tuple[int, int, int, int, int, int]
 """Exponents of metre, kilogram, second, ampere, radian and share of a limit."""
@@ -71,7 +73,7 @@ UNITS: dict[str, tuple[Dimension, float]] = {
 """Dimension and SI factor of every unit; exact by definition (inch: 25.4 mm)."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class UnitSystem:
     """The units of bare numbers.
 

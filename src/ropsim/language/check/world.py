@@ -1,8 +1,9 @@
 """What a whole text declares, as the checker of one body sees it."""
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import PostureRequest
 from ropsim.language.check.types import AnyType, Type, Value
 from ropsim.language.check.units import UnitSystem
@@ -11,7 +12,7 @@ from ropsim.program import Expression, SignalUse
 from ropsim.spatial import PoseTuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Formal:
     """A parameter of a task.
 
@@ -26,7 +27,7 @@ class Formal:
     default: Expression | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Signature:
     """How a task is called.
 
@@ -45,7 +46,7 @@ class Signature:
     is_known: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Pattern:
     """A grid of locations.
 
@@ -70,7 +71,7 @@ class Pattern:
     X_KF: PoseTuple = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Variable:
     """Something that can be read, and assigned unless `is_fixed`.
 
@@ -87,7 +88,7 @@ class Variable:
     has_counters: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Poison:
     """A name whose declaration or first value was wrong: its uses are not reported again."""
 
@@ -95,7 +96,7 @@ class Poison:
 Symbol = Variable | Value | SignalUse | Pattern | Poison
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class World:
     """All that is declared outside the bodies: what the checker of one body can look at besides it.
 

@@ -1,14 +1,13 @@
 """The physical lines of a statement: tokens, a comment, and whether the line goes on."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.syntax.lexer import Token, tokens
 from ropsim.language.syntax.line import ORDINAL
 
 _BLANKS = " \t"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Row:
     r"""A physical line of a statement.
 

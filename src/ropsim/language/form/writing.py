@@ -1,8 +1,8 @@
 """A statement in its form, on as many physical lines as it was written."""
 
 from collections.abc import Container, Sequence
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.language.form.rows import Row
 from ropsim.language.form.sameness import names_in
 from ropsim.language.form.spacing import spaced
@@ -14,7 +14,7 @@ _BEFORE_COMMENT = 2
 """Least number of blanks between a statement and a comment behind it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Open:
     """An open parenthesis: in which columns what it holds and its end stand on further lines."""
 

@@ -1,11 +1,9 @@
 """What is wrong with one line, before it is known where the line stands."""
 
-from dataclasses import dataclass
-
-from ropsim.core import Kind
+from ropsim.core import Kind, frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Fault:
     """A finding in offsets of the logical line.
 

@@ -2,9 +2,8 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.syntax.words import HEADS
 
 MAX_JOINED = 20
@@ -14,7 +13,7 @@ _HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)(.?)")
 _END = re.compile(r"\s*end\s*\.?\s*(?:#|//|$)", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LogicalLine:
     """The text of a statement and the number of its first physical line.
 

@@ -1,9 +1,9 @@
 """Expression nodes; `start` and `end` are offsets in the logical line, so a node depends on the text only."""
 
-from dataclasses import dataclass
+from ropsim.core import frozen_dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Name:
     """A name where a name is meant."""
 
@@ -12,7 +12,7 @@ class Name:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Number:
     """A number with its unit; an empty unit marks a bare number."""
 
@@ -23,7 +23,7 @@ class Number:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Text:
     """A text in quotes."""
 
@@ -32,7 +32,7 @@ class Text:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Literal:
     """One of the words `true false on off here home`."""
 
@@ -41,7 +41,7 @@ class Literal:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Unary:
     """`neg` or `not`."""
 
@@ -51,7 +51,7 @@ class Unary:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Binary:
     """`+ - * / mod and or = == <> < > <= >=` and the pose operators `above`, `offset`, `rel`."""
 
@@ -62,7 +62,7 @@ class Binary:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Rebase:
     """`operand in frame`: the same numbers, read in another frame."""
 
@@ -72,7 +72,7 @@ class Rebase:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class External:
     """`operand external (values)`: a location with values of external axes."""
 
@@ -82,7 +82,7 @@ class External:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class State:
     """`operand is [not] on|off|true|false`."""
 
@@ -93,7 +93,7 @@ class State:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Function:
     """`name(arguments)`: a fixed function, or a task that returns a value."""
 
@@ -103,7 +103,7 @@ class Function:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Item:
     """A member of a parenthesis; `name` is None unless written `name = value`."""
 
@@ -111,7 +111,7 @@ class Item:
     value: "Node"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Turn:
     """One orientation term of a tuple.
 
@@ -130,7 +130,7 @@ class Turn:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Posture:
     """`config (word, …)` and `turns (n, …)` of a location."""
 
@@ -140,7 +140,7 @@ class Posture:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Tuple:
     """A parenthesis with several members or an orientation: a location, a vector or an argument list."""
 
@@ -151,7 +151,7 @@ class Tuple:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Joints:
     """`joints(...)`."""
 
@@ -160,7 +160,7 @@ class Joints:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Member:
     """`operand.name`."""
 

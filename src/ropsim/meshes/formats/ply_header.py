@@ -1,8 +1,8 @@
 """The header of a PLY file: its encoding, and the elements with their properties."""
 
-from dataclasses import dataclass
 from enum import Enum
 
+from ropsim.core import frozen_dataclass
 from ropsim.meshes.formats.soup import damaged
 
 _LONGEST = 65_536  # bytes of a header
@@ -32,7 +32,7 @@ _ENCODINGS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Property:
     """A number of every row of an element, or a list of them.
 
@@ -47,7 +47,7 @@ class Property:
     length: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Element:
     """Rows of the same properties, such as `vertex`."""
 
@@ -56,7 +56,7 @@ class Element:
     properties: tuple[Property, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Header:
     """What a file announces; `size` is the place of the first row [bytes]."""
 

@@ -1,15 +1,16 @@
 """The rows of PLY elements: columns of numbers, and lists."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.meshes.formats.ply_header import Element
 from ropsim.meshes.formats.ply_source import Column, Source
 from ropsim.meshes.formats.soup import Indices, MeshFileError, check_count, damaged
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Lists:
     """A column of lists: all entries one after the other, and where each list begins and how long it is."""
 
@@ -18,7 +19,7 @@ class Lists:
     lengths: Indices
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Rows:
     """The columns of an element by name; of two with the same name the first."""
 

@@ -1,8 +1,8 @@
 """A task, or the control statements, to the code of one procedure."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.icr import IoChannel, Procedure, Step, Type, Variable, capabilities
 from ropsim.program import statements as st
 from ropsim.program.diagnostics import unsound
@@ -14,7 +14,7 @@ from ropsim.program.program import Local, Task
 from ropsim.program.scope import Known, Scope
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Lowered:
     """A procedure as far as it can be told alone.
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import frames_batch
 from ropsim.model import Device
 from ropsim.simulation.devices.course import Course
@@ -14,7 +15,7 @@ NEVER = -1
 """No tick at which something is due."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Carried:
     """A part that moves with a device.
 
@@ -29,7 +30,7 @@ class Carried:
     length: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Now:
     """What a drive is told when it acts.
 
@@ -44,7 +45,7 @@ class Now:
     carried: tuple[Carried, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Told:
     """What a drive says after it has acted.
 

@@ -1,7 +1,6 @@
 """What a servo simulation records at a tick: the fields of a row of its log."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics import Column, DriveChain
 from ropsim.simulation.fields import Field, fields
 
@@ -17,7 +16,7 @@ REFERENCE_COLUMNS = (
 """What every arm has."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LogLayout:
     """The fields of a row: of the arm, of its drives and their amplifiers, and the reference.
 

@@ -1,12 +1,12 @@
 """Drives and arm as source: straight-line code, or loops over the joints of a long arm."""
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, Tracer, load
 from ropsim.controller import LawTraits
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics import (
     ArmStructure,
     Carried,
@@ -26,7 +26,7 @@ from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LongPlantCode:
     """What `GivenCode` is, for an arm that is too long for straight-line code.
 
@@ -61,7 +61,7 @@ def derivative(x, u, constants, dx):
         return np.concatenate([self.drives.constants(numbers), chain_numbers(self.structure, numbers)])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Traced:
     """The drives of an arm in one traced formula.
 

@@ -1,14 +1,13 @@
 """The state of a servo-driven arm: one flat vector with a named layout."""
 
-from dataclasses import dataclass
-
 from ropsim.controller import LawTraits
+from ropsim.core import frozen_dataclass
 from ropsim.dynamics import DriveChain
 from ropsim.simulation.fields import Field, fields
 from ropsim.spatial import Array, record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StateLayout:
     """Where things stand in the state vector.
 

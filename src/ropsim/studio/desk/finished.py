@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ropsim import icr
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.records import inputs_of, inputs_text, recording_bytes
 from ropsim.studio.desk.content import moved_lines, on_lines
@@ -10,7 +11,7 @@ from ropsim.studio.desk.runnable import Runnable
 from ropsim.studio.jobs import RunForm, SavedRun
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FinishedRun:
     """A run with its recording.
 

@@ -3,9 +3,9 @@
 import contextlib
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass
 from multiprocessing.connection import Connection
 
+from ropsim.core import frozen_dataclass
 from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.jobs import (
     Answer,
@@ -130,7 +130,7 @@ def given_up(job: Job) -> Reply:
     return RunReply("cancelled", job.program) if isinstance(job, Simulate | LiveStart) else Failed("given up")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JobLine:
     """The line of the job on hand."""
 

@@ -1,11 +1,10 @@
 """A project made ready to run: opened with its unsaved texts and compiled."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from ropsim import icr
-from ropsim.core import Diagnostic, RopsimError
+from ropsim.core import Diagnostic, RopsimError, frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.model import Cell
 from ropsim.records import inputs_of
@@ -17,7 +16,7 @@ MOST_ROWS = 400_000
 """Recorded rows of a run in the studio: 26 minutes at the full rate, 53 at half of it, and so on."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Runnable:
     """A program that can run.
 

@@ -1,11 +1,11 @@
 """The cell as it is drawn."""
 
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import cast
 
 from ropsim.cellfile import mesh_in_cell_file
+from ropsim.core import frozen_dataclass
 from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell
 from ropsim.records import numeric
@@ -14,7 +14,7 @@ from ropsim.views import plain_findings, scene
 from ropsim.workbench import ProjectError, open_overlaid
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class OpenedScene:
     """What became of opening a scene.
 

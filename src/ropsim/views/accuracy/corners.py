@@ -1,12 +1,12 @@
 """Cornering deviations: how a corner is rounded, and how far the arm goes beyond the path behind it."""
 
 import math
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MoveEvent
 from ropsim.spatial import Array
 from ropsim.views.accuracy.polyline import at, nearest
@@ -19,7 +19,7 @@ _ALONG = 1e-6
 """Sine of the angle of a corner below which it has no outer side."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CornerFigures:
     """A corner of two paths that is passed without a stop, ISO 9283:1998, 8.5.
 

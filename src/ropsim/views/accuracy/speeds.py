@@ -1,10 +1,10 @@
 """Path velocity characteristics on the part of a move at constant speed."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array
 
 PLATEAU = 0.99
@@ -13,7 +13,7 @@ STANDSTILL = 1e-3
 """Commanded speed below which a move has no plateau [m/s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SpeedFigures:
     """Figures of one pass, ISO 9283:1998, 8.6; NaN without a part at constant speed.
 

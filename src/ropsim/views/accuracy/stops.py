@@ -1,9 +1,8 @@
 """Fine stops: how far the arm goes beyond its place, and when it stays there."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import MoveEvent
 from ropsim.spatial import Array
 from ropsim.views.channels import StationView
@@ -12,7 +11,7 @@ BAND = 1e-4
 """Radius of the limit band around the place where the arm comes to rest [m]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class StopFigures:
     """A move that ends in a stop, ISO 9283:1998, 7.4 and 7.5.
 

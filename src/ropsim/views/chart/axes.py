@@ -1,7 +1,6 @@
 """Frames and axes of charts over time: all charts of a page share the place of the time axis."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.views.markup import coordinate
 from ropsim.views.ticks import nice_ticks, tick_text
 
@@ -10,7 +9,7 @@ LEFT = 112.0
 RIGHT = 908.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Frame:
     """Place of one row, and how time and values become coordinates."""
 

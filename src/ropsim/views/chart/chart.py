@@ -2,10 +2,10 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, record
 from ropsim.views.chart.axes import LEFT, RIGHT, WIDTH, Frame, time_axis, value_axis
 from ropsim.views.decimate import min_max
@@ -33,7 +33,7 @@ class Trace:
     color: str = "c1"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TraceRow:
     """Curves over time with their own value axis.
 
@@ -52,7 +52,7 @@ class TraceRow:
     height: float = 54.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SpanRow:
     """Stretches of time as bars, such as the activations of a task [s]."""
 

@@ -1,10 +1,9 @@
 """The path of the TCP in a plane as SVG, with equal scales on both axes."""
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, record
 from ropsim.views.decimate import along_curve
 from ropsim.views.markup import coordinate, points, text
@@ -19,7 +18,7 @@ BOTTOM = 396.0
 POINTS = 2500
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Spot:
     """A place to mark: a circle (`grip`) or a square (`release`)."""
 
@@ -53,7 +52,7 @@ class PlaneChart:
     spots: tuple[Spot, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Frame:
     x0: float
     y0: float

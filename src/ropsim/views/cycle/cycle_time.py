@@ -2,8 +2,9 @@
 
 import math
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import Event, OutputEvent, Recording, StationFacts
 from ropsim.views.cycle.line_cycle import LineCycle, lines_of
 from ropsim.views.cycle.parts import CycleParts, Kind
@@ -14,7 +15,7 @@ _FINE_HZ = 1e6
 """Ticks per second by which times are told apart where the control rate is not known [Hz]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CycleTime:
     """Of what the cycle time of a station consists.
 

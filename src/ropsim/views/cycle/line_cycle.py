@@ -2,14 +2,14 @@
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import CriticalLimit, LimitQuantity, MoveEvent
 from ropsim.views.cycle.parts import CycleParts, Kind
 from ropsim.views.cycle.spent import Spent
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CriticalShare:
     """The limit that sets the time of the moves of a line.
 
@@ -24,7 +24,7 @@ class CriticalShare:
     share: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LineCycle:
     """The time of all passes of a source line.
 

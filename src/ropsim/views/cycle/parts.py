@@ -1,8 +1,9 @@
 """The parts of a time: motion, zones, settling, gripper, waits."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
+
+from ropsim.core import frozen_dataclass
 
 
 class Kind(Enum):
@@ -22,7 +23,7 @@ Ticks = Mapping[Kind, int]
 """Control ticks by what they were spent on."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class CycleParts:
     """Of what a time consists; every part is a whole number of control ticks.
 

@@ -2,13 +2,13 @@
 
 import math
 from collections.abc import Iterable, Iterator, Set
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import AwaitEvent, Event, GripEvent, MoveEvent, ReleaseEvent, TaskEvent, WaitEvent
 from ropsim.views.cycle.parts import Kind, Ticks
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Spent:
     """What one event took.
 

@@ -2,13 +2,13 @@
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.views.cycle.parts import CycleParts, Kind
 from ropsim.views.cycle.spent import Spent
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskCycle:
     """The time of all activations of a task, without what the tasks that it called took.
 

@@ -1,10 +1,10 @@
 """Which charts the report has, made from the channels of a recording."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import AxisFacts, AxisType, GripEvent, MotionKind, MoveEvent, Recording, ReleaseEvent
 from ropsim.spatial import Array
 from ropsim.views.channels import StationView, station_views
@@ -25,7 +25,7 @@ from ropsim.views.path_summary import speed
 from ropsim.views.summary import Summary
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _JointQuantity:
     """A quantity that every joint has: which channel, in which unit, against which limits."""
 

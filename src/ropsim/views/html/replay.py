@@ -2,14 +2,15 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ropsim.core import frozen_dataclass
 from ropsim.views.markup import text
 
 NO_SCRIPT = "The replay needs a browser that runs the script of this page; the report below does not."
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Replay:
     """What the viewer needs, as texts that fit into a page.
 
@@ -30,7 +31,7 @@ class Replay:
     meshes: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class NoReplay:
     """Why a report has no replay.
 

@@ -6,11 +6,11 @@ one file of them.
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 
 import numpy as np
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import Event, Recording
 from ropsim.model import Cell
 from ropsim.spatial import Array
@@ -27,7 +27,7 @@ RATE = 60
 """Samples per second: as many as a screen shows."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Pack:
     """A pack before it becomes a file.
 

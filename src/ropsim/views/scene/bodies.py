@@ -1,7 +1,6 @@
 """The bodies of a scene in the order of the body tree, as they are drawn at the start of a run."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import body_poses
 from ropsim.model import Body, BodyKind, Cell, Shape, Station, body_tree, link_name, start_of, tool_body
 from ropsim.spatial import Pose
@@ -12,7 +11,7 @@ NO_BODY = -1
 """Place of the parent of what is fixed on no moving body: its pose is in the world frame."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SceneBody:
     """One body at the start of a run.
 

@@ -1,15 +1,15 @@
 """Shapes as plain values for the page, and the boxes around them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.model import Box, Cylinder, Mesh, Point3, Polyline, Prism, Revolve, Shape, Solid, Sphere
 from ropsim.spatial import Array, Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class MeshSource:
     """Where the page finds the triangles of a mesh.
 

@@ -3,11 +3,10 @@
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from types import MappingProxyType
 
-from ropsim.core import RopsimError, Severity, define, did_you_mean
+from ropsim.core import RopsimError, Severity, define, did_you_mean, frozen_dataclass
 
 BAD_CHANGE = define(
     "X896",
@@ -49,7 +48,7 @@ class Subject(Enum):
     ZONES = "zones"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Change:
     """One thing that is changed.
 
@@ -77,7 +76,7 @@ class Change:
                 return f"zones=stop in line {self.line}" if self.line else "zones=stop"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class _Sort:
     """A sort of value: units with their factors, and the range that is allowed, in units of the first one."""
 

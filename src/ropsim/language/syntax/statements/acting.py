@@ -1,11 +1,10 @@
 """Nodes of lines that move, set, call or assign; positions as in `nodes`."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.syntax.nodes import Item, Name, Node
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Setting:
     """`speed|acc|blend|angle value`, `fine`, `tool name` or `frame name`."""
 
@@ -16,7 +15,7 @@ class Setting:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SetSignal:
     """`set output on|off|= value`."""
 
@@ -26,7 +25,7 @@ class SetSignal:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Trigger:
     """`at place after start|before end do set output …`; the side is `after` or `before`."""
 
@@ -37,7 +36,7 @@ class Trigger:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Tracking:
     """`track signal = value [along [-]x|y|z] [gain k]`; without `along` the direction is empty."""
 
@@ -49,7 +48,7 @@ class Tracking:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Motion:
     """`mov`, `lin`, `circ` or `spline` to a target, through points on the way.
 
@@ -70,7 +69,7 @@ class Motion:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Gripper:
     """`open` or `close`, with an optional tool."""
 
@@ -80,7 +79,7 @@ class Gripper:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Load:
     """`load (x, y, z), l`."""
 
@@ -90,7 +89,7 @@ class Load:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SetMode:
     """`set speed|acc|blend|frame|tool …`."""
 
@@ -99,7 +98,7 @@ class SetMode:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class With:
     """`with setting, setting`."""
 
@@ -108,7 +107,7 @@ class With:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class WaitTime:
     """`wait t`."""
 
@@ -117,7 +116,7 @@ class WaitTime:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stop:
     """`stop [text]`."""
 
@@ -126,7 +125,7 @@ class Stop:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Print:
     """`print value, value`."""
 
@@ -135,7 +134,7 @@ class Print:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Call:
     """`[call] task arguments`."""
 
@@ -145,7 +144,7 @@ class Call:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Assign:
     """`name = value` or `name.member = value`."""
 

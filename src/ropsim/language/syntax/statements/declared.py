@@ -1,11 +1,10 @@
 """Nodes of declarations, task headers and contracts; positions as in `nodes`."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.syntax.nodes import Name, Node
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ProgramHeader:
     """`program name`."""
 
@@ -14,7 +13,7 @@ class ProgramHeader:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Units:
     """`units mm, deg, s`."""
 
@@ -23,7 +22,7 @@ class Units:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Mode:
     """`classic` or `strict`."""
 
@@ -32,7 +31,7 @@ class Mode:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class FrameDeclaration:
     """`frame name = pose`."""
 
@@ -42,7 +41,7 @@ class FrameDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class LocationDeclaration:
     """`loc name = pose` or `loc name = joints(...)`."""
 
@@ -52,7 +51,7 @@ class LocationDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ToolDeclaration:
     """`tool name = pose`, with the words `payload`, `cog`, `gripper` that were written after it."""
 
@@ -63,7 +62,7 @@ class ToolDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class SignalDeclaration:
     """`signal name = [analog] input|output channel`."""
 
@@ -75,7 +74,7 @@ class SignalDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ConstantDeclaration:
     """`const name [: type] = value`."""
 
@@ -86,7 +85,7 @@ class ConstantDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class VariableDeclaration:
     """`var name [: type] [= value]`."""
 
@@ -97,7 +96,7 @@ class VariableDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class PatternDeclaration:
     """`pattern name = grid a x b from pose step v1, v2 [order word]`."""
 
@@ -110,7 +109,7 @@ class PatternDeclaration:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Parameter:
     """`name [: type] [= default]`."""
 
@@ -119,7 +118,7 @@ class Parameter:
     default: Node | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class TaskHeader:
     """`task name [(parameters)] [-> type]`; `parameters` is None where no list is written."""
 
@@ -130,7 +129,7 @@ class TaskHeader:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ContractClause:
     """`needs …` or `assumes …`."""
 

@@ -1,11 +1,10 @@
 """Nodes of lines that steer the flow, and of broken lines; positions as in `nodes`."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.syntax.nodes import Name, Node
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Broken:
     """A line that could not be read; the head word and first name are kept so that blocks still match."""
 
@@ -15,7 +14,7 @@ class Broken:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Closer:
     """`end`, or a closer of one kind of block: `endp endr endif endw endf endwith`."""
 
@@ -24,7 +23,7 @@ class Closer:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Until:
     """`until condition`, the other end of `repeat`."""
 
@@ -33,7 +32,7 @@ class Until:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ElseIf:
     """`elseif condition`."""
 
@@ -42,7 +41,7 @@ class ElseIf:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Else:
     """`else`."""
 
@@ -50,7 +49,7 @@ class Else:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class While:
     """`while condition [do]`."""
 
@@ -59,7 +58,7 @@ class While:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Repeat:
     """`repeat [count]`."""
 
@@ -68,7 +67,7 @@ class Repeat:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class For:
     """`for name = first to last [step s]`."""
 
@@ -80,7 +79,7 @@ class For:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class ForEach:
     """`for each name in pattern`."""
 
@@ -90,7 +89,7 @@ class ForEach:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Jump:
     """`break` or `continue`."""
 
@@ -99,7 +98,7 @@ class Jump:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Return:
     """`return [value]`."""
 

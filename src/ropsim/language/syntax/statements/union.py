@@ -1,7 +1,6 @@
 """The union of all statement nodes, and the two lines that hold another one; positions as in `nodes`."""
 
-from dataclasses import dataclass
-
+from ropsim.core import frozen_dataclass
 from ropsim.language.syntax.nodes import Node
 from ropsim.language.syntax.statements.acting import (
     Assign,
@@ -45,7 +44,7 @@ from ropsim.language.syntax.statements.steering import (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class WaitCondition:
     """`wait until condition [timeout t [else statement]]`."""
 
@@ -56,7 +55,7 @@ class WaitCondition:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class If:
     """`if condition [then]`; with a statement after `then` it is complete in one line."""
 

@@ -1,10 +1,10 @@
 """Arms moved by hand: each stands where its joint coordinates say and tells in words what limits it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.kinematics import (
     IkOptions,
     IkStatus,
@@ -22,7 +22,7 @@ from ropsim.studio.desk.jog.words import Words, limit_words, refusal_words, sing
 from ropsim.studio.jobs import Failed, JogJoints, JogReply, JogTcp
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JoggedArm:
     """The arm of a station with everything that a jog needs at once.
 
@@ -104,7 +104,7 @@ class JoggedArm:
         return "" if np.isfinite(q).all() else "a joint coordinate is no finite number"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class JoggedArms:
     """The arms of a cell.
 

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field
 
-from ropsim.core import Diagnostic, Severity, define, did_you_mean
+from ropsim.core import Diagnostic, Severity, define, did_you_mean, frozen_dataclass
 from ropsim.model import Cell
 
 NO_INPUT = define(
@@ -18,7 +18,7 @@ In a live run keys set inputs of the cell, which stand under `[signals]` in `cel
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Stamp:
     """A change of an input with its tick."""
 

@@ -2,8 +2,8 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from ropsim.core import frozen_dataclass
 from ropsim.flow import OverrideChange
 from ropsim.simulation import RunOptions
 from ropsim.simulation import run as run_program
@@ -19,7 +19,7 @@ LONGEST = 24 * 3600.0
 """Simulated time after which a live run ends, and for which it may wait for a key [s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen_dataclass
 class Clocks:
     """Where a live run has its time from.
 
