@@ -78,7 +78,8 @@ def _default(one: "Field[Any]", known: dict[str, Any]) -> str:
 def _equal(self: object, other: object) -> bool:
     """Compare two objects of a class for the first time: few classes ever come to it."""
     cls = type(self)
-    test = f"{_content(cls, 'self')} == {_content(cls, 'other')}"
+    names = [one.name for one in fields(cls) if one.compare]  # type: ignore[arg-type]
+    test = f"{_content(names, 'self')} == {_content(names, 'other')}"
     source = (
         f"def __eq__(self, other):\n return {test} if other.__class__ is self.__class__ else NotImplemented"
     )
@@ -89,14 +90,15 @@ def _equal(self: object, other: object) -> bool:
 def _hash(self: object) -> int:
     """Return the hash of an object, the first of its class of which somebody wants it."""
     cls = type(self)
-    found: int = _method(cls, "__hash__", f"def __hash__(self):\n return hash({_content(cls, 'self')})", {})(
-        self
-    )
+    counted = fields(cls)  # type: ignore[arg-type]
+    names = [one.name for one in counted if (one.compare if one.hash is None else one.hash)]
+    source = f"def __hash__(self):\n return hash({_content(names, 'self')})"
+    found: int = _method(cls, "__hash__", source, {})(self)
     return found
 
 
-def _content(cls: type, who: str) -> str:
-    return f"({''.join(f'{who}.{one.name}, ' for one in fields(cls) if one.compare)})"
+def _content(names: list[str], who: str) -> str:
+    return f"({''.join(f'{who}.{name}, ' for name in names)})"
 
 
 @recursive_repr()

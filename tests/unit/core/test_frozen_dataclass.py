@@ -21,6 +21,7 @@ class Ours:
     y: float = 2.0
     tags: list[str] = field(default_factory=list, compare=False)
     hidden: int = field(default=3, repr=False)
+    data: dict[str, int] = field(default_factory=dict, hash=False)
     made: int = field(init=False, default=0)
     _: KW_ONLY
     unit: str = "mm"
@@ -70,6 +71,7 @@ class Theirs:
     y: float = 2.0
     tags: list[str] = field(default_factory=list, compare=False)
     hidden: int = field(default=3, repr=False)
+    data: dict[str, int] = field(default_factory=dict, hash=False)
     made: int = field(init=False, default=0)
     _: KW_ONLY
     unit: str = "mm"
@@ -120,6 +122,7 @@ def test_signatures_and_patterns_are_the_same() -> None:
 def test_equal_is_what_has_equal_fields_and_one_class() -> None:
     assert Ours(1.0) == Ours(1.0, tags=["not compared"])
     assert Ours(1.0) != Ours(1.5)
+    assert Ours(1.0) != Ours(1.0, data={"a": 1})
     other: object = Theirs(1.0)
     assert Ours(1.0) != other
     longer: Ours = Longer(1.0)
