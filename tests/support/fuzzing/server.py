@@ -73,7 +73,7 @@ _STREAM = b"".join(framed(json.dumps(message).encode()) for message in _SESSION)
 def _take(content: bytes) -> str:
     """Serve a stream of bytes as the server does, but without its net for faults of its own."""
     reader, state, workshop = FrameReader(), State(), Workshop()
-    answered = "refused"
+    found: set[str] = set()
     for start in range(0, len(content), 997):
         for body in reader.feed(content[start : start + 997]):
             call = None if isinstance(body, FrameFault) else read_message(body)
@@ -85,8 +85,8 @@ def _take(content: bytes) -> str:
                 said = (*said, *more)
             for message in said:
                 msgspec.json.encode(message)
-                answered = "read" if "result" in message else answered
-    return answered
+                found |= {"result", "error"} & message.keys()
+    return "read" if found == {"result"} else "refused"
 
 
 def _made(random: Random) -> bytes:
