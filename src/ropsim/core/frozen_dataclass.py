@@ -28,9 +28,9 @@ def _completed(made: type[T], methods: dict[str, Callable[..., object]], written
         if name not in written.__dict__:
             setattr(made, name, method)
     if "__init__" not in written.__dict__:
-        known: dict[str, Any] = {"missing": MISSING}
+        known: dict[str, Any] = {"__missing__": MISSING}
         constructor = _method(made, "__init__", _constructor(made, known), known)
-        annotations = {one.name: one.type for one in fields(made) if one.init}  # type: ignore[arg-type]
+        annotations = {one.name: one.type for one in _parts(made) if one.init}
         constructor.__annotations__ = {**annotations, "return": None}
     return made
 
@@ -47,22 +47,21 @@ def _method(cls: type, name: str, source: str, known: dict[str, Any]) -> Callabl
 def _constructor(cls: type, known: dict[str, Any]) -> str:
     """Return `__init__`: it sets the fields and calls `__post_init__` where there is one."""
     arguments, lines = ["self"], []
-    parts = sorted(fields(cls), key=lambda one: bool(one.kw_only))
+    parts = sorted(_parts(cls), key=lambda one: bool(one.kw_only))
     for one in parts:
         name = one.name
-        known[f"set_{name}"] = getattr(cls, name).__set__
+        known[f"__set_{name}__"] = getattr(cls, name).__set__  # names that no field has
         if one.init:
             if one.kw_only and "*" not in arguments:
                 arguments.append("*")
             arguments.append(name + _default(one, known))
         if one.default_factory is not MISSING:
-            known[f"make_{name}"] = one.default_factory
-            made = f"make_{name}()"
-            lines.append(
-                f"set_{name}(self, {f'{name} if {name} is not missing else {made}' if one.init else made})"
-            )
+            known[f"__make_{name}__"] = one.default_factory
+            made = f"__make_{name}__()"
+            value = f"{name} if {name} is not __missing__ else {made}" if one.init else made
+            lines.append(f"__set_{name}__(self, {value})")
         elif one.init:
-            lines.append(f"set_{name}(self, {name})")
+            lines.append(f"__set_{name}__(self, {name})")
     if hasattr(cls, "__post_init__"):
         lines.append("self.__post_init__()")
     return f"def __init__({', '.join(arguments)}):\n " + ("\n ".join(lines) or "pass")
@@ -70,15 +69,15 @@ def _constructor(cls: type, known: dict[str, Any]) -> str:
 
 def _default(one: "Field[Any]", known: dict[str, Any]) -> str:
     if one.default is not MISSING:
-        known[f"default_{one.name}"] = one.default
-        return f"=default_{one.name}"
-    return "=missing" if one.default_factory is not MISSING else ""
+        known[f"__default_{one.name}__"] = one.default
+        return f"=__default_{one.name}__"
+    return "=__missing__" if one.default_factory is not MISSING else ""
 
 
 def _equal(self: object, other: object) -> bool:
     """Compare two objects of a class for the first time: few classes ever come to it."""
     cls = type(self)
-    names = [one.name for one in fields(cls) if one.compare]  # type: ignore[arg-type]
+    names = [one.name for one in _parts(cls) if one.compare]
     test = f"{_content(names, 'self')} == {_content(names, 'other')}"
     source = (
         f"def __eq__(self, other):\n return {test} if other.__class__ is self.__class__ else NotImplemented"
@@ -90,11 +89,14 @@ def _equal(self: object, other: object) -> bool:
 def _hash(self: object) -> int:
     """Return the hash of an object, the first of its class of which somebody wants it."""
     cls = type(self)
-    counted = fields(cls)  # type: ignore[arg-type]
-    names = [one.name for one in counted if (one.compare if one.hash is None else one.hash)]
+    names = [one.name for one in _parts(cls) if (one.compare if one.hash is None else one.hash)]
     source = f"def __hash__(self):\n return hash({_content(names, 'self')})"
     found: int = _method(cls, "__hash__", source, {})(self)
     return found
+
+
+def _parts(cls: type) -> "tuple[Field[Any], ...]":
+    return fields(cls)
 
 
 def _content(names: list[str], who: str) -> str:
@@ -103,7 +105,7 @@ def _content(names: list[str], who: str) -> str:
 
 @recursive_repr()
 def _shown(self: object) -> str:
-    parts = (f"{one.name}={getattr(self, one.name)!r}" for one in fields(self) if one.repr)  # type: ignore[arg-type]
+    parts = (f"{one.name}={getattr(self, one.name)!r}" for one in _parts(type(self)) if one.repr)
     return f"{type(self).__qualname__}({', '.join(parts)})"
 
 
@@ -112,11 +114,11 @@ def _refuse(_self: object, name: str, _value: object = None) -> None:
 
 
 def _state(self: object) -> list[object]:
-    return [getattr(self, one.name) for one in fields(self)]  # type: ignore[arg-type]
+    return [getattr(self, one.name) for one in _parts(type(self))]
 
 
 def _restore(self: object, state: list[object]) -> None:
-    for one, value in zip(fields(self), state, strict=True):  # type: ignore[arg-type]
+    for one, value in zip(_parts(type(self)), state, strict=True):
         object.__setattr__(self, one.name, value)
 
 

@@ -54,8 +54,8 @@ def _mentioned(statement: syntax.Statement | None) -> Iterator[Mention]:
     if reader is not None:
         yield from reader(statement)
         return
-    if type(statement) in _DECLARATIONS:
-        yield Mention(getattr(statement, "name"), Part.DECLARED)  # noqa: B009 - each of them has one
+    if isinstance(statement, syntax.NAMED):
+        yield Mention(statement.name, Part.DECLARED)
     for part in _EXPRESSIONS.get(type(statement), ()):
         value = getattr(statement, part)
         for node in value if isinstance(value, tuple) else (value,):
@@ -224,17 +224,6 @@ _READERS: dict[type, Callable[[Any], Iterator[Mention]]] = {
     syntax.If: _if,
     syntax.WaitCondition: _wait,
 }
-_DECLARATIONS = frozenset(
-    [
-        syntax.FrameDeclaration,
-        syntax.ToolDeclaration,
-        syntax.LocationDeclaration,
-        syntax.SignalDeclaration,
-        syntax.ConstantDeclaration,
-        syntax.VariableDeclaration,
-        syntax.PatternDeclaration,
-    ]
-)
 _EXPRESSIONS: dict[type, tuple[str, ...]] = {
     syntax.FrameDeclaration: ("value",),
     syntax.ToolDeclaration: ("value",),

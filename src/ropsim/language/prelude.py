@@ -4,33 +4,8 @@ from ropsim.core import SourceText
 from ropsim.language.cache import LineCache
 from ropsim.language.form.indents import indented
 from ropsim.language.form.told import told
-from ropsim.language.syntax.statements import (
-    ConstantDeclaration,
-    FrameDeclaration,
-    LocationDeclaration,
-    Mode,
-    PatternDeclaration,
-    ProgramHeader,
-    SignalDeclaration,
-    TaskHeader,
-    ToolDeclaration,
-    Units,
-    VariableDeclaration,
-)
+from ropsim.language.syntax.statements import DECLARATIONS, TaskHeader
 from ropsim.language.text import Line, read
-
-_DECLARATIONS = (
-    ConstantDeclaration,
-    FrameDeclaration,
-    LocationDeclaration,
-    Mode,
-    PatternDeclaration,
-    ProgramHeader,
-    SignalDeclaration,
-    ToolDeclaration,
-    Units,
-    VariableDeclaration,
-)
 
 
 def prelude(text: str) -> str:
@@ -42,7 +17,7 @@ def prelude(text: str) -> str:
     is_task = False
     for (line, depth), end in zip(indented(lines), ends, strict=True):
         is_header = isinstance(line.statement, TaskHeader)
-        if is_header or is_task or (depth == 0 and isinstance(line.statement, _DECLARATIONS)):
+        if is_header or is_task or (depth == 0 and isinstance(line.statement, DECLARATIONS)):
             begin = line.logical.number - 1
             kept[begin:end] = source.lines[begin:end]
         is_task = is_header or (is_task and not (depth == 0 and line.statement is not None))

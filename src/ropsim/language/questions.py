@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
-from ropsim.language.check import declarations, one_body, signatures
+from ropsim.language.check import declarations, fold, one_body, signatures
 from ropsim.language.check.body import Body, settled
 from ropsim.language.check.declarations import Declared
 from ropsim.language.check.expressions import EXPRESSIONS
@@ -113,7 +113,16 @@ def declared(db: Database) -> Declared:
 
 def _nothing(environment: Environment) -> World:
     system = UnitSystem(environment.length, environment.angle)
-    return World(environment, system, False, False, "", (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), {}, {})  # noqa: FBT003
+    return World(
+        environment,
+        system,
+        is_strict=False,
+        is_classic=False,
+        frame="",
+        X_BK=fold.IDENTITY,
+        frames={},
+        tools={},
+    )
 
 
 def _declared(db: Database) -> Declared:

@@ -1,7 +1,7 @@
 """The table of requests: their parameters, and what answers them; one file for each kind."""
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.lsp import protocol
@@ -25,7 +25,15 @@ from ropsim.lsp.symbols import symbols
 from ropsim.lsp.workshop import Workshop
 from ropsim.lsp.workspace_symbols import workspace_symbols
 
-_OfDocument = Callable[[Document, Any, Mapping[str, Document], Workshop], object]
+
+class _AboutDocument(Protocol):
+    """Parameters that name a document."""
+
+    @property
+    def text_document(self) -> protocol.VersionedDocument: ...
+
+
+P = TypeVar("P", bound=_AboutDocument)
 
 
 @frozen_dataclass
@@ -36,10 +44,14 @@ class Method:
     run: Callable[[State, Any, Workshop], object]
 
 
-def _about(params: type[Any], run: _OfDocument, otherwise: Callable[[], object]) -> Method:
+def _about(
+    params: type[P],
+    run: Callable[[Document, P, Mapping[str, Document], Workshop], object],
+    otherwise: Callable[[], object],
+) -> Method:
     """Return a request about one document, and what is said of one that is not open."""
 
-    def answered(state: State, given: Any, workshop: Workshop) -> object:  # noqa: ANN401 - as the table says
+    def answered(state: State, given: P, workshop: Workshop) -> object:
         document = state.documents.get(given.text_document.uri)
         return run(document, given, state.documents, workshop) if document is not None else otherwise()
 

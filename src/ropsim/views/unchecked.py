@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
 from ropsim.views.characters import clean
+from ropsim.views.figures import percent
 from ropsim.views.findings import plural
 
 LOOKED_AT_IF_SAID = ("collisions",)
@@ -73,9 +74,8 @@ def given_text(done: Interventions) -> str:
     """Return what was done to a run in words, such as `by hand: 2 inputs, override down to 50 %`."""
     parts = [plural(len(done.inputs), "input")] if done.inputs else []
     if done.overrides:
-        parts.append(
-            f"override down to {min(1.0, *(one.value for one in done.overrides)):.0%}".replace("%", " %")
-        )
+        slowest = min(1.0, *(one.value for one in done.overrides))
+        parts.append(f"override down to {percent(slowest)}")
     if done.stopped is not None:
         parts.append(f"stopped at {done.stopped:.2f} s")
     return f"by hand: {', '.join(parts)}" if parts else ""

@@ -141,19 +141,36 @@ def test_a_class_keeps_what_it_says_itself() -> None:
 
 
 @pytest.mark.parametrize("one", [Ours(1.0), Longer(1.0, z=4.0), Empty(), Angle(3)])
-def test_nothing_can_be_changed(one: object) -> None:
+def test_nothing_can_be_changed(one: Any) -> None:
     with pytest.raises(FrozenInstanceError):
-        one.x = 3.0  # type: ignore[attr-defined]
+        one.x = 3.0
     with pytest.raises(FrozenInstanceError):
-        del one.x  # type: ignore[attr-defined]
+        del one.x
     with pytest.raises(FrozenInstanceError):
-        one.another = 3.0  # type: ignore[attr-defined]
+        one.another = 3.0
 
 
 @pytest.mark.parametrize("one", [Ours(1.0, tags=["a"]), Longer(1.0, z=4.0), Empty()])
 def test_copies_are_equal(one: Any) -> None:
     assert pickle.loads(pickle.dumps(one)) == one
     assert copy.copy(one) == copy.deepcopy(one) == one
+
+
+@frozen_dataclass
+class Odd:
+    """Fields that are called like what a constructor may use."""
+
+    missing: int
+    set_x: int
+    x: list[int] = field(default_factory=list)
+    make_x: int = 2
+    default_x: int = 3
+
+
+def test_fields_may_have_any_name() -> None:
+    one = Odd(5, 6)
+    assert (one.missing, one.set_x, one.x, one.make_x, one.default_x) == (5, 6, [], 2, 3)
+    assert Odd(5, 6, [1]).x == [1]
 
 
 def test_replaced_fields_are_told_anew() -> None:

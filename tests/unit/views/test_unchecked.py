@@ -103,5 +103,8 @@ def test_what_was_done_by_hand_stands_first() -> None:
         stopped=3.25,
     )
     recording = replace(pick_and_place(1), facts=about)
-    assert line_of(recording).split(" · ")[0] == "by hand: 2 inputs, override down to 50 %, stopped at 3.25 s"
+    assert (
+        line_of(recording).split(" · ")[0]
+        == "by hand: 2 inputs, override down to 50\u00a0%, stopped at 3.25 s"
+    )
     assert result_figures(summarize(recording))["given"] == summarize(recording).unchecked.given

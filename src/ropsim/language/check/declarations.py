@@ -107,7 +107,16 @@ def _frames(
     declarations and other `set` statements may come before it. Further down it is lexical, like in a task.
     """
     frames = dict(environment.frames)
-    bare = World(environment, _units(top, environment), False, False, "", fold.IDENTITY, frames, {})  # noqa: FBT003
+    bare = World(
+        environment,
+        _units(top, environment),
+        is_strict=False,
+        is_classic=False,
+        frame="",
+        X_BK=fold.IDENTITY,
+        frames=frames,
+        tools={},
+    )
     declared: set[str] = set()
     for line in top:
         node = line.statement
@@ -128,7 +137,7 @@ def _frames(
         node = item.statement if isinstance(item, Line) else None
         if isinstance(item, Block) and isinstance(item.opener.statement, syntax.TaskHeader):
             continue
-        if isinstance(item, Block) or not isinstance(node, (*_DECLARATIONS, syntax.SetMode, NoneType)):
+        if isinstance(item, Block) or not isinstance(node, (*syntax.DECLARATIONS, syntax.SetMode, NoneType)):
             break
         if (
             isinstance(node, syntax.SetMode)
@@ -166,7 +175,7 @@ def _declare_all(world: World, tables: _Tables, top: Iterable[Line], report: Rep
                         f"`{extra.text}` of a tool belongs to the cell file",
                         "move it there",
                     )
-            elif isinstance(node, _SYMBOLS):
+            elif isinstance(node, syntax.SYMBOLS):
                 _unique(body, node.name, declared)
                 _declare(tables.symbols, body, node)
         except RejectedError:
@@ -216,22 +225,7 @@ def _poison(tables: _Tables, node: syntax.Broken) -> None:
         tables.symbols.setdefault(node.name, Poison())
 
 
-_SYMBOLS = (
-    syntax.LocationDeclaration,
-    syntax.SignalDeclaration,
-    syntax.ConstantDeclaration,
-    syntax.VariableDeclaration,
-    syntax.PatternDeclaration,
-)
-_DECLARATIONS = (
-    *_SYMBOLS,
-    syntax.ProgramHeader,
-    syntax.Units,
-    syntax.Mode,
-    syntax.FrameDeclaration,
-    syntax.ToolDeclaration,
-)
-WITHOUT_CODE = tuple(one for one in _DECLARATIONS if one is not syntax.VariableDeclaration)
+WITHOUT_CODE = tuple(one for one in syntax.DECLARATIONS if one is not syntax.VariableDeclaration)
 """Statements that tell something and do nothing."""
 _SymbolNode = (
     syntax.LocationDeclaration

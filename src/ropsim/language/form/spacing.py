@@ -19,7 +19,7 @@ _VALUES = frozenset(("true", "false", "here", "home"))
 
 _OPENING = frozenset("([")
 _TIGHT_BEFORE = frozenset(",;:.)]")
-_BEFORE_SIGN = frozenset("( [ , ; : = := == <> != < > <= >= -> + - * / @".split())  # noqa: SIM905
+_BEFORE_SIGN = frozenset("([,;:=<>+-*/@") | {":=", "==", "<>", "!=", "<=", ">=", "->"}
 """Signs behind which a minus belongs to the number that follows."""
 
 

@@ -14,6 +14,9 @@ from ropsim.language.syntax.statements.acting import Tracking as Tracking
 from ropsim.language.syntax.statements.acting import Trigger as Trigger
 from ropsim.language.syntax.statements.acting import WaitTime as WaitTime
 from ropsim.language.syntax.statements.acting import With as With
+from ropsim.language.syntax.statements.declared import DECLARATIONS as DECLARATIONS
+from ropsim.language.syntax.statements.declared import NAMED as NAMED
+from ropsim.language.syntax.statements.declared import SYMBOLS as SYMBOLS
 from ropsim.language.syntax.statements.declared import ConstantDeclaration as ConstantDeclaration
 from ropsim.language.syntax.statements.declared import ContractClause as ContractClause
 from ropsim.language.syntax.statements.declared import FrameDeclaration as FrameDeclaration

@@ -136,3 +136,17 @@ class ContractClause:
     text: str
     start: int
     end: int
+
+
+SYMBOLS = (
+    LocationDeclaration,
+    SignalDeclaration,
+    ConstantDeclaration,
+    VariableDeclaration,
+    PatternDeclaration,
+)
+"""Declarations of what expressions can name."""
+NAMED = (*SYMBOLS, FrameDeclaration, ToolDeclaration)
+"""Declarations that give something a name."""
+DECLARATIONS = (*NAMED, ProgramHeader, Units, Mode)
+"""All that stands outside of tasks and tells something."""
