@@ -83,11 +83,14 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     bar.get_by_role("button", name="Continue").click()
     hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
     assert moves(hand)
-    bar.get_by_role("slider", name="Override").fill("50")
+    slider = bar.get_by_role("slider", name="Override")
+    slider.fill("55")
+    for _ in range(5):  # each goes on from the one before, though the run hears of them later
+        slider.press("ArrowLeft")
     hand.pill().get_by_text("Live, 50 %").wait_for()
     hand.page.keyboard.press("Escape")
     bar.get_by_role("button", name="Hold").click()
-    bar.get_by_role("slider", name="Override").fill("100")
+    slider.fill("100")
     bar.get_by_role("button", name="Step").click()
     hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
     hand.page.wait_for_function("() => __ropsim.state().live === 'held'")  # at its end, some seconds away
@@ -98,7 +101,10 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
         bar.get_by_role("link", name="Save recording").click()
     download.value.save_as(tmp_path / "run.npz")
     facts = (recording := read_recording(tmp_path / "run.npz")).facts
-    assert [change.value for change in facts.overrides] == [0.0, 1.0, 0.5, 0.0, 1.0, 0.0]
+    values = [change.value for change in facts.overrides]
+    assert values[:2] == [0.0, 1.0]
+    assert values[-4:] == [0.5, 0.0, 1.0, 0.0]
+    assert all(0.5 < value <= 0.55 for value in values[2:-4])
     assert facts.stopped is not None
     assert recording.duration == pytest.approx(facts.stopped, abs=0.01)
     assert len(recording.events_of(MoveEvent)) == 1

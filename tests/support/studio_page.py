@@ -146,9 +146,12 @@ class StudioPage:
         return spot["x"], spot["y"]
 
     def camera(self, view: str) -> list[float]:
-        """Return where three points that tell a camera from any other one are drawn [px]."""
-        points = ([0.0, 0.0, 0.0], [0.3, 0.2, 0.4], [0.5, -0.3, 0.2])
-        return [number for point in points for number in self.projected(view, point)]
+        """Return where three points that tell a camera from any other one are drawn, at one moment [px]."""
+        points = [[0.0, 0.0, 0.0], [0.3, 0.2, 0.4], [0.5, -0.3, 0.2]]
+        spots = self.page.evaluate(
+            "([view, points]) => points.map(point => __ropsim.project(view, point))", [view, points]
+        )
+        return [number for spot in spots for number in (spot["x"], spot["y"])]
 
     def until(self, condition: Callable[[], bool]) -> None:
         """Wait until something that is computed here holds; it is looked at after each frame."""

@@ -1,20 +1,25 @@
 /** The override of a live run, 0 to 100 %: what is asked for shows at once, and the run when it has heard of it. */
-import { useEffect, useRef, useState } from 'react'
+import { useEffect, useState } from 'react'
 import { useStudio } from '../studio/context'
 import { words } from '../text/messages'
 import type { LiveStatus } from '../wire/messages'
 
+/** After this time the slider shows again what the run says [ms]. */
+const PATIENCE = 2000
+
 export function OverrideSlider({ live }: { readonly live: LiveStatus }) {
   const studio = useStudio()
   const told = Math.round(live.override * 100)
-  const [percent, setPercent] = useState(told)
-  const held = useRef(false)
+  // The run is a little behind: until it has come to what was asked for last, the slider must not jump back.
+  const [asked, setAsked] = useState<number | null>(null)
   useEffect(() => {
-    // While it is dragged the run is a little behind: the slider must not jump back.
-    if (!held.current) setPercent(told)
-  }, [told])
+    if (asked === null) return
+    const timer = setTimeout(() => setAsked(null), told === asked ? 0 : PATIENCE)
+    return () => clearTimeout(timer)
+  }, [asked, told])
+  const percent = asked ?? told
   const ask = (value: number) => {
-    setPercent(value)
+    setAsked(value)
     studio.send({ type: 'live_override', value: value / 100 })
   }
   return (
@@ -28,12 +33,6 @@ export function OverrideSlider({ live }: { readonly live: LiveStatus }) {
         value={percent}
         disabled={live.state === 'starting'}
         aria-valuetext={words.signals.percent(percent)}
-        onPointerDown={() => {
-          held.current = true
-        }}
-        onPointerUp={() => {
-          held.current = false
-        }}
         onChange={event => ask(Number(event.target.value))}
       />
       <output>{words.signals.percent(percent)}</output>

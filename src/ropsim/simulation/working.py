@@ -166,6 +166,6 @@ def _too_long(step: Instruction | Finished, options: RunOptions) -> Diagnostic:
         origin.span,
         f"the program still runs after {options.longest:g} s of simulated time, it was stopped here",
         label=f"pass {origin.visit}",
-        hint="give the loop an end, or simulate fewer passes of it",
+        hint="give the loop an end or fewer passes, or a long wait a shorter time",
         data={"pass": origin.visit},
     )

@@ -130,5 +130,5 @@ def _hint(wanted: Type, found: Type) -> str:
     if wanted.value is ValueType.POSE:
         return "a location is a name, or three numbers in parentheses: `(x, y, z)`"
     if wanted.value is ValueType.BOOL:
-        return "write a comparison such as `n > 3`, or a digital signal"
+        return "a truth value is `true`, `false`, a digital signal or a comparison such as `n > 3`"
     return ""

@@ -48,7 +48,8 @@ def check_effect(body: Body, motion: Motion, settings: Settings) -> None:
         hint = "give it in mm/s or mm/s2"
     for modifier in motion.modifiers:
         if idle.get(modifier.word) is not None:
-            body.warn(kinds.NO_EFFECT, modifier, f"`{motion.word}` does not use this `{modifier.word}`", hint)
+            message = f"`{motion.word}` does not use this `{modifier.word}`; it goes without it"
+            body.warn(kinds.NO_EFFECT, modifier, message, hint)
 
 
 def _joined(a: Settings, b: Settings) -> Settings:
