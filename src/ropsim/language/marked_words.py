@@ -15,7 +15,7 @@ from ropsim.language.text import Line
 from ropsim.language.uses import Uses
 from ropsim.language.uses_of import statements_of
 
-_COMMENT = re.compile(r'"(?:[^"\\]|\\.)*"|((?:#|//).*)')
+_COMMENT = re.compile(r'"(?:[^"\\]++|\\.)*+(?:"|\\?$)|((?:#|//).*)')
 
 
 class Mark(Enum):

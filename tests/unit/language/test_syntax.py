@@ -133,3 +133,17 @@ def test_words_of_a_posture_stand_in_parentheses() -> None:
         "write the words of a posture in parentheses: `config (left, up)`",
         "expected `(`, found `left`",
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("(" + '"\\' * 100_000 + "\n" + "1,\n" * 19 + "mov home\n", 3),
+        ("(" + '"\\"' * 100_000 + "\nmov home\n", 3),
+        ("(\nend" + " " * 300_000 + "." + " " * 300_000 + "x\n", 2),
+    ],
+    ids=["quotes", "closed", "blanks"],
+)
+def test_joining_lines_reads_nothing_twice(text: str, count: int) -> None:
+    """Where a repetition gives back what it has read, each of these takes minutes to hours."""
+    assert sum(1 for _ in logical_lines(SourceText("x.task", text))) == count

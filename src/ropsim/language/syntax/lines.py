@@ -8,9 +8,10 @@ from ropsim.language.syntax.words import HEADS
 
 MAX_JOINED = 20
 
-_BRACKETS = re.compile(r'"(?:[^"\\]|\\.)*"|\#.*|//.*|[()\[\]]')
+# Nothing is read twice: an unclosed text goes to the end of its line, and no repetition gives back.
+_BRACKETS = re.compile(r'"(?:[^"\\]++|\\.)*+(?:"|\\?$)|\#.*|//.*|[()\[\]]')
 _HEAD = re.compile(r"\s*(?:\d+\.\s+)?([A-Za-z_]\w*)(.?)")
-_END = re.compile(r"\s*end\s*\.?\s*(?:#|//|$)", re.IGNORECASE)
+_END = re.compile(r"\s*+end\s*+\.?\s*+(?:#|//|$)", re.IGNORECASE)
 
 
 @frozen_dataclass
