@@ -1,0 +1,33 @@
+"""What is asked of a text in units: declarations, how tasks are called, and what is found in each body.
+
+Each function is pure: the database notes what it looks at, so that a change reaches only what depends on
+it. A task depends on its own text, on the declarations that it names and on how the tasks that it calls are
+called; never on its callers, unless the text is a classic one, whose use of a task may tell types of its
+parameters.
+"""
+
+from ropsim.language.questions.bodies import calls_of as calls_of
+from ropsim.language.questions.bodies import checked as checked
+from ropsim.language.questions.bodies import checked_control as checked_control
+from ropsim.language.questions.callers import is_own as is_own
+from ropsim.language.questions.callers import order as order
+from ropsim.language.questions.calls import form as form
+from ropsim.language.questions.calls import joint_count as joint_count
+from ropsim.language.questions.calls import signature as signature
+from ropsim.language.questions.declarations import basics as basics
+from ropsim.language.questions.declarations import declared as declared
+from ropsim.language.questions.declarations import frame as frame
+from ropsim.language.questions.declarations import names_in as names_in
+from ropsim.language.questions.declarations import symbol as symbol
+from ropsim.language.questions.headers import header as header
+from ropsim.language.questions.inference import inference as inference
+from ropsim.language.questions.inference import types as types
+from ropsim.language.questions.inference import words as words
+from ropsim.language.questions.inputs import CONTROL_LOCALS as CONTROL_LOCALS
+from ropsim.language.questions.inputs import DECLARED as DECLARED
+from ropsim.language.questions.inputs import ENVIRONMENT as ENVIRONMENT
+from ropsim.language.questions.inputs import INFERRED as INFERRED
+from ropsim.language.questions.inputs import JOINT_COUNT as JOINT_COUNT
+from ropsim.language.questions.inputs import ORDER as ORDER
+from ropsim.language.questions.inputs import STATEMENTS as STATEMENTS
+from ropsim.language.questions.inputs import TASKS as TASKS

@@ -1,0 +1,51 @@
+"""What is found in each body."""
+
+from dataclasses import replace
+
+from ropsim.core import Span
+from ropsim.language.check import one_body
+from ropsim.language.check.outcome import Outcome
+from ropsim.language.check.table import Marked, Table
+from ropsim.language.check.world import Signature, World
+from ropsim.language.questions.callers import task
+from ropsim.language.questions.calls import lacks_result, signature
+from ropsim.language.questions.declarations import names_in, statements, symbol
+from ropsim.language.questions.headers import header
+from ropsim.language.questions.inference import types
+from ropsim.language.questions.inputs import JOINT_COUNT
+from ropsim.language.questions.worlds import world_of
+from ropsim.query import Database
+
+
+def checked(db: Database, name: str) -> Outcome:
+    """Return a task of the text, checked."""
+    text = db.ask(task, name)
+    found = db.ask(signature, name)
+    assert text is not None
+    assert found is not None
+    own = replace(found.signature, is_known=db.ask(header, name).signature.is_known)
+    return one_body.checked_task(_final_world(db), text, own, db.ask(types, name).types)
+
+
+def calls_of(db: Database, name: str) -> tuple[tuple[str, Span], ...]:
+    """Return the tasks that a task of the text calls, and where."""
+    return db.ask(checked, name).calls
+
+
+def checked_control(db: Database) -> Outcome:
+    """Return the control statements, checked."""
+    return one_body.checked_control(_final_world(db), db.ask(statements), db.ask(types, "").types)
+
+
+def _final_world(db: Database) -> World:
+    return replace(
+        world_of(db, lambda name: _signature(db, name)),
+        symbols=Table(lambda name: db.ask(symbol, name), lambda: db.ask(names_in, "symbols")),
+        without_result=Marked(lambda name: db.ask(lacks_result, name)),
+        joint_count=db.read(JOINT_COUNT),
+    )
+
+
+def _signature(db: Database, name: str) -> Signature | None:
+    found = db.ask(signature, name)
+    return found.signature if found is not None else None

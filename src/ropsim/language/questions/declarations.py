@@ -1,0 +1,90 @@
+"""What the text declares outside of tasks, name by name."""
+
+from dataclasses import replace
+
+from ropsim.language.check import declarations, fold
+from ropsim.language.check.declarations import Declared
+from ropsim.language.check.types import is_open
+from ropsim.language.check.units import UnitSystem
+from ropsim.language.check.world import Symbol, Variable, World
+from ropsim.language.environment import Environment
+from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, STATEMENTS
+from ropsim.language.questions.told import inferred
+from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.text import Line
+from ropsim.language.units import CONTROL, Items
+from ropsim.query import Database
+from ropsim.spatial import PoseTuple
+
+
+def declared(db: Database) -> Declared:
+    """Return what the text declares outside of tasks."""
+    environment: Environment = db.read(ENVIRONMENT)
+    report = Report(CONTROL)
+    try:
+        return declarations.world(db.read(STATEMENTS), environment, report)
+    except TooManyFindingsError:
+        return Declared(_nothing(environment), tuple(report.log))
+
+
+def _nothing(environment: Environment) -> World:
+    system = UnitSystem(environment.length, environment.angle)
+    return World(
+        environment,
+        system,
+        is_strict=False,
+        is_classic=False,
+        frame="",
+        X_BK=fold.IDENTITY,
+        frames={},
+        tools={},
+    )
+
+
+def _declared(db: Database) -> Declared:
+    found: Declared = db.read(DECLARED)
+    return found
+
+
+def basics(db: Database) -> World:
+    """Return what holds for the whole text, without any names."""
+    return replace(_declared(db).world, frames={}, tools={}, symbols={})
+
+
+def frame(db: Database, name: str) -> PoseTuple | None:
+    """Return a frame."""
+    return _declared(db).world.frames.get(name)
+
+
+def tool(db: Database, name: str) -> PoseTuple | None:
+    """Return a tool."""
+    return _declared(db).world.tools.get(name)
+
+
+def declared_symbol(db: Database, name: str) -> Symbol | None:
+    """Return what a name is declared as; the type of a variable may be open."""
+    return _declared(db).world.symbols.get(name)
+
+
+def names_in(db: Database, table: str) -> tuple[str, ...]:
+    """Return the names of all `frames`, `tools` or `symbols`."""
+    return tuple(getattr(_declared(db).world, table))
+
+
+def symbol(db: Database, name: str) -> Symbol | None:
+    """Return what a name means everywhere; the types of variables are known."""
+    found = db.ask(declared_symbol, name)
+    if isinstance(found, Variable) and is_open(found.type):
+        types = inferred(db)
+        assert types is not None
+        return replace(found, type=types.variables[name])
+    return found
+
+
+def statements(db: Database) -> Items:
+    """Return the control statements without the declarations among them."""
+    return tuple(
+        item
+        for item in db.read(STATEMENTS)
+        if not isinstance(item, Line) or not isinstance(item.statement, declarations.WITHOUT_CODE)
+    )

@@ -1,0 +1,64 @@
+"""How a task is called, as far as its header tells."""
+
+from dataclasses import replace
+from functools import partial
+
+from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.language.check import signatures
+from ropsim.language.check.body import Body
+from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.types import Type, closed, opened
+from ropsim.language.check.world import Signature
+from ropsim.language.questions.callers import is_own, library, precedes, task
+from ropsim.language.questions.worlds import world_of
+from ropsim.language.reading import CALLABLE, Names
+from ropsim.language.report import Report, TooManyFindingsError
+from ropsim.language.units import of_task
+from ropsim.query import Database
+
+
+@frozen_dataclass
+class Header:
+    """How a task is called, as far as its header tells.
+
+    Attributes:
+        signature: with open types where only use tells them.
+        found: findings.
+        joint_count: how many coordinates `joints(…)` has in it.
+    """
+
+    signature: Signature
+    found: tuple[Diagnostic, ...]
+    joint_count: int
+
+
+def header(db: Database, name: str) -> Header:
+    """Return how a task is called, as far as its own header tells."""
+    text = db.ask(task, name)
+    assert text is not None
+    report = Report(of_task(name))
+    body = Body(world_of(db, partial(_header_before, db, name)), report, EXPRESSIONS, None, name)
+    try:
+        signature = signatures.of_text(body, text, Names(db, CALLABLE))
+    except TooManyFindingsError:
+        signature = Signature(name, (), (), None, is_known=False)
+    formals = tuple(replace(one, type=closed(one.type)) for one in signature.formals)
+    return Header(replace(signature, formals=formals), tuple(report.log), body.joint_count)
+
+
+def _header_before(db: Database, caller: str, name: str) -> Signature | None:
+    """Return how a task is called as its header tells; None for one that comes later, in a circle."""
+    if not db.ask(is_own, name):
+        return db.ask(library, name)
+    return opened_formals(db.ask(header, name).signature) if db.ask(precedes, name, caller) else None
+
+
+def opened_formals(found: Signature) -> Signature:
+    """Return a signature whose open types have cells of their own."""
+    return replace(found, formals=tuple(replace(one, type=opened(one.type)) for one in found.formals))
+
+
+def with_types(found: Signature, kinds: tuple[Type, ...]) -> Signature:
+    """Return a signature with the types of its parameters."""
+    formals = tuple(replace(one, type=kind) for one, kind in zip(found.formals, kinds, strict=True))
+    return replace(found, formals=formals)

@@ -1,0 +1,82 @@
+"""Types where use in one body tells them to another one."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ropsim.language.check import one_body, signatures
+from ropsim.language.check.body import Body, settled
+from ropsim.language.check.expressions import EXPRESSIONS
+from ropsim.language.check.types import is_open
+from ropsim.language.check.world import Variable
+from ropsim.language.environment import Environment
+from ropsim.language.questions.callers import task
+from ropsim.language.questions.declarations import _declared, basics, names_in, statements, symbol
+from ropsim.language.questions.headers import header, with_types
+from ropsim.language.questions.inputs import ENVIRONMENT, ORDER
+from ropsim.language.questions.told import Inferred, Walked, inferred, told
+from ropsim.language.questions.walks import walked, walked_control
+from ropsim.language.questions.worlds import of_body
+from ropsim.language.reading import CALLABLE, Names
+from ropsim.language.report import Report
+from ropsim.language.units import of_task
+from ropsim.query import Database
+
+
+def is_inferred(db: Database) -> bool:
+    """Return whether use in one body tells types in another one.
+
+    That is where a variable of the whole text has no type of its own, and in classic texts where a parameter
+    has none.
+    """
+    world = _declared(db).world
+    if any(isinstance(one, Variable) and is_open(one.type) for one in world.symbols.values()):
+        return True
+    headers = (db.ask(header, name).signature for name in db.read(ORDER)) if world.is_classic else ()
+    return any(is_open(formal.type) for signature in headers for formal in signature.formals)
+
+
+def inference(db: Database) -> Inferred | None:
+    """Return what a silent walk through all bodies tells of types; None where each body tells its own."""
+    if not db.ask(is_inferred):
+        return None
+    world = _declared(db).world
+    symbols = {name: of_body(one) for name, one in world.symbols.items()}
+    environment: Environment = db.read(ENVIRONMENT)
+    called = {name: signatures.of_library(one) for name, one in environment.tasks.items()}
+    world = replace(world, symbols=symbols, signatures=called)
+    names = db.read(ORDER)
+    texts = {name: text for name in names if (text := db.ask(task, name)) is not None}
+    for name, text in texts.items():
+        if world.is_classic:
+            report = Report(of_task(name))
+            report.muted = True
+            of_text = Body(world, report, EXPRESSIONS, None, name)
+            called[name] = signatures.of_text(of_text, text, Names(db, CALLABLE))
+        else:
+            called[name] = with_types(db.ask(header, name).signature, db.ask(walked, name).formals)
+    bodies = {name: one_body.walked_task(world, text, called[name]) for name, text in texts.items()}
+    control = one_body.walked_control(world, db.ask(statements))
+    found = {name: told(body, called[name]) for name, body in bodies.items()}
+    found[""] = told(control, None)
+    variables = {name: settled(one.type) for name, one in symbols.items() if isinstance(one, Variable)}
+    return Inferred(found, variables)
+
+
+def types(db: Database, name: str) -> Walked:
+    """Return the types of a task, or of the control statements by the empty name."""
+    everywhere = inferred(db)
+    if everywhere is None:
+        return db.ask(walked, name) if name else db.ask(walked_control)
+    found = everywhere.bodies[name]
+    if name and not db.ask(basics).is_classic:
+        return replace(found, formals=db.ask(walked, name).formals)
+    return found
+
+
+def words(db: Database, name: str) -> Mapping[str, str]:
+    """Return the types of the variables of a task in words; by the empty name of those that all tasks see."""
+    found = dict(db.ask(types, name).types)
+    if not name:
+        symbols = {one: db.ask(symbol, one) for one in db.ask(names_in, "symbols")}
+        found = {**{n: settled(s.type) for n, s in symbols.items() if isinstance(s, Variable)}, **found}
+    return {one: signatures.word_of(kind) for one, kind in found.items()}

@@ -1,0 +1,51 @@
+"""What the silent walk through a body tells of types."""
+
+from collections.abc import Mapping
+
+from ropsim.core import frozen_dataclass
+from ropsim.language.check.body import Body, settled
+from ropsim.language.check.types import Type, is_untold
+from ropsim.language.check.world import Formal, Signature
+from ropsim.language.questions.inputs import INFERRED
+from ropsim.query import Database
+
+
+@frozen_dataclass
+class Walked:
+    """What the silent walk through a body tells.
+
+    Attributes:
+        formals: types of its parameters.
+        types: of all its variables.
+        joint_count: how many coordinates `joints(…)` has in it.
+        lacks_result: whether it returns a value for which its header has no type.
+        untold: parameters whose types neither header nor body tell.
+    """
+
+    formals: tuple[Type, ...]
+    types: Mapping[str, Type]
+    joint_count: int
+    lacks_result: bool
+    untold: tuple[str, ...] = ()
+
+
+@frozen_dataclass
+class Inferred:
+    """What a walk through all bodies tells, where use in one tells types in another."""
+
+    bodies: Mapping[str, Walked]
+    variables: Mapping[str, Type]
+
+
+def inferred(db: Database) -> Inferred | None:
+    """Return what a walk through all bodies has told; None where each tells its own."""
+    found: Inferred | None = db.read(INFERRED)
+    return found
+
+
+def told(body: Body, called: Signature | None) -> Walked:
+    """Return what a walked body tells, and the signature with which it was walked."""
+    formals: tuple[Formal, ...] = called.formals if called is not None else ()
+    types = tuple(settled(one.type) for one in formals)
+    untold = tuple(one.name for one in formals if is_untold(one.type))
+    return Walked(types, body.types(), body.joint_count, body.lacks_result, untold)

@@ -1,0 +1,56 @@
+"""What a body tells of its types when it is looked at alone."""
+
+from dataclasses import replace
+from functools import partial
+
+from ropsim.language.check import one_body
+from ropsim.language.check.types import Type, Unknown
+from ropsim.language.check.world import Signature
+from ropsim.language.questions.callers import is_own, library, precedes, task
+from ropsim.language.questions.declarations import statements
+from ropsim.language.questions.headers import header, opened_formals, with_types
+from ropsim.language.questions.told import Walked, told
+from ropsim.language.questions.worlds import world_of
+from ropsim.query import Database
+
+
+def walked(db: Database, name: str) -> Walked:
+    """Return what a task tells of its types when it is looked at alone."""
+    text = db.ask(task, name)
+    assert text is not None
+    signature = opened_formals(db.ask(header, name).signature)
+    body = one_body.walked_task(world_of(db, partial(_signature_before, db, name)), text, signature)
+    return told(body, signature)
+
+
+def walked_control(db: Database) -> Walked:
+    """Return what the control statements tell of their own types."""
+    body = one_body.walked_control(world_of(db, partial(own_signature, db)), db.ask(statements))
+    return told(body, None)
+
+
+def _signature_before(db: Database, caller: str, name: str) -> Signature | None:
+    """Return how a task is called; of one that comes later, in a circle, what its header tells."""
+    if db.ask(is_own, name) and not db.ask(precedes, name, caller):
+        return opened_formals(db.ask(header, name).signature)
+    return own_signature(db, name)
+
+
+def own_signature(db: Database, name: str) -> Signature | None:
+    """Return how a task is called by what it tells alone."""
+    if not db.ask(is_own, name):
+        return db.ask(library, name)
+    found = with_types(db.ask(header, name).signature, db.ask(formals_of, name))
+    untold = db.ask(untold_of, name)
+    formals = (replace(one, type=Unknown()) if one.name in untold else one for one in found.formals)
+    return replace(found, formals=tuple(formals))
+
+
+def formals_of(db: Database, name: str) -> tuple[Type, ...]:
+    """Return the types of the parameters of a task as it tells them alone."""
+    return db.ask(walked, name).formals
+
+
+def untold_of(db: Database, name: str) -> tuple[str, ...]:
+    """Return the parameters of a task whose types it does not tell."""
+    return db.ask(walked, name).untold

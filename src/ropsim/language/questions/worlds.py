@@ -1,0 +1,32 @@
+"""What a body sees while types are not known."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from ropsim.language.check.table import Table
+from ropsim.language.check.types import opened
+from ropsim.language.check.world import Signature, Symbol, Variable, World
+from ropsim.language.questions.callers import all_tasks
+from ropsim.language.questions.declarations import basics, declared_symbol, frame, names_in, tool
+from ropsim.query import Database
+
+
+def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
+    """Return the world as a body sees it while types are not known."""
+
+    def symbol_of(name: str) -> Symbol | None:
+        found = db.ask(declared_symbol, name)
+        return of_body(found) if found is not None else None
+
+    return replace(
+        db.ask(basics),
+        frames=Table(lambda name: db.ask(frame, name), lambda: db.ask(names_in, "frames")),
+        tools=Table(lambda name: db.ask(tool, name), lambda: db.ask(names_in, "tools")),
+        symbols=Table(symbol_of, lambda: db.ask(names_in, "symbols")),
+        signatures=Table(called, lambda: all_tasks(db)),
+    )
+
+
+def of_body(found: Symbol) -> Symbol:
+    """Return a symbol as one body sees it: a variable of open type with a cell of its own."""
+    return replace(found, type=opened(found.type)) if isinstance(found, Variable) else found
