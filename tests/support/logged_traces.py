@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 
+from ropsim import language
 from ropsim.calibration import MotionSettings, Trace
 from ropsim.calibration.limits import with_settings
 from ropsim.cellfile import read_cell
@@ -16,7 +17,7 @@ from ropsim.icr import Program
 from ropsim.model import Cell, Station
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
-from ropsim.workbench import compile_program
+from ropsim.workbench import environment_of
 
 CELL = """\
 # the cell of a calibration
@@ -87,7 +88,7 @@ def site(program: str = PROGRAM, cell_text: str = CELL) -> Site:
     """Return a cell, its program and the stretches that a run plans."""
     cell, findings = read_cell(SourceText("cell.toml", cell_text), "c")
     assert cell is not None, findings
-    compiled = compile_program(SourceText("main.task", program), cell)
+    compiled = language.compile(program, environment_of(cell), "main.task")
     assert compiled.icr is not None, compiled.diagnostics
     codes = {cell.first.name: compiled.icr}
     orders: list[StretchOrder] = []

@@ -11,7 +11,7 @@ from ropsim.cli.stamps import contents, stamps
 from ropsim.core import Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
 from ropsim.records import diagnostic_document
 from ropsim.views import count_text
-from ropsim.workbench import open_project
+from ropsim.workbench import Workspace, open_project
 
 PERIOD = 0.3
 """Time between two looks at the files [s]."""
@@ -44,7 +44,8 @@ def watch(options: argparse.Namespace, output: Output, wait: Callable[[float], N
     """
     place = _place(Path(options.path))
     known = stamps(place, time.time_ns(), {})
-    last = _checked(options.path)
+    workspace = Workspace()
+    last = _checked(options.path, workspace)
     _tell(None, last, output)
     try:
         while True:
@@ -53,7 +54,7 @@ def watch(options: argparse.Namespace, output: Output, wait: Callable[[float], N
             is_changed = contents(seen) != contents(known)
             known = seen
             if is_changed:
-                last = _again(options.path, last, output)
+                last = _again(options.path, workspace, last, output)
     except KeyboardInterrupt:
         return last.code
 
@@ -65,17 +66,17 @@ def _place(path: Path) -> Path:
     return path
 
 
-def _again(path: str, before: Checked, output: Output) -> Checked:
+def _again(path: str, workspace: Workspace, before: Checked, output: Output) -> Checked:
     try:
-        checked = _checked(path)
+        checked = _checked(path, workspace)
     except RopsimError as error:  # the project is not there, or not whole, for the moment
         checked = Checked((), (error.diagnostic,), {}, Output.code_of(error))
     _tell(before, checked, output)
     return checked
 
 
-def _checked(path: str) -> Checked:
-    project = open_project(path)
+def _checked(path: str, workspace: Workspace) -> Checked:
+    project = open_project(path, workspace)
     compiled = project.compile()
     is_wrong = any(one.severity is Severity.ERROR for one in compiled.diagnostics)
     return Checked(tuple(sorted(compiled.programs)), compiled.diagnostics, project.texts, int(is_wrong))

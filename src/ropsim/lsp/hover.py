@@ -11,11 +11,11 @@ from ropsim.lsp.found_name import FoundName, found_name
 from ropsim.lsp.messages import Json
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import AtPosition, Position
-from ropsim.lsp.resolved import Resolved, location_of
 from ropsim.lsp.types_of import type_of_meaning
 from ropsim.lsp.workshop import Workshop
 from ropsim.model import Station
 from ropsim.spatial import Pose
+from ropsim.workbench import Resolved, location_of
 
 _MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
 _ROLES = {

@@ -1,24 +1,22 @@
-"""What is made of documents: the cell around them and their findings, remembered until a text changes."""
+"""What is made of documents: asked of the workspace, and remembered where newer texts cannot be read."""
 
 from collections.abc import Mapping
 from dataclasses import field, replace
 from pathlib import Path
 from types import MappingProxyType
 
-from ropsim import icr, language
-from ropsim.cellfile import read_cell
+from ropsim import language
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
-from ropsim.lsp.resolved import Resolved, targets_by_line
 from ropsim.model import Cell, Station
 from ropsim.userfiles import read_text_file
-from ropsim.workbench import CheckedText, check_text, environment_of
+from ropsim.workbench import NOWHERE, AtStation, CheckedText, Resolved, Workspace
 
 CELL_FILE = "cell.toml"
 
-#: What a program can name that no station runs.
-NO_STATION: Mapping[str, language.Environment] = MappingProxyType({"": language.NO_SIGNATURES})
+#: Where a program runs that no station runs.
+NO_STATION: Mapping[str, AtStation] = MappingProxyType({"": NOWHERE})
 
 #: Texts outside of a project end their search for a cell file after so many folders.
 _MAX_DEPTH = 40
@@ -32,25 +30,32 @@ class Surroundings:
         folder: of the project, None outside of one.
         cell_text: text of the cell file, open or on the disk.
         cell: the cell, None outside of a project and where the file is wrong.
-        environments: names for the compiler, by the name of each station that runs the program.
+        stations: that run the program, by name.
+        environment: names for the compiler at the first of them.
         before: of the last cell file that was right, where this one is wrong.
     """
 
     folder: Path | None = None
     cell_text: SourceText | None = None
     cell: Cell | None = None
-    environments: Mapping[str, language.Environment] = field(default_factory=lambda: NO_STATION)
+    stations: Mapping[str, AtStation] = field(default_factory=lambda: NO_STATION)
+    environment: language.Environment = language.NO_SIGNATURES
     before: "Surroundings | None" = None
+
+    @property
+    def at(self) -> AtStation:
+        """Return the first station that runs the program."""
+        return next(iter(self.stations.values()))
 
     @property
     def station(self) -> Station | None:
         """Return the first station that runs the program, None without a cell."""
-        return self.cell.stations[next(iter(self.environments))] if self.cell else None
+        return self.cell.stations[next(iter(self.stations))] if self.cell else None
 
     @property
-    def environment(self) -> language.Environment:
-        """Return the names for the compiler at the first station that runs the program."""
-        return next(iter(self.environments.values()))
+    def outside(self) -> frozenset[str]:
+        """Return the names of the cell that a text may read like its own variables."""
+        return frozenset((*self.cell.locations, *self.cell.signals)) if self.cell is not None else frozenset()
 
     @property
     def is_broken(self) -> bool:
@@ -59,27 +64,28 @@ class Surroundings:
 
 
 class Workshop:
-    """Makes findings and outlines of documents and keeps the last ones.
+    """Asks for findings and outlines of documents.
 
     What is said depends on the open texts alone; where nothing can be made of one, on the last one of it that
     was better.
 
     Attributes:
-        lines: what lines were parsed to, of all documents.
+        workspace: keeps what is made of texts.
         told_tokens: name and numbers of the last answer about the words of each document.
     """
 
     def __init__(self) -> None:
-        self.lines = language.LineCache()
+        self.workspace = Workspace()
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
-        self._checked: dict[str, tuple[Document, Surroundings, CheckedText]] = {}
-        self._outlines: dict[str, tuple[str, language.Outline]] = {}
-        self._uses: dict[str, tuple[str, frozenset[str], language.Uses]] = {}
-        self._codes: dict[str, tuple[str, Surroundings, str]] = {}
+        self._called: dict[str, CheckedText] = {}
         self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}
-        self._marked: dict[str, tuple[language.Uses, tuple[language.Marked, ...]]] = {}
+        self._targets: dict[str, tuple[Document, Mapping[int, Resolved]]] = {}
         self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
-        self._targets: dict[str, tuple[Document, Surroundings, Document, Mapping[int, Resolved]]] = {}
+
+    @property
+    def lines(self) -> language.LineCache:
+        """Return what lines were parsed to, of all documents."""
+        return self.workspace.lines
 
     def surroundings(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
         """Return the project around a document; an open cell file counts instead of the one on the disk."""
@@ -103,54 +109,32 @@ class Workshop:
     def checked(self, document: Document, documents: Mapping[str, Document]) -> CheckedText:
         """Return the findings of a document and the tasks that it can call."""
         around = self.surroundings(document, documents)
-        known = self._checked.get(document.uri)
-        if known is not None and known[0].text == document.text and known[1] is around:
-            return known[2]
-        source = SourceText(document.name, document.text)
+        source = _source(document)
         if _is_cell_file(document):
-            _, findings = read_cell(source, _folder_name(document))
-            checked = CheckedText(source, findings)
-        elif around.is_broken:  # a program would be blamed for every name that the cell was to give it
-            checked = check_text(source, None, NO_STATION, self.lines)
+            found = self.workspace.cell(source, _folder_name(document)).diagnostics
+            return CheckedText(source, found)
+        checked = self.workspace.checked(source, around.stations)
+        if around.is_broken:  # a program would be blamed for every name that the cell was to give it
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
             checked = replace(checked, diagnostics=syntax)
-        else:
-            checked = check_text(source, around.cell, around.environments, self.lines)
-        if known is not None and not checked.tasks and known[2].tasks and self.outline(document).tasks:
+        known = self._called.get(document.uri)
+        if known is not None and not checked.tasks and known.tasks and self.outline(document).tasks:
             # too wrong to be compiled: requests are answered by what was known before
-            checked = replace(checked, tasks=known[2].tasks, variables=known[2].variables)
-        self._checked[document.uri] = (document, around, checked)
+            return replace(checked, tasks=known.tasks, variables=known.variables)
+        self._called[document.uri] = checked
         return checked
 
     def outline(self, document: Document) -> language.Outline:
         """Return what a document defines."""
-        known = self._outlines.get(document.uri)
-        if known is not None and known[0] == document.text:
-            return known[1]
-        made = language.outline(SourceText(document.name, document.text), self.lines)
-        self._outlines[document.uri] = (document.text, made)
-        return made
+        return self.workspace.outline(_source(document))
 
     def uses(self, document: Document, documents: Mapping[str, Document]) -> language.Uses:
         """Return where a document uses which names."""
-        cell = self.named(document, documents).cell
-        outside = frozenset((*cell.locations, *cell.signals)) if cell is not None else frozenset()
-        known = self._uses.get(document.uri)
-        if known is not None and known[:2] == (document.text, outside):
-            return known[2]
-        made = language.uses_of(SourceText(document.name, document.text), self.lines, outside)
-        self._uses[document.uri] = (document.text, outside, made)
-        return made
+        return self.workspace.uses(_source(document), self.named(document, documents).outside)
 
     def marked(self, document: Document, documents: Mapping[str, Document]) -> tuple[language.Marked, ...]:
         """Return words of the language, numbers, texts and comments of a document."""
-        uses = self.uses(document, documents)
-        known = self._marked.get(document.uri)
-        if known is not None and known[0] is uses:
-            return known[1]
-        made = language.marked_words(SourceText(document.name, document.text), self.lines, uses)
-        self._marked[document.uri] = (uses, made)
-        return made
+        return self.workspace.marked(_source(document), self.named(document, documents).outside)
 
     def target(self, document: Document, documents: Mapping[str, Document], line: int) -> Resolved | None:
         """Return where the move on a line (from 0) goes first, by the last text without errors.
@@ -158,27 +142,15 @@ class Workshop:
         None for a line without a move to a pose, and for one that has changed since then.
         """
         around = self.named(document, documents)
-        known = self._targets.get(document.uri)
-        if known is None or known[0].text != document.text or known[1] is not around:
-            found = targets_by_line(document.text, around.environment)
-            if found is not None:
-                known = (document, around, document, found)
-            else:
-                known = (document, around, *(known[2:] if known is not None else (document, {})))
-            self._targets[document.uri] = known
-        _, _, good, targets = known
+        found = self.workspace.targets(_source(document), around.at)
+        if found is not None:
+            self._targets[document.uri] = document, found
+        good, targets = self._targets.get(document.uri, (document, {}))
         return targets.get(line + 1) if good.line(line) == document.line(line) else None
 
     def code_id(self, document: Document, documents: Mapping[str, Document]) -> str:
         """Return the identity of the code that a document compiles to, empty where it has errors."""
-        around = self.surroundings(document, documents)
-        known = self._codes.get(document.uri)
-        if known is not None and known[0] == document.text and known[1] is around:
-            return known[2]
-        code = language.compile(document.text, around.environment, cache=self.lines).icr
-        made = icr.program_id(code) if code is not None else ""
-        self._codes[document.uri] = (document.text, around, made)
-        return made
+        return self.workspace.code_id(_source(document), self.surroundings(document, documents).at)
 
     def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
         """Return the programs of a recording, which is read anew where its file has changed."""
@@ -190,28 +162,40 @@ class Workshop:
 
     def forget(self, uri: str) -> None:
         """Forget what was made of a document."""
-        self._checked.pop(uri, None)
-        self._outlines.pop(uri, None)
-        self._uses.pop(uri, None)
+        self._called.pop(uri, None)
         self._targets.pop(uri, None)
-        self._marked.pop(uri, None)
-        self._codes.pop(uri, None)
         self.told_tokens.pop(uri, None)
+        self.workspace.forget(_source(Document(uri, 0, "")).name)
 
     def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
         known = self._surroundings.get((folder, program))
+        cell = self.workspace.cell(text, folder.name).cell if text is not None else None
         if known is not None and known.cell_text == text:
             return known
-        cell = read_cell(text, folder.name)[0] if text is not None else None
-        environments = (
-            {station.name: environment_of(cell, station) for station in cell.stations_of(program)}
-            if cell
-            else NO_STATION
-        )
-        before = None if cell is not None or known is None else (known if known.cell else known.before)
-        made = Surroundings(folder, text, cell, environments, before)
+        if cell is None or text is None:
+            before = None if known is None else (self._as_it_was(known) if known.cell else known.before)
+            made = Surroundings(folder, text, before=before)
+        else:
+            made = self._around(folder, text, cell, program)
         self._surroundings[folder, program] = made
         return made
+
+    def _around(self, folder: Path, text: SourceText, cell: Cell, program: str) -> Surroundings:
+        names = (one.name for one in cell.stations_of(program))
+        stations = {name: self.workspace.at(text, folder.name, name) for name in names}
+        environment = self.workspace.environment(next(iter(stations.values())))
+        return Surroundings(folder, text, cell, stations, environment)
+
+    def _as_it_was(self, known: Surroundings) -> Surroundings:
+        """Return surroundings that hold beside the newer text of the same cell file."""
+        assert known.cell_text is not None
+        text = replace(known.cell_text, name=f"{known.cell_text.name}, as it was")
+        stations = {name: self.workspace.at(text, one.folder, name) for name, one in known.stations.items()}
+        return replace(known, stations=stations)
+
+
+def _source(document: Document) -> SourceText:
+    return SourceText(document.name, document.text)
 
 
 def _is_cell_file(document: Document) -> bool:

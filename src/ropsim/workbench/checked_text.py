@@ -1,12 +1,11 @@
-"""The findings of one program text, for editors: the quick half of `compile_program`."""
+"""The findings of one program text, for editors."""
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 from ropsim import language
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.model import Cell, Station
-from ropsim.workbench.compiled_project import compile_program, found_at, unbound
+from ropsim.workbench.compiled_project import found_at
 
 
 @frozen_dataclass
@@ -26,39 +25,8 @@ class CheckedText:
     variables: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
-def check_text(
-    text: SourceText,
-    cell: Cell | None,
-    environments: Mapping[str, language.Environment],
-    cache: language.LineCache,
-) -> CheckedText:
-    """Return the findings of a task text or an ICR text (by its ending) at all stations that run it, quickly.
-
-    The code that comes out of the compiler is not verified once more, which it passes by construction.
-
-    Args:
-        text: the program.
-        cell: the cell, None for a text outside of a project.
-        environments: what the cell gives names to, by the name of the station, one at least.
-        cache: kept between versions of the text.
-    """
-    checked = [
-        _at_station(text, cell, cell.stations[name] if cell else None, environment, cache)
-        for name, environment in environments.items()
-    ]
-    found = {name: one.diagnostics for name, one in zip(environments, checked, strict=True)}
-    return CheckedText(text, found_at(found), checked[0].tasks, checked[0].variables)
-
-
-def _at_station(
-    text: SourceText,
-    cell: Cell | None,
-    station: Station | None,
-    environment: language.Environment,
-    cache: language.LineCache,
-) -> CheckedText:
-    if text.name.endswith(".icr"):
-        return CheckedText(text, compile_program(text, cell, station).diagnostics)
-    compiled = language.compile(text.text, environment, text.name, cache)
-    missing = () if compiled.icr is None else unbound(compiled.icr, text, cell, station)
-    return CheckedText(text, (*compiled.diagnostics, *missing), compiled.tasks, compiled.variables)
+def at_stations(checked: Mapping[str, CheckedText]) -> CheckedText:
+    """Return the findings of one text at all stations that run it, by the names of these, one at least."""
+    first = next(iter(checked.values()))
+    found = {name: one.diagnostics for name, one in checked.items()}
+    return replace(first, diagnostics=found_at(found))

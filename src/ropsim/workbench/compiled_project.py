@@ -3,11 +3,8 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from ropsim import icr, language, program
-from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
-from ropsim.model import Cell, Station
-from ropsim.workbench.environment import environment_of
-from ropsim.workbench.project_diagnostics import UNBOUND
+from ropsim import icr, program
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 
 
 @frozen_dataclass
@@ -33,27 +30,6 @@ class CompiledProject:
 
     programs: Mapping[str, CompiledProgram]
     diagnostics: tuple[Diagnostic, ...]
-
-
-def compile_program(text: SourceText, cell: Cell | None, station: Station | None = None) -> CompiledProgram:
-    """Return the compiled form of a task text or an ICR text (by its ending).
-
-    Args:
-        text: of the program.
-        cell: None for a program without one.
-        station: that runs it; None for the first one of the cell.
-    """
-    if not text.name.endswith(".icr"):
-        compiled = language.compile(text.text, environment_of(cell, station), name=text.name)
-        findings = compiled.diagnostics
-        if compiled.icr is not None and not any(one.is_error for one in findings):
-            findings = (*findings, *icr.verify(compiled.icr))
-            findings = (*findings, *unbound(compiled.icr, text, cell, station))
-        return CompiledProgram(text, compiled.program, compiled.icr, findings)
-    code, findings = icr.read_text(text.text, text.name)
-    if code is not None:
-        findings = (*findings, *icr.verify(code), *unbound(code, text, cell, station))
-    return CompiledProgram(text, None, code, findings)
 
 
 def found_in(programs: Mapping[str, CompiledProgram]) -> tuple[Diagnostic, ...]:
@@ -96,32 +72,3 @@ def _at_only(stations: Collection[str]) -> str:
 def _place(found: Diagnostic) -> tuple[bool, int, int]:
     """Return by what findings are put in order; those without a place are the last."""
     return (False, found.span.line, found.span.column) if found.span else (True, 0, 0)
-
-
-def unbound(
-    code: icr.Program, text: SourceText, cell: Cell | None, station: Station | None
-) -> tuple[Diagnostic, ...]:
-    """Return the channels and tools that a program names and its station does not have (rule V11).
-
-    Args:
-        code: the program.
-        text: where it comes from, for places.
-        cell: None for a program without one.
-        station: that runs it; None for the first one of the cell.
-    """
-    if cell is None:
-        return ()
-    station = station or cell.first
-    signals = [("signals", "IO", channel.name, tuple(cell.signals)) for channel in code.channels]
-    tools = [
-        ("tools", "TOOLDEF", tool.name, tuple(station.tools)) for tool in code.tools if tool.pose is None
-    ]
-    return tuple(
-        UNBOUND.at(
-            code.declared_at.get(f"{record} {name}") or language.named_at(text, name),
-            f"`{code.name}` names `{name}`, which is not under [{table}]",
-            hint=did_you_mean(name, known) or f"add `[{table}.{name}]` to cell.toml",
-        )
-        for table, record, name, known in (*signals, *tools)
-        if name not in known
-    )

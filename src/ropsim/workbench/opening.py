@@ -5,12 +5,12 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TypeAlias
 
-from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
 from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_text_file
-from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.project import Project, ProjectError, cell_name
 from ropsim.workbench.project_diagnostics import NO_PROJECT
+from ropsim.workbench.workspace import Workspace
 
 CELL_FILE = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
@@ -19,16 +19,20 @@ Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
 """What became of reading a file: its text, or why there is none."""
 
 
-def open_project(path: str | Path) -> Project:
+def open_project(path: str | Path, workspace: Workspace | None = None) -> Project:
     """Return the project at a path: a folder, its `cell.toml`, or one of its programs.
 
     A program file outside a project folder gives a project without a cell: it can be checked, not run.
+
+    Args:
+        path: of the project.
+        workspace: that has read it before, so that only what has changed is made anew.
 
     Raises:
         ProjectError: nothing is there, it is no project, or it may not be read.
     """
     try:
-        return _open(Path(path), path)
+        return _open(Path(path), path, workspace or Workspace())
     except OSError as error:  # a folder without permission, a name that is too long
         message = f"`{error.filename or path}` cannot be opened: {error.strerror or error}"
         raise ProjectError(
@@ -36,19 +40,19 @@ def open_project(path: str | Path) -> Project:
         ) from error
 
 
-def _open(place: Path, path: str | Path) -> Project:
+def _open(place: Path, path: str | Path, workspace: Workspace) -> Project:
     if not place.exists():
         raise ProjectError(missing_file(place, str(path)))
     if place.is_dir():
-        return _read_folder(place)
+        return _read_folder(place, workspace)
     if place.name == CELL_FILE:
-        return _read_folder(place.parent)
+        return _read_folder(place.parent, workspace)
     if place.suffix in PROGRAM_ENDINGS:
         folder = place.parent.parent
         if place.parent.name == "programs" and (folder / CELL_FILE).is_file():
-            return _only(_read_folder(folder), place)
+            return _only(_read_folder(folder, workspace), place)
         text, findings = read_text_file(place, str(path))
-        return Project(place.parent, None, {place.stem: text} if text else {}, None, findings)
+        return Project(place.parent, None, {place.stem: text} if text else {}, None, findings, workspace)
     message = f"`{path}` is neither a folder, a `cell.toml` nor a program ({' or '.join(PROGRAM_ENDINGS)})"
     raise ProjectError(NO_PROJECT.at(None, message))
 
@@ -65,12 +69,12 @@ def _only(project: Project, program: Path) -> Project:
     return replace(project, cell=cell, sources=wanted)
 
 
-def _read_folder(folder: Path) -> Project:
+def _read_folder(folder: Path, workspace: Workspace) -> Project:
     cell_path = folder / CELL_FILE
     if not cell_path.is_file():
         raise ProjectError(no_cell_file(folder))
     programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
-    project = assembled(folder, read_text_file(cell_path, str(cell_path)), programs)
+    project = assembled(folder, read_text_file(cell_path, str(cell_path)), programs, workspace)
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
 
 
@@ -86,19 +90,22 @@ def program_files(folder: Path) -> list[Path]:
     return [path for path in paths if path.suffix in PROGRAM_ENDINGS and path.is_file()]
 
 
-def assembled(folder: Path, cell_file: Reading, programs: Mapping[str, Reading]) -> Project:
+def assembled(
+    folder: Path, cell_file: Reading, programs: Mapping[str, Reading], workspace: Workspace
+) -> Project:
     """Return the project that a cell file and programs make.
 
     Args:
         folder: of the project.
         cell_file: content of `cell.toml`, or why it cannot be read.
         programs: the same of each program by its file name.
+        workspace: that reads the project.
     """
     cell_text, findings = cell_file
     cell: Cell | None = None
     if cell_text is not None:
-        cell, cell_findings = read_cell(cell_text, folder.resolve().name)
-        findings = (*findings, *cell_findings)
+        read = workspace.cell(cell_text, cell_name(folder))
+        cell, findings = read.cell, (*findings, *read.diagnostics)
     sources: dict[str, SourceText] = {}
     # a task comes before code of the same name, which is most likely compiled from an older state of it
     for name in sorted(map(PurePath, programs), key=_by_ending):
@@ -106,7 +113,7 @@ def assembled(folder: Path, cell_file: Reading, programs: Mapping[str, Reading])
         findings = (*findings, *found)
         if text is not None:
             sources[name.stem if name.stem not in sources else name.name] = text
-    return Project(folder, cell, sources, cell_text, findings)
+    return Project(folder, cell, sources, cell_text, findings, workspace)
 
 
 def _by_ending(name: PurePath) -> tuple[bool, PurePath]:

@@ -14,9 +14,10 @@ from ropsim.workbench.opening import (
     program_files,
 )
 from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.workspace import Workspace
 
 
-def open_overlaid(folder: Path, unsaved: Mapping[str, str]) -> Project:
+def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace | None = None) -> Project:
     """Return the project in a folder as it would be if some texts were saved; no file is written.
 
     Spans name the texts as `unsaved` does: by their place in the project.
@@ -24,6 +25,7 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str]) -> Project:
     Args:
         folder: of the project.
         unsaved: texts by their place, `cell.toml` or `programs/NAME`; other places are left out.
+        workspace: that has read it before, so that only what has changed is made anew.
 
     Raises:
         ProjectError: there is no cell file, or the folder may not be read.
@@ -34,7 +36,7 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str]) -> Project:
         if CELL_FILE not in unsaved and not (folder / CELL_FILE).is_file():
             raise ProjectError(no_cell_file(folder))
         programs = {PurePosixPath(name).name: _read(folder, name, unsaved) for name in sorted(names)}
-        return assembled(folder, _read(folder, CELL_FILE, unsaved), programs)
+        return assembled(folder, _read(folder, CELL_FILE, unsaved), programs, workspace or Workspace())
     except OSError as error:
         message = f"`{folder}` cannot be opened: {error.strerror or error}"
         raise ProjectError(

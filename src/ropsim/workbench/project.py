@@ -9,8 +9,9 @@ from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import ROBOT, Cell, Station
-from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, compile_program, found_in
+from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
+from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:
     from ropsim.flow import Recording
@@ -52,6 +53,7 @@ class Project:
         sources: texts of the programs by name.
         cell_text: text of `cell.toml`, None where absent.
         diagnostics: findings of reading.
+        workspace: that has read it, and keeps what is made of its texts; no part of what the project is.
     """
 
     folder: Path
@@ -59,6 +61,7 @@ class Project:
     sources: Mapping[str, SourceText]
     cell_text: SourceText | None = None
     diagnostics: tuple[Diagnostic, ...] = field(default=())
+    workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
     @property
     def is_broken(self) -> bool:
@@ -88,10 +91,13 @@ class Project:
     def _at_stations(self, name: str, text: SourceText) -> dict[str, CompiledProgram]:
         """Return a program compiled for each station that runs it: their tools and places differ."""
         if self.cell is None:
-            return {ROBOT: compile_program(text, None)}
-        return {
-            station.name: compile_program(text, self.cell, station) for station in self.cell.stations_of(name)
-        }
+            return {ROBOT: self.compiled_text(text, None)}
+        return {station.name: self.compiled_text(text, station) for station in self.cell.stations_of(name)}
+
+    def compiled_text(self, text: SourceText, station: Station | None) -> CompiledProgram:
+        """Return a task or ICR text (by its ending), compiled for a station; None stands for the first."""
+        name = station.name if station is not None else ""
+        return self.workspace.compiled(text, self.workspace.at(self.cell_text, cell_name(self.folder), name))
 
     def program(self, name: str | None = None) -> CompiledProgram:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.
@@ -130,7 +136,7 @@ class Project:
         text = self.sources.get(wanted)
         if text is None:
             raise ProjectError(self._missing(wanted, station if given is None else None))
-        return compile_program(text, self.cell, station)
+        return self.compiled_text(text, station)
 
     def _instead_of(self, wanted: str) -> str:
         """Return the program that runs: the only one of the project where `main` is wanted and not there."""
@@ -287,3 +293,8 @@ class Project:
 
         setting = Setting(self.cell, self.folder, self.cell_text) if self.cell else None
         return Report.of(recording, self.texts, setting, before)
+
+
+def cell_name(folder: Path) -> str:
+    """Return the name of a cell whose file gives none: that of its folder."""
+    return folder.resolve().name

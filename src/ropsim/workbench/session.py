@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from ropsim import language
 from ropsim.core import Diagnostic, Severity, SourceText, Span, frozen_dataclass
-from ropsim.workbench.compiled_project import compile_program
 from ropsim.workbench.project import Project, ProjectError
 
 if TYPE_CHECKING:
@@ -139,7 +138,7 @@ def _run(
 
     cell = project.cell
     assert cell is not None  # a project without one has no session
-    compiled = compile_program(SourceText(SESSION, text), cell, cell.first)
+    compiled = project.compiled_text(SourceText(SESSION, text), cell.first)
     if compiled.icr is None or any(one.is_error for one in compiled.diagnostics):
         return compiled.diagnostics, None
     return compiled.diagnostics, run(cell, {cell.first.name: compiled.icr}, options)

@@ -13,6 +13,7 @@ from ropsim.cli.main import main
 from ropsim.cli.output import Output
 from ropsim.cli.stamps import SETTLED, contents, stamps
 from ropsim.cli.watch import watch
+from ropsim.workbench import Workspace
 
 TEXT = Output(json=False, is_coloured=False)
 WRONG = "wihle true\n  mov home\nendw\n"
@@ -72,9 +73,9 @@ def test_what_has_the_same_content_is_not_checked(project: Path, monkeypatch: py
     checks: list[str] = []
     right = watching._checked
 
-    def counted(path: str) -> watching.Checked:
+    def counted(path: str, workspace: Workspace) -> watching.Checked:
         checks.append(path)
-        return right(path)
+        return right(path, workspace)
 
     monkeypatch.setattr(watching, "_checked", counted)
     (project / "out").mkdir()

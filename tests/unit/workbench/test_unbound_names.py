@@ -2,13 +2,10 @@
 
 import pytest
 
-from ropsim import robots
 from ropsim.core import SourceText
-from ropsim.model import Cell, Station
-from ropsim.workbench import compile_program
+from ropsim.workbench import Workspace
 
-ARM = robots.load("puma560")
-CELL = Cell("c", {"robot": Station("robot", ARM, robots.default_controller(ARM), program="p")})
+CELL = SourceText("cell.toml", '[cell]\nprogram = "p"\n[robot]\nmodel = "puma560"\n')
 
 
 @pytest.mark.parametrize(
@@ -25,6 +22,7 @@ CELL = Cell("c", {"robot": Station("robot", ARM, robots.default_controller(ARM),
 def test_a_signal_that_the_cell_does_not_have_is_marked(
     name: str, text: str, place: tuple[int, int, int]
 ) -> None:
-    (found,) = compile_program(SourceText(name, text), CELL).diagnostics
+    workspace = Workspace()
+    (found,) = workspace.compiled(SourceText(name, text), workspace.at(CELL, "c", "")).diagnostics
     assert found.span is not None
     assert (found.code, found.span.line, found.span.column, found.span.end_column) == ("X846", *place)

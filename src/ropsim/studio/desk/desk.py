@@ -20,6 +20,7 @@ from ropsim.studio.jobs import (
     SaveRun,
     Simulate,
 )
+from ropsim.workbench import Workspace
 
 NOT_KEPT = "this run is not kept any more: simulate it again"
 NOTHING_OPEN = "no cell is open: the cell file has errors, they are in the list of problems"
@@ -33,12 +34,14 @@ class Desk:
         arms: those of the newest scene, None without one.
         meshes: those of the newest scene, so that files which stay are not converted again.
         shelf: the newest finished run.
+        workspace: keeps what is made of the texts of the project.
         is_cold: whether `warm` has something to do.
     """
 
     arms: JoggedArms | None = None
     meshes: MeshLibrary | None = None
     shelf: Shelf = field(default_factory=Shelf)
+    workspace: Workspace = field(default_factory=Workspace)
     is_cold: bool = False
 
     def do(self, job: Job, line: Line) -> Reply:
@@ -50,15 +53,15 @@ class Desk:
         """
         match job:
             case OpenScene():
-                opened = open_scene(job, self.meshes)
+                opened = open_scene(job, self.meshes, self.workspace)
                 self.arms = JoggedArms.of(opened.cell) if opened.cell is not None else None
                 self.meshes = opened.meshes or self.meshes
                 self.is_cold = self.arms is not None
                 return opened.reply
             case Simulate():
-                return simulate(job, line, self.shelf)
+                return simulate(job, line, self.shelf, self.workspace)
             case LiveStart():
-                return run_live(job, line, shelf=self.shelf)
+                return run_live(job, line, shelf=self.shelf, workspace=self.workspace)
             case SaveRun(number, form):
                 kept = self.shelf.run
                 return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)

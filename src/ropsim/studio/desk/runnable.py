@@ -10,7 +10,7 @@ from ropsim.model import Cell
 from ropsim.records import inputs_of
 from ropsim.studio.jobs import InputChange, LiveStart, RunReply, Simulate
 from ropsim.views import plain_findings
-from ropsim.workbench import Project, found_in, open_overlaid, pack_of
+from ropsim.workbench import Project, Workspace, found_in, open_overlaid, pack_of
 
 MOST_ROWS = 400_000
 """Recorded rows of a run in the studio: 26 minutes at the full rate, 53 at half of it, and so on."""
@@ -46,31 +46,32 @@ class Runnable:
         return RunReply("done", self.name, pack=pack, inputs=inputs)
 
 
-def run_job(job: Simulate | LiveStart, run: Callable[[Runnable], RunReply]) -> RunReply:
+def run_job(job: Simulate | LiveStart, workspace: Workspace, run: Callable[[Runnable], RunReply]) -> RunReply:
     """Return the reply to a run; a program with errors is refused, and so is one that its arm cannot run.
 
     Args:
         job: folder, texts and program.
+        workspace: that has read the project before.
         run: carries the program out.
     """
     try:
-        ready = made_ready(job)
+        ready = made_ready(job, workspace)
         return ready if isinstance(ready, RunReply) else run(ready)
     except RopsimError as error:
         return RunReply("refused", job.program, findings=plain_findings([error.diagnostic]))
 
 
-def made_ready(job: Simulate | LiveStart) -> Runnable | RunReply:
+def made_ready(job: Simulate | LiveStart, workspace: Workspace) -> Runnable | RunReply:
     """Return the program of a job, opened and compiled, or why it is refused.
 
     Raises:
         RopsimError: there is no such project or program.
     """
-    project = open_overlaid(Path(job.folder), job.texts)
+    project = open_overlaid(Path(job.folder), job.texts, workspace)
     if project.is_broken:
         return RunReply("refused", job.program, findings=plain_findings(project.diagnostics))
     compiled = project.program(job.program or None)
-    name = next(key for key, text in project.sources.items() if text is compiled.source)
+    name = next(key for key, text in project.sources.items() if text == compiled.source)
     programs = project.programs(job.program or None)
     findings = (*project.diagnostics, *found_in(programs))
     if any(one.is_error for one in findings):

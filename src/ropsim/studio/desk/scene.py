@@ -11,7 +11,7 @@ from ropsim.model import Cell
 from ropsim.records import numeric
 from ropsim.studio.jobs import OpenScene, SceneReply
 from ropsim.views import plain_findings, scene
-from ropsim.workbench import ProjectError, open_overlaid
+from ropsim.workbench import ProjectError, Workspace, open_overlaid
 
 
 @frozen_dataclass
@@ -29,16 +29,17 @@ class OpenedScene:
     meshes: MeshLibrary | None = None
 
 
-def open_scene(job: OpenScene, known: MeshLibrary | None) -> OpenedScene:
+def open_scene(job: OpenScene, known: MeshLibrary | None, workspace: Workspace) -> OpenedScene:
     """Return the scene of a project with unsaved texts.
 
     Args:
         job: folder and texts.
         known: meshes of an earlier scene; files that have not changed are not converted again.
+        workspace: that has read the project before.
     """
     folder = Path(job.folder)
     try:
-        project = open_overlaid(folder, job.texts)
+        project = open_overlaid(folder, job.texts, workspace)
     except ProjectError as error:
         return OpenedScene(SceneReply(None, plain_findings([error.diagnostic]), {}))
     cell = project.cell

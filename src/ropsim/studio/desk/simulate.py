@@ -15,6 +15,7 @@ from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, made_ready, run_job
 from ropsim.studio.jobs import Planned, Progress, Renew, Renewed, RunReply, Simulate
 from ropsim.views import plain_findings
+from ropsim.workbench import Workspace
 
 LISTEN = 0.05
 """How often a run listens for being given up [s]."""
@@ -26,13 +27,14 @@ PLANNING_ROWS = 50
 """Recorded rows per second of the run that only plans: enough to see a joint leave its range."""
 
 
-def simulate(job: Simulate, line: Line, shelf: Shelf) -> RunReply:
+def simulate(job: Simulate, line: Line, shelf: Shelf, workspace: Workspace) -> RunReply:
     """Return the reply to a run. One of the same content is not made again, but shown on the new lines.
 
     Args:
         job: what to run.
         line: to who asked for the run.
         shelf: keeps the newest run.
+        workspace: that has read the project before.
 
     Raises:
         Cancelled: it was given up.
@@ -54,7 +56,7 @@ def simulate(job: Simulate, line: Line, shelf: Shelf) -> RunReply:
         shelf.run = made.shown_on(line.number, listener.ready)
         return listener.ready.finished(shelf.run.recording)
 
-    return run_job(job, run)
+    return run_job(job, workspace, run)
 
 
 class Purpose(Enum):
@@ -125,7 +127,7 @@ class Listener:
             Cancelled: they say something else.
         """
         try:
-            ready = made_ready(order.job)
+            ready = made_ready(order.job, self.ready.project.workspace)
         except RopsimError as error:
             raise Cancelled from error
         if isinstance(ready, RunReply) or content_of(ready.cell, ready.codes, order.job) != self.content:

@@ -14,6 +14,7 @@ from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.watch import LivePace
 from ropsim.studio.desk.runnable import MOST_ROWS, Runnable, run_job
 from ropsim.studio.jobs import LiveStart, RunReply
+from ropsim.workbench import Workspace
 
 LONGEST = 24 * 3600.0
 """Simulated time after which a live run ends, and for which it may wait for a key [s]."""
@@ -35,7 +36,13 @@ class Clocks:
 REAL = Clocks()
 
 
-def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | None = None) -> RunReply:
+def run_live(
+    job: LiveStart,
+    line: Line,
+    clocks: Clocks = REAL,
+    shelf: Shelf | None = None,
+    workspace: Workspace | None = None,
+) -> RunReply:
     """Return the reply to a live run, with the inputs that it was given.
 
     The run is computed slice by slice, each when the one before it has been shown. What is ordered meanwhile
@@ -47,6 +54,7 @@ def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | N
         line: orders in; layout, frames and messages out.
         clocks: the time of the wall.
         shelf: keeps the run.
+        workspace: that has read the project before.
 
     Raises:
         Cancelled: it was given up.
@@ -68,4 +76,4 @@ def run_live(job: LiveStart, line: Line, clocks: Clocks = REAL, shelf: Shelf | N
             shelf.run = FinishedRun(line.number, "", ready, recording)
         return ready.finished(recording)
 
-    return run_job(job, run)
+    return run_job(job, workspace or Workspace(), run)

@@ -57,14 +57,11 @@ def location_of(text: str, outline: language.Outline, name: str, environment: En
     return _resolved(moves[0], environment, frame[1] if frame else "", moves[1] if frame else None)
 
 
-def targets_by_line(text: str, environment: Environment) -> Mapping[int, Resolved] | None:
-    """Return where the moves of each line (from 1) go first; None for a text that has errors."""
-    compiled = language.compile(text, environment)
-    if compiled.icr is None:
-        return None
+def targets_by_line(code: icr.Program, environment: Environment) -> Mapping[int, Resolved]:
+    """Return where the moves of each line (from 1) go first."""
     found: dict[int, MoveInstruction] = {}
     visits: dict[int, int] = {}
-    for move in _run(compiled.icr):
+    for move in _run(code):
         line = move.origin.span.line if move.origin.span is not None else 0
         found.setdefault(line, move)
         visits[line] = visits.get(line, 0) + 1

@@ -1,0 +1,117 @@
+"""What is asked of the texts of a project: its cell, its programs at their stations, and what they name.
+
+Each function is pure: it looks at texts that were given to the database, and at other answers, so that an
+edit reaches only what is made of the text that was edited.
+"""
+
+from collections.abc import Hashable, Mapping
+
+from ropsim import icr, language
+from ropsim.cellfile import read_cell
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.model import Cell, Station
+from ropsim.query import Database
+from ropsim.workbench.at_station import AtStation
+from ropsim.workbench.bound_names import unbound
+from ropsim.workbench.checked_text import CheckedText
+from ropsim.workbench.compiled_project import CompiledProgram
+from ropsim.workbench.environment import environment_of
+from ropsim.workbench.resolved import Resolved, targets_by_line
+
+LINES = "lines"
+"""Input: the compiler's own memory of texts; it changes no answer."""
+
+
+@frozen_dataclass
+class ReadCell:
+    """What became of a cell file: its cell, None where it is wrong, and what was found."""
+
+    cell: Cell | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def text_of(name: str) -> Hashable:
+    """Return the name of the input that is the text of that name."""
+    return "text", name
+
+
+def cell(db: Database, name: str, folder: str) -> ReadCell:
+    """Return the cell that a cell file describes."""
+    text: SourceText | None = db.read(text_of(name))
+    return ReadCell(*read_cell(text, folder)) if text is not None else ReadCell(None, ())
+
+
+def environment(db: Database, at: AtStation) -> language.Environment:
+    """Return what programs at a station can name."""
+    return environment_of(*_station(db, at))
+
+
+def translated(db: Database, name: str, at: AtStation) -> language.Compiled:
+    """Return what the compiler answers to a task text."""
+    lines: language.LineCache = db.read(LINES)
+    return language.compile(_text(db, name).text, db.ask(environment, at), name, lines)
+
+
+def checked(db: Database, name: str, at: AtStation) -> CheckedText:
+    """Return the findings of a program, quickly.
+
+    The code that comes out of the compiler is not verified once more, which it passes by construction.
+    """
+    text = _text(db, name)
+    if name.endswith(".icr"):
+        return CheckedText(text, db.ask(compiled, name, at).diagnostics)
+    one = db.ask(translated, name, at)
+    missing = () if one.icr is None else unbound(one.icr, text, *_station(db, at))
+    return CheckedText(text, (*one.diagnostics, *missing), one.tasks, one.variables)
+
+
+def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
+    """Return a program with its verified code."""
+    text = _text(db, name)
+    if not name.endswith(".icr"):
+        one = db.ask(translated, name, at)
+        found = db.ask(checked, name, at).diagnostics
+        if one.icr is not None and one.ok:
+            found = (*one.diagnostics, *icr.verify(one.icr), *found[len(one.diagnostics) :])
+        return CompiledProgram(text, one.program, one.icr, found)
+    code, found = icr.read_text(text.text, name)
+    if code is not None:
+        found = (*found, *icr.verify(code), *unbound(code, text, *_station(db, at)))
+    return CompiledProgram(text, None, code, found)
+
+
+def code_id(db: Database, name: str, at: AtStation) -> str:
+    """Return the identity of the code of a program, empty where it has errors."""
+    code = db.ask(translated, name, at).icr
+    return icr.program_id(code) if code is not None else ""
+
+
+def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
+    """Return where the moves of each line (from 1) go first; None for a text that has errors."""
+    code = db.ask(translated, name, at).icr
+    return targets_by_line(code, db.ask(environment, at)) if code is not None else None
+
+
+def outline(db: Database, name: str) -> language.Outline:
+    """Return what a text defines."""
+    return language.outline(_text(db, name), db.read(LINES))
+
+
+def uses(db: Database, name: str, outside: frozenset[str]) -> language.Uses:
+    """Return where a text uses which names; `outside` are those that its cell knows."""
+    return language.uses_of(_text(db, name), db.read(LINES), outside)
+
+
+def marked(db: Database, name: str, outside: frozenset[str]) -> tuple[language.Marked, ...]:
+    """Return words of the language, numbers, texts and comments of a text."""
+    return language.marked_words(_text(db, name), db.read(LINES), db.ask(uses, name, outside))
+
+
+def _station(db: Database, at: AtStation) -> tuple[Cell | None, Station | None]:
+    found = db.ask(cell, at.cell, at.folder).cell if at.cell else None
+    return found, found.stations.get(at.station) if found is not None else None
+
+
+def _text(db: Database, name: str) -> SourceText:
+    text: SourceText = db.read(text_of(name))
+    return text

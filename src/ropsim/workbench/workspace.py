@@ -1,0 +1,102 @@
+"""Texts of projects and all that is made of them, kept until a text changes on which it depends."""
+
+from collections.abc import Mapping
+
+from ropsim import language
+from ropsim.core import SourceText
+from ropsim.query import Database, Event
+from ropsim.workbench import questions
+from ropsim.workbench.at_station import NOWHERE, AtStation
+from ropsim.workbench.checked_text import CheckedText, at_stations
+from ropsim.workbench.compiled_project import CompiledProgram
+from ropsim.workbench.questions import ReadCell
+from ropsim.workbench.resolved import Resolved
+
+MAX_KEPT = 300
+"""Answers kept at least: a few for each text at each of its stations."""
+
+
+class Workspace:
+    """The one place where front ends ask for what is made of texts.
+
+    Every question comes with the texts that it is about, so an answer is always that of these texts, whatever
+    was asked before. What was made of an earlier version of a text is used as far as it still holds.
+
+    Attributes:
+        lines: what the compiler keeps between versions of texts.
+    """
+
+    def __init__(self) -> None:
+        self.lines = language.LineCache()
+        self._db = Database(MAX_KEPT)
+        self._db.give({questions.LINES: self.lines})
+
+    @property
+    def events(self) -> list[Event] | None:
+        """Return what was asked since the list was last cleared; None, as at first, where nobody looks on."""
+        return self._db.events
+
+    def watch(self) -> None:
+        """Let what is asked be told by `events`."""
+        self._db.events = []
+
+    def cell(self, text: SourceText, folder: str) -> ReadCell:
+        """Return the cell that a cell file describes; `folder` names it where the file does not."""
+        self._give(text)
+        return self._db.ask(questions.cell, text.name, folder)
+
+    def at(self, cell_text: SourceText | None, folder: str, station: str) -> AtStation:
+        """Return a station of a cell, to ask for programs there; without a cell there is one place only."""
+        if cell_text is None:
+            return NOWHERE
+        self._give(cell_text)
+        return AtStation(cell_text.name, folder, station)
+
+    def environment(self, at: AtStation) -> language.Environment:
+        """Return what programs at a station can name."""
+        return self._db.ask(questions.environment, at)
+
+    def compiled(self, text: SourceText, at: AtStation = NOWHERE) -> CompiledProgram:
+        """Return a task text or an ICR text (by its ending) with its verified code."""
+        self._give(text)
+        return self._db.ask(questions.compiled, text.name, at)
+
+    def checked(self, text: SourceText, at: Mapping[str, AtStation]) -> CheckedText:
+        """Return the findings of a text at all stations that run it, by name, one at least; quickly."""
+        self._give(text)
+        found = {name: self._db.ask(questions.checked, text.name, one) for name, one in at.items()}
+        return at_stations(found)
+
+    def code_id(self, text: SourceText, at: AtStation) -> str:
+        """Return the identity of the code of a program, empty where it has errors."""
+        self._give(text)
+        return self._db.ask(questions.code_id, text.name, at)
+
+    def targets(self, text: SourceText, at: AtStation) -> Mapping[int, Resolved] | None:
+        """Return where the moves of each line (from 1) go first; None for a text that has errors."""
+        self._give(text)
+        return self._db.ask(questions.targets, text.name, at)
+
+    def outline(self, text: SourceText) -> language.Outline:
+        """Return what a text defines."""
+        self._give(text)
+        return self._db.ask(questions.outline, text.name)
+
+    def uses(self, text: SourceText, outside: frozenset[str]) -> language.Uses:
+        """Return where a text uses which names; `outside` are those that its cell knows."""
+        self._give(text)
+        return self._db.ask(questions.uses, text.name, outside)
+
+    def marked(self, text: SourceText, outside: frozenset[str]) -> tuple[language.Marked, ...]:
+        """Return words of the language, numbers, texts and comments of a text."""
+        self._give(text)
+        return self._db.ask(questions.marked, text.name, outside)
+
+    def forget(self, name: str) -> None:
+        """Let go of a text that nobody looks at any more."""
+        self._db.give({questions.text_of(name): None})
+
+    def _give(self, text: SourceText) -> None:
+        known: SourceText | None = self._db.read(questions.text_of(text.name))
+        if known is None or known.text != text.text:
+            self._db.give({questions.text_of(text.name): text})
