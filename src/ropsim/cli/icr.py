@@ -17,8 +17,8 @@ from ropsim.flow import (
 )
 from ropsim.records import diagnostic_document
 from ropsim.spatial import Pose, quaternion
-from ropsim.userfiles import read_program_file
-from ropsim.workbench import CompiledProgram, ProjectError, open_project
+from ropsim.userfiles import kept_by_user, read_program_file
+from ropsim.workbench import CompiledProgram, ProjectError, Workspace, open_project
 
 _BINARY = ".icb"
 """Ending of binary programs."""
@@ -158,8 +158,10 @@ def _open(path: str) -> tuple[Mapping[str, SourceText], CompiledProgram]:
     """Return the texts of a project and its program; a binary program has none."""
     if path.endswith(_BINARY) and Path(path).exists():
         return {}, _read_binary(path)
-    project = open_project(path)
-    return project.texts, project.program()
+    project = open_project(path, Workspace(kept_by_user()))
+    program = project.program()
+    project.workspace.keep()
+    return project.texts, program
 
 
 def _read_binary(path: str) -> CompiledProgram:
@@ -169,7 +171,7 @@ def _read_binary(path: str) -> CompiledProgram:
         program, found = icr.read_binary(content, path)
     if program is not None:
         found = icr.verify(program)
-    return CompiledProgram(SourceText(path, ""), None, program, found)
+    return CompiledProgram(SourceText(path, ""), program, found)
 
 
 def _write(path: str, content: bytes) -> None:

@@ -13,12 +13,14 @@ from ropsim.cli.progress import Progress
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.records import diagnostic_document, readable
+from ropsim.userfiles import kept_by_user
 from ropsim.views import Comparison, Message, messages, messages_text, result_figures
 from ropsim.workbench import (
     NOT_WRITABLE,
     CompiledProgram,
     Project,
     ProjectError,
+    Workspace,
     found_in,
     open_project,
 )
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
 
 def run(options: argparse.Namespace, output: Output) -> int:
     """Run a program of a project and return the exit code."""
-    project = open_project(options.path)
+    project = open_project(options.path, Workspace(kept_by_user()))
     sources = project.texts
     _check_places(options, project)
     project.changes(options.what_if)  # what cannot be is told before anything runs
@@ -38,6 +40,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
     if not programs or any(one.is_error for one in before):
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
+    project.workspace.keep()
     recording = _simulate(project, programs, options)
     report = project.report(recording, before)
     if options.what_if:

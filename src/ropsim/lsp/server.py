@@ -147,7 +147,8 @@ def _close(state: State, params: protocol.OfDocument, workshop: Workshop) -> Sta
     return state.closed(params.text_document.uri)
 
 
-def _look_again(state: State, _: protocol.Anything, __: Workshop) -> State:
+def _look_again(state: State, _: protocol.Anything, workshop: Workshop) -> State:
+    workshop.workspace.keep()
     return state.all_stale()
 
 

@@ -14,6 +14,7 @@ from ropsim.lsp.messages import Call, ErrorCode, Fault, Json, failure, notificat
 from ropsim.lsp.server import answer, settle
 from ropsim.lsp.state import Phase, State
 from ropsim.lsp.workshop import Workshop
+from ropsim.userfiles import kept_by_user
 
 _CHUNK = 65536
 
@@ -36,7 +37,7 @@ def serve(source: _Source, sink: BinaryIO) -> int:
     gc.set_threshold(_GARBAGE_AFTER, 10, 10)
     inbox: queue.SimpleQueue[bytes | FrameFault | None] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(source, inbox), daemon=True).start()
-    state, workshop, waiting = State(), Workshop(), Inbox()
+    state, workshop, waiting = State(), Workshop(kept_by_user()), Inbox()
     is_open = True
     while state.phase is not Phase.OVER and is_open:
         _receive(inbox, waiting)

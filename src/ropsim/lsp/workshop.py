@@ -10,7 +10,7 @@ from ropsim.core import SourceText, frozen_dataclass
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.model import Cell, Station
-from ropsim.userfiles import read_text_file
+from ropsim.userfiles import KeptAnswers, read_text_file
 from ropsim.workbench import NOWHERE, AtStation, CheckedText, Resolved, Workspace
 
 CELL_FILE = "cell.toml"
@@ -74,8 +74,8 @@ class Workshop:
         told_tokens: name and numbers of the last answer about the words of each document.
     """
 
-    def __init__(self) -> None:
-        self.workspace = Workspace()
+    def __init__(self, kept: KeptAnswers | None = None) -> None:
+        self.workspace = Workspace(kept)
         self._surroundings: dict[tuple[Path, str], Surroundings] = {}
         self._called: dict[str, CheckedText] = {}
         self._recorded: dict[Path, tuple[list[int], tuple[RecordedProgram, ...]]] = {}

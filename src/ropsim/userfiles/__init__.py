@@ -8,6 +8,8 @@ from ropsim.userfiles.folders import configuration_folder as configuration_folde
 from ropsim.userfiles.folders import state_folder as state_folder
 from ropsim.userfiles.journal import Draft as Draft
 from ropsim.userfiles.journal import Journal as Journal
+from ropsim.userfiles.kept_answers import KeptAnswers as KeptAnswers
+from ropsim.userfiles.kept_answers import kept_by_user as kept_by_user
 from ropsim.userfiles.recent_projects import recent_projects as recent_projects
 from ropsim.userfiles.recent_projects import remember_project as remember_project
 from ropsim.userfiles.text_diagnostics import UNREADABLE as UNREADABLE

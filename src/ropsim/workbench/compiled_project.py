@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from ropsim import icr, program
+from ropsim import icr
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 
 
@@ -13,13 +13,11 @@ class CompiledProgram:
 
     Attributes:
         source: its text.
-        program: structured program; None for an ICR text.
         icr: executable program; None where there is none.
         diagnostics: findings, in order of place.
     """
 
     source: SourceText
-    program: program.Program | None
     icr: icr.Program | None
     diagnostics: tuple[Diagnostic, ...]
 

@@ -4,22 +4,39 @@ Each function is pure: it looks at texts that were given to the database, and at
 edit reaches only what is made of the text that was edited.
 """
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
+from enum import Enum
+from hashlib import sha256
+from types import MappingProxyType
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell, Station
 from ropsim.query import Database
+from ropsim.userfiles import KeptAnswers
+from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read, written
 from ropsim.workbench.at_station import AtStation
 from ropsim.workbench.bound_names import unbound
 from ropsim.workbench.checked_text import CheckedText
 from ropsim.workbench.compiled_project import CompiledProgram
+from ropsim.workbench.compiler_version import compiler_version
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.resolved import Resolved, targets_by_line
 
 LINES = "lines"
 """Input: the compiler's own memory of texts; it changes no answer."""
+KEPT = "kept answers"
+"""Input: answers of earlier processes, None for none; they are what would be answered now."""
+LEAST_LINES = 100
+"""Of a text whose answers are kept; a shorter one is compiled in a moment."""
+
+
+class Question(Enum):
+    """What is kept for other processes."""
+
+    TRANSLATED = "translated"
+    VERIFIED = "verified"
 
 
 @frozen_dataclass
@@ -46,10 +63,58 @@ def environment(db: Database, at: AtStation) -> language.Environment:
     return environment_of(*_station(db, at))
 
 
-def translated(db: Database, name: str, at: AtStation) -> language.Compiled:
+def translated(db: Database, name: str, at: AtStation) -> Translation:
     """Return what the compiler answers to a task text."""
+    found = _kept(db, Question.TRANSLATED, name, at)
+    if isinstance(found, Translation):
+        return found
     lines: language.LineCache = db.read(LINES)
-    return language.compile(_text(db, name).text, db.ask(environment, at), name, lines)
+    made = language.compile(_text(db, name).text, db.ask(environment, at), name, lines)
+    return Translation(made.icr, made.diagnostics, made.tasks, made.variables)
+
+
+def verified(db: Database, name: str, at: AtStation) -> Verified:
+    """Return what the verifier finds in the code of a task text."""
+    found = _kept(db, Question.VERIFIED, name, at)
+    if isinstance(found, Verified):
+        return found
+    code = db.ask(translated, name, at).icr
+    return Verified(tuple(icr.verify(code)) if code is not None else ())
+
+
+ANSWERS: Mapping[Question, Callable[[Database, str, AtStation], object]] = MappingProxyType(
+    {Question.TRANSLATED: translated, Question.VERIFIED: verified}
+)
+"""The functions whose answers are kept."""
+
+
+def content_of(db: Database, name: str, at: AtStation) -> str:
+    """Return what a program is made of as 64 digits; empty where it is quicker made than kept."""
+    text = _text(db, name)
+    if len(text.lines) < LEAST_LINES:
+        return ""
+    try:
+        surroundings = written((*compiler_version(), db.ask(environment, at)))
+    except UnknownFormError:
+        return ""
+    parts = (surroundings, name.encode(errors="surrogatepass"), text.text.encode(errors="surrogatepass"))
+    return sha256(b"\0".join(parts)).hexdigest()
+
+
+def key_of(question: Question, content: str) -> str:
+    """Return the name under which an answer about a program is kept."""
+    return f"{content}-{question.value}"
+
+
+def _kept(db: Database, question: Question, name: str, at: AtStation) -> object:
+    """Return the answer that an earlier process gave; None where there is none."""
+    store: KeptAnswers | None = db.read(KEPT)
+    content = db.ask(content_of, name, at) if store is not None else ""
+    found = store.find(key_of(question, content)) if store is not None and content else None
+    try:
+        return read(found) if found is not None else None
+    except UnknownFormError:
+        return None
 
 
 def checked(db: Database, name: str, at: AtStation) -> CheckedText:
@@ -71,13 +136,14 @@ def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
     if not name.endswith(".icr"):
         one = db.ask(translated, name, at)
         found = db.ask(checked, name, at).diagnostics
-        if one.icr is not None and one.ok:
-            found = (*one.diagnostics, *icr.verify(one.icr), *found[len(one.diagnostics) :])
-        return CompiledProgram(text, one.program, one.icr, found)
+        told = len(one.diagnostics)
+        return CompiledProgram(
+            text, one.icr, (*found[:told], *db.ask(verified, name, at).diagnostics, *found[told:])
+        )
     code, found = icr.read_text(text.text, name)
     if code is not None:
         found = (*found, *icr.verify(code), *unbound(code, text, *_station(db, at)))
-    return CompiledProgram(text, None, code, found)
+    return CompiledProgram(text, code, found)
 
 
 def code_id(db: Database, name: str, at: AtStation) -> str:

@@ -1,15 +1,18 @@
 """Texts of projects and all that is made of them, kept until a text changes on which it depends."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 
 from ropsim import language
 from ropsim.core import SourceText
 from ropsim.query import Database, Event
+from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import questions
+from ropsim.workbench.answer_form import UnknownFormError, written
 from ropsim.workbench.at_station import NOWHERE, AtStation
 from ropsim.workbench.checked_text import CheckedText, at_stations
 from ropsim.workbench.compiled_project import CompiledProgram
-from ropsim.workbench.questions import ReadCell
+from ropsim.workbench.questions import Question, ReadCell
 from ropsim.workbench.resolved import Resolved
 
 MAX_KEPT = 300
@@ -26,10 +29,12 @@ class Workspace:
         lines: what the compiler keeps between versions of texts.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, kept: KeptAnswers | None = None) -> None:
         self.lines = language.LineCache()
+        self._kept = kept
+        self._asked: set[tuple[Question, str, AtStation]] = set()
         self._db = Database(MAX_KEPT)
-        self._db.give({questions.LINES: self.lines})
+        self._db.give({questions.LINES: self.lines, questions.KEPT: kept})
 
     @property
     def events(self) -> list[Event] | None:
@@ -59,11 +64,14 @@ class Workspace:
     def compiled(self, text: SourceText, at: AtStation = NOWHERE) -> CompiledProgram:
         """Return a task text or an ICR text (by its ending) with its verified code."""
         self._give(text)
+        self._ask_for(text, at, *Question)
         return self._db.ask(questions.compiled, text.name, at)
 
     def checked(self, text: SourceText, at: Mapping[str, AtStation]) -> CheckedText:
         """Return the findings of a text at all stations that run it, by name, one at least; quickly."""
         self._give(text)
+        for one in at.values():
+            self._ask_for(text, one, Question.TRANSLATED)
         found = {name: self._db.ask(questions.checked, text.name, one) for name, one in at.items()}
         return at_stations(found)
 
@@ -92,9 +100,26 @@ class Workspace:
         self._give(text)
         return self._db.ask(questions.marked, text.name, outside)
 
+    def keep(self) -> None:
+        """Keep what was compiled for later processes, where answers of them are taken, too."""
+        while self._asked:
+            question, name, at = self._asked.pop()
+            content = self._db.ask(questions.content_of, name, at)
+            key = questions.key_of(question, content)
+            if self._kept is not None and content and self._kept.find(key) is None:
+                answer = self._db.ask(questions.ANSWERS[question], name, at)
+                with suppress(UnknownFormError):
+                    self._kept.keep(key, written(answer))
+
     def forget(self, name: str) -> None:
         """Let go of a text that nobody looks at any more."""
         self._db.give({questions.text_of(name): None})
+        self._asked = {one for one in self._asked if one[1] != name}
+
+    def _ask_for(self, text: SourceText, at: AtStation, *asked: Question) -> None:
+        """Note what is asked of a task text, to be kept."""
+        if not text.name.endswith(".icr"):
+            self._asked |= {(question, text.name, at) for question in asked}
 
     def _give(self, text: SourceText) -> None:
         known: SourceText | None = self._db.read(questions.text_of(text.name))

@@ -10,7 +10,8 @@ from ropsim.workbench import Project, Workspace, new_project, open_overlaid, ope
 
 CELL = SourceText(
     "cell.toml",
-    '[cell]\nname = "c"\nprogram = "p"\n[robot]\nmodel = "puma560"\n[locations.bin]\nposition = [300, 200, 500]\n',
+    '[cell]\nname = "c"\nprogram = "p"\n[robot]\nmodel = "puma560"\n'
+    "[locations.bin]\nposition = [300, 200, 500]\n",
 )
 PROGRAM = SourceText("p.task", "program p\nmov bin\n")
 

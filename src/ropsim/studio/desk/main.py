@@ -8,6 +8,8 @@ from ropsim.studio.desk.desk import Desk
 from ropsim.studio.desk.line import Cancelled, Line
 from ropsim.studio.desk.mailbox import Mailbox, StopAsked, given_up
 from ropsim.studio.jobs import Failed, Job, LiveStart, Reply, RunReply, Simulate
+from ropsim.userfiles import kept_by_user
+from ropsim.workbench import Workspace
 
 
 def main(connection: Connection) -> None:
@@ -16,13 +18,14 @@ def main(connection: Connection) -> None:
     Args:
         connection: this process's end of the pipe; it carries `Request` and `Answer`.
     """
-    desk = Desk()
+    desk = Desk(workspace=Workspace(kept_by_user()))
     mailbox = Mailbox(connection)
     with contextlib.suppress(StopAsked):
         while True:
             number, job = mailbox.next_job()
             mailbox.answer(number, answered(desk, job, mailbox.line(number)))
             desk.warm()
+            desk.workspace.keep()
 
 
 def answered(desk: Desk, job: Job, line: Line) -> Reply:
