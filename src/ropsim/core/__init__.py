@@ -18,3 +18,4 @@ from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean
 from ropsim.core.suggest import near as near
+from ropsim.core.without_collection import without_collection as without_collection

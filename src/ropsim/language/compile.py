@@ -3,7 +3,7 @@
 from collections.abc import Hashable, Mapping
 from dataclasses import field
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass, without_collection
 from ropsim.icr import Program as IcrProgram
 from ropsim.language import checked as checker
 from ropsim.language import questions
@@ -68,9 +68,13 @@ def compile(
     Returns:
         Program, ICR and findings. A wrong line is reported and left out; all others are compiled.
     """
-    source = SourceText(name, text)
-    report = Report(name)
     db = cache.database(signatures, name) if cache is not None else once(signatures)
+    with without_collection():
+        return _compiled(SourceText(name, text), signatures, db)
+
+
+def _compiled(source: SourceText, signatures: Environment, db: Database) -> Compiled:
+    report = Report(source.name)
     checked, places = _checked(source, signatures, report, db)
     if checked is None:
         return Compiled(None, None, report.in_order(), source)

@@ -24,7 +24,7 @@ class Emitter:
 
     line: int = 0
     is_live: bool = True
-    _code: list[tuple[str, tuple[Operand | Label, ...], int]] = field(default_factory=list)
+    _code: list[tuple[str, tuple[Operand, ...] | tuple[Label], int]] = field(default_factory=list)
 
     def emit(self, mnemonic: str, *operands: Operand) -> None:
         """Add one instruction."""
@@ -49,11 +49,14 @@ class Emitter:
         """Return the code and the source lines."""
         steps = []
         for mnemonic, operands, _ in self._code:
-            fixed = tuple(one.position if isinstance(one, Label) else one for one in operands)
-            steps.append(Step(mnemonic, fixed))
+            match operands:
+                case (Label() as label,):
+                    steps.append(Step(mnemonic, (label.position,)))
+                case _:
+                    steps.append(Step(mnemonic, operands))
         return tuple(steps), tuple(line for *_, line in self._code)
 
-    def _add(self, mnemonic: str, operands: tuple[Operand | Label, ...]) -> None:
+    def _add(self, mnemonic: str, operands: tuple[Operand, ...] | tuple[Label]) -> None:
         if self.is_live:
             self._code.append((mnemonic, operands, self.line))
             self.is_live = not OPCODES[mnemonic].ends_flow

@@ -86,13 +86,13 @@ def summary(procedure: Procedure, known: Mapping[str, Summary], given: Slots) ->
     reads: dict[int, Slots] = {}
     lost: set[int] = set()
     for index, step in enumerate(procedure.code):
-        name = str(step.operands[0]) if step.operands else ""
         if step.mnemonic == "CALL":
-            called = known[name]
+            called = known[str(step.operands[0])]
             reads[index], gives[index] = called.needed, called.assigns or _NONE
             if called.assigns is None:
                 lost.add(index)
         elif step.mnemonic in {"LOAD", "STORE"}:
+            name = str(step.operands[0])
             touched = frozenset({Slot(name, is_global=name not in own)})
             (reads if step.mnemonic == "LOAD" else gives)[index] = touched
     way = ways(lambda index: () if index in lost else successors(procedure, index))

@@ -24,6 +24,8 @@ def to(body: Body, value: Value, wanted: AnyType, place: Placed, what: str) -> E
     Raises:
         RejectedError: the value does not fit.
     """
+    if value.type is wanted and isinstance(wanted, Type):
+        return value.expression
     wanted, found = known(wanted), known(value.type)
     if isinstance(wanted, Unknown):
         if value.is_bare:

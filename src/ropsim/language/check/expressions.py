@@ -27,13 +27,13 @@ from ropsim.language.syntax import nodes
 from ropsim.program import Constant, MakeJoints, ValueType
 from ropsim.program import Variable as VariableExpression
 
+_MEASURED = {unit: Type(ValueType.REAL, dimension) for unit, (dimension, _) in UNITS.items()}
 _COUNTERS = ("row", "col", "layer")
 
 
 def _number(_: Body, node: nodes.Number) -> Value:
     if node.unit:
-        dimension, factor = UNITS[node.unit]
-        return Value(fold.real(node.value * factor), Type(ValueType.REAL, dimension))
+        return Value(fold.real(node.value * UNITS[node.unit][1]), _MEASURED[node.unit])
     if node.is_whole:
         return Value(fold.whole(int(node.value)), INT, is_bare=True)
     return Value(fold.real(node.value), NUMBER, is_bare=True)

@@ -84,9 +84,11 @@ def pose(value: Location) -> Constant:
 
 def number_of(expression: Expression) -> float | None:
     """Return the value of a constant number, else None."""
-    if isinstance(expression, Constant) and expression.type in (ValueType.INT, ValueType.REAL):
-        value = expression.value
-        return value if isinstance(value, int | float) else None
+    if isinstance(expression, Constant):
+        kind = expression.type
+        if kind is ValueType.REAL or kind is ValueType.INT:
+            value = expression.value
+            return value if isinstance(value, int | float) else None
     return None
 
 
@@ -112,8 +114,9 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
     if isinstance(operand, Constant):
         if op == "not":
             return boolean(not operand.value)
-        if number_of(operand) is not None and op in _UNARY:
-            return _computed(op, _UNARY[op], kind, operand)
+        number = number_of(operand)
+        if number is not None and op in _UNARY:
+            return _computed(op, _UNARY[op], kind, operand.type, number)
     return Unary(op, operand, kind)
 
 
@@ -127,21 +130,21 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
     if b == 0 and op in ("div", "mod"):
         raise ZeroDivisionError("division by zero")
     if a is not None and b is not None and op in _BINARY:
-        return _computed(op, _BINARY[op], kind, left, right)
+        of = left.type if left.type is ValueType.REAL else right.type
+        return _computed(op, _BINARY[op], kind, of, a, b)
     if op in ("eq", "ne") and isinstance(left, Constant) and isinstance(right, Constant):
         return boolean((bool(left.value) == bool(right.value)) is (op == "eq"))
     return _simplified(op, a, b, left, right) or Binary(op, left, right, kind)
 
 
-def _computed(op: str, instruction: str, kind: ValueType, *operands: Expression) -> Expression:
-    """Return what the machine would compute of constant numbers."""
-    numbers = [n for n in map(number_of, operands) if n is not None]
-    is_real = kind is ValueType.REAL or any(operand.type is ValueType.REAL for operand in operands)
+def _computed(op: str, instruction: str, kind: ValueType, of: ValueType, *numbers: float) -> Expression:
+    """Return what the machine would compute of constant numbers; `of` is REAL where one of them is."""
+    is_real = kind is ValueType.REAL or of is ValueType.REAL
     if op in ("round", "trunc", "to_real") and not any(isinstance(n, float) for n in numbers):
         return whole(int(numbers[0])) if kind is ValueType.INT else real(numbers[0])
     if op in _BY_TYPE:
         instruction += ".R" if is_real else ".I"
-    given = [float(n) if is_real else n for n in numbers]
+    given = map(float, numbers) if is_real else numbers
     try:
         value = computed(instruction, *given)
     except ZeroDivisionError:

@@ -120,7 +120,10 @@ def final(body: Body, task: TaskText, signature: Signature, types: Sequence[Type
         signature: as its header tells.
         types: of its parameters.
     """
-    formals = [replace(one, type=kind) for one, kind in zip(signature.formals, types, strict=True)]
+    formals = [
+        one if one.type is kind else replace(one, type=kind)
+        for one, kind in zip(signature.formals, types, strict=True)
+    ]
     references = tuple(f.name for f in formals if f.type == POSE)
     if task.header is None:
         return replace(signature, formals=tuple(formals), references=references)

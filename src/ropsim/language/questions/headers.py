@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language.check import signatures
 from ropsim.language.check.body import Body
 from ropsim.language.check.expressions import EXPRESSIONS
-from ropsim.language.check.types import Type, closed, opened
+from ropsim.language.check.types import Type, Unknown, closed, opened
 from ropsim.language.check.world import Signature
 from ropsim.language.questions.callers import is_own, library, precedes, task
 from ropsim.language.questions.worlds import world_of
@@ -55,10 +55,14 @@ def _header_before(db: Database, caller: str, name: str) -> Signature | None:
 
 def opened_formals(found: Signature) -> Signature:
     """Return a signature whose open types have cells of their own."""
+    if not any(isinstance(one.type, Unknown) for one in found.formals):
+        return found
     return replace(found, formals=tuple(replace(one, type=opened(one.type)) for one in found.formals))
 
 
 def with_types(found: Signature, kinds: tuple[Type, ...]) -> Signature:
     """Return a signature with the types of its parameters."""
-    formals = tuple(replace(one, type=kind) for one, kind in zip(found.formals, kinds, strict=True))
-    return replace(found, formals=formals)
+    pairs = tuple(zip(found.formals, kinds, strict=True))
+    if all(one.type is kind for one, kind in pairs):
+        return found
+    return replace(found, formals=tuple(replace(one, type=kind) for one, kind in pairs))

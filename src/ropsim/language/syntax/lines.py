@@ -31,6 +31,8 @@ class LogicalLine:
         """Return the span of the characters from offset `start` to `end` (exclusive)."""
         first = min(start, max(len(self.text) - 1, 0))
         last = max(first, min(end, len(self.text)) - 1)
+        if "\n" not in self.text:
+            return Span(source, self.number, first + 1, self.number, last + 2)
         line, column = self._place(first)
         end_line, end_column = self._place(last)
         return Span(source, line, column, end_line, end_column + 1)
