@@ -1,5 +1,6 @@
 """The executable form of a checked text: each procedure by itself, then all of them linked."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from ropsim import icr
@@ -89,8 +90,13 @@ def variable(db: Database, name: str) -> Type | None:
         kind = known(found.type)
         assert isinstance(kind, KnownType)
         return kind.value
+    return db.ask(control_types).get(name)
+
+
+def control_types(db: Database) -> Mapping[str, Type]:
+    """Return the types of the variables of the control statements."""
     own: tuple[Local, ...] = db.read(questions.CONTROL_LOCALS)
-    return next((one.type for one in own if one.name == name), None)
+    return {one.name: one.type for one in own}
 
 
 def lowered(db: Database, name: str, axes: int | None) -> Lowered:

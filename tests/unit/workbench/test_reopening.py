@@ -92,7 +92,7 @@ def test_findings_are_kept_with_their_places(reopened: Reopened) -> None:
 def test_any_damage_costs_time_only(reopened: Reopened) -> None:
     right = reopened.compiled()
     chosen = random.Random(2)
-    for _ in range(10):
+    for _ in range(4):
         for path in reopened.kept.folder.iterdir():
             content = bytearray(path.read_bytes())
             content[chosen.randrange(len(content))] ^= 255

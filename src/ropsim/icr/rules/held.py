@@ -172,6 +172,10 @@ def _passed(
     after: dict[int, Held] = {}
     for index in way.order:
         sources = [after[source] for source in way.sources[index] if source in after]
+        if len(sources) == 1 and index and index not in bounds:
+            before[index] = sources[0]
+            after[index] = sources[0].with_also(given(index))
+            continue
         if index in bounds:
             sources.append(bounds[index])
         if index == 0:

@@ -1,5 +1,9 @@
 """Makers of SIR expressions that compute constants at once."""
 
+import operator
+from collections.abc import Callable
+from math import isfinite
+
 from ropsim.flow import PostureRequest
 from ropsim.icr import INT_MAX, INT_MIN, Location, composed, computed, pose_part
 from ropsim.program import (
@@ -59,6 +63,13 @@ _BINARY = {
 _BY_TYPE = frozenset(_BINARY) - {"atan2"} | {"abs", "neg"}
 """Operations that are two instructions, one for INT and one for REAL."""
 
+_PLAIN: dict[str, Callable[[float, float], float]] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+}
+"""What the machine computes of REALs by the same operation of Python, where the result is finite."""
+
 _SIGNS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "neg": "-"}
 
 
@@ -115,6 +126,8 @@ def unary(op: str, operand: Expression, kind: ValueType) -> Expression:
         if op == "not":
             return boolean(not operand.value)
         number = number_of(operand)
+        if number is not None and op == "to_real":
+            return real(number)
         if number is not None and op in _UNARY:
             return _computed(op, _UNARY[op], kind, operand.type, number)
     return Unary(op, operand, kind)
@@ -130,6 +143,10 @@ def binary(op: str, left: Expression, right: Expression, kind: ValueType) -> Exp
     if b == 0 and op in ("div", "mod"):
         raise ZeroDivisionError("division by zero")
     if a is not None and b is not None and op in _BINARY:
+        if kind is ValueType.REAL and op in _PLAIN:
+            result = _PLAIN[op](float(a), float(b))
+            if isfinite(result):
+                return real(result)
         of = left.type if left.type is ValueType.REAL else right.type
         return _computed(op, _BINARY[op], kind, of, a, b)
     if op in ("eq", "ne") and isinstance(left, Constant) and isinstance(right, Constant):

@@ -7,6 +7,7 @@ from ropsim.language.blocks import Block as SyntaxBlock
 from ropsim.language.blocks import Section
 from ropsim.language.check import lines, loops, settings, values
 from ropsim.language.check.body import Body, Loop, RejectedError
+from ropsim.language.check.literal_motions import is_literal
 from ropsim.language.check.types import BOOL
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax import statements as syntax
@@ -25,6 +26,8 @@ def walk(body: Body, items: Iterable[Line | SyntaxBlock]) -> Block:
     result: list[Statement] = []
     for item in items:
         line = item.opener if isinstance(item, SyntaxBlock) else item
+        if body.report.muted and is_literal(line.statement):
+            continue
         body.line = line
         try:
             result.extend(

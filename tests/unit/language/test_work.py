@@ -1,0 +1,80 @@
+"""How much work a text is, counted in calls of functions: in proportion to it, and little for an edit."""
+
+import sys
+from types import FrameType
+
+import pytest
+
+from ropsim import language
+
+MODERN = """\
+task T{k}(a1: loc, dz: length = {k} mm)
+  x = dz * 3 - 20 mm / 2
+  repeat 3
+    mov a1 above dz
+    lin (100, {k}, 300; rpy 180 0 10) speed 150 mm/s
+    if x > 40 mm then x = x - 1 mm
+  endr
+endp
+T{k} (400, 0, {k}), {k}
+"""
+FLAT = """\
+x{k} = {k} mm * 3 - 20 mm / 2
+lin (100, {k}, 300; rpy 180 0 10) speed 150 mm/s acc 2 m/s2
+if x{k} > 40 mm then print x{k}
+mov (400, 0, x{k})
+"""
+CLASSIC = """\
+task t{k}
+  x = a
+  repeat a
+    mov (x, 3, {k})
+    x = x + b
+  endr
+endp
+t{k} 5, {k}
+"""
+WRONG = """\
+task W{k}(a1: loc)
+  mov a1 abvoe 20
+  x = {k} kgm
+endp
+"""
+MOST = 2.2
+"""Times the work of half of the text: in proportion, and a little for the logarithms of sorting."""
+
+
+def text_of(unit: str, count: int) -> str:
+    head = "" if unit is CLASSIC else "program p\nunits mm, deg\n"
+    return head + "".join(unit.format(k=k + 1) for k in range(count))
+
+
+def work(text: str, cache: language.LineCache | None = None) -> int:
+    """Return how many functions are called, those of Python and those of C, while a text is compiled."""
+    count = 0
+
+    def called(_: FrameType, event: str, __: object) -> None:
+        nonlocal count
+        count += event in ("call", "c_call")
+
+    before = sys.getprofile()
+    sys.setprofile(called)
+    try:
+        language.compile(text, cache=cache)
+    finally:
+        sys.setprofile(before)
+    return count
+
+
+@pytest.mark.parametrize("unit", [MODERN, FLAT, CLASSIC, WRONG], ids=["modern", "flat", "classic", "wrong"])
+def test_work_is_in_proportion_to_the_text(unit: str) -> None:
+    small, large = work(text_of(unit, 40)), work(text_of(unit, 80))
+    assert small > 1000
+    assert large <= MOST * small
+
+
+def test_an_edit_of_a_task_is_a_small_part_of_the_work() -> None:
+    cache = language.LineCache()
+    text = text_of(MODERN, 60)
+    whole = work(text, cache)
+    assert work(text.replace("(100, 30, 300", "(100, 31, 300"), cache) < 0.2 * whole
