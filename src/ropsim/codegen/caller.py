@@ -58,9 +58,7 @@ def calling(entry: Callable[..., int], takes: tuple[int, ...], laid: Laid = NOTH
         "pack_whole": Struct(f"{sum(1 + axes for axes in takes if axes >= 0)}q").pack,
         "pack_real": Struct(f"{takes.count(REAL)}d").pack,
         "with_care": partial(_blocks, takes),
-        "start_of": (ctypes.c_char * 0).from_buffer,
-        "addressof": ctypes.addressof,
-        "fixed": _fixed,
+        "place_of": _place_of,
         "float64": _FLOAT64,
         "answers": _ANSWERS,
         "says": _ANSWERS + ctypes.sizeof(ctypes.c_void_p),
@@ -103,10 +101,10 @@ def _code(takes: tuple[int, ...]) -> CodeType:
         elif axes > 0:
             lengths = [f"{name}_{axis}" for axis in range(axes)]
             lines.append(f"        {', '.join(lengths)}, = {name}.shape")
-            place = f"addressof(start_of({name})) if {name}.flags.writeable else fixed({name})"
-            whole += [place, *lengths]
+            whole += [f"place_of({name})", *lengths]
     same = " is ".join([*(f"{name}.dtype" for name in arrays), "float64"])
-    lines += [f"        if not ({same}):", "            raise TypeError"] if arrays else []
+    whole_ones = " and ".join(f"{name}.flags.c_contiguous" for name in arrays)
+    lines += [f"        if not ({same} and {whole_ones}):", "            raise TypeError"] if arrays else []
     real = [name for name, axes in zip(names, takes, strict=True) if axes == REAL]
     lines += [
         f"        whole = pack_whole({', '.join(whole)})",
@@ -120,17 +118,25 @@ def _code(takes: tuple[int, ...]) -> CodeType:
     return compile("\n".join(lines), "<call of compiled code>", "exec")
 
 
-def _fixed(array: npt.NDArray[np.float64]) -> int:
-    """Return the address of an array that cannot be written to; such arrays give no buffer away.
-
-    Raises:
-        TypeError: it has gaps.
-    """
-    tells = array.__array_interface__
-    if tells["strides"] is not None:
-        raise TypeError
-    address: int = tells["data"][0]
+def _told_place(array: npt.NDArray[np.float64]) -> int:
+    """Return the address of the numbers of an array, as numpy tells it."""
+    address: int = array.__array_interface__["data"][0]
     return address
+
+
+def _read_place(array: npt.NDArray[np.float64]) -> int:
+    """Return the same as numpy keeps it, behind what every object of Python begins with: in a sixth of the time."""
+    return _word_at(id(array) + object.__basicsize__).value
+
+
+def _faster(arrays: tuple[npt.NDArray[np.float64], ...]) -> Callable[[npt.NDArray[np.float64]], int]:
+    """Return the quicker way to an address where it tells the same of some arrays, else the sure one."""
+    agree = all(_read_place(array) == _told_place(array) for array in arrays)
+    return _read_place if agree else _told_place
+
+
+_word_at = ctypes.c_ssize_t.from_address
+_place_of = _faster((np.zeros(3), np.zeros((2, 3))[1:], np.zeros((0, 4)), np.zeros((2, 2, 2))))
 
 
 def _blocks(takes: tuple[int, ...], arguments: tuple[object, ...]) -> tuple[bytes, bytes]:
