@@ -125,7 +125,7 @@ def _told_place(array: npt.NDArray[np.float64]) -> int:
 
 
 def _read_place(array: npt.NDArray[np.float64]) -> int:
-    """Return the same as numpy keeps it, behind what every object of Python begins with: in a sixth of the time."""
+    """Return the same as numpy keeps it, behind what every object begins with: in a sixth of the time."""
     return _word_at(id(array) + object.__basicsize__).value
 
 

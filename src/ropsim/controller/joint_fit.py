@@ -22,6 +22,7 @@ from ropsim.motion import (
     Slowed,
     as_planned,
     demand,
+    loaded,
     places_of,
     too_heavy,
 )
@@ -92,7 +93,8 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
     for attempt in range(_ATTEMPTS + _ROUNDS):
         ticks = {number: found for number in bands if len(found := _exceeding(now, number))}
         if not ticks and looked_at is not arm:
-            looked_at, now = arm, as_bounds_allow(_parts(now), legs, arm, period)
+            looked_at = arm
+            now = replace(now, reference=loaded(now.reference, arm.joints, arm.effort))
             continue
         if not ticks:
             return replace(now, slowed=slowed_in(planned.course, now.course, bands))
@@ -119,10 +121,6 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     """Return whether a joint has too little torque to hold the arm somewhere: no speed helps there."""
     asked = demand(reference.rows, arm.joints, arm.effort)
     return too_heavy(asked, reference.phi) is not None
-
-
-def _parts(fit: Fit) -> list[Part]:
-    return [run.part for run in fit.course.runs]
 
 
 def _bands(fit: Fit, arm: ArmBounds) -> dict[int, Bands]:

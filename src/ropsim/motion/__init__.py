@@ -32,6 +32,7 @@ from ropsim.motion.limits.kept import Slowed as Slowed
 from ropsim.motion.limits.motion_time import MotionTime as MotionTime
 from ropsim.motion.limits.reference import Reference as Reference
 from ropsim.motion.limits.reference import as_planned as as_planned
+from ropsim.motion.limits.reference import loaded as loaded
 from ropsim.motion.limits.refusal import too_heavy as too_heavy
 from ropsim.motion.limits.strain import ROUNDING as ROUNDING
 from ropsim.motion.limits.time_optimal import time_optimal as time_optimal

@@ -10,7 +10,7 @@ from ropsim.motion.limits.demand import Demand
 from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
-from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain
+from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain, strain_as_planned, with_torque
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError, whole_periods
 from ropsim.spatial import Array
@@ -72,8 +72,25 @@ def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, perio
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
+    return loaded(Reference(phi, rows, None, strain_as_planned(rows, bounds, period)), bounds, effort)
+
+
+def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Reference:
+    """Return references that are not slowed with the torques that they take.
+
+    Args:
+        planned: the references, without torques.
+        bounds: what the joints can do.
+        effort: torques at the joints; None where they do not count.
+
+    Raises:
+        ProfileError: M540, torques are no numbers.
+    """
+    rows = planned.rows
     torque = load(rows, bounds, effort)
-    return Reference(phi, rows, torque, strain(rows, torque, bounds, period))
+    if torque is None:
+        return planned
+    return Reference(planned.phi, rows, torque, with_torque(planned.strain, rows, torque, bounds))
 
 
 def reference(

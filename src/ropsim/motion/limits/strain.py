@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.limits.joint_bounds import JointBounds
-from ropsim.motion.limits.strain_kernel import strain_of
+from ropsim.motion.limits.joint_bounds import JointBounds, Quantity
+from ropsim.motion.limits.strain_kernel import strain_of, used_by_motion, used_by_torque
 from ropsim.motion.limits.ways import Ways, no_ways, steps_allowed
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
@@ -69,6 +69,50 @@ class Strain:
         return float(max(speed, np.sqrt(acceleration), np.cbrt(jerk), np.sqrt(torque), 1.0))
 
 
+def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Strain:
+    """Return what rows that are not slowed use of the bounds, torque aside; nothing lacks.
+
+    Args:
+        rows: references at the control ticks, k rows.
+        bounds: of the joints.
+        period: of the control ticks [s].
+
+    Raises:
+        ProfileError: M540, references are no numbers.
+    """
+    limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk])
+    used = np.zeros((len(Quantity), len(rows.q)))
+    used_by_motion(rows.d1, rows.d2, limits, used)
+    return _told(rows, used)
+
+
+def with_torque(plain: Strain, rows: JointPoints, torque: Array, bounds: JointBounds) -> Strain:
+    """Return what the same rows use with their torques.
+
+    Args:
+        plain: what they use, torque aside.
+        rows: references at the control ticks, k rows.
+        torque: of the joints there [N m | N], shape (k, n).
+        bounds: of the joints.
+    """
+    assert bounds.effort is not None
+    used = plain.used.copy()
+    used_by_torque(torque, bounds.effort, used)
+    return _told(rows, used)
+
+
+def _told(rows: JointPoints, used: Array) -> Strain:
+    _check(rows, used)
+    return Strain(used, used.max(axis=1), np.zeros((len(used), 2)))
+
+
+def _check(rows: JointPoints, used: Array) -> None:
+    if not used.max() < np.inf:
+        row = int(np.flatnonzero(~(used < np.inf).all(axis=0))[0])
+        found = f"the motion is {rows.q[row]}, {rows.d1[row]}, {rows.d2[row]} at tick {row}"
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are finite numbers"))
+
+
 def strain(
     rows: JointPoints,
     torque: Array | None,
@@ -117,10 +161,7 @@ def strain(
         peaks,
         lacks,
     )
-    if not used.max() < np.inf:
-        row = int(np.flatnonzero(~(used < np.inf).all(axis=0))[0])
-        found = f"the motion is {rows.q[row]}, {rows.d1[row]}, {rows.d2[row]} at tick {row}"
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are finite numbers"))
+    _check(rows, used)
     return Strain(used, peaks, lacks)
 
 
