@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.controller.bands_kernel import bring_down
 from ropsim.controller.joint_caps import Caps
 from ropsim.controller.parts import Part, part_of
 from ropsim.controller.pieces import piece_borders, stage_ends
@@ -54,21 +55,14 @@ class Bands:
         Args:
             caps: what joints allow, and where.
         """
-        last = len(self.borders) - 2
-        first, until = np.searchsorted(self.borders, caps.places, "right") - 1
-        first, until = np.clip((first - _BESIDE, until + _BESIDE), 0, last)
-        count = until - first + 1
-        band = np.repeat(first - np.cumsum(count) + count, count) + np.arange(int(count.sum()))
-        kind, value = np.repeat(caps.kinds, count), np.repeat(caps.values, count)
-        bounds, causes = self.bounds.copy(), self.causes.copy()
-        np.minimum.at(bounds, (kind, band), value)
-        binding = (value == bounds[kind, band]) & (value < self.bounds[kind, band])
-        causes[0, band[binding]] = np.repeat(caps.joints, count)[binding]
-        causes[1, band[binding]] = np.repeat(caps.quantities, count)[binding]
-        steps = np.floor(np.log(bounds / self.planned) / _STEPS[:, None]) * _STEPS[:, None]
+        bounds, causes = np.array(self.bounds, order="C"), self.causes.astype(np.float64)
+        held = np.array((caps.kinds, caps.values, *caps.places, caps.joints, caps.quantities))
+        bring_down(held, self.borders, _BESIDE, np.ascontiguousarray(self.bounds), bounds, causes)
         lower = bounds < self.bounds
-        bounds[lower] = (self.planned * np.exp(steps))[lower]
-        return replace(self, bounds=bounds, causes=causes)
+        step = np.broadcast_to(_STEPS[:, None], bounds.shape)[lower]
+        steps = np.floor(np.log(bounds[lower] / self.planned[lower]) / step) * step
+        bounds[lower] = self.planned[lower] * np.exp(steps)
+        return replace(self, bounds=bounds, causes=causes.astype(np.intp))
 
     def slower(self, share: float) -> "Bands":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""

@@ -1,6 +1,6 @@
 """Time laws that joints can follow: where they cannot, a path of the tool is planned with less."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -28,6 +28,7 @@ from ropsim.motion import (
 )
 from ropsim.spatial import record
 
+Indices = npt.NDArray[np.intp]
 _SPACING = 4e-3
 """Motion time of a band, about [s]."""
 _ATTEMPTS = 40
@@ -91,7 +92,7 @@ def fitted(planned: Fit, legs: int, arm: ArmBounds, period: float, look_ahead: i
     if planned.reference.strain.peaks[_TORQUE] <= 1.0:
         looked_at = replace(arm, effort=None)  # it takes time, and slower motions hardly need more of it
     for attempt in range(_ATTEMPTS + _ROUNDS):
-        ticks = {number: found for number in bands if len(found := _exceeding(now, number))}
+        ticks = _exceeding(now, bands)
         if not ticks and looked_at is not arm:
             looked_at = arm
             now = replace(now, reference=loaded(now.reference, arm.joints, arm.effort))
@@ -132,25 +133,29 @@ def _bands(fit: Fit, arm: ArmBounds) -> dict[int, Bands]:
     return {number: bands_of(run.part, places - run.start) for number, run in runs if run.part.has_stages}
 
 
-def _exceeding(fit: Fit, number: int) -> npt.NDArray[np.intp]:
-    """Return the control ticks in a run at which a limit is exceeded, without tick 0."""
-    reference = fit.reference
-    run = fit.course.runs[number]
-    first, until = np.searchsorted(reference.phi, (run.start, run.end), "right").tolist()
-    first = max(first, 1)
-    used = reference.strain.used[:, first:until].max(axis=0, initial=0.0)
-    return np.asarray(first + np.flatnonzero(used > 1.0 + ROUNDING), dtype=np.intp)
+def _exceeding(fit: Fit, numbers: Iterable[int]) -> dict[int, Indices]:
+    """Return the control ticks, without 0, at which a limit is exceeded in runs; of those with any."""
+    reference, runs = fit.reference, fit.course.runs
+    over = np.flatnonzero((reference.strain.used > 1.0 + ROUNDING).any(axis=0))
+    over = over[over > 0]
+    times, found = reference.phi[over], {}
+    for number in numbers if len(over) else ():
+        first, until = np.searchsorted(times, (runs[number].start, runs[number].end), "right").tolist()
+        if first < until:
+            found[number] = over[first:until]
+    return found
 
 
-def _walked(fit: Fit, run: Run, ticks: npt.NDArray[np.intp]) -> Walked:
+def _walked(fit: Fit, run: Run, ticks: Indices) -> Walked:
     reference, pairs = fit.reference, np.stack((ticks - 1, ticks))
     rows, n = reference.rows, reference.rows.q.shape[1]
     law = run.law.at((reference.phi[pairs] - run.start).ravel())
     d = np.empty((2, len(law.places), n))
-    for number in np.unique(law.pieces).tolist():
+    for number in range(int(law.pieces.min()), int(law.pieces.max()) + 1):
         here = np.flatnonzero(law.pieces == number)
-        points = run.pieces[number].joints.joints(law.places[here])
-        d[0, here], d[1, here] = points.d1, points.d2
+        if len(here):
+            points = run.pieces[number].joints.joints(law.places[here])
+            d[0, here], d[1, here] = points.d1, points.d2
     d1, d2 = d.reshape(2, 2, len(ticks), n)
     places = piece_borders(run.pieces)[law.pieces] + law.places
     places, speeds, accelerations = (each.reshape(2, -1) for each in (places, law.speeds, law.accelerations))

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from ropsim.controller.bands import Bands, bands_of
-from ropsim.controller.joint_caps import ACCELERATION, SPEED, Caps
+from ropsim.controller.joint_caps import Caps
+from ropsim.controller.joint_caps_kernel import ACCELERATION, SPEED
 from ropsim.controller.leg import Leg, leg_of
 from ropsim.controller.parts import Part, part_of, parts_of
 from ropsim.controller.pieces import pieces_of

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from ropsim.controller.joint_caps import ACCELERATION, JERK, SPEED, Caps, Walked, joint_caps
+from ropsim.controller.joint_caps import Caps, Walked, joint_caps
+from ropsim.controller.joint_caps_kernel import ACCELERATION, JERK, SPEED
 from ropsim.controller.kept_limits import ArmBounds
 from ropsim.motion import JointBounds, Quantity
 from ropsim.spatial import Array

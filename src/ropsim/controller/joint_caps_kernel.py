@@ -1,0 +1,133 @@
+"""What joints allow along a path at ticks at which they cannot follow, in loops that numba compiles."""
+
+from math import sqrt
+
+import numpy as np
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+MOST_AT_ONCE = 0.5
+"""Least share of what a path asks of a joint that is left at once."""
+GREAT = 0.02
+"""Least share that a part must have in a sum to be brought down for it."""
+OWN = 0.5
+"""A path with a greater share in a sum than this, but in no part of it, is walked slower as a whole."""
+SPEED, ACCELERATION, JERK = range(3)
+"""Kinds of bounds along a path; rows of limits, too."""
+TORQUE = 3
+"""Number of the quantity, and row of the limits."""
+
+
+@kernel(
+    "void(f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1], f8[:,:,::1], f8[:,:,::1], f8[:,::1],"
+    " f8, f8, f8, f8[:,::1], f8[::1])"
+)
+def caps_of(
+    speeds: Array,
+    accelerations: Array,
+    d1: Array,
+    d2: Array,
+    qd: Array,
+    qdd: Array,
+    loads: Array,
+    limits: Array,
+    period: float,
+    used: float,
+    allowed: float,
+    caps: Array,
+    told: Array,
+) -> None:
+    """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
+
+    Args:
+        speeds: along the path at the ticks before and at the b ticks, shape (2, b).
+        accelerations: likewise, shape (2, b).
+        d1: first derivatives of the joints by the place, shape (2, b, n).
+        d2: second ones.
+        qd: speeds of the joints at the ticks, of all motions that go on [rad/s | m/s], shape (b, n).
+        qdd: accelerations at the ticks before and at the ticks, likewise, shape (2, b, n).
+        loads: torques of the joints at the ticks, what of them goes with the square of the speed, and what
+            with the acceleration along the path [N m | N], shape (3, b, n), or (3, 0, n).
+        limits: of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n).
+        period: of the control ticks [s].
+        used: share of the limits that is aimed at.
+        allowed: what may be used of a limit, 1 and rounding.
+        caps: where they go: kind, value, number of the tick, joint, quantity, shape (5, 4·b·n).
+        told: where their number goes, shape (1,).
+    """
+    count = _of_speed(speeds, qd, limits, used, allowed, caps)
+    for quantity in range(ACCELERATION, TORQUE + 1):
+        rows = loads.shape[1] if quantity == TORQUE else qd.shape[0]
+        for kind in range(3):
+            if kind == JERK and quantity != JERK:
+                continue
+            for k in range(rows):
+                for j in range(qd.shape[1]):
+                    v0, v, a0, a = speeds[0, k], speeds[1, k], accelerations[0, k], accelerations[1, k]
+                    bent, along, value = d2[1, k, j] * (v * v), d1[1, k, j] * a, qdd[1, k, j]
+                    third = 0.0
+                    if quantity == TORQUE:
+                        value, bent, along = loads[0, k, j], loads[1, k, j], loads[2, k, j]
+                    elif quantity == JERK:
+                        value -= qdd[0, k, j]
+                        bent = (d2[1, k, j] - d2[0, k, j]) * 0.5 * (v * v + v0 * v0)
+                        along = 0.5 * (
+                            (d2[1, k, j] + d2[0, k, j]) * (v * v - v0 * v0)
+                            + (d1[1, k, j] - d1[0, k, j]) * (a + a0)
+                        )
+                        third = 0.5 * (d1[1, k, j] + d1[0, k, j]) * (a - a0)
+                    limit = limits[quantity, j]
+                    if not abs(value) > limit * allowed:
+                        continue
+                    part, share = _excess(value, bent, along, third, used * limit)
+                    if part != kind:
+                        continue
+                    if quantity != JERK:
+                        cap = v * sqrt(share) if kind == SPEED else abs(a) * share
+                    elif kind == SPEED:
+                        cap = v * np.cbrt(share)
+                    elif kind == ACCELERATION:
+                        cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
+                    else:
+                        cap = abs(a - a0) / period * share
+                    count = _add(caps, count, kind, cap, k, j, quantity)
+    told[0] = count
+
+
+def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: float, caps: Array) -> int:
+    count = 0
+    for k in range(qd.shape[0]):
+        for j in range(qd.shape[1]):
+            limit, speed = limits[SPEED, j], abs(qd[k, j])
+            if speed > limit * allowed:
+                cap = speeds[1, k] * max(used * limit / speed, MOST_AT_ONCE)
+                count = _add(caps, count, SPEED, cap, k, j, SPEED)
+    return count
+
+
+def _excess(value: float, bent: float, along: float, third: float, aim: float) -> tuple[int, float]:
+    """Return the greatest part of a value that is too much, and what may be left of it.
+
+    Returns:
+        the number of the part, 0 where none is great, -1 where the value is that of another motion; and the
+        share that may be left, in [0.5, 1].
+    """
+    sign, whole = 1.0 if value > 0.0 else -1.0, abs(value)
+    part, size, total = 0, bent * sign, bent * sign + along * sign + third * sign
+    if along * sign > size:
+        part, size = 1, along * sign
+    if third * sign > size:
+        part, size = 2, third * sign
+    if size < GREAT * whole:
+        if not total > OWN * whole:
+            return -1, 1.0
+        part, size = 0, whole
+    return part, min(max(1.0 - (whole - aim) / size, MOST_AT_ONCE), 1.0)
+
+
+def _add(caps: Array, count: int, kind: int, value: float, row: int, joint: int, quantity: int) -> int:
+    """Write a cap; return the number of all."""
+    caps[0, count], caps[1, count], caps[2, count] = kind, value, row
+    caps[3, count], caps[4, count] = joint, quantity
+    return count + 1
