@@ -25,10 +25,14 @@ from ropsim.spatial import Array
 
 ROUNDING = 1e-15
 """Relative; a way that remains below this share of the whole one is none."""
+LEVELLED = 8e-15
+"""Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
 LEAST, MOST = 1e-50, 1e50
 """Between them lie the numbers of a piece; what is computed from them is then finite."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
+NARROWINGS = 16
+"""Steps that bring two times together, at most, before halves do the rest."""
 SIXTH = 1.0 / 6.0
 
 
@@ -96,9 +100,10 @@ def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
     """Write the times of n segments, and all in the units of their pieces; return how many last."""
     time, count = 0.0, 0
     for k in range(n):
-        if rows[6, k] > 0.0:
-            i = int(rows[0, k])
-            if count > 0 and rows[0, count - 1] != i:
+        i = int(rows[0, k])
+        begun = count > 0 and rows[0, count - 1] == i
+        if rows[6, k] > 0.0 and (time + rows[6, k] > time or not begun):
+            if count > 0 and not begun:
                 ends[i - 1] = time
             rows[0, count], rows[1, count], rows[6, count] = i, time, rows[6, k]
             for row in range(2, 5):
@@ -311,16 +316,9 @@ def _latest(
     fault, _, _, _, where = _level(way, k, min(place, length), v1, a1, k)
     if fault == 0:
         fault, where = 1, k + 1
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        place, v1, a1 = _after(middle, v, a, jerk, until, most)
-        found, _, _, _, there = _level(way, k, place, v1, a1, k)
-        if found == 0:
-            low = middle
-        else:
-            high, fault, where = middle, found, there
+    low, found, there = _last_kept(way, k, v, a, until, most, low, high)
+    if found != 0:
+        fault, where = found, there
     place, v1, a1 = _after(low, v, a, jerk, until, most)
     found, piece, _, top, there = _level(way, k, min(place, length), v1, a1, k)
     if found != 0:
@@ -335,11 +333,116 @@ def _latest(
     return low, top, 0, where
 
 
+def _fault(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
+    """Return the fault and its place that `_level` finds first, and how much room there is to the next bound.
+
+    The room is a share of the bound, below 0 where it is broken.
+    """
+    p = way.shape[1] - 1
+    k, room = piece, inf
+    while True:
+        length, jerk = way[0, k], way[3, k]
+        t = a / jerk
+        end, top = place + t * (v + a * t / 3.0), v + 0.5 * a * t
+        if end <= length or k + 1 == p:
+            break
+        t = _crossing(length - place, v, a, -jerk)
+        v += t * (a - 0.5 * jerk * t)
+        a = max(a - jerk * t, 0.0)
+        place = 0.0
+        k += 1
+        here = min(way[4, k] - v, (way[2, k] - a) * (way[4, k] / way[2, k]))
+        if v > way[4, k] or a > way[2, k]:
+            return 1, k, here / v
+        room = min(room, here / v if v > 0.0 else inf)
+    if end > length:
+        return 1, p, (length - end) / length
+    if top > way[1, k]:
+        return 2, k, (way[1, k] - top) / way[1, k]
+    for i in range(since, k):
+        if way[5, i] < inf:
+            most = _stoppable(way, k, end, int(way[5, i]))
+            if top > most:
+                return 1, i + 1, (most - top) / top
+            room = min(room, (most - top) / top if top > 0.0 else inf)
+    return 0, k, min(room, (way[1, k] - top) / way[1, k])
+
+
+def _between(
+    way: Array, k: int, v: float, a: float, until: float, most: float, low: float, high: float
+) -> tuple[float, float, int, int]:
+    """Return times up to which a rise keeps all bounds, and from which on it breaks one, near to each other.
+
+    By the Illinois rule on the room that is left. Where the ends do not tell, they are what is returned.
+
+    Returns:
+        the two times; the fault at the later one and its place, or 0.
+    """
+    jerk = way[3, k]
+    place, v1, a1 = _after(low, v, a, jerk, until, most)
+    found, where, under = _fault(way, k, place, v1, a1, k)
+    place, v1, a1 = _after(high, v, a, jerk, until, most)
+    fault, there, over = _fault(way, k, place, v1, a1, k)
+    if found != 0 or fault == 0 or not under > 0.0:
+        return low, high, 0, 0
+    over, under, side = max(over, -1.0), min(under, 1.0), 0
+    for step in range(NARROWINGS):
+        t = (
+            low - under * (high - low) / (over - under)
+            if step % 4 < 3 and over < under
+            else 0.5 * (low + high)
+        )
+        if not low < t < high:
+            t = 0.5 * (low + high)
+            if not low < t < high:
+                break
+        place, v1, a1 = _after(t, v, a, jerk, until, most)
+        found, where, room = _fault(way, k, place, v1, a1, k)
+        if found == 0:
+            low, under, over = t, room, 0.5 * over if side < 0 else over
+            side = -1
+        else:
+            high, over, under = t, room, 0.5 * under if side > 0 else under
+            fault, there, side = found, where, 1
+        if not high - low > ROUNDING * high:
+            break
+    return low, high, fault, there
+
+
+def _last_kept(
+    way: Array, k: int, v: float, a: float, until: float, most: float, low: float, high: float
+) -> tuple[float, int, int]:
+    """Return the last time between two at which a rise could be levelled off without breaking a bound.
+
+    Found by halves, to the last bit; `_between` has brought them together before.
+
+    Returns:
+        the time; the fault just behind it and its place, or 0.
+    """
+    keeps, breaks, fault, where = _between(way, k, v, a, until, most, low, high)
+    for _ in range(ROUNDS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if middle <= keeps:
+            low = middle
+        elif middle >= breaks:
+            high = middle
+        else:
+            place, v1, a1 = _after(middle, v, a, way[3, k], until, most)
+            found, there, _ = _fault(way, k, place, v1, a1, k)
+            if found == 0:
+                low = middle
+            else:
+                high, fault, where = middle, found, there
+    return low, fault, where
+
+
 def _levelled_at(
     length: float, v: float, a: float, jerk: float, until: float, most: float, high: float
 ) -> float:
     """Return the last time at which a rise can be levelled off within a length, by the Illinois rule."""
-    low = 0.0
+    low, side = 0.0, 0
     under = _levelled(0.0, v, a, jerk) - length
     place, v1, a1 = _after(high, v, a, jerk, until, most)
     over = _levelled(place, v1, a1, jerk) - length
@@ -356,11 +459,13 @@ def _levelled_at(
         place, v1, a1 = _after(t, v, a, jerk, until, most)
         beyond = _levelled(place, v1, a1, jerk) - length
         if beyond <= 0.0:
-            low, under, over = t, beyond, 0.5 * over
+            low, under, over = t, beyond, 0.5 * over if side < 0 else over
+            side = -1
             if beyond >= -ROUNDING * length:
                 break
         else:
-            high, over, under = t, beyond, 0.5 * under
+            high, over, under = t, beyond, 0.5 * under if side > 0 else under
+            side = 1
     return low
 
 
@@ -460,17 +565,19 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
     elif a > 0.0:
         t = (top - v - 0.5 * a * a / jerk) / a
     t = min(max(t, 0.0), h)
-    piece, place = k, 0.0
+    piece, place, side = k, 0.0, 0
     for step in range(ROUNDS):
         x = course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
         _, piece, place, found, _ = _level(way, k, min(x, way[0, k]), v + t * (a + 0.5 * change * t), a1, k)
-        if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= ROUNDING * top:
+        if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
             break
         if found <= top:
-            before, under, over = t, found - top, 0.5 * over
+            before, under, over = t, found - top, 0.5 * over if side < 0 else over
+            side = -1
         else:
-            after, over, under = t, found - top, 0.5 * under
+            after, over, under = t, found - top, 0.5 * under if side > 0 else under
+            side = 1
         t = before - under * (after - before) / (over - under) if step % 4 < 3 else 0.5 * (before + after)
         if not before < t < after:
             t = 0.5 * (before + after)
@@ -489,7 +596,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
     low = max(there[4, first], there[4, last])
     top = high = max(min(there[8, first], back[8, p - last]), low)
     under, over, ended = -1.0, 0.0, False
-    row, t, k, x = int(there[6, first]), 0.0, first, 0.0
+    row, t, k, x, side = int(there[6, first]), 0.0, first, 0.0, 0
     other, u, i, y = int(back[6, p - last]), 0.0, last, 0.0
     for step in range(ROUNDS):
         row, t, k, x = _summit(there, courses[0], first, top)
@@ -507,9 +614,11 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
             over, top = room, low
         else:
             if room >= 0.0 or step == 1:
-                low, under, over = top, max(room, 0.0), 0.5 * over if step > 1 else over
+                low, under, over = top, max(room, 0.0), 0.5 * over if side < 0 else over
+                side = -1
             else:
-                high, over, under = top, room, 0.5 * under
+                high, over, under = top, room, 0.5 * under if side > 0 else under
+                side = 1
             top = 0.5 * (low + high)
             if step % 4 > 0 and low < low + under * (high - low) / (under - over) < high:
                 top = low + under * (high - low) / (under - over)
