@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.controller.critical_kernel import joints_reached
 from ropsim.controller.critical_tool import REACHED, critical_of_tool
 from ropsim.controller.kept_limits import ArmBounds, arm_bounds
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove
@@ -97,12 +98,13 @@ def _joints(
 ) -> npt.NDArray[np.bool_]:
     """Return at which of k looks each joint is at its limits, shape (4, k, n) with rows as `_QUANTITIES`."""
     reference = plan.reference
-    q, qd, qdd = reference.q[looks], reference.qd[looks], reference.qdd[looks]
-    jerk = (reference.qdd[looks + 1] - qdd) / plan.period
-    most = bounds.joints.effort
-    known = bounds.effort is not None and most is not None
-    torque = bounds.effort(q, qd, qdd) if bounds.effort is not None and known else np.zeros(q.shape)
-    largest = most if most is not None and known else np.ones(q.shape[1])
-    used = np.abs(np.array((qd, qdd, torque, jerk)))
+    most, n = bounds.joints.effort, reference.q.shape[1]
+    torque, largest = np.zeros((len(looks), n)), np.ones(n)
+    if bounds.effort is not None and most is not None:
+        torque = bounds.effort(reference.q[looks], reference.qd[looks], reference.qdd[looks])
+        largest = most
     rows = np.array((limits.speed, limits.acceleration, largest, limits.jerk))
-    return np.asarray(used >= REACHED * rows[:, None])
+    found = np.empty((4, len(looks), n))
+    at = np.asarray(looks, dtype=np.float64)
+    joints_reached(reference.qd, reference.qdd, at, torque, rows, plan.period, REACHED, found)
+    return found > 0.0

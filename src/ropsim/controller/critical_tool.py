@@ -5,19 +5,18 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.controller.critical_kernel import tool_reached
 from ropsim.controller.motion_plan import MotionPlan, PlannedMove, PlannedPiece
 from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
 from ropsim.model import RobotModel
-from ropsim.motion import ToolPath
+from ropsim.motion import ToolLimits, ToolPath
 from ropsim.spatial import Array, Pose
 
 REACHED = 0.98
 """Share of a limit from which on it counts as reached: time laws keep a small distance to it."""
 
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.JERK)
-_TURNED = 1e-9
-"""Entries of rotations that differ by less are the same, but for rounding."""
 _PLACES = np.linspace(0.0, 1.0, 33)
 """Of a path at which its bend is looked at, as shares of its length."""
 _BENT = 1e-9
@@ -47,16 +46,12 @@ def critical_of_tool(
     tool = move.limits.tool if move.limits else None
     counts, bent = np.zeros(6), 0
     for piece, on in _by_piece(plan, looks):
-        R, places = _poses(plan, looks[on], robot, move.X_MT, piece)
-        reached = np.zeros((6, len(R)), dtype=bool)
+        reached = np.zeros((6, int(np.count_nonzero(on))))
         if tool is not None:
-            limits = tool.speed, tool.acceleration, tool.jerk
-            reached[:3] = _reached(places[:, 1:] - places[:, :-1], plan.period, limits)
-            if not bool((np.abs(R[0, 0] - R[-1, 0]) < _TURNED).all()):
-                limits = tool.orientation_speed, tool.orientation_acceleration, tool.orientation_jerk
-                reached[3:] = _reached(_turns(R), plan.period, limits)
+            poses = _poses(plan, looks[on], robot, move.X_MT, piece)
+            tool_reached(poses, _least(tool, plan.period), reached)
         counts += np.add.reduce(reached, axis=1)
-        free = ~(np.logical_or.reduce(reached) | of_joints[on])
+        free = ~(reached.any(axis=0) | of_joints[on])
         if piece is not None and piece.path is not None and free.any() and _is_bent(piece.path):
             bent += int(np.count_nonzero(free))
     best = int(counts.argmax())
@@ -81,41 +76,31 @@ def _by_piece(
 
 def _poses(
     plan: MotionPlan, looks: npt.NDArray[np.intp], robot: RobotModel, X_MT: Pose, piece: PlannedPiece | None
-) -> tuple[Array, Array]:
-    """Return rotations and places of the tool at four ticks, in the frame of a piece.
+) -> Array:
+    """Return the poses of the tool at each look and the three ticks behind it, in the frame of a piece.
 
     Returns:
-        of each look and the three ticks behind it, shapes (k, 4, 3, 3) and (k, 4, 3).
+        one behind the other, positions in m, shape (4·k, 4, 4).
     """
     q = plan.reference.q
     rows = q[np.minimum(looks[:, None] + np.arange(4), len(q) - 1).ravel()]
     poses = forward_batch(robot, rows) @ X_MT.matrix()
     if piece is not None and piece.frame is not None:
         poses = np.asarray(np.linalg.solve(piece.frame.matrices(rows), poses), dtype=np.float64)
-    poses = poses.reshape(len(looks), 4, 4, 4)
-    return poses[..., :3, :3], poses[..., :3, 3]
+    return np.ascontiguousarray(poses)
 
 
-def _turns(R: Array) -> Array:
-    """Return the small turns between successive rotations [rad], shape (k, 3, 3)."""
-    turned = np.swapaxes(R[:, :-1], -1, -2) @ R[:, 1:]
-    axes = ((2, 1), (0, 2), (1, 0))
-    return np.asarray(0.5 * np.stack([turned[..., a, b] - turned[..., b, a] for a, b in axes], axis=-1))
+def _least(limits: ToolLimits, T: float) -> Array:
+    """Return the steps between ticks of T [s], and their changes, from which on limits count as reached.
 
-
-def _reached(steps: Array, T: float, limits: tuple[float, float, float]) -> npt.NDArray[np.bool_]:
-    """Return at which looks speed, acceleration and jerk are at their limits, shape (3, k).
-
-    Args:
-        steps: between four successive ticks [m | rad], shape (k, 3, 3).
-        T: time of a control tick [s].
-        limits: of speed, acceleration and jerk.
+    Returns:
+        of the position [m] and of the orientation [rad], shape (2, 3).
     """
-    first, second, third = steps[:, 0], steps[:, 1], steps[:, 2]
-    rates = np.array((first, second - first, third - 2.0 * second + first))
-    squares = np.einsum("ikc,ikc->ik", rates, rates)
-    least = np.array([REACHED * limit * T**power for power, limit in enumerate(limits, start=1)])
-    return np.asarray(squares >= (least**2)[:, None])
+    speeds = limits.speed, limits.orientation_speed
+    accelerations = limits.acceleration, limits.orientation_acceleration
+    jerks = limits.jerk, limits.orientation_jerk
+    rates = np.array((speeds, accelerations, jerks)).T
+    return np.ascontiguousarray(REACHED * rates * np.array((T, T**2, T**3)))
 
 
 def _is_bent(path: ToolPath) -> bool:
