@@ -4,6 +4,7 @@ import numpy as np
 
 from ropsim.controller.course import Course, Run
 from ropsim.controller.pieces import piece_borders, stage_ends
+from ropsim.controller.stretch_kernel import add_in_time
 from ropsim.motion import JointPoints, LawRows, Ways
 from ropsim.spatial import Array, record
 
@@ -33,20 +34,16 @@ class StretchMotion:
             phi: motion times in rising order [s], shape (k,).
         """
         runs = self.course.runs
-        n = runs[0].pieces[0].joints.joints(np.zeros(1)).q.shape[1]
-        total = np.empty((3, len(phi), n))
-        corner, before = np.zeros(n), 0
+        ends = [run.pieces[-1].joints for run in runs]
+        corners = [end.joints(np.array([end.length])).q[0] for end in ends]
+        total, before = np.empty((3, len(phi), len(corners[0]))), 0
         for number, run in enumerate(runs):
-            last = number == len(runs) - 1
             first = int(np.searchsorted(phi, run.start)) if number else 0
-            until = len(phi) if last else int(np.searchsorted(phi, run.end))
+            until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)
             if until > first:
-                both = total[:, first : max(before, first)].copy()
-                both[0] -= corner
-                _walk(run, phi[first:until] - run.start, total[:, first:until])
-                total[:, first : max(before, first)] += both
-            end = run.pieces[-1].joints
-            corner, before = end.joints(np.array([end.length])).q[0], until
+                corner = np.ascontiguousarray(corners[max(number - 1, 0)])
+                _walk(run, phi[first:until] - run.start, first, before, corner, total)
+            before = until
         return JointPoints(*total)
 
     def ways(self, phi: Array) -> Ways:
@@ -69,22 +66,29 @@ class StretchMotion:
         return Ways(*walked, *most)
 
 
-def _walk(run: Run, times: Array, out: Array) -> None:
-    """Write coordinates and derivatives by time at times since the start of a run, shapes (k,), (3, k, n).
+def _walk(run: Run, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
+    """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
 
-    q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a, with the speed v and the acceleration a along the path.
+    Args:
+        run: of the course.
+        times: [s], rising, shape (k,).
+        row: of the motion, for the first of them.
+        shared: row up to which the run before still ends.
+        corner: joint coordinates at which that ends, shape (n,).
+        total: the motion, shape (3, m, n).
     """
     rows = run.law.at(times)
-    v, a = rows.speeds[:, None], rows.accelerations[:, None]
     first, last = int(rows.pieces[0]), int(rows.pieces[-1])
-    cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
+    cuts = [0, len(times)]
+    if last > first:
+        cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
     for piece, begin, end in zip(run.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
         if end > begin:
-            points = piece.joints.joints(rows.places[begin:end])
-            out[0, begin:end], out[1, begin:end], out[2, begin:end] = points.q, points.d1, points.d2
-    out[2] *= v * v
-    out[2] += out[1] * a
-    out[1] *= v
+            here = slice(begin, end)
+            points = piece.joints.joints(rows.places[here])
+            q, d1, d2 = map(np.ascontiguousarray, (points.q, points.d1, points.d2))
+            v, a = rows.speeds[here], rows.accelerations[here]
+            add_in_time(q, d1, d2, v, a, row + begin, shared, corner, total)
 
 
 def _most(run: Run, rows: LawRows) -> Array:
