@@ -11,6 +11,7 @@ from ropsim.motion.limits.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.limits.kept import Motion
 from ropsim.motion.limits.motion_time import MotionTime
 from ropsim.motion.limits.strain import ROUNDING, Going, Strain, strain, strain_as_planned, with_torque
+from ropsim.motion.limits.strain_kernel import by_real_time
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError, whole_periods
 from ropsim.spatial import Array
@@ -112,10 +113,10 @@ def reference(
         ProfileError: M540, as for `strain`.
     """
     course = np.stack(clock.at(tick_times(clock.duration, period)))
-    points, w, c = motion.at(course[0]), course[1][:, None], course[2][:, None]
-    accelerations = points.d2 * (w * w)
-    accelerations += points.d1 * c
-    rows = JointPoints(points.q, points.d1 * w, accelerations)
+    points = motion.at(course[0])
+    rates = np.empty((2, *points.q.shape))
+    by_real_time(np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2), course, rates)
+    rows = JointPoints(points.q, rates[0], rates[1])
     going = Going(points, motion.ways(course[0]), course, places, demand.still)
     torque = load(rows, demand.bounds, demand.effort)
     return Reference(course[0], rows, torque, strain(rows, torque, demand.bounds, period, going, more))

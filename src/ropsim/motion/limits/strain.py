@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.limits.joint_bounds import JointBounds, Quantity
-from ropsim.motion.limits.strain_kernel import strain_of, used_by_motion, used_by_torque
+from ropsim.motion.limits.strain_kernel import by_real_time, strain_of, used_by_motion, used_by_torque
 from ropsim.motion.limits.ways import Ways, no_ways, steps_allowed
 from ropsim.motion.paths.path import JointPoints
 from ropsim.motion.profile import ProfileError
@@ -140,17 +140,19 @@ def strain(
     if going is None:
         ends, still = np.array([0.0, np.inf]), np.zeros((2, torque.shape[1]))
         going = Going(rows, no_ways(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
-    w, c = going.course[1][:, None], going.course[2][:, None]
-    ways = going.ways
-    qd = np.ascontiguousarray(np.hstack((rows.d1, ways.speeds * w)))
-    qdd = np.ascontiguousarray(np.hstack((rows.d2, ways.accelerations * (w * w) + ways.speeds * c)))
-    path = np.stack(ways.beside(going.points))
+    ways, qd, qdd = going.ways, rows.d1, rows.d2
+    if ways.speeds.shape[1]:
+        of_ways = np.empty((2, *ways.speeds.shape))
+        by_real_time(ways.speeds, ways.accelerations, going.course, of_ways)
+        qd, qdd = np.hstack((qd, of_ways[0])), np.hstack((qdd, of_ways[1]))
+    first, second = ways.beside(going.points)
     used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
     strain_of(
-        qd,
-        qdd,
+        np.ascontiguousarray(qd),
+        np.ascontiguousarray(qdd),
         torque,
-        path,
+        first,
+        second,
         going.course,
         going.places,
         going.still,

@@ -15,14 +15,15 @@ RATE, SWING, WINDOW, LOAD = range(4)
 
 
 @kernel(
-    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1], f8, f8,"
-    " f8[:,::1], f8[::1], f8[:,::1])"
+    "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1], f8[:,:,::1],"
+    " f8, f8, f8[:,::1], f8[::1], f8[:,::1])"
 )
 def strain_of(
     qd: Array,
     qdd: Array,
     torque: Array,
-    path: Array,
+    first: Array,
+    second: Array,
     course: Array,
     places: Array,
     still: Array,
@@ -44,7 +45,8 @@ def strain_of(
         qd: speeds of joints [rad/s | m/s], then of places on paths, shape (k, n + r).
         qdd: accelerations [rad/s² | m/s²] likewise, shape (k, n + r).
         torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
-        path: first and second derivatives by motion time, shape (2, k, n + r).
+        first: first derivatives by motion time, shape (k, n + r).
+        second: second ones.
         course: motion times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
         places: motion times [s], rising, shape (m,).
         still: torque of creeping at the places [N m | N], shape (m, n), or (m, 0).
@@ -87,7 +89,7 @@ def strain_of(
                 lack = math.log(min(max(share, 1.0), _MOST_AT_ONCE)) + more
                 of_rate, of_swing, of_window, of_load = 0.0, 0.0, 0.0, 0.0
                 if kind == JERK:
-                    by_path, bend, change = _causes(path, course, j, before, k)
+                    by_path, bend, change = _causes(first, second, course, j, before, k)
                     of_rate = by_path / 3.0 * lack
                     of_swing = (bend + 0.2 * change) * lack
                     of_window = lack * change
@@ -150,12 +152,31 @@ def _share(value: float, limit: float) -> float:
     return share if share < math.inf else math.inf
 
 
-def _causes(path: Array, course: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
+def _causes(
+    first: Array, second: Array, course: Array, j: int, before: int, now: int
+) -> tuple[float, float, float]:
     """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
     w, c = course[1, now], course[2, now]
     faster = w * w - course[1, before] * course[1, before]
-    by_path = abs(path[1, now, j] - path[1, before, j]) * w * w
-    bend = abs(path[1, now, j] * faster) + abs((path[0, now, j] - path[0, before, j]) * c)
-    change = abs(path[0, now, j] * (c - course[2, before]))
+    by_path = abs(second[now, j] - second[before, j]) * w * w
+    bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
+    change = abs(first[now, j] * (c - course[2, before]))
     whole = max(by_path + bend + change, _TINY)
     return by_path / whole, bend / whole, change / whole
+
+
+@kernel("void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,:,::1])")
+def by_real_time(first: Array, second: Array, course: Array, out: Array) -> None:
+    """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
+
+    Args:
+        first: first derivatives by motion time, shape (k, n).
+        second: second ones.
+        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        out: where they go, shape (2, k, n).
+    """
+    for k in range(first.shape[0]):
+        w, c = course[1, k], course[2, k]
+        for j in range(first.shape[1]):
+            out[0, k, j] = first[k, j] * w
+            out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c

@@ -35,6 +35,8 @@ class Ways:
         Args:
             points: the joints, k rows.
         """
+        if self.speeds.shape[1] == 0:
+            return np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
         pairs = (points.d1, self.speeds), (points.d2, self.accelerations)
         first, second = (np.ascontiguousarray(np.hstack(pair)) for pair in pairs)
         return first, second

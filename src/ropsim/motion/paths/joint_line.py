@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.motion.paths.joint_line_kernel import line_points
 from ropsim.motion.paths.path import JointPoints
 from ropsim.spatial import Array, frozen, record
 
@@ -29,7 +30,6 @@ class JointLine:
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
-        q = (1.0 - s)[:, None] * self.q_start + s[:, None] * self.q_end
-        d1 = np.empty(q.shape)
-        d1[:] = self.q_end - self.q_start
-        return JointPoints(q, d1, np.zeros(q.shape))
+        out = np.empty((3, len(s), len(self.q_start)))
+        line_points(self.q_start, self.q_end, np.ascontiguousarray(s, dtype=np.float64), out)
+        return JointPoints(out[0], out[1], out[2])

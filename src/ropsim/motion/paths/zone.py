@@ -65,7 +65,7 @@ def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> f
     low, width = found
     polynomial = _TO_POLYNOMIAL @ beyond(low + width * _NODES)
     x = _root(polynomial)
-    slope = float(np.polynomial.polynomial.polyval(x, np.polynomial.polynomial.polyder(polynomial)))
+    slope = _slope(polynomial, x)
     if slope > 0.0:  # where the path changes its law within the interval, the polynomial is not quite it
         x = min(max(x - float(beyond(np.array([low + width * x]))[0]) / slope, 0.0), 1.0)
     return low + width * x
@@ -90,6 +90,14 @@ def _first_outside(
     if first == len(ways):
         return None
     return float(ways[first - 1]), float(ways[first] - ways[first - 1])
+
+
+def _slope(coefficients: Array, x: float) -> float:
+    """Return the derivative of a polynomial at x; its first coefficient is that of x⁰."""
+    slope = 0.0
+    for power, c in zip(range(len(coefficients) - 1, 0, -1), coefficients[:0:-1].tolist(), strict=True):
+        slope = slope * x + power * c
+    return slope
 
 
 def _root(coefficients: Array) -> float:
