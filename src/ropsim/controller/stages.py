@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.controller.bends import TINY, Bends, bends_of, bent_speeds
+from ropsim.controller.bends import Bends, bends_of, bent_speeds
+from ropsim.controller.bends_kernel import TINY, room_of
 from ropsim.controller.coordination import Coordination
 from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
 from ropsim.spatial import Array
@@ -14,8 +15,6 @@ Stages = tuple[Stage, ...]
 _PLACES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
-_MIXED = 0.5
-"""Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
 _ALIKE = np.array([1.1, 2.0, 2.0])
 """Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
 _SAME_PLACE = 1e-9
@@ -133,23 +132,10 @@ def _bent(bends: Bends, limits: JointMotionLimits, most: Array) -> Stages:
     With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk
     d3·v³ + 3·d2·v·a + d1·j. What is along d1 adds up, and what is across it is at right angles to that.
     """
-    second, third = bends.along
-    second_across, third_across = bends.across
-    A, J, d1 = limits.acceleration, limits.jerk, np.maximum(bends.d1, TINY)
-    slow = np.minimum((limits.speed / d1).min(axis=1), most)
-    v = slow[:, None]
-    room = np.sqrt(np.maximum(A**2 - (second_across * v**2) ** 2, 0.0)) - second * v**2
-    along, across = third * v**3, third_across * v**3
-    left = _MIXED * (np.sqrt(J**2 - across**2) - along)
-    mixed = np.minimum(
-        left / np.maximum(second * v, TINY),
-        (np.sqrt(np.maximum(J**2 - (along + left) ** 2, 0.0)) - across) / np.maximum(second_across * v, TINY),
-    )
-    a = np.minimum(room / d1, mixed / 3.0).min(axis=1)
-    across += 3.0 * second_across * v * a[:, None]
-    along += 3.0 * second * v * a[:, None]
-    j = ((np.sqrt(np.maximum(J**2 - across**2, 0.0)) - along) / d1).min(axis=1)
-    return _joined(bends.lengths, np.column_stack((slow, a, j)))
+    slow = np.minimum((limits.speed / np.maximum(bends.d1, TINY)).min(axis=1), most)
+    rates, bounds = np.array((limits.speed, limits.acceleration, limits.jerk)), np.empty((len(slow), 3))
+    room_of(bends.table, rates, slow, slow**3, bounds)
+    return _joined(bends.lengths, bounds)
 
 
 def _joined(lengths: Array, bounds: Array) -> Stages:
