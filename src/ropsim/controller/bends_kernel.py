@@ -106,6 +106,39 @@ def room_of(bounds: Array, limits: Array, speeds: Array, cubes: Array, out: Arra
         out[i, 0], out[i, 1], out[i, 2] = v, a, j
 
 
+@kernel("void(f8[::1], f8[:,::1], f8[::1], f8[:,::1], f8[::1])")
+def join_alike(lengths: Array, bounds: Array, ratios: Array, out: Array, told: Array) -> None:
+    """Write cells, of neighbours with similar bounds one, with the least of each bound.
+
+    Args:
+        lengths: of k cells, shape (k,).
+        bounds: of their speeds, accelerations and jerks, shape (k, 3).
+        ratios: factors by which these differ at most in what becomes one, shape (3,).
+        out: where lengths and bounds go, then the greatest of the bounds, shape (k, 7).
+        told: where their number goes, shape (1,).
+    """
+    count = 0
+    for i in range(lengths.shape[0]):
+        row = count - 1
+        alike = count > 0
+        for kind in range(3):
+            if alike:
+                low = min(out[row, 1 + kind], bounds[i, kind])
+                high = max(out[row, 4 + kind], bounds[i, kind])
+                alike = high <= ratios[kind] * low
+        if not alike:
+            row = count
+            count += 1
+            out[row, 0] = 0.0
+            for kind in range(3):
+                out[row, 1 + kind] = out[row, 4 + kind] = bounds[i, kind]
+        out[row, 0] += lengths[i]
+        for kind in range(3):
+            out[row, 1 + kind] = min(out[row, 1 + kind], bounds[i, kind])
+            out[row, 4 + kind] = max(out[row, 4 + kind], bounds[i, kind])
+    told[0] = count
+
+
 def _size(vector: Array) -> float:
     total = 0.0
     for c in range(vector.shape[0]):

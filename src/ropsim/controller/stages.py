@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ropsim.controller.bends import Bends, bends_of, bent_speeds
-from ropsim.controller.bends_kernel import TINY, room_of
+from ropsim.controller.bends_kernel import TINY, join_alike, room_of
 from ropsim.controller.coordination import Coordination
 from ropsim.motion import JointMotionLimits, JointPath, Stage, ToolLimits, ToolPath, grid
 from ropsim.spatial import Array
@@ -145,16 +145,6 @@ def _joined(lengths: Array, bounds: Array) -> Stages:
         lengths: of the cells, shape (k,).
         bounds: of their speeds, accelerations and jerks, shape (k, 3).
     """
-    ratios = _ALIKE.tolist()
-    stages: list[Stage] = []
-    least: list[float] = []
-    most: list[float] = []
-    for length, cell in zip(lengths.tolist(), bounds.tolist(), strict=True):
-        low, high = list(map(min, least, cell)), list(map(max, most, cell))
-        if stages and all(b <= ratio * a for a, b, ratio in zip(low, high, ratios, strict=True)):
-            least, most = low, high
-            stages[-1] = Stage(stages[-1].length + length, low[0], low[1], low[2])
-        else:
-            least = most = cell
-            stages.append(Stage(length, cell[0], cell[1], cell[2]))
-    return tuple(stages)
+    rows, told = np.empty((len(lengths), 7)), np.empty(1)
+    join_alike(np.ascontiguousarray(lengths), bounds, _ALIKE, rows, told)
+    return tuple(Stage(*row) for row in rows[: int(told[0]), :4].tolist())
