@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from ropsim.controller.branch_kernel import TURN, follow_row, nearest_branch
 from ropsim.kinematics import IkOptions, Limits, inverse, inverse_path
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, record
 
 JUMP = np.pi / 4.0  # [rad | m] between two samples; that is another branch
 CLOSE = 0.1  # [rad | m]; steps up to this between two samples are of one branch beyond doubt
-_TURN = 2.0 * np.pi
 
 
 @record
@@ -51,12 +51,10 @@ class BranchFollower:
             held: coordinates of the axes of which those of the external ones count, shape (n,) where they
                 stand, or (k, n) with a row for each pose.
         """
-        row = int(np.argmin(self._distances(branches[0], q_start)))
-        q = branches[:, row]
-        steps = np.diff(q, axis=0, prepend=q_start[None])
-        steps -= self.revolute * (_TURN * np.round(steps / _TURN))
-        if (np.abs(steps) <= CLOSE).all():  # false for NaN
-            return Follow(self._turned(q, q_start + np.cumsum(steps, axis=0)))
+        q, told = np.empty((len(branches), len(q_start))), np.empty(1)
+        follow_row(np.ascontiguousarray(branches), q_start, self.revolute, CLOSE, q, told)
+        if told[0]:
+            return Follow(q)
         return self._follow_poses(matrices, branches, q_start, held)
 
     def follow_numerically(self, matrices: Array, q_start: Array, held: Array) -> Follow:
@@ -103,7 +101,9 @@ class BranchFollower:
 
     def _nearest(self, candidates: Array, q: Array) -> Array:
         """Return the branch nearest to `q`, turned by whole turns towards it; NaN where there is none."""
-        return self._turned(candidates[int(np.argmin(self._distances(candidates, q)))], q)
+        told = np.empty(1)
+        nearest_branch(np.ascontiguousarray(candidates), q, self.revolute, told)
+        return self._turned(candidates[int(told[0])], q)
 
     def _with_external(self, q: Array, held: Array) -> Array:
         """Return joint coordinates with the external axes where they are held, shape (n,) each."""
@@ -113,12 +113,5 @@ class BranchFollower:
         return found
 
     def _turned(self, q: Array, q_near: Array) -> Array:
-        turned: Array = q + self.revolute * (_TURN * np.round((q_near - q) / _TURN))
+        turned: Array = q + self.revolute * (TURN * np.round((q_near - q) / TURN))
         return turned
-
-    def _distances(self, candidates: Array, q: Array) -> Array:
-        """Return the largest difference of each branch to `q`, whole turns aside; inf if absent."""
-        steps = candidates - q
-        steps -= self.revolute * (_TURN * np.round(steps / _TURN))
-        distances: Array = np.abs(steps).max(axis=1)
-        return np.nan_to_num(distances, nan=np.inf)

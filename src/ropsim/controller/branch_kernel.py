@@ -1,0 +1,69 @@
+"""One branch of the inverse kinematics along a path, in plain loops that numba compiles."""
+
+from math import pi
+
+import numpy as np
+
+from ropsim.codegen import kernel
+from ropsim.spatial import Array
+
+TURN = 2.0 * pi
+
+
+@kernel("void(f8[:,:,::1], f8[::1], f8[::1], f8, f8[:,::1], f8[::1])")
+def follow_row(branches: Array, q_start: Array, revolute: Array, close: float, q: Array, told: Array) -> None:
+    """Write the coordinates of the branch that is nearest to the start, without jumps by whole turns.
+
+    Args:
+        branches: of k poses, NaN where absent [rad | m], shape (k, m, n).
+        q_start: joint coordinates at the start [rad | m], shape (n,).
+        revolute: 1 for joints that turn, else 0, shape (n,).
+        close: greatest step between two poses [rad | m].
+        q: where the coordinates go, shape (k, n).
+        told: becomes 1 where all steps are so small, else 0, shape (1,).
+    """
+    row = _nearest(branches[0], q_start, revolute)
+    told[0] = 1.0
+    for j in range(branches.shape[2]):
+        before, gone = q_start[j], 0.0
+        for k in range(branches.shape[0]):
+            now = branches[k, row, j]
+            step = _turned(now - before, revolute[j])
+            if not abs(step) <= close:
+                told[0] = 0.0
+                return
+            gone = step if k == 0 else gone + step
+            q[k, j] = now + revolute[j] * (TURN * np.rint((q_start[j] + gone - now) / TURN))
+            before = now
+
+
+@kernel("void(f8[:,::1], f8[::1], f8[::1], f8[::1])")
+def nearest_branch(branches: Array, q: Array, revolute: Array, told: Array) -> None:
+    """Write the number of the branch whose largest difference to `q` is the least, whole turns aside.
+
+    Args:
+        branches: NaN where absent [rad | m], shape (m, n).
+        q: joint coordinates [rad | m], shape (n,).
+        revolute: 1 for joints that turn, else 0, shape (n,).
+        told: where the number goes, shape (1,).
+    """
+    told[0] = _nearest(branches, q, revolute)
+
+
+def _nearest(branches: Array, q: Array, revolute: Array) -> int:
+    best, least = 0, np.inf
+    for i in range(branches.shape[0]):
+        most = 0.0
+        for j in range(branches.shape[1]):
+            step = abs(_turned(branches[i, j] - q[j], revolute[j]))
+            most = step if step > most else most
+            if not step < np.inf:
+                most = np.inf
+        if most < least:
+            best, least = i, most
+    return best
+
+
+def _turned(step: float, revolute: float) -> float:
+    """Return a step without whole turns."""
+    return step - revolute * (TURN * float(np.rint(step / TURN)))
