@@ -1,6 +1,7 @@
 """Moves along paths of the tool that no time law can make, told before one is tried."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from ropsim.controller.leg import Leg
 from ropsim.controller.move_check import check_duration
 from ropsim.controller.pieces import Piece
 from ropsim.controller.wording import passes
-from ropsim.motion import NO_SPLINE
+from ropsim.motion import NO_SPLINE, JointBounds
 from ropsim.spatial import Array
 
 _PLACES = np.linspace(0.0, 1.0, 33)
@@ -54,3 +55,28 @@ def joints_refusal(leg: Leg, speeds: Array) -> Refusal | None:
     ways = np.abs(np.diff(leg.joints.joints(_PLACES * leg.joints.length).q, axis=0)).sum(axis=0)
     found = check_duration(leg.move, float((ways / speeds).max()))
     return Refusal(found) if found else None
+
+
+def rest_to_rest_refusal(
+    legs: Sequence[Leg], q_start: Array, bounds: JointBounds
+) -> tuple[int, Refusal] | None:
+    """Return M513 for moves from one stop to the next for which a joint needs too long by its limits alone.
+
+    Whatever the way, a joint that comes to rest at a distance d needs at least d/v, √(4·d/a) and ∛(32·d/j)
+    (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
+
+    Args:
+        legs: the moves, from one stop to the next.
+        q_start: joint coordinates at their start [rad | m], shape (n,).
+        bounds: what the joints can do.
+
+    Returns:
+        the number of the move in which that joint goes furthest, and the refusal; None where there is time.
+    """
+    ends = np.array([q_start, *(leg.q_end for leg in legs)])
+    way = np.abs(ends[-1] - q_start)
+    rises = np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk)
+    times = np.maximum(way / bounds.speed, np.maximum(*rises))
+    number = int(np.abs(np.diff(ends[:, int(np.argmax(times))])).argmax())
+    found = check_duration(legs[number].move, float(times.max()) / len(legs))
+    return (number, Refusal(found)) if found else None

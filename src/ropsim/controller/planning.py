@@ -11,7 +11,7 @@ from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
-from ropsim.controller.hopeless import joints_refusal, standing_refusal
+from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.controller.leg import Leg
@@ -29,8 +29,8 @@ from ropsim.controller.zone_findings import clipped, stopped
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload
-from ropsim.motion import Beyond, SynchronisedJoints
-from ropsim.spatial import record
+from ropsim.motion import Beyond, JointBounds, SynchronisedJoints
+from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
 _CRAWLING = 1e-9
@@ -108,9 +108,8 @@ def _planned(
     if late := _late(legs, course.ends):
         return _too_long(legs, *late)
     bounds = arm_bounds(chain.robot, payload)
-    for number, leg in enumerate(legs):
-        if refusal := joints_refusal(leg, bounds.joints.speed):
-            return _Hurdle(number, refusal)
+    if hopeless := _hopeless(legs, corners, state.q, bounds.joints):
+        return hopeless
     if any(leg.move.tracking for leg in legs):
         bounds = beside_correction(bounds)
     keeping = keeping_of(parts, len(legs), bounds, period, chain.controller.look_ahead)
@@ -123,6 +122,28 @@ def _planned(
     findings += slowed_findings(legs, course.ends, keeping.slowed, chain.robot)
     zones = [one.zone if one else 0.0 for one in corners] + [0.0]
     return in_ticks(chain, legs, zones, course, kept, findings)
+
+
+def _hopeless(
+    legs: list[Leg], corners: Sequence[Corner | None], q_start: Array, bounds: JointBounds
+) -> _Hurdle | None:
+    """Return the first move for which joints need far too long, as is seen without a time law.
+
+    Args:
+        legs: the moves.
+        corners: between each two of them; None where the arm stops.
+        q_start: joint coordinates at the start [rad | m], shape (n,).
+        bounds: what the joints can do.
+    """
+    for number, leg in enumerate(legs):
+        if refusal := joints_refusal(leg, bounds.speed):
+            return _Hurdle(number, refusal)
+    stops = [0, *(number + 1 for number, corner in enumerate(corners) if corner is None), len(legs)]
+    for first, last in pairwise(stops):
+        q_first = legs[first - 1].q_end if first else q_start
+        if found := rest_to_rest_refusal(legs[first:last], q_first, bounds):
+            return _Hurdle(first + found[0], found[1])
+    return None
 
 
 def _late(legs: list[Leg], ends: npt.ArrayLike) -> tuple[int, float] | None:

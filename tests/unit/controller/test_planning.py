@@ -292,6 +292,23 @@ def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
     assert max(asked) <= asked[0] + 2.0
 
 
+@pytest.mark.parametrize("modal", [ModalState(), ZONE])
+def test_lines_that_joints_without_jerk_can_never_make_are_refused_at_once(
+    modal: ModalState, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a jerk of 1e-8 rad/s³ a way of 0.1 rad takes 680 s, whatever else the joints can do."""
+    looked: list[object] = []
+    monkeypatch.setattr("ropsim.controller.joint_fit.as_planned", lambda *asked: looked.append(asked))
+    robot = replace(PUMA, joints=tuple(replace(one, max_jerk=1e-8) for one in PUMA.joints))
+    moves = [lin(shifted(HERE, -0.15, 0.1, 0.0), modal), lin(shifted(HERE, -0.3, 0.2, 0.0))]
+    done, refusal = plan(replace(CHAIN, robot=robot), moves, MotionState.at_rest(START))
+    assert refusal is not None
+    assert [one.code for one in refusal.diagnostics] == ["M513"]
+    assert refusal.diagnostics[0].data is not None
+    assert done is None
+    assert not looked
+
+
 def slow_to_start(jerk: float) -> RobotModel:
     """Return the PUMA whose joints may change their acceleration by so much of what they may else."""
     return replace(PUMA, joints=tuple(replace(one, max_jerk=jerk * one.max_jerk) for one in PUMA.joints))
