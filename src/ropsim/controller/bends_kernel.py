@@ -93,7 +93,7 @@ def room_of(bounds: Array, limits: Array, speeds: Array, cubes: Array, out: Arra
             along, across = bounds[ALONG + 1, i, part] * cubes[i], bounds[ACROSS + 1, i, part] * cubes[i]
             bent = second_across * (v * v)
             room = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
-            left = MIXED * (sqrt(jerk * jerk - across * across) - along)
+            left = MIXED * (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along)
             rest = sqrt(_greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
             mixed = _lesser(left / _greater(second * v, TINY), rest / _greater(second_across * v, TINY))
             a = _lesser(a, _lesser(room / d1, mixed / 3.0))

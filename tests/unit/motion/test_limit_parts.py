@@ -18,7 +18,7 @@ from ropsim.motion.limits import strain_kernel
 from ropsim.motion.limits.demand import demand
 from ropsim.motion.limits.grid import places_of
 from ropsim.motion.limits.need import rates_needed
-from ropsim.motion.limits.strain import Going, strain
+from ropsim.motion.limits.strain import Going, strain, strain_as_planned, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 
@@ -185,3 +185,52 @@ def test_demand_is_exact_at_the_speed_that_it_is_asked_for() -> None:
     used = np.abs(effort(path.q[:-1], qd, qdd)) / 25.0
     assert used[5:-5].max() <= 1.0 + 2e-2
     assert np.median(used[5:-5].max(axis=1)) >= 1.0 - 2e-2
+
+
+def on_its_bounds(factor: float) -> tuple[JointPoints, JointBounds]:
+    """Return a motion whose joints are at their bounds of acceleration all along, times a factor."""
+    accelerations = np.random.default_rng(5).uniform(0.1, 9.0, 6)
+    d1 = np.random.default_rng(6).uniform(-1.0, 1.0, (200, 6))
+    d2 = np.where(d1 > 0.0, factor, -factor) * accelerations
+    return JointPoints(np.zeros((200, 6)), d1, d2), JointBounds(
+        np.full(6, 1e9), accelerations, np.full(6, 1e9)
+    )
+
+
+def test_a_motion_that_is_on_its_bounds_goes_on_at_its_own_rate_bit_by_bit() -> None:
+    points, bounds = on_its_bounds(1.0 + 4e-10)
+    ones = np.ones(200)
+    x = demand(points, bounds, None).fastest(ones, ones, np.full(199, 1e-3), ones, ones)
+    assert (x == 1.0).all()
+
+
+def test_a_motion_that_is_beyond_its_bounds_is_slowed_to_them_but_for_rounding() -> None:
+    points, bounds = on_its_bounds(2.0)
+    ones = np.ones(200)
+    x = demand(points, bounds, None).fastest(ones, ones, np.full(199, 1e-3), ones, ones)[:, None]
+    u = np.diff(x, axis=0) / 2e-3
+    for ends in (slice(None, -1), slice(1, None)):
+        asked = np.abs(points.d1[ends] * u + points.d2[ends] * x[ends])
+        assert (asked / bounds.acceleration).max() == pytest.approx(1.0, abs=1e-9)
+
+
+def test_what_a_plan_uses_is_what_it_uses_gone_at_its_own_rate() -> None:
+    random = np.random.default_rng(7)
+    rows, torque = JointPoints(*random.normal(size=(3, 50, 3))), random.normal(size=(50, 3))
+    bounds = JointBounds(*random.uniform(0.5, 2.0, (4, 3)))
+    whole = strain(rows, torque, bounds, 0.01)
+    plain = strain_as_planned(rows, bounds, 0.01)
+    assert (plain.used[:3] == whole.used[:3]).all()
+    assert not plain.used[3].any()
+    loaded = with_torque(plain, rows, torque, bounds)
+    assert (loaded.used == whole.used).all()
+    assert (loaded.peaks == whole.peaks).all()
+    assert loaded.factor == whole.factor
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_a_plan_that_is_no_numbers_is_told_with_its_tick(wrong: float) -> None:
+    rows = JointPoints(*np.zeros((3, 5, 1)))
+    rows.d2[3] = wrong
+    with pytest.raises(ProfileError, match="at tick 3"):
+        strain_as_planned(rows, BOUNDS, 1.0)
