@@ -13,6 +13,31 @@ from ropsim.motion import JointMotionLimits, Stage, SynchronisedJoints, plan_tim
 RNG = np.random.default_rng(1)
 WAY = [Stage(*row) for row in RNG.uniform((0.05, 0.2, 1.0, 10.0), (0.8, 1.0, 5.0, 90.0), (10, 4)).tolist()]
 LIMITS = JointMotionLimits(RNG.uniform(1.0, 5.0, 6), RNG.uniform(4.0, 20.0, 6), RNG.uniform(40.0, 400.0, 6))
+BEND = [
+    Stage(length * 1e-6, speed * 1e-3, acceleration, jerk)
+    for length, speed, acceleration, jerk in (
+        (1000, 100, 1.5, 30.0),
+        (98, 54.5, 0.86, 6.52),
+        (128, 53.7, 0.37, 6.43),
+        (154, 53.7, 0.2, 6.17),
+        (45, 61.4, 0.16, 5.92),
+        (22, 70.4, 0.14, 5.63),
+        (15, 78.7, 0.12, 5.35),
+        (11, 87.7, 0.1, 4.86),
+        (11, 98.3, 0.096, 4.67),
+        (30, 100, 0.45, 10.1),
+        (15, 94.2, 0.096, 4.67),
+        (15, 82.7, 0.11, 5.02),
+        (22, 72.8, 0.13, 5.51),
+        (23, 66.7, 0.15, 5.81),
+        (60, 58.2, 0.17, 6.02),
+        (187, 53.7, 0.23, 6.25),
+        (97, 53.9, 0.52, 6.48),
+        (66, 54.7, 1.29, 6.53),
+        (1000, 100, 1.5, 30.0),
+    )
+]
+"""Two lines with a rounded corner of half a millimetre between them, as its bend allows it."""
 Q_START, Q_END = RNG.uniform(-np.pi, np.pi, (2, 6))
 ROUNDS = 2000
 
@@ -49,6 +74,15 @@ def test_time_law_of_one_piece(benchmark: Any) -> None:
     measure.figure("duration beside ruckig's", law.duration / peer().duration, least=0.999, most=1.001)
     measure.figure("us per plan", 1e6 * time.best, most=20.0)
     measure.figure("plans of ruckig in that time", time.best / best_of(peer))
+
+
+def test_time_law_round_a_small_corner(benchmark: Any) -> None:
+    """Levelling off leads through many short pieces, at each step of each search."""
+    measure = Measure(benchmark)
+    measure(lambda: plan_time_law(BEND), rounds=ROUNDS, warmup=100)
+    bend, ten = processor_seconds(lambda: plan_time_law(BEND), lambda: plan_time_law(WAY), rounds=ROUNDS)
+    measure.figure("us of processor time per plan", 1e6 * bend, most=300.0)
+    measure.figure("plans of ten longer pieces in that time", bend / ten, most=15.0)
 
 
 def test_time_law_of_ten_pieces(benchmark: Any) -> None:
