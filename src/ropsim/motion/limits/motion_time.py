@@ -3,6 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.motion.limits.motion_time_kernel import motion_time_at
 from ropsim.spatial import Array, frozen, record
 
 _INSIDE = 0.9
@@ -39,25 +40,15 @@ class MotionTime:
         """Return the real time that the whole motion takes [s]."""
         return float(self.times[-1])
 
-    def at(self, times: Array) -> tuple[Array, Array, Array]:
-        """Return motion time [s], rate and change of the rate [1/s] at real times [s], each of shape (k,).
+    def at(self, times: Array) -> Array:
+        """Return motion time [s], rate and change of the rate [1/s] at real times [s], (k,) to (3, k).
 
         Times before the start and after the end count as these. Where nothing is slowed, φ is t bit by bit.
         """
-        t = np.clip(times, 0.0, self.times[-1])
-        i = np.clip(np.searchsorted(self.times, t, "right") - 1, 0, len(self.times) - 2)
-        past, step = t - self.times[i], self.times[i + 1] - self.times[i]
-        first, change = self.rates[i], self.changes[i]
-        more = (self.rates[i + 1] - first) / step
-        square = (3.0 * more - 2.0 * change - self.changes[i + 1]) / step
-        cube = (change + self.changes[i + 1] - 2.0 * more) / step**2
-        way = past * (first + past * (change / 2.0 + past * (square / 3.0 + past * cube / 4.0)))
-        phi = np.clip(self.places[i] + way, self.places[i], self.places[i + 1])
-        return (
-            np.where(t < self.times[-1], phi, self.places[-1]),
-            first + past * (change + past * (square + past * cube)),
-            change + past * (2.0 * square + past * 3.0 * cube),
-        )
+        out = np.empty((3, len(times)))
+        asked = np.ascontiguousarray(times, dtype=np.float64)
+        motion_time_at(self.times, self.places, self.rates, self.changes, asked, out)
+        return out
 
     def times_of(self, places: npt.ArrayLike) -> Array:
         """Return about when motion times are reached [s], evenly between knots.

@@ -112,7 +112,7 @@ def reference(
     Raises:
         ProfileError: M540, as for `strain`.
     """
-    course = np.stack(clock.at(tick_times(clock.duration, period)))
+    course = clock.at(tick_times(clock.duration, period))
     points = motion.at(course[0])
     rates = np.empty((2, *points.q.shape))
     by_real_time(np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2), course, rates)
