@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ropsim import robots as robots
     from ropsim import simulation as simulation
     from ropsim import spatial as spatial
+    from ropsim import tomltext as tomltext
     from ropsim import userfiles as userfiles
     from ropsim import views as views
     from ropsim import workbench as workbench
@@ -54,6 +55,7 @@ __all__ = [
     "robots",
     "simulation",
     "spatial",
+    "tomltext",
     "userfiles",
     "views",
     "workbench",

@@ -25,6 +25,8 @@ BANDS = {
     "calibration": {"X8"},
     "workbench": {"X8"},
     "cellfile": {"X8"},
+    "robotfile": {"X9"},
+    "tomltext": {"X8"},
     "records": {"X8"},
     "meshes": {"X8"},
     "userfiles": {"X8"},

@@ -7,8 +7,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from ropsim.cellfile import read_cell
-from ropsim.cellfile.tomltext.positions import positions
 from ropsim.core import SourceText
+from ropsim.tomltext.positions import positions
 from support.fuzzing.cells import RIGHT
 
 VALUES = ["nan", "-inf", "1e308", "0xffffffffffffffffff", '"text"', "[]", "{}", "true", "[[1]]", "1979-05-27"]

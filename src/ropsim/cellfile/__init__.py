@@ -8,4 +8,3 @@ from ropsim.cellfile.controller_limits import written_limits as written_limits
 from ropsim.cellfile.places import mesh_in_cell_file as mesh_in_cell_file
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
 from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file
-from ropsim.cellfile.tomltext.values import toml_values as toml_values

@@ -1,11 +1,8 @@
 """What the moving body of a device or of a station of one axis looks like: `size`, `diameter` or `shapes`."""
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.shapes import Look, read_look, read_shapes
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import Box, Cylinder, Shape
 from ropsim.spatial import Pose, frozen
+from ropsim.tomltext import CONFLICTING_KEYS, Look, TomlTable, Units, read_look, read_shapes
 
 _SMALL = 0.05  # [m], stands in while a wrong size is being reported
 
@@ -16,7 +13,7 @@ def read_body_shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
     given = [key for key in ("size", "diameter", "shapes") if key in table]
     if len(given) > 1:
         message = f"`{given[0]}` and `{given[1]}` both say what the device looks like"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(given[1]), message, "keep one of them")
+        table.findings.add(CONFLICTING_KEYS, table.key_span(given[1]), message, "keep one of them")
     if not given:
         table.require("size")
         return ()

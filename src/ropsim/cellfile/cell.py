@@ -1,6 +1,5 @@
 """The cell file `cell.toml`: text in, work cell and findings out (manual: docs/reference/cell-file.md)."""
 
-import re
 from collections.abc import Collection, Mapping
 
 from ropsim.cellfile import diagnostics as kinds
@@ -12,13 +11,9 @@ from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
 from ropsim.cellfile.poses import read_locations
-from ropsim.cellfile.quantity import ANGLE_UNITS, LENGTH_UNITS, Units, metres, radians
 from ropsim.cellfile.signals import read_signals
 from ropsim.cellfile.stations import read_stations
 from ropsim.cellfile.supports import note_standings, read_supports
-from ropsim.cellfile.tomltext.checks import Findings, TomlTable
-from ropsim.cellfile.tomltext.positions import positions
-from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.cellfile.tools import read_tools
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import (
@@ -33,11 +28,18 @@ from ropsim.model import (
     link_name,
     tool_body,
 )
+from ropsim.tomltext import (
+    ANGLE_UNITS,
+    LENGTH_UNITS,
+    TomlTable,
+    Units,
+    metres,
+    radians,
+    read_document,
+    read_units,
+)
 
-_KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
-_KEY = re.compile(r"'([^']*)'")
 _OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
-_PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
 def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
@@ -50,21 +52,16 @@ def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Di
     Returns:
         The cell, or None when there is an error; and the findings in order of their place.
     """
-    try:
-        values = toml_values("\n".join(text.lines))
-        places = positions(text)
-    except RecursionError:
-        return None, (_nested_too_deeply(text),)
-    except ValueError as error:
-        return None, (_syntax(text, error),)
-    findings = Findings(places)
-    cell = _cell(TomlTable(values, (), findings), folder_name)
-    ordered = sorted(findings.items, key=lambda found: (found.span or places.start, found.code))
-    return (None if any(found.is_error for found in ordered) else cell), tuple(ordered)
+    root, syntax = read_document(text)
+    if root is None:
+        return None, syntax
+    cell = _cell(root, folder_name)
+    found = root.findings.ordered()
+    return (None if any(one.is_error for one in found) else cell), found
 
 
 def _cell(root: TomlTable, folder_name: str) -> Cell | None:
-    units = _units(root.table("units"))
+    units = read_units(root.table("units"))
     tools = read_tools(root.named("tools"), units)
     stations = read_stations(root, tools, units)
     axes = axes_of(stations)
@@ -161,12 +158,6 @@ def _bodies(
     return taken
 
 
-def _units(table: TomlTable) -> Units:
-    units = Units(table.choice("length", LENGTH_UNITS, "mm"), table.choice("angle", ANGLE_UNITS, "deg"))
-    table.finish()
-    return units
-
-
 def _classic(table: TomlTable, frames: Mapping[str, Frame]) -> ClassicSettings:
     named = table.values.get("frame")
     if isinstance(named, str) and named in frames and frames[named].parent != WORLD:
@@ -178,28 +169,3 @@ def _classic(table: TomlTable, frames: Mapping[str, Frame]) -> ClassicSettings:
     )
     table.finish()
     return classic
-
-
-def _syntax(text: SourceText, error: ValueError) -> Diagnostic:
-    words = str(error)
-    place = _PLACE.search(words)
-    line, column = len(text.lines), len(text.lines[-1]) + 1
-    if place is not None:
-        words = words[: place.start()]
-        if place[1]:
-            line, column = int(place[1]), int(place[2])
-    words = _KEY_TUPLE.sub(
-        lambda key: f"`{'.'.join(_KEY.findall(key[0]))}`", words.partition("; use sys.")[0]
-    )
-    hint = 'text needs quotation marks, sections look like `[robot]`, keys like `model = "puma560"`'
-    if "overwrite" in words or "twice" in words:
-        hint = "the same key or section stands here a second time: remove one"
-    message = f"not valid TOML: {words[:1].lower()}{words[1:200]}"
-    return kinds.CELL_FILE_SYNTAX.at(text.span(line, column), message, hint=hint)
-
-
-def _nested_too_deeply(text: SourceText) -> Diagnostic:
-    message = "not valid TOML for a cell: lists or tables are nested too deeply"
-    return kinds.CELL_FILE_SYNTAX.at(
-        text.span(1), message, hint="no value of a cell file needs more than two levels"
-    )

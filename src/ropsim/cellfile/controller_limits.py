@@ -2,11 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.tomltext.values import toml_values
-from ropsim.cellfile.tomltext.writing import with_values
 from ropsim.core import SourceText
 from ropsim.model import ROBOT, JointType
+from ropsim.tomltext import Quantity, Units, toml_values, with_values
 
 _OF_JOINTS = ("joint_speed", "joint_acceleration", "joint_jerk")
 _OF_PATH = ("path_speed", "path_acceleration", "path_jerk")

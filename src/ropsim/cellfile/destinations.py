@@ -2,15 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 
-from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.frames import note_moving
 from ropsim.cellfile.grid import read_grid
-from ropsim.cellfile.poses import read_pose
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import frozen_dataclass
 from ropsim.model import Destination
 from ropsim.spatial import Array, Pose
+from ropsim.tomltext import CONFLICTING_KEYS, WRONG_VALUE_COUNT, TomlTable, Units, read_pose
 
 DISTANCE, TURN = 0.005, 0.08726646259971647
 """What counts as there where the file says nothing: 5 mm, 5°."""
@@ -48,9 +45,7 @@ def read_destinations(
     inner = table.table("destination")
     if "location" in inner and "position" in inner:
         message = "`location` and `position` both say where the part is to be"
-        inner.findings.add(
-            kinds.CONFLICTING_CELL_KEYS, inner.key_span("position"), message, "keep one of them"
-        )
+        inner.findings.add(CONFLICTING_KEYS, inner.key_span("position"), message, "keep one of them")
     name = inner.reference("location", locations, "location")
     if name in around.located:
         note_moving(inner, "location", "location", name)
@@ -78,5 +73,5 @@ def _places(inner: TomlTable, units: Units, shifts: Sequence[Array]) -> Sequence
     own = read_grid(inner.table("grid"), units)
     if len(own) < len(shifts) and len(inner.findings.items) == noted:
         message = f"`{inner.name_of('grid')}` has {len(own)} places for {len(shifts)} parts"
-        inner.findings.add(kinds.WRONG_VALUE_COUNT, inner.value_span("grid"), message)
+        inner.findings.add(WRONG_VALUE_COUNT, inner.value_span("grid"), message)
     return own[: len(shifts)] if len(own) >= len(shifts) else shifts

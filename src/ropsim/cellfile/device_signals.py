@@ -3,9 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from ropsim.cellfile.device_diagnostics import DEVICES_IN_A_CIRCLE, INPUT_SET_TWICE
-from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import BeltDrive, Device, IndexDrive, Signal, SwitchDrive
+from ropsim.tomltext import TomlTable, cut
 
 Place = tuple[str, ...]
 """Keys from the table of a device to a value."""

@@ -3,14 +3,9 @@
 from collections.abc import Mapping
 
 from ropsim import robots
-from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.body_shapes import read_body_shapes
 from ropsim.cellfile.device_signals import check_device_signals
-from ropsim.cellfile.kind import read_kind
 from ropsim.cellfile.poses import read_base
-from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.shapes import Look, read_look
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import (
     Barrier,
     BeltDrive,
@@ -23,6 +18,18 @@ from ropsim.model import (
     SwitchDrive,
 )
 from ropsim.spatial import Pose
+from ropsim.tomltext import (
+    CONFLICTING_KEYS,
+    MISSING_KEY,
+    UNKNOWN_CELL_NAME,
+    VALUE_OUT_OF_RANGE,
+    Look,
+    Quantity,
+    TomlTable,
+    Units,
+    read_kind,
+    read_look,
+)
 
 KINDS = ("conveyor", "slide", "turntable")
 _UNKNOWN = SwitchDrive("", 0.0, 0.1, 1.0, 1.0)
@@ -100,14 +107,14 @@ def _axis_drive(
     signal = _followed(table, "signal", signals)
     if table.values.get("signal") == "":
         message = f"`{table.name_of('signal')}` is empty, the device would never move"
-        table.findings.add(kinds.MISSING_CELL_KEY, table.value_span("signal"), message, "name a signal")
+        table.findings.add(MISSING_KEY, table.value_span("signal"), message, "name a signal")
     speed = table.number("speed", units.rate(type_, 1), 1.0)
     acceleration = table.number("acceleration", units.rate(type_, 2), 1.0)
     if "step" in table:
         if "on" in table:
             message = f"`{table.name_of('on')}` and `step` both say where the device goes"
             hint = "either `on` (and `off`) for two positions, or `step` for equal steps"
-            table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("on"), message, hint)
+            table.findings.add(CONFLICTING_KEYS, table.key_span("on"), message, hint)
             table.number("on", way, 0.0)
             table.number("off", way, 0.0)
         step = _away_from_zero(table, "step", way)
@@ -122,7 +129,7 @@ def _away_from_zero(table: TomlTable, key: str, quantity: Quantity) -> float:
     value = table.number(key, quantity, 1.0)
     if abs(value) < 1e-9:
         message = f"`{table.name_of(key)}` is 0, the device would never move"
-        table.findings.add(kinds.VALUE_OUT_OF_RANGE, table.value_span(key), message)
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span(key), message)
         return 1.0
     return value
 
@@ -132,7 +139,7 @@ def _followed(table: TomlTable, key: str, signals: Mapping[str, Signal]) -> str:
     name = table.reference(key, signals, "signal")
     if name and signals[name].analog:
         message = f"`{name}` is an analog signal, a device follows one that is on or off"
-        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span(key), message)
+        table.findings.add(UNKNOWN_CELL_NAME, table.value_span(key), message)
         return ""
     return name
 
@@ -144,6 +151,6 @@ def _input(table: TomlTable, key: str, signals: Mapping[str, Signal]) -> str:
     if signal is not None and (not signal.is_input or signal.analog):
         message = f"`{name}` is no on/off input, the device tells by it where it is"
         hint = f"make it an input: `[signals.{name}]` with `input = 1`"
-        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span(key), message, hint)
+        table.findings.add(UNKNOWN_CELL_NAME, table.value_span(key), message, hint)
         return ""
     return name

@@ -3,11 +3,10 @@
 from dataclasses import replace
 
 from ropsim import robots
-from ropsim.cellfile.poses import read_base, read_pose
-from ropsim.cellfile.quantity import MASS, MOMENT, Units
-from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.cellfile.poses import read_base
 from ropsim.model import Mechanism, RobotModel, beside, on_track
 from ropsim.spatial import Pose, record
+from ropsim.tomltext import MASS, MOMENT, TomlTable, Units, read_pose
 
 _LONGEST = 50.0  # [m]
 _LEAST = 0.01  # [m] of travel, of a radius

@@ -2,10 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import ExternalValues, Joint, JointType, Station, external_words
+from ropsim.tomltext import MISSING_KEY, WRONG_VALUE_COUNT, Quantity, TomlTable, Units
 
 _ROUNDING = 1e-9  # [rad | m], a value written with decimals may touch a limit
 
@@ -40,13 +38,13 @@ def _values(table: TomlTable, stations: list[Station], units: Units) -> External
     if "station" in table and not stations[0].robot.has_arm:
         message = f"`{table.name_of('external')}` is given for `{stations[0].name}`, which has no arm"
         hint = "only an arm goes to locations: name its station, or leave `external` and `station` out"
-        table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
+        table.findings.add(WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
         return None
     if not having:
         who = f"station `{stations[0].name}` has no" if "station" in table else "no robot of this cell has"
         message = f"`{table.name_of('external')}` is given, but {who} external axes"
         hint = "a robot gets them by `track` and `positioner`; without them leave `external` out"
-        table.findings.add(kinds.WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
+        table.findings.add(WRONG_VALUE_COUNT, table.value_span("external"), message, hint)
         return None
     given = table.values["external"]
     fitting = [one for one in having if isinstance(given, list) and len(one.robot.external) == len(given)]
@@ -56,7 +54,7 @@ def _values(table: TomlTable, stations: list[Station], units: Units) -> External
         names = " and ".join(f"`{station.name}`" for station in having)
         message = f"`{table.name_of('external')}` may be meant for {names}, whose external axes differ"
         hint = f'name the one: `station = "{having[0].name}"`'
-        table.findings.add(kinds.MISSING_CELL_KEY, table.key_span("external"), message, hint)
+        table.findings.add(MISSING_KEY, table.key_span("external"), message, hint)
         return None
     if not isinstance(given, list):
         table.wrong_type(("external",), given, "a list of numbers")

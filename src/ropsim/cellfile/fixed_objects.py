@@ -6,13 +6,9 @@ from dataclasses import replace
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.mounts import Mount
 from ropsim.cellfile.objects import body_name, report_doubles
-from ropsim.cellfile.poses import read_pose
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.shapes import Look, read_look, read_shapes
-from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import Box, FixedObject, Shape
 from ropsim.spatial import Pose, frozen
+from ropsim.tomltext import CONFLICTING_KEYS, Look, TomlTable, Units, cut, read_look, read_pose, read_shapes
 
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
 _SHOWN = 8  # objects of a ring in one message
@@ -48,7 +44,7 @@ def _object(
     short = "size" in table
     if short and "shapes" in table:
         message = "`size` and `shapes` both say what the object looks like"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("shapes"), message, "keep one of them")
+        table.findings.add(CONFLICTING_KEYS, table.key_span("shapes"), message, "keep one of them")
     if not short:
         table.require("shapes")
     shapes = _block(table, units, look) if short else read_shapes(table, units, look)

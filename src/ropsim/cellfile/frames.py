@@ -4,11 +4,8 @@ from collections.abc import Collection, Mapping
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.mounts import Mount
-from ropsim.cellfile.poses import read_pose
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.cellfile.tomltext.words import cut
 from ropsim.model import Frame
+from ropsim.tomltext import UNKNOWN_CELL_NAME, TomlTable, Units, cut, read_pose
 
 
 def read_frames(
@@ -58,6 +55,6 @@ def _parent(table: TomlTable, axes: Mapping[str, Mount], others: Collection[str]
             "a task frame lies on an external axis: give the station a `positioner` or a `track`; "
             "without `parent` the frame stands in the world"
         )
-        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span("parent"), message, hint)
+        table.findings.add(UNKNOWN_CELL_NAME, table.value_span("parent"), message, hint)
         return ""
     return table.reference("parent", axes, "parent")

@@ -2,10 +2,8 @@
 
 import numpy as np
 
-from ropsim.cellfile.poses import ORIGIN
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.spatial import Array
+from ropsim.tomltext import ORIGIN, TomlTable, Units
 
 
 def read_grid(table: TomlTable, units: Units) -> list[Array]:

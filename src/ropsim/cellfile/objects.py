@@ -8,13 +8,20 @@ import numpy as np
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.destinations import Surroundings, read_destinations
 from ropsim.cellfile.grid import read_grid
-from ropsim.cellfile.poses import ORIGIN, read_pose
-from ropsim.cellfile.quantity import MASS, Units
-from ropsim.cellfile.shapes import read_colour, read_material
-from ropsim.cellfile.tomltext.checks import Findings, TomlTable
 from ropsim.core import frozen_dataclass
 from ropsim.model import PART_COLOUR, Material, Part, Sink
 from ropsim.spatial import Array, Pose, frozen
+from ropsim.tomltext import (
+    MASS,
+    MISSING_KEY,
+    ORIGIN,
+    Findings,
+    TomlTable,
+    Units,
+    read_colour,
+    read_material,
+    read_pose,
+)
 
 _MOST_PARTS = 10_000
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
@@ -113,7 +120,7 @@ def body_name(table: TomlTable) -> str:
     name = table.text("name", "")
     if table.values.get("name") == "":
         message = f"`{table.name_of('name')}` is empty"
-        table.findings.add(kinds.MISSING_CELL_KEY, table.value_span("name"), message, "give it a name")
+        table.findings.add(MISSING_KEY, table.value_span("name"), message, "give it a name")
     return name
 
 

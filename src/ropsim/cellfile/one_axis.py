@@ -1,12 +1,9 @@
 """Stations of one axis in a cell file: the key `mechanism` of `[stations.NAME]`, in place of `robot`."""
 
 from ropsim import robots
-from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.body_shapes import read_body_shapes
-from ropsim.cellfile.kind import read_kind
-from ropsim.cellfile.quantity import MASS, MOMENT, Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import JointType, RobotModel
+from ropsim.tomltext import MASS, MOMENT, VALUE_OUT_OF_RANGE, TomlTable, Units, read_kind
 
 KINDS = ("slide", "turntable")
 _LIGHTEST = 0.1  # [kg]
@@ -37,6 +34,6 @@ def read_mechanism(table: TomlTable, units: Units) -> RobotModel | None:
     table.finish()
     if {"low", "high"} <= set(table.values) and not low < high:
         message = f"`{table.name_of('high')}` is not above `low`: the axis could not move"
-        table.findings.add(kinds.VALUE_OUT_OF_RANGE, table.value_span("high"), message)
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("high"), message)
         return None
     return (robots.driven_slide if slides else robots.driven_rotary)(shapes, axis)

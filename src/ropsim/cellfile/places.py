@@ -2,10 +2,9 @@
 
 from collections.abc import Iterable
 
-from ropsim.cellfile.tomltext.positions import positions
-from ropsim.cellfile.tomltext.values import toml_values
 from ropsim.core import SourceText, Span
 from ropsim.model import ROBOT
+from ropsim.tomltext import positions, toml_values
 
 _TABLES = ("locations", "frames", "tools", "signals", "stations", "devices")
 

@@ -8,8 +8,6 @@ import numpy as np
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.external_axes import ExternalAxes, read_external_axes
-from ropsim.cellfile.quantity import NUMBER, SHARE, TIME, Quantity, Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.core import RopsimError
 from ropsim.model import (
     ControllerModel,
@@ -27,6 +25,7 @@ from ropsim.model import (
     with_axis_limits,
 )
 from ropsim.spatial import Array, Pose, frozen, record
+from ropsim.tomltext import NUMBER, SHARE, TIME, Quantity, TomlTable, Units
 
 _LIMITS = ("joint_speed", "joint_acceleration", "joint_jerk")
 _GAIN = NUMBER.within(0.0, 1e6)

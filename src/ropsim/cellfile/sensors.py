@@ -2,10 +2,8 @@
 
 from collections.abc import Callable, Mapping
 
-from ropsim.cellfile.kind import read_kind
-from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.tomltext import Quantity, TomlTable, Units, read_kind
 
 _STIFFNESS = Quantity("N/mm", 1e3, 1.0, 1e9)
 _RANGE = 0.2  # [m], a triangulating laser of the middle class

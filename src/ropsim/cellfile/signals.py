@@ -3,10 +3,9 @@
 from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.quantity import NUMBER, TIME, Quantity, Units
 from ropsim.cellfile.sensors import read_sensor
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import Signal
+from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, TIME, Quantity, TomlTable, Units
 
 _SWITCH = Quantity("", 1.0, 0.0, 1.0)
 _MOST_CHANNELS = 65_535
@@ -42,7 +41,7 @@ def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: 
     if is_input and is_output:
         message = f"`{name}` is both an input and an output"
         hint = "keep `input` or `output`"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("output"), message, hint)
+        table.findings.add(CONFLICTING_KEYS, table.key_span("output"), message, hint)
     elif not is_input and not is_output:
         table.require("input")
     channel = table.integer("input" if is_input else "output", 1, _MOST_CHANNELS, 0)
@@ -59,7 +58,7 @@ def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: 
     if sensor is not None and other:
         message = f"`{name}` is measured by a sensor, and has `{other}`"
         hint = f"keep `sensor` or `{other}`"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(other), message, hint)
+        table.findings.add(CONFLICTING_KEYS, table.key_span(other), message, hint)
     table.finish()
     return Signal(name, is_input, analog, initial, changes, channel, sensor)
 

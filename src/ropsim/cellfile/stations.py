@@ -5,11 +5,10 @@ from collections.abc import Mapping
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.one_axis import read_mechanism
 from ropsim.cellfile.poses import read_base
-from ropsim.cellfile.quantity import Units
 from ropsim.cellfile.robot import RobotSection, read_driven, read_robot
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import ROBOT, Station, Tool
 from ropsim.spatial import Pose
+from ropsim.tomltext import CONFLICTING_KEYS, UNKNOWN_CELL_NAME, TomlTable, Units
 
 
 def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> dict[str, Station | None]:
@@ -80,7 +79,7 @@ def _one_axis(table: TomlTable, settings: TomlTable, X_WB: Pose, units: Units) -
     if "robot" in table:
         message = f"`{table.name_of('robot')}` and `mechanism` both say what the station moves"
         table.text("robot", "")
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span("robot"), message, "keep one of them")
+        table.findings.add(CONFLICTING_KEYS, table.key_span("robot"), message, "keep one of them")
     return read_driven(table, read_mechanism(table.table("mechanism"), units), settings, X_WB, units)
 
 
@@ -100,8 +99,8 @@ def _tools(table: TomlTable, tool: str, tools: Mapping[str, Tool]) -> dict[str, 
             known = ", ".join(f"`{each}`" for each in sorted(tools)) or "none"
             message = f"tool `{one[:60]}` is not defined in this cell"
             hint = f"tools of this cell: {known}"
-            table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span("tools", k), message, hint)
+            table.findings.add(UNKNOWN_CELL_NAME, table.value_span("tools", k), message, hint)
     if tool and tool not in own:
         message = f"`{tool}` is in force at the start, but not among `tools`"
-        table.findings.add(kinds.UNKNOWN_CELL_NAME, table.value_span("tool"), message, "add it to `tools`")
+        table.findings.add(UNKNOWN_CELL_NAME, table.value_span("tool"), message, "add it to `tools`")
     return own

@@ -4,11 +4,9 @@ from collections.abc import Iterable, Sequence
 
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.objects import PartGroup
-from ropsim.cellfile.quantity import Units
-from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.cellfile.tomltext.words import cut
 from ropsim.kinematics import Standing, standings_at_start
 from ropsim.model import Cell, SupportLimits, lying_words, spoken_body
+from ropsim.tomltext import TomlTable, Units, cut
 
 _WIDEST = 1.0  # [m]
 

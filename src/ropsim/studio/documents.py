@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path, PurePosixPath
 
-from ropsim.cellfile import toml_values
 from ropsim.core import Diagnostic, did_you_mean, replace_file
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
 from ropsim.studio.document import LARGEST, Document
@@ -22,6 +21,7 @@ from ropsim.studio.project_files import (
     program_names,
     stamps,
 )
+from ropsim.tomltext import toml_values
 from ropsim.userfiles import Draft
 
 DEFAULT_PROGRAM = "main"

@@ -5,11 +5,11 @@ import math
 import pytest
 
 from ropsim import robots
-from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile import limits_section, read_cell, with_limits, written_limits
-from ropsim.cellfile.tomltext.writing import with_values
 from ropsim.core import SourceText
 from ropsim.model import JointType, Station
+from ropsim.tomltext import diagnostics as kinds
+from ropsim.tomltext.writing import with_values
 
 COUNT, TYPE, RANGE = (
     kind.code for kind in (kinds.WRONG_VALUE_COUNT, kinds.WRONG_VALUE_TYPE, kinds.VALUE_OUT_OF_RANGE)

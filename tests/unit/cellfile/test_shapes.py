@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from ropsim.cellfile import read_cell
-from ropsim.cellfile.diagnostics import UNKNOWN_CHOICE
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Box, Cell, Cylinder, Material, Mesh, Polyline, Prism, Revolve, Shape, Sphere
+from ropsim.tomltext import UNKNOWN_CHOICE
 
 ROBOT = '[robot]\nmodel = "puma560"\n'
 OBJECT = ROBOT + '[[objects]]\nname = "o"\nposition = [100, 200, 300]\n'

@@ -2,10 +2,10 @@ import tomllib
 
 import pytest
 
-from ropsim.cellfile import toml_values
 from ropsim.cellfile.cell import read_cell
-from ropsim.cellfile.tomltext.values import MOST_PARTS
 from ropsim.core import SourceText
+from ropsim.tomltext import toml_values
+from ropsim.tomltext.values import MOST_PARTS
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from ropsim.cellfile.tomltext.positions import Path, offsets
 from ropsim.core import SourceText
+from ropsim.tomltext.positions import Path, offsets
 
 
 def with_values(source: SourceText, section: Path, values: Mapping[str, str]) -> str:

@@ -58,7 +58,7 @@ DWELL = TIME.within(0.0, 60.0)
 
 @frozen_dataclass
 class Units:
-    """The units of a cell file.
+    """The units of a file.
 
     Attributes:
         length: name of the unit of length.

@@ -1,9 +1,9 @@
-"""The key `kind` of a cell file, which says what the other keys of its table are."""
+"""The key `kind` of a TOML file, which says what the other keys of its table are."""
 
 from collections.abc import Sequence
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.tomltext.checks import TomlTable
+from ropsim.tomltext.checks import TomlTable
+from ropsim.tomltext.diagnostics import MISSING_KEY
 
 
 def read_kind(table: TomlTable, known: Sequence[str]) -> str:
@@ -17,5 +17,5 @@ def read_kind(table: TomlTable, known: Sequence[str]) -> str:
         words = ", ".join(f'`"{kind}"`' for kind in known)
         message = f"`{table.name_of('kind').rpartition('.')[0]}` needs `kind`"
         span = table.findings.places.key(table.path)
-        table.findings.add(kinds.MISSING_CELL_KEY, span, message, f"add it: one of {words}")
+        table.findings.add(MISSING_KEY, span, message, f"add it: one of {words}")
     return ""

@@ -2,8 +2,8 @@
 
 import pytest
 
-from ropsim.cellfile.tomltext.positions import Path, positions
 from ropsim.core import SourceText, Span
+from ropsim.tomltext.positions import Path, positions
 
 TEXT = '''# comment [not.a.section]
 top = 1  # = 2

@@ -5,11 +5,11 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.quantity import Quantity
-from ropsim.cellfile.tomltext.positions import Path, Positions
-from ropsim.cellfile.tomltext.words import cut, float_of, sort_of
 from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass, near
+from ropsim.tomltext import diagnostics as kinds
+from ropsim.tomltext.positions import Path, Positions
+from ropsim.tomltext.quantity import Quantity
+from ropsim.tomltext.words import cut, float_of, sort_of
 
 _SPEAKABLE = re.compile(r"[^\W\d]\w*", re.ASCII)
 
@@ -24,6 +24,11 @@ class Findings:
     def add(self, kind: Kind, span: Span, message: str, hint: str = "", label: str = "") -> None:
         """Note one diagnostic."""
         self.items.append(kind.at(span, message, hint=hint, label=label))
+
+    def ordered(self) -> tuple[Diagnostic, ...]:
+        """Return what was found in the order of the text."""
+        start = self.places.start
+        return tuple(sorted(self.items, key=lambda found: (found.span or start, found.code)))
 
 
 @frozen_dataclass
@@ -74,13 +79,13 @@ class TomlTable:
                 continue  # most likely misspelt; the unknown key is noted below
             where = f"`{'.'.join(p for p in self.path if isinstance(p, str))}`" if self.path else "the file"
             span = self.findings.places.key(self.path)
-            self.findings.add(kinds.MISSING_CELL_KEY, span, f"{where} needs `{key}`", f"add `{key}`")
+            self.findings.add(kinds.MISSING_KEY, span, f"{where} needs `{key}`", f"add `{key}`")
         for key in unknown:
             close = near(key, self.missing, limit=1) or near(key, self.asked, limit=1)
             known = ", ".join(f"`{name}`" for name in sorted(self.asked))
             hint = f"did you mean `{close[0]}`?" if close else f"known here: {known}"
             message = f"`{cut(self.name_of(key))}` has no meaning"
-            self.findings.add(kinds.UNKNOWN_CELL_KEY, self.key_span(key), message, hint)
+            self.findings.add(kinds.UNKNOWN_KEY, self.key_span(key), message, hint)
 
     def number(self, key: str, quantity: Quantity, default: float) -> float:
         """Return a number in SI units."""

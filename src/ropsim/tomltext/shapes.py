@@ -1,16 +1,9 @@
-"""Shapes in a cell file: one graphic element with its place, colour, opacity and material."""
+"""Shapes in a TOML file: one graphic element with its place, colour, opacity and material."""
 
 import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.outlines import read_outline, read_points, read_profile
-from ropsim.cellfile.poses import read_pose
-from ropsim.cellfile.quantity import NUMBER, Quantity, Units
-from ropsim.cellfile.shape_diagnostics import UNFIT_COLOUR, UNFIT_SHAPE
-from ropsim.cellfile.tomltext.checks import TomlTable
-from ropsim.cellfile.tomltext.words import cut
 from ropsim.core import frozen_dataclass, near
 from ropsim.meshes import MESH_ENDINGS, mesh_ending
 from ropsim.model import (
@@ -30,6 +23,13 @@ from ropsim.model import (
     polygon,
 )
 from ropsim.spatial import Pose
+from ropsim.tomltext import diagnostics as kinds
+from ropsim.tomltext.checks import TomlTable
+from ropsim.tomltext.outlines import read_outline, read_points, read_profile
+from ropsim.tomltext.poses import read_pose
+from ropsim.tomltext.quantity import NUMBER, Quantity, Units
+from ropsim.tomltext.shape_diagnostics import UNFIT_COLOUR, UNFIT_SHAPE
+from ropsim.tomltext.words import cut
 
 _MATERIALS = tuple(known.value for known in Material)
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
@@ -90,7 +90,7 @@ def _shape(table: TomlTable, units: Units, default: Look) -> Shape | None:
     if len(given) > 1:
         message = f"{' and '.join(f'`{key}`' for key in given)} are two shapes in one"
         hint = "give each its own `{ }`"
-        table.findings.add(kinds.CONFLICTING_CELL_KEYS, table.key_span(given[1]), message, hint)
+        table.findings.add(kinds.CONFLICTING_KEYS, table.key_span(given[1]), message, hint)
     unknown = [key for key in table.values if key not in table.asked]
     if not given and not any(near(key, _ELEMENTS) for key in unknown):
         hint = f"give one of {', '.join(f'`{element}`' for element in _ELEMENTS)}"

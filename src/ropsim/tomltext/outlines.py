@@ -1,11 +1,11 @@
-"""Lists of points in a cell file: lines, outlines of prisms, profiles of revolved bodies."""
+"""Lists of points in a TOML file: lines, outlines of prisms, profiles of revolved bodies."""
 
-from ropsim.cellfile import diagnostics as kinds
-from ropsim.cellfile.poses import ORIGIN
-from ropsim.cellfile.quantity import Quantity, Units
-from ropsim.cellfile.shape_diagnostics import UNFIT_SHAPE
-from ropsim.cellfile.tomltext.checks import TomlTable
 from ropsim.model import Point2, Point3
+from ropsim.tomltext import diagnostics as kinds
+from ropsim.tomltext.checks import TomlTable
+from ropsim.tomltext.poses import ORIGIN
+from ropsim.tomltext.quantity import Quantity, Units
+from ropsim.tomltext.shape_diagnostics import UNFIT_SHAPE
 
 _MOST_POINTS = 200
 _LEAST_AREA = 1e-12  # [m²]

@@ -1,4 +1,4 @@
-"""Diagnostics of shapes in the cell file (X886, X887)."""
+"""Diagnostics of shapes (X886, X887)."""
 
 from ropsim.core import Severity, define
 

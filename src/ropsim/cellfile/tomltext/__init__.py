@@ -1,1 +1,0 @@
-"""TOML text: its values, where they stand, and whether they are what is allowed."""
