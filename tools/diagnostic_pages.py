@@ -22,6 +22,7 @@ BANDS = {
     "C6": "Controller",
     "S7": "Simulation",
     "X8": "Projects, cell files, models, recordings",
+    "X9": "Robots in files",
     "U9": "Use of the commands",
 }
 

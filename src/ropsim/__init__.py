@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ropsim import motion as motion
     from ropsim import program as program
     from ropsim import records as records
+    from ropsim import robotfile as robotfile
     from ropsim import robots as robots
     from ropsim import simulation as simulation
     from ropsim import spatial as spatial
@@ -52,6 +53,7 @@ __all__ = [
     "open",
     "program",
     "records",
+    "robotfile",
     "robots",
     "simulation",
     "spatial",

@@ -5,6 +5,9 @@ from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit import audit as audit
 from ropsim.model.audit import is_symmetric as is_symmetric
+from ropsim.model.audit_place import Attribute as Attribute
+from ropsim.model.audit_place import AuditPlace as AuditPlace
+from ropsim.model.audit_place import PlaceOf as PlaceOf
 from ropsim.model.axes_words import axes_words as axes_words
 from ropsim.model.axes_words import external_words as external_words
 from ropsim.model.axis_limits import with_axis_limits as with_axis_limits
@@ -52,6 +55,7 @@ from ropsim.model.device import DeviceDrive as DeviceDrive
 from ropsim.model.device import IndexDrive as IndexDrive
 from ropsim.model.device import SwitchDrive as SwitchDrive
 from ropsim.model.dh import JointLimits as JointLimits
+from ropsim.model.dh import fixed_part as fixed_part
 from ropsim.model.dh import interface_from_dh as interface_from_dh
 from ropsim.model.dh import joints_from_dh as joints_from_dh
 from ropsim.model.dh import limited as limited
@@ -107,9 +111,11 @@ from ropsim.model.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism_check import check_mechanism as check_mechanism
 from ropsim.model.mechanism_check import check_open as check_open
 from ropsim.model.mechanism_check import mechanism_findings as mechanism_findings
+from ropsim.model.modified_dh import joints_from_modified_dh as joints_from_modified_dh
 from ropsim.model.orientation_mode import OrientationMode as OrientationMode
 from ropsim.model.outlines import arc as arc
 from ropsim.model.outlines import around as around
+from ropsim.model.outlines import capsule as capsule
 from ropsim.model.outlines import circle as circle
 from ropsim.model.outlines import polygon as polygon
 from ropsim.model.part import PART_COLOUR as PART_COLOUR
@@ -120,6 +126,8 @@ from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
 from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.placements import pose_matrices as pose_matrices
+from ropsim.model.placements import snapped as snapped
+from ropsim.model.read_robot import ReadRobot as ReadRobot
 from ropsim.model.robot import RobotModel as RobotModel
 from ropsim.model.rod import rod as rod
 from ropsim.model.sensor import DistanceSensor as DistanceSensor

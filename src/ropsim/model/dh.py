@@ -7,6 +7,7 @@ row the mechanical interface. Link data, which tables give in frame i, move into
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import cos, inf, sin
 
 import numpy as np
@@ -50,6 +51,12 @@ def limited(
     )
 
 
+def limited_by(name: str, row: DhRow, placement: Pose, limits: JointLimits) -> Joint:
+    """Return the joint of a DH row; its offset is the θ or the d of the row."""
+    offset = row.d if row.type is JointType.PRISMATIC else row.theta
+    return replace(limited(name, row.type, placement, limits), offset=offset)
+
+
 def fixed_part(row: DhRow) -> Array:
     """Return the part of a DH row that the joint does not move, X_{joint i, DH frame i}, shape (4, 4).
 
@@ -85,18 +92,7 @@ def joints_from_dh(
     """
     placements = [X_B0 or Pose(), *(Pose.from_matrix(fixed_part(row)) for row in rows[:-1])]
     return tuple(
-        Joint(
-            name=str(number),
-            type=row.type,
-            placement=placement,
-            offset=row.d if row.type is JointType.PRISMATIC else row.theta,
-            lower=limit.lower,
-            upper=limit.upper,
-            max_speed=limit.max_speed,
-            max_acceleration=limit.max_acceleration,
-            max_jerk=limit.max_jerk,
-            max_effort=limit.max_effort,
-        )
+        limited_by(str(number), row, placement, limit)
         for number, (row, limit, placement) in enumerate(zip(rows, limits, placements, strict=True), start=1)
     )
 

@@ -6,7 +6,10 @@ from ropsim.model.joint import JointType
 
 @frozen_dataclass
 class DhRow:
-    """One row of a Denavit–Hartenberg table in the standard form Rz(θ)·Tz(d)·Tx(a)·Rx(α).
+    """One row of a Denavit–Hartenberg table.
+
+    In the standard form a joint moves by Rz(θ)·Tz(d)·Tx(a)·Rx(α), in the modified one by
+    Rx(α)·Tx(a)·Rz(θ)·Tz(d) with the a and α of the link before it (`modified_dh`).
 
     Attributes:
         a: [m].

@@ -1,9 +1,9 @@
-"""Points of graphic elements: circles, arcs, closed polygons, rounded outlines."""
+"""Points of graphic elements: circles, arcs, closed polygons, rounded outlines and ends."""
 
 from collections.abc import Sequence
 from math import cos, pi, sin
 
-from ropsim.model.geometry import Point2, Point3, Polyline
+from ropsim.model.geometry import Point2, Point3, Polyline, Revolve
 
 _CHORDS = 48
 """Chords of a full turn: a circle of 100 mm radius is drawn 0.2 mm true."""
@@ -24,6 +24,20 @@ def arc(radius: float, start: float, end: float) -> Polyline:
 def polygon(points: Sequence[Point3]) -> Polyline:
     """Return the closed line through `points` [m]."""
     return Polyline((*points, points[0]))
+
+
+def capsule(radius: float, length: float) -> Revolve:
+    """Return a cylinder with round ends about z, centred at the origin.
+
+    Args:
+        radius: [m].
+        length: from the middle of one end to that of the other [m]; 0 is a sphere.
+    """
+    quarter = [0.5 * pi * k / (_CHORDS // 4) for k in range(_CHORDS // 4 + 1)]
+    half = 0.5 * length
+    upper = [(radius * cos(angle), half + radius * sin(angle)) for angle in quarter[:-1]]
+    top = [*upper, (0.0, half + radius)]
+    return Revolve(tuple([(r, -z) for r, z in reversed(top)] + top))
 
 
 def around(circles: Sequence[tuple[float, float, float]]) -> tuple[Point2, ...]:

@@ -16,7 +16,7 @@ class RobotModel(Mechanism):
         X_nM: mechanical interface frame in the frame of the tip.
         tip: number of the link that carries the interface, from 0; `LAST` stands for the last one and is
             replaced by its number.
-        dh: the DH table that the model was made from; empty otherwise.
+        dh: the DH table of the standard form that the model was made from; empty otherwise.
         external: numbers of the axes, from 0, that inverse kinematics leaves where they are, as those of a
             track or a turntable.
     """

@@ -11,12 +11,14 @@ from ropsim.tomltext.diagnostics import VALUE_OUT_OF_RANGE as VALUE_OUT_OF_RANGE
 from ropsim.tomltext.diagnostics import WRONG_VALUE_COUNT as WRONG_VALUE_COUNT
 from ropsim.tomltext.document import read_document as read_document
 from ropsim.tomltext.inertia import read_inertia as read_inertia
+from ropsim.tomltext.inertia import read_tensor as read_tensor
 from ropsim.tomltext.kind import read_kind as read_kind
 from ropsim.tomltext.poses import ORIGIN as ORIGIN
 from ropsim.tomltext.poses import pose_of as pose_of
 from ropsim.tomltext.poses import read_orientation as read_orientation
 from ropsim.tomltext.poses import read_pose as read_pose
 from ropsim.tomltext.positions import Path as Path
+from ropsim.tomltext.positions import Positions as Positions
 from ropsim.tomltext.positions import positions as positions
 from ropsim.tomltext.quantity import ANGLE_UNITS as ANGLE_UNITS
 from ropsim.tomltext.quantity import DWELL as DWELL

@@ -10,6 +10,12 @@ from ropsim.tomltext.quantity import MOMENT
 _ROUNDING = 1e-6  # relative; inertias are often written with few digits
 
 
+def read_tensor(table: TomlTable) -> Array:
+    """Return the tensor of the key `inertia` [kg·m²], shape (3, 3); zeros where it is absent."""
+    ixx, iyy, izz, ixy, ixz, iyz = table.numbers("inertia", 6, MOMENT, (0.0,) * 6)
+    return frozen([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+
+
 def read_inertia(table: TomlTable, mass: float) -> Array:
     """Return the tensor about the centre of mass [kg·m²], shape (3, 3); zeros where the key is absent.
 
@@ -17,8 +23,7 @@ def read_inertia(table: TomlTable, mass: float) -> Array:
         table: with the key `inertia`.
         mass: of the body [kg]; one without mass has no inertia.
     """
-    ixx, iyy, izz, ixy, ixz, iyz = table.numbers("inertia", 6, MOMENT, (0.0,) * 6)
-    tensor = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+    tensor = read_tensor(table)
     smallest, middle, greatest = np.linalg.eigvalsh(tensor).tolist()
     slack = _ROUNDING * max(abs(smallest), abs(greatest))
     message = ""
@@ -35,4 +40,4 @@ def read_inertia(table: TomlTable, mass: float) -> Array:
         hint = "the order is ixx, iyy, izz, ixy, ixz, iyz, in kg·m² about the centre of mass"
         table.findings.add(kinds.IMPOSSIBLE_INERTIA, table.value_span("inertia"), message, hint)
         return frozen(np.zeros((3, 3)))
-    return frozen(tensor)
+    return tensor

@@ -48,6 +48,8 @@ class Positions:
         while path:
             if path in self.keys:
                 return self.keys[path]
+            if isinstance(path[-1], int) and path in self.values:  # an item of a list has no key
+                return self.values[path]
             path = path[:-1]
         return self.start
 

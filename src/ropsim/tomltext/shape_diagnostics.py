@@ -23,9 +23,10 @@ UNFIT_SHAPE = define(
     Severity.ERROR,
     "a shape cannot be drawn as it is described",
     """
-A shape is one graphic element: `box`, `cylinder`, `sphere`, `revolve`, `prism`, `line` or `mesh`. A prism
-needs an outline of at least three points that encloses an area and does not cross itself; a revolved profile
-and a line need at least two points, and the radii of a profile cannot be negative.
+A shape is one graphic element: `box`, `cylinder`, `capsule`, `sphere`, `revolve`, `prism`, `line`, `mesh`
+and so on. A prism needs an outline of at least three points that encloses an area and does not cross
+itself; a revolved profile and a line need at least two points, and the radii of a profile cannot be
+negative.
 
 ```toml
 shapes = [

@@ -19,6 +19,7 @@ from ropsim.model import (
     Solid,
     Sphere,
     arc,
+    capsule,
     circle,
     polygon,
 )
@@ -113,6 +114,17 @@ def _cylinder(table: TomlTable, units: Units) -> Solid:
     return Cylinder(radius, length, top)
 
 
+def _capsule(table: TomlTable, units: Units) -> Solid:
+    inner = table.table("capsule")
+    inner.require("radius", "length")
+    radius, length = (
+        inner.number("radius", units.extent, _EDGE),
+        inner.number("length", _from_zero(units), _EDGE),
+    )
+    inner.finish()
+    return capsule(radius, length)
+
+
 def _sphere(table: TomlTable, units: Units) -> Solid:
     return Sphere(_radius(table.table("sphere"), units))
 
@@ -181,6 +193,7 @@ _ELEMENTS: Mapping[str, Callable[[TomlTable, Units], Solid | None]] = MappingPro
     {
         "box": _box,
         "cylinder": _cylinder,
+        "capsule": _capsule,
         "sphere": _sphere,
         "revolve": _revolve,
         "prism": _prism,

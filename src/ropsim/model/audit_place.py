@@ -1,0 +1,44 @@
+"""What a finding of an audit is about, and where that stands in the file of a robot."""
+
+from collections.abc import Callable
+from enum import StrEnum
+from typing import TypeAlias
+
+from ropsim.core import Span, frozen_dataclass
+
+
+class Attribute(StrEnum):
+    """Of a joint or link, what a finding is about."""
+
+    LIMITS = "limits"
+    MAX_SPEED = "max_speed"
+    MAX_ACCELERATION = "max_acceleration"
+    MAX_JERK = "max_jerk"
+    MAX_EFFORT = "max_effort"
+    PLACEMENT = "placement"
+    MASS = "mass"
+    COM = "com"
+    INERTIA = "inertia"
+    HOME = "home"
+
+
+@frozen_dataclass
+class AuditPlace:
+    """One number, or group of numbers, of a mechanism.
+
+    Attributes:
+        number: of the joint or link, from 0; of the axis for its home position.
+        attribute: which of its attributes.
+    """
+
+    number: int
+    attribute: Attribute
+
+
+PlaceOf: TypeAlias = Callable[[AuditPlace], Span | None]
+"""Tells where something of a robot stands in its file; None where there is none."""
+
+
+def nowhere(place: AuditPlace) -> None:
+    """Tell no place, as for a robot that comes from no file."""
+    del place

@@ -1,0 +1,4 @@
+"""The robot file `robots/NAME.toml`: a DH table with limits, masses, drives and looks to a robot."""
+
+from ropsim.robotfile.places import robot_file_places as robot_file_places
+from ropsim.robotfile.reading import read_robot_file as read_robot_file

@@ -1,0 +1,141 @@
+"""The rows of `joints`: a Denavit–Hartenberg table with the limits of its joints."""
+
+from dataclasses import replace
+from math import pi
+
+from ropsim.core import frozen_dataclass
+from ropsim.model import (
+    DhRow,
+    Joint,
+    JointLimits,
+    JointType,
+    fixed_part,
+    interface_from_dh,
+    joints_from_dh,
+    joints_from_modified_dh,
+)
+from ropsim.robotfile import diagnostics as kinds
+from ropsim.spatial import Pose
+from ropsim.tomltext import MOMENT, TomlTable, Units
+
+MOST_JOINTS = 32
+
+SPEEDS = {JointType.REVOLUTE: pi / 2.0, JointType.PRISMATIC: 0.25}
+"""Estimated where a row gives none [rad/s | m/s]."""
+TO_FULL_SPEED = 0.25
+"""Estimated acceleration: full speed is reached in this time [s]."""
+RISE = 10.0
+"""Estimated jerk over acceleration [1/s]."""
+
+_EFFORT = MOMENT.within(1e-6, 1e7)
+_RADIANS = 1e-4  # difference [deg] at which the digits of a right angle are recognised
+
+
+@frozen_dataclass
+class DhTable:
+    """What the rows say.
+
+    Attributes:
+        convention: `standard` or `modified`.
+        rows: of the table.
+        joints: of the arm, in the base frame.
+        estimated: which of speeds, accelerations and jerks are estimates for some joint.
+    """
+
+    convention: str
+    rows: tuple[DhRow, ...]
+    joints: tuple[Joint, ...]
+    estimated: tuple[str, ...]
+
+    def frame(self, number: int) -> Pose:
+        """Return frame i of the table in the frame of joint i, for i from 0."""
+        if self.convention == "modified":
+            return Pose()
+        return Pose.from_matrix(fixed_part(self.rows[number]))
+
+    @property
+    def interface(self) -> Pose:
+        """Return the last frame of the table in the frame of the last joint."""
+        return Pose() if self.convention == "modified" else interface_from_dh(self.rows)
+
+
+def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) -> DhTable | None:
+    """Return the joints of a file; None where it has none, or too many.
+
+    Args:
+        root: the file.
+        convention: `standard` or `modified`.
+        units: of the file.
+        X_B0: frame 0 of the table in the base frame.
+    """
+    tables = root.tables("joints")
+    if not 1 <= len(tables) <= MOST_JOINTS:
+        if isinstance(root.values.get("joints", []), list):
+            found = f"`joints` has {len(tables)} rows" if "joints" in root else "there are no `joints`"
+            root.findings.add(
+                kinds.NO_JOINTS,
+                root.value_span("joints"),
+                f"{found}, an arm has 1 to {MOST_JOINTS}",
+                "give a row for each joint",
+            )
+        return None
+    guessed: dict[str, None] = {}
+    read = [_row(table, units, guessed) for table in tables]
+    rows, limits = tuple(row for row, _ in read), tuple(limit for _, limit in read)
+    make = joints_from_modified_dh if convention == "modified" else joints_from_dh
+    names = _names(tables)
+    joints = tuple(
+        replace(joint, name=name) for joint, name in zip(make(rows, limits, X_B0), names, strict=True)
+    )
+    for table in tables:
+        table.finish()
+    return DhTable(convention, rows, joints, tuple(guessed))
+
+
+def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRow, JointLimits]:
+    type_ = JointType(table.choice("type", ("revolute", "prismatic"), "revolute"))
+    for key in ("alpha", "theta"):
+        _note_radians(table, key, units)
+    a, d = (table.number(key, units.position, 0.0) for key in ("a", "d"))
+    alpha, theta = (table.number(key, units.turn, 0.0) for key in ("alpha", "theta"))
+    return DhRow(a, alpha, d, theta, type_), _limits(table, type_, units, guessed)
+
+
+def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str, None]) -> JointLimits:
+    table.require("limits")
+    way = units.turn if type_ is JointType.REVOLUTE else units.position
+    lower, upper = table.numbers("limits", 2, way, (0.0, 1.0))
+    for key, words in (("speed", "speeds"), ("acceleration", "accelerations"), ("jerk", "jerks")):
+        if table.present and key not in table:
+            guessed[words] = None
+    speed = table.number("speed", units.rate(type_, 1), SPEEDS[type_])
+    fastest = units.rate(type_, 2).high
+    acceleration = table.number("acceleration", units.rate(type_, 2), min(speed / TO_FULL_SPEED, fastest))
+    jerk = table.number("jerk", units.rate(type_, 3), min(RISE * acceleration, units.rate(type_, 3).high))
+    effort = table.number("effort", _EFFORT, float("inf"))
+    return JointLimits(lower, upper, speed, acceleration, jerk, effort)
+
+
+def _names(tables: tuple[TomlTable, ...]) -> list[str]:
+    """Return the names of the joints, those that are there twice noted."""
+    names: list[str] = []
+    for number, table in enumerate(tables, start=1):
+        name = table.text("name", str(number)) or str(number)
+        if name in names:
+            message = f"two joints are called `{name[:60]}`"
+            span = table.value_span("name") if "name" in table else table.findings.places.key(table.path)
+            table.findings.add(kinds.JOINT_NAME_TWICE, span, message, "give each a name of its own")
+        names.append(name)
+    return names
+
+
+def _note_radians(table: TomlTable, key: str, units: Units) -> None:
+    """Note an angle in degrees that has the digits of a quarter or half a turn in radians."""
+    value = table.values.get(key)
+    if units.angle != "deg" or isinstance(value, bool) or not isinstance(value, int | float):
+        return
+    for turn, degrees in ((pi / 2.0, 90), (pi, 180)):
+        if abs(abs(value) - turn) < _RADIANS:
+            message = f"`{table.name_of(key)}` is {value:g}°, the digits of {degrees}° in radians"
+            hint = f'write {degrees if value > 0 else -degrees}, or `units = {{ angle = "rad" }}`'
+            table.findings.add(kinds.LOOKS_LIKE_RADIANS, table.value_span(key), message, hint)

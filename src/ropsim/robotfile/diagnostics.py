@@ -1,0 +1,99 @@
+"""The kinds of mistakes in robot files, X900 to X906; those of all TOML files are in `tomltext`."""
+
+from ropsim.core import Severity, define
+
+NO_JOINTS = define(
+    "X900",
+    "robot-without-joints",
+    Severity.ERROR,
+    "a robot file has no row of joints, or too many",
+    """
+A robot file needs `joints`, a list with a row for each joint from the base on:
+
+```toml
+joints = [
+  { a = 0, alpha = 90, d = 400, limits = [-170, 170], speed = 120 },
+  { a = 500, alpha = 0, d = 0, limits = [-90, 110], speed = 120 },
+]
+```
+
+An arm has at most 32 of them.
+""",
+)
+
+JOINT_NAME_TWICE = define(
+    "X901",
+    "joint-name-taken",
+    Severity.ERROR,
+    "two joints of a robot file have one name",
+    """
+Messages, plots and recordings speak of joints by their names, so each needs its own. Without `name` the
+joints are called `1`, `2` and so on, which may be the name that another one was given.
+""",
+)
+
+SOME_MASSES = define(
+    "X902",
+    "mass-of-some-links",
+    Severity.ERROR,
+    "some links have a mass and others have none",
+    """
+Dynamics need the masses of all links. Give each row of `links` its `mass` (0 where a paper says so), or
+give the mass of all moving links together, of which the links without a mass of their own get shares:
+
+```toml
+mass = 28                      # kg, of all that moves
+```
+
+Leave out all masses to simulate without dynamics.
+""",
+)
+
+DRIVES_WITHOUT_MASSES = define(
+    "X903",
+    "drives-without-masses",
+    Severity.ERROR,
+    "a robot file has drives and no masses",
+    """
+What a motor does depends on the masses that it moves, so drives without masses say nothing. Give `links` with
+their masses, or `mass`, the mass of all moving links together; or leave `drives` out.
+""",
+)
+
+LOOKS_LIKE_RADIANS = define(
+    "X904",
+    "looks-like-radians",
+    Severity.WARNING,
+    "an angle in degrees has the digits of a right angle in radians",
+    """
+`1.5708` and `3.1416` are a quarter and half a turn in radians; as degrees they make an arm whose axes are
+nearly parallel. Angles are in degrees unless the file says otherwise:
+
+```toml
+units = { angle = "rad" }
+```
+""",
+)
+
+WRONG_RATIO = define(
+    "X905",
+    "ratio-of-nought",
+    Severity.ERROR,
+    "a gear ratio is 0",
+    """
+The `ratio` of a drive is the motor's angle over the coordinate of the joint: radians per radian, and
+radians per metre for sliding joints. It may be negative, where the motor turns the other way, and cannot be
+0.
+""",
+)
+
+MASS_USED_UP = define(
+    "X906",
+    "mass-used-up",
+    Severity.ERROR,
+    "the links have more mass than the whole arm",
+    """
+`mass` is that of all moving links together. The links that have a mass of their own have more than that, so
+nothing is left for the others.
+""",
+)

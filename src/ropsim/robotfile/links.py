@@ -1,0 +1,114 @@
+"""The rows of `links`: masses, centres of mass, inertias and looks of what each joint moves."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.core import frozen_dataclass
+from ropsim.model import Link, snapped
+from ropsim.robotfile import diagnostics as kinds
+from ropsim.robotfile.dh_table import DhTable
+from ropsim.robotfile.estimates import Cylindrical, cylinders
+from ropsim.spatial import Array, Pose, frozen
+from ropsim.tomltext import MASS, ORIGIN, Look, TomlTable, Units, read_look, read_shapes, read_tensor
+
+
+@frozen_dataclass
+class Links:
+    """What the rows say.
+
+    Attributes:
+        links: of the arm, in the frames of their joints.
+        estimated: which of masses, centres of mass and inertias are estimates for some link.
+    """
+
+    links: tuple[Link, ...]
+    estimated: tuple[str, ...]
+
+    @property
+    def has_mass(self) -> bool:
+        """Return whether there is anything that dynamics could be computed with."""
+        return any(link.mass > 0.0 or link.inertia.any() for link in self.links)
+
+
+def read_links(root: TomlTable, table: DhTable, X_nM: Pose, units: Units) -> Links:
+    """Return the links of a file; without masses where it gives none.
+
+    Args:
+        root: the file, with the keys `links` and `mass`.
+        table: its joints.
+        X_nM: mechanical interface in the frame of the last joint.
+        units: of the file.
+    """
+    rows = root.tables("links")
+    count = len(table.joints)
+    if rows and len(rows) != count:
+        root.wrong_count(("links",), rows, f"{count}, one per joint")
+    tables = (*rows, *(TomlTable({}, ("links",), root.findings, present=False) for _ in range(count)))[:count]
+    stand_ins = cylinders(table.joints, X_nM)
+    guessed: dict[str, None] = {}
+    masses = _masses(root, tables, stand_ins, guessed)
+    links = tuple(
+        _link(tables[k], masses[k], stand_ins[k], table.frame(k), units, guessed) for k in range(count)
+    )
+    for row in rows:
+        row.finish()
+    return Links(links, tuple(guessed))
+
+
+def _masses(
+    root: TomlTable, tables: Sequence[TomlTable], stand_ins: Sequence[Cylindrical], guessed: dict[str, None]
+) -> list[float]:
+    """Return the masses [kg]: those of the file, and for the others shares of that of the whole arm."""
+    given = [table.number("mass", MASS, 0.0) if "mass" in table else None for table in tables]
+    missing = [k for k, mass in enumerate(given) if mass is None]
+    known = sum(mass for mass in given if mass is not None)
+    if "mass" in root:
+        whole = root.number("mass", MASS, known)
+        if (missing and whole <= known) or whole < known:
+            message = f"`mass` of all links is {whole:g} kg, the rows of `links` have {known:g} kg"
+            hint = "it is the mass of all that moves"
+            root.findings.add(kinds.MASS_USED_UP, root.value_span("mass"), message, hint)
+        if missing:
+            guessed["masses of the links"] = None
+        volume = sum(stand_ins[k].volume for k in missing)
+        shares = {k: (whole - known) * stand_ins[k].volume / volume for k in missing}
+        return [max(shares[k], 0.0) if mass is None else mass for k, mass in enumerate(given)]
+    if missing and len(missing) < len(tables):
+        names = ", ".join(str(k + 1) for k in missing)
+        which = f"link {names} has" if len(missing) == 1 else f"links {names} have"
+        message = f"{which} no mass, the others have one"
+        root.findings.add(
+            kinds.SOME_MASSES,
+            tables[missing[0]].value_span(),
+            message,
+            "give each its `mass`, or the whole arm one",
+        )
+    return [mass or 0.0 for mass in given]
+
+
+def _link(
+    table: TomlTable,
+    mass: float,
+    stand_in: Cylindrical,
+    X_JF: Pose,
+    units: Units,
+    guessed: dict[str, None],
+) -> Link:
+    """Return a link whose data stand in frame F of the table, in the frame of its joint."""
+    R = snapped(X_JF.rotation())
+    com = frozen(stand_in.middle if mass > 0.0 else ORIGIN)
+    if "com" in table:
+        com = frozen(R @ np.array(table.numbers("com", 3, units.position, ORIGIN)) + X_JF.position)
+    elif mass > 0.0:
+        guessed["centres of mass"] = None
+    inertia: Array = np.zeros((3, 3))
+    if "inertia" in table:
+        inertia = snapped(R @ read_tensor(table) @ R.T)
+    elif mass > 0.0:
+        guessed["moments of inertia"] = None
+        inertia = stand_in.inertia(mass)
+    shapes = read_shapes(table, units, read_look(table, Look()))
+    placed = tuple(replace(shape, pose=X_JF @ shape.pose) for shape in shapes)
+    return Link(mass, com, frozen(inertia), placed)

@@ -1,0 +1,126 @@
+"""A robot file to a robot (manual: docs/reference/robot-file.md)."""
+
+from pathlib import PurePath
+
+import numpy as np
+
+from ropsim.core import SourceText
+from ropsim.model import Joint, JointType, ReadRobot, RobotModel, Shape, audit
+from ropsim.robotfile import diagnostics as kinds
+from ropsim.robotfile.dh_table import read_dh_table
+from ropsim.robotfile.drives import read_drives
+from ropsim.robotfile.links import read_links
+from ropsim.robotfile.origins import estimates, read_origins
+from ropsim.robotfile.places import robot_file_places
+from ropsim.spatial import Array, Pose, frozen
+from ropsim.tomltext import (
+    Look,
+    Quantity,
+    TomlTable,
+    Units,
+    read_document,
+    read_look,
+    read_pose,
+    read_shapes,
+    read_units,
+)
+
+CONVENTIONS = ("standard", "modified")
+
+
+def read_robot_file(source: SourceText) -> ReadRobot:
+    """Return the robot that a robot file describes, everything in SI units.
+
+    Args:
+        source: content of the file; any text is allowed.
+    """
+    root, syntax = read_document(source)
+    if root is None:
+        return ReadRobot(None, syntax)
+    robot = _robot(root, source)
+    found = root.findings.ordered()
+    if robot is None or any(one.is_error for one in found):
+        return ReadRobot(None, found)
+    wrong = tuple(one for one in audit(robot, robot_file_places(source)) if one.is_error)
+    return ReadRobot(None if wrong else robot, (*found, *wrong))
+
+
+def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
+    units = read_units(root.table("units"))
+    stem = PurePath(source.name).stem
+    name = root.text("name", stem) or stem
+    title = root.text("title", name)
+    root.require("convention", "joints")
+    convention = root.choice("convention", CONVENTIONS, CONVENTIONS[0]) if "convention" in root else ""
+    X_B0, base_shapes = _base(root.table("base"), units)
+    table = read_dh_table(root, convention or CONVENTIONS[0], units, X_B0)
+    X_NM = _flange(root.table("flange"), units)
+    origins = read_origins(root, PurePath(source.name).name)
+    if table is None:
+        _pass_over(root)
+        return None
+    X_nM = table.interface @ X_NM
+    links = read_links(root, table, X_nM, units)
+    drives = read_drives(root, len(table.joints))
+    if drives and not links.has_mass:
+        message = "there are `drives`, and no link has a mass"
+        hint = "give `links` with masses, or `mass`, that of all moving links"
+        root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
+    home = _home(root, table.joints, units)
+    root.finish()
+    return RobotModel(
+        name=name,
+        title=title,
+        joints=table.joints,
+        links=links.links,
+        drives=drives,
+        home=home,
+        origins=(*origins, *estimates(table, links)),
+        base_shapes=base_shapes,
+        X_nM=X_nM,
+        dh=table.rows if convention == "standard" else (),
+    )
+
+
+def _base(table: TomlTable, units: Units) -> tuple[Pose, tuple[Shape, ...]]:
+    """Return frame 0 of the table in the base frame, and what the foot looks like, in the base frame."""
+    X_B0, shapes = read_pose(table, units), read_shapes(table, units, read_look(table, Look()))
+    table.finish()
+    return X_B0, shapes
+
+
+def _flange(table: TomlTable, units: Units) -> Pose:
+    """Return the mechanical interface in the last frame of the table."""
+    X_NM = read_pose(table, units)
+    table.finish()
+    return X_NM
+
+
+def _home(root: TomlTable, joints: tuple[Joint, ...], units: Units) -> Array:
+    """Return the rest position: that of the file, else all zero, or the middle of a range without zero."""
+    default = [0.0 if one.lower <= 0.0 <= one.upper else 0.5 * (one.lower + one.upper) for one in joints]
+    value = root.values.get("home", default) if "home" in root else default
+    if not isinstance(value, list):
+        root.wrong_type(("home",), value, "a list of numbers")
+        return np.array(default)
+    if value is default:
+        return frozen(default)
+    if len(value) != len(joints):
+        root.wrong_count(("home",), value, f"{len(joints)}, one per joint")
+        return np.array(default)
+    return frozen(
+        [
+            root.number_at(("home", k), item, _coordinate(joint, units), default[k])
+            for k, (item, joint) in enumerate(zip(value, joints, strict=True))
+        ]
+    )
+
+
+def _coordinate(joint: Joint, units: Units) -> Quantity:
+    return units.turn if joint.type is JointType.REVOLUTE else units.position
+
+
+def _pass_over(root: TomlTable) -> None:
+    """Say nothing of what has no meaning without joints."""
+    for key in root.values:
+        root.asked[key] = None

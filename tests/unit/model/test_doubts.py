@@ -1,0 +1,79 @@
+"""Numbers of arms that are most often slips."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.core import Severity
+from ropsim.model import Joint, Link, RobotModel, audit
+from ropsim.spatial import Pose
+
+DOUBTS = {"X863", "X864", "X865", "X866", "X867", "X868", "X869"}
+
+
+def doubted(robot: RobotModel) -> list[str]:
+    return [one.code for one in audit(robot) if one.code in DOUBTS]
+
+
+def with_links(robot: RobotModel, *links: Link) -> RobotModel:
+    return replace(robot, links=links)
+
+
+def with_joint(robot: RobotModel, number: int, joint: Joint) -> RobotModel:
+    joints = list(robot.joints)
+    joints[number] = joint
+    return replace(robot, joints=tuple(joints))
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_nothing_of_the_built_in_arms_is_doubted(name: str) -> None:
+    assert doubted(robots.load(name)) == []
+
+
+def test_masses_that_are_all_the_same_are_doubted_from_three_links_on() -> None:
+    scara, two_link = robots.load("scara"), robots.load("two_link")
+    ones = [replace(link, mass=1.0) for link in scara.links]
+    assert doubted(with_links(scara, *ones)) == ["X863"]
+    assert {link.mass for link in two_link.links} == {1.0}  # both, and nothing is said of them
+    unit = [replace(link, inertia=0.01 * np.eye(3)) for link in scara.links]
+    assert doubted(with_links(scara, *unit)) == ["X863"]
+
+
+def test_masses_in_grams_and_inertias_in_square_millimetres_are_doubted() -> None:
+    scara = robots.load("scara")
+    grams = [replace(link, mass=1e3 * link.mass) for link in scara.links]
+    assert doubted(with_links(scara, *grams)) == ["X864"]
+    first, *others = scara.links
+    assert doubted(with_links(scara, replace(first, inertia=1e6 * first.inertia), *others)) == ["X865"]
+    assert doubted(with_links(scara, replace(first, com=1e3 * first.com), *others)) == ["X865"]
+
+
+def test_one_row_of_limits_copied_to_all_is_a_hint() -> None:
+    puma = robots.load("puma560")
+    keys = ("lower", "upper", "max_speed", "max_acceleration")
+    first = {key: getattr(puma.joints[0], key) for key in keys}
+    copied = replace(puma, joints=tuple(replace(joint, **first) for joint in puma.joints), home=np.zeros(6))
+    (found,) = [one for one in audit(copied) if one.code in DOUBTS]
+    assert (found.code, found.severity) == ("X866", Severity.HINT)
+
+
+def test_two_joints_about_one_axis_and_one_that_stands_still_are_doubted() -> None:
+    puma = robots.load("puma560")
+    last = puma.joints[5]
+    doubled = with_joint(puma, 5, replace(last, placement=Pose(np.array([0.0, 0.0, 0.1]))))
+    assert doubted(doubled) == ["X867"]
+    assert doubted(with_joint(puma, 5, replace(last, lower=0.0, upper=1e-3))) == ["X868"]
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1e3])
+def test_arms_of_another_unit_of_length_are_doubted(scale: float) -> None:
+    arm = robots.load("two_link")
+    joints = tuple(
+        replace(joint, placement=Pose(scale * joint.placement.position, joint.placement.orientation))
+        for joint in arm.joints
+    )
+    X_nM = Pose(scale * arm.X_nM.position)
+    massless = tuple(Link(0.0, np.zeros(3), np.zeros((3, 3))) for _ in joints)
+    assert doubted(replace(arm, joints=joints, X_nM=X_nM, links=massless)) == ["X869"]

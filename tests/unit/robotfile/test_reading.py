@@ -1,0 +1,164 @@
+"""Robot files: the same arm as built in, both conventions, and what a row leaves out."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import kinematics, robots
+from ropsim.core import SourceText
+from ropsim.dynamics import gravity
+from ropsim.model import DcMotor, ElasticGear, JointType, RobotModel, audit, capsule, check_counts
+from ropsim.robotfile import read_robot_file, robot_file_places
+from support.robot_files import PUMA560, TWO_JOINTS
+
+ROUNDING = 1e-12
+"""Of sums and products of lengths of 1 m [m, entries of the rotation]."""
+
+
+def arm(text: str) -> RobotModel:
+    read = read_robot_file(SourceText("robots/arm.toml", text))
+    assert [one.code for one in read.findings if one.is_error] == []
+    assert read.robot is not None
+    return read.robot
+
+
+def test_the_puma_of_its_papers_is_the_built_in_one() -> None:
+    robot, built_in = arm(PUMA560), robots.load("puma560")
+    Q = np.random.default_rng(1).uniform(built_in.lower_limits, built_in.upper_limits, (100, 6))
+    difference = kinematics.forward_batch(robot, Q) - kinematics.forward_batch(built_in, Q)
+    assert np.abs(difference).max() <= ROUNDING
+    assert robot.drives == built_in.drives
+    assert robot.dh == built_in.dh
+    bare = [replace(link, shapes=()) for link in built_in.links]
+    assert list(robot.links) == bare
+    np.testing.assert_array_equal(gravity(robot, Q[0]), gravity(built_in, Q[0]))
+
+
+STANDARD = """
+convention = "standard"
+base = { position = [0, 0, 100] }
+flange = { position = [10, 20, 30], rpy = [0, 40, 0] }
+joints = [
+  { a = 150, alpha = 90, d = 445, theta = 10, limits = [-180, 180] },
+  { type = "prismatic", a = 20, alpha = -35, d = 50, theta = 25, limits = [-100, 700] },
+  { a = 115, alpha = -90, d = 3, theta = -90, limits = [-175, 90] },
+]
+"""
+MODIFIED = """
+convention = "modified"
+base = { position = [0, 0, 100] }
+flange = { position = [127.0, -30, 20], quaternion = [QUATERNION] }
+joints = [
+  { d = 445, theta = 10, limits = [-180, 180] },
+  { type = "prismatic", a = 150, alpha = 90, d = 50, theta = 25, limits = [-100, 700] },
+  { a = 20, alpha = -35, d = 3, theta = -90, limits = [-175, 90] },
+]
+"""
+
+
+def as_modified() -> str:
+    """Return the arm of `STANDARD` in the other form: its last a and α come before the flange.
+
+    Tx(115)·Rx(-90°) applied to (10, 20, 30) is (125, 30, -20).
+    """
+    half = np.radians([-45.0, 20.0])
+    (sx, sy), (cx, cy) = np.sin(half), np.cos(half)
+    turned = ", ".join(repr(float(one)) for one in (cx * cy, sx * cy, cx * sy, sx * sy))
+    return MODIFIED.replace("127.0, -30, 20", "125, 30, -20").replace("QUATERNION", turned)
+
+
+def test_standard_and_modified_tables_of_one_arm_have_the_same_forward_kinematics() -> None:
+    standard, modified = arm(STANDARD), arm(as_modified())
+    Q = np.random.default_rng(2).uniform(standard.lower_limits, standard.upper_limits, (50, 3))
+    one, other = kinematics.forward_batch(standard, Q), kinematics.forward_batch(modified, Q)
+    np.testing.assert_allclose(one, other, rtol=0.0, atol=ROUNDING)
+    assert standard.joints[1].type is JointType.PRISMATIC
+
+
+def test_data_of_links_stand_in_the_frames_of_their_table() -> None:
+    links = "links = [{ mass = 3, com = [1, 2, 3] }, { mass = 2, com = [4, 5, 6] }, { mass = 1 }]"
+    standard = arm(f"{links}\n{STANDARD}")
+    frames = kinematics.frames_batch(standard, np.zeros((1, 3)))[0]
+    # frame 1 of the table is X_{01} = Rz(10°)·Tz(445)·Tx(150)·Rx(90°), 100 mm above the base
+    c, s = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
+    X_01 = np.array([[c, 0.0, s], [s, 0.0, -c], [0.0, 1.0, 0.0]])
+    expected = X_01 @ np.array([0.001, 0.002, 0.003]) + np.array([0.15 * c, 0.15 * s, 0.545])
+    found = frames[0][:3, :3] @ standard.links[0].com + frames[0][:3, 3]
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=ROUNDING)
+
+
+def test_a_bare_table_is_an_arm_without_masses_that_says_what_is_estimated() -> None:
+    robot = arm(TWO_JOINTS)
+    check_counts(robot)
+    assert (robot.name, robot.n, robot.drives) == ("arm", 2, ())
+    assert sum(link.mass for link in robot.links) == 0.0
+    joint = robot.joints[0]
+    np.testing.assert_allclose(joint.max_acceleration, joint.max_speed / 0.25)
+    np.testing.assert_allclose(joint.max_jerk, 10.0 * joint.max_acceleration)
+    assert [one.parameters for one in robot.origins if one.kind == "estimated"] == [
+        "joint accelerations and jerks"
+    ]
+
+
+def test_the_mass_of_the_arm_is_shared_by_its_links_with_inertias_that_can_be() -> None:
+    robot = arm("mass = 12\n" + TWO_JOINTS)
+    assert sum(link.mass for link in robot.links) == pytest.approx(12.0)
+    assert robot.links[0].mass > robot.links[1].mass > 0.0
+    np.testing.assert_allclose(robot.links[0].com, [0.2, 0.0, 0.0])
+    # a cylinder along x: little about x, the same about y and z
+    xx, yy, zz = np.diag(robot.links[0].inertia)
+    assert 0.0 < xx < yy == pytest.approx(zz)
+    radius = 0.05 * 0.7
+    assert xx == pytest.approx(robot.links[0].mass * radius**2 / 2.0)
+    assert not [one for one in audit(robot) if one.code in {"X853", "X854", "X865"}]
+    estimated = [one.parameters for one in robot.origins if one.kind == "estimated"]
+    assert "masses of the links, centres of mass and moments of inertia" in estimated
+
+
+def test_a_link_keeps_its_own_mass_and_the_others_get_the_rest() -> None:
+    robot = arm("mass = 12\nlinks = [{ mass = 9 }, {}]\n" + TWO_JOINTS)
+    assert [link.mass for link in robot.links] == [9.0, pytest.approx(3.0)]
+
+
+def test_home_is_zero_or_the_middle_of_a_range_without_zero() -> None:
+    robot = arm(TWO_JOINTS.replace("[-150, 150]", "[20, 60]"))
+    np.testing.assert_allclose(np.degrees(robot.home), [0.0, 40.0])
+
+
+def test_drives_may_be_servos_with_elastic_gears() -> None:
+    servo = '{ kind = "servo", ratio = 100, max_torque = 2, stiffness = 2e4, coulomb = 0.1 }'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    transmission = robot.drives[0].transmission
+    assert isinstance(transmission, ElasticGear)
+    assert (transmission.ratio, transmission.stiffness) == (100.0, 2e4)
+    assert robot.drives[0].friction.coulomb_negative == -0.1
+
+
+def test_a_torque_constant_is_the_back_emf_constant_where_only_one_is_given() -> None:
+    motor = arm(PUMA560).drives[0].motor
+    assert isinstance(motor, DcMotor)
+    assert motor.back_emf_constant == motor.torque_constant == 0.19
+
+
+def test_shapes_stand_in_the_frame_of_the_table_too() -> None:
+    looks = "[{ capsule = { radius = 40, length = 300 }, position = [-150, 0, 0] }]"
+    robot = arm(
+        f"base = {{ shapes = [{{ box = [100, 100, 50] }}] }}\nlinks = [{{ shapes = {looks} }}, {{}}]\n"
+        + TWO_JOINTS
+    )
+    (shape,) = robot.links[0].shapes
+    np.testing.assert_allclose(shape.pose.position, [0.25, 0.0, 0.0])
+    assert shape.solid == capsule(0.04, 0.3)
+    assert len(robot.base_shapes) == 1
+
+
+def test_findings_of_an_audit_point_into_the_file() -> None:
+    text = PUMA560.replace("mass = 17.4", "mass = 9000")
+    source = SourceText("robots/arm.toml", text)
+    robot = read_robot_file(source).robot
+    assert robot is not None
+    (found,) = [one for one in audit(robot, robot_file_places(source)) if one.code == "X864"]
+    assert found.span is not None
+    line = source.line(found.span.line)
+    assert line[found.span.column - 1 :].startswith("9000")
