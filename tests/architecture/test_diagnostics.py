@@ -23,7 +23,7 @@ BANDS = {
     "model": {"X8"},
     "robots": {"X8"},
     "calibration": {"X8"},
-    "workbench": {"X8"},
+    "workbench": {"X8", "X9"},
     "cellfile": {"X8"},
     "robotfile": {"X9"},
     "tomltext": {"X8"},

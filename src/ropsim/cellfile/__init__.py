@@ -5,6 +5,8 @@ from ropsim.cellfile.controller_limits import Limits as Limits
 from ropsim.cellfile.controller_limits import limits_section as limits_section
 from ropsim.cellfile.controller_limits import with_limits as with_limits
 from ropsim.cellfile.controller_limits import written_limits as written_limits
-from ropsim.cellfile.places import mesh_in_cell_file as mesh_in_cell_file
+from ropsim.cellfile.places import mesh_in_files as mesh_in_files
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
 from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file
+from ropsim.cellfile.robot_files import is_robot_file as is_robot_file
+from ropsim.cellfile.robot_files import robot_files as robot_files

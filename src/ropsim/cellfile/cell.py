@@ -11,6 +11,7 @@ from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
 from ropsim.cellfile.objects import read_parts, read_sinks
 from ropsim.cellfile.poses import read_locations
+from ropsim.cellfile.robot_files import NO_FILES, RobotLibrary
 from ropsim.cellfile.signals import read_signals
 from ropsim.cellfile.stations import read_stations
 from ropsim.cellfile.supports import note_standings, read_supports
@@ -23,6 +24,7 @@ from ropsim.model import (
     ClassicSettings,
     Device,
     Frame,
+    ReadRobot,
     Signal,
     Station,
     link_name,
@@ -42,28 +44,33 @@ from ropsim.tomltext import (
 _OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
 
 
-def read_cell(text: SourceText, folder_name: str) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
+def read_cell(
+    text: SourceText, folder_name: str, robot_files: Mapping[str, ReadRobot] = NO_FILES
+) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
     """Return the work cell that a cell file describes, everything in SI units and the world frame.
 
     Args:
         text: content of `cell.toml`; any text is allowed.
         folder_name: name of the cell where the file gives none.
+        robot_files: robots by the paths that the file gives for them (`robot_files`).
 
     Returns:
-        The cell, or None when there is an error; and the findings in order of their place.
+        The cell, or None when there is an error; and the findings in order of their place, those of the files
+        of its robots after its own.
     """
     root, syntax = read_document(text)
     if root is None:
         return None, syntax
-    cell = _cell(root, folder_name)
-    found = root.findings.ordered()
+    library = RobotLibrary(robot_files)
+    cell = _cell(root, folder_name, library)
+    found = (*root.findings.ordered(), *library.placed_findings())
     return (None if any(one.is_error for one in found) else cell), found
 
 
-def _cell(root: TomlTable, folder_name: str) -> Cell | None:
+def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | None:
     units = read_units(root.table("units"))
     tools = read_tools(root.named("tools"), units)
-    stations = read_stations(root, tools, units)
+    stations = read_stations(root, tools, library, units)
     axes = axes_of(stations)
     _note_names_of_axes(root, stations, axes)
     sinks = read_sinks(root.tables("sinks"), units)

@@ -1,6 +1,6 @@
 """Where the cell file gives names to things."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ropsim.core import SourceText, Span
 from ropsim.model import ROBOT
@@ -36,18 +36,25 @@ def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
     return places.value((*path, "program")) if (*path, "program") in places.keys else places.key(path)
 
 
-def mesh_in_cell_file(text: SourceText | None, file: str) -> Span | None:
-    """Return where a valid cell file has the mesh `file`, or else its start; None where there is no text."""
-    if text is None:
-        return None
-    places = positions(text)
+def mesh_in_files(texts: Sequence[SourceText], file: str) -> Span | None:
+    """Return where valid cell and robot files have the mesh `file`, or else the start of the first of them.
+
+    Args:
+        texts: the cell file, then files of robots.
+        file: path of the mesh as they give it.
+    """
+    found = (_mesh(text, file) for text in texts)
+    return next((span for span in found if span), texts[0].span(1) if texts else None)
+
+
+def _mesh(text: SourceText, file: str) -> Span | None:
     paths: list[tuple[tuple[str | int, ...], object]] = [((), toml_values("\n".join(text.lines)))]
     while paths:
         path, value = paths.pop(0)
         if value == file and path[-1:] == ("mesh",):
-            return places.value(path)
+            return positions(text).value(path)
         if isinstance(value, dict):
             paths += [((*path, key), item) for key, item in value.items()]
         elif isinstance(value, list):
             paths += [((*path, k), item) for k, item in enumerate(value)]
-    return places.start
+    return None

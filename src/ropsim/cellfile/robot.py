@@ -54,24 +54,24 @@ class RobotSection:
 
 
 def read_robot(
-    table: TomlTable, key: str, settings: TomlTable, X_WB: Pose, units: Units
+    table: TomlTable, arm: RobotModel | None, settings: TomlTable, X_WB: Pose, units: Units
 ) -> RobotSection | None:
     """Return the robot of a section under the controller that its settings change.
 
     Keys that other readers ask for (`base`, `tool`) must have been asked for before; both sections are
-    finished here. Returns None where the robot is missing or unknown.
+    finished here. Returns None where there is no robot.
 
     Args:
         table: section `[robot]` or `[stations.NAME]`.
-        key: of the model in it.
+        arm: that it names (`RobotLibrary`); None where it is missing, unknown or wrong.
         settings: section `[controller]` or `[stations.NAME.controller]`.
         X_WB: base frame in the world frame, of the track where the arm is on one; a tilted base turns gravity
             in the base frame.
         units: units of the file.
     """
-    table.require(key)
     external = read_external_axes(table, units)
-    return _section(table, settings, _load(table, key, settings, external, X_WB), X_WB, units)
+    loaded = None if arm is None else _joined(table, arm, settings, external, X_WB)
+    return _section(table, settings, loaded, X_WB, units)
 
 
 def read_driven(
@@ -112,17 +112,15 @@ def _section(
     return RobotSection(_with_base(model, X_WB), controller, start)
 
 
-def _load(
-    table: TomlTable, key: str, settings: TomlTable, external: ExternalAxes, X_WB: Pose
+def _joined(
+    table: TomlTable, arm: RobotModel, settings: TomlTable, external: ExternalAxes, X_WB: Pose
 ) -> tuple[RobotModel, ControllerModel] | None:
-    """Return the arm and its external axes with their standard controller at the rates of `settings`."""
-    name = table.text(key, "")
-    if not name and table.values.get(key) != "":  # it is absent or no text, which has been said
-        return None
+    """Return an arm and its external axes with their standard controller at the rates of `settings`."""
     try:
-        model = external.joined(robots.load(name), X_WB)
+        model = external.joined(arm, X_WB)
         return model, robots.default_controller(model, _rates(settings))
     except RopsimError as error:
+        key = "robot" if "robot" in table.values else "model"
         table.findings.items.append(replace(error.diagnostic, span=table.value_span(key)))
         return None
 

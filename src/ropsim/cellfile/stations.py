@@ -6,17 +6,21 @@ from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.one_axis import read_mechanism
 from ropsim.cellfile.poses import read_base
 from ropsim.cellfile.robot import RobotSection, read_driven, read_robot
+from ropsim.cellfile.robot_files import RobotLibrary
 from ropsim.model import ROBOT, Station, Tool
 from ropsim.spatial import Pose
 from ropsim.tomltext import CONFLICTING_KEYS, UNKNOWN_CELL_NAME, TomlTable, Units
 
 
-def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> dict[str, Station | None]:
+def read_stations(
+    root: TomlTable, tools: Mapping[str, Tool], library: RobotLibrary, units: Units
+) -> dict[str, Station | None]:
     """Return the stations by name, None for one whose robot is missing or unknown.
 
     Args:
         root: the file.
         tools: of the cell, by name.
+        library: the robots that it can name.
         units: of the file.
     """
     tables = root.named("stations")
@@ -24,13 +28,13 @@ def read_stations(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> d
     told = not isinstance(root.values.get("stations", {}), dict)  # that they are no section
     if "robot" in root or not (tables or told):
         root.require("robot")
-        stations[ROBOT] = _short(root, tools, units)
+        stations[ROBOT] = _short(root, tools, library, units)
     for name, table in tables.items():
         if name in stations:
             message = f"`{name}` is the name of the station that `[robot]` describes"
             hint = "give the station another name, or describe all of them under `[stations]`"
             root.findings.add(kinds.DUPLICATE_CELL_NAME, table.findings.places.key(table.path), message, hint)
-        stations[name] = _long(name, table, tools, units)
+        stations[name] = _long(name, table, tools, library, units)
     _check_serving(tables, stations)
     return stations
 
@@ -48,18 +52,20 @@ def _check_serving(tables: Mapping[str, TomlTable], stations: Mapping[str, Stati
     table.findings.add(kinds.NOBODY_TO_SERVE, table.key_span("serves"), message, hint)
 
 
-def _short(root: TomlTable, tools: Mapping[str, Tool], units: Units) -> Station | None:
+def _short(root: TomlTable, tools: Mapping[str, Tool], library: RobotLibrary, units: Units) -> Station | None:
     table = root.table("robot")
     X_WB = read_base(table, units)
     tool = table.reference("tool", tools, "tool")
-    section = read_robot(table, "model", root.table("controller"), X_WB, units)
+    section = read_robot(table, library.arm(table, "model"), root.table("controller"), X_WB, units)
     program = root.table("cell").text("program", "main")
     if section is None:
         return None
     return Station(ROBOT, section.model, section.controller, X_WB, tools, tool, section.start, program)
 
 
-def _long(name: str, table: TomlTable, tools: Mapping[str, Tool], units: Units) -> Station | None:
+def _long(
+    name: str, table: TomlTable, tools: Mapping[str, Tool], library: RobotLibrary, units: Units
+) -> Station | None:
     X_WB = read_base(table, units)
     tool = table.reference("tool", tools, "tool")
     own = _tools(table, tool, tools)
@@ -68,7 +74,7 @@ def _long(name: str, table: TomlTable, tools: Mapping[str, Tool], units: Units) 
     if "mechanism" in table:
         section = _one_axis(table, settings, X_WB, units)
     else:
-        section = read_robot(table, "robot", settings, X_WB, units)
+        section = read_robot(table, library.arm(table, "robot"), settings, X_WB, units)
     if section is None:
         return None
     return Station(name, section.model, section.controller, X_WB, own, tool, section.start, program, serves)

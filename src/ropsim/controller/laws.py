@@ -5,19 +5,25 @@ from collections.abc import Callable
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi
 from ropsim.controller.computed_torque import computed_torque
 from ropsim.controller.law import CompiledLaw
+from ropsim.controller.law_diagnostics import GAINS_OF_ANOTHER_LAW, GainError
 from ropsim.model import ControllerKind, ControllerModel, Mechanism
 
 LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw]] = {
     ControllerKind.CASCADED_P_PI: cascaded_p_pi,
     ControllerKind.COMPUTED_TORQUE: computed_torque,
 }
+"""Without the ideal one: no drive follows it."""
 
 
 def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     """Return the law that a controller model asks for.
 
     Raises:
-        GainError: the gains do not fit the law or the arm.
+        GainError: the gains do not fit the law or the arm, or it is the ideal one, which has none.
         LawError: C602, the drives of the arm do not take what the law puts out.
     """
+    if model.kind not in LAWS:
+        message = f"law `{model.kind.value}` has no gains, so it drives no motors"
+        hint = "give the robot drives and a controller that is made for them"
+        raise GainError(GAINS_OF_ANOTHER_LAW.at(None, message, hint=hint))
     return LAWS[model.kind](model, robot)

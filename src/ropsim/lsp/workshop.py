@@ -2,16 +2,30 @@
 
 from collections.abc import Mapping
 from dataclasses import field, replace
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
 from ropsim import language
+from ropsim.cellfile import robot_files
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.model import Cell, Station
 from ropsim.userfiles import KeptAnswers, read_text_file
-from ropsim.workbench import NOWHERE, AtStation, CheckedText, Resolved, Workspace
+from ropsim.workbench import (
+    NOWHERE,
+    ROBOT_FORMATS,
+    AtStation,
+    CheckedText,
+    Reading,
+    Resolved,
+    RobotFile,
+    Workspace,
+    read_robot,
+    read_robot_files,
+    robots_read,
+)
 
 CELL_FILE = "cell.toml"
 
@@ -29,6 +43,7 @@ class Surroundings:
     Attributes:
         folder: of the project, None outside of one.
         cell_text: text of the cell file, open or on the disk.
+        robots: the robot files that it names, open or on the disk, by their paths.
         cell: the cell, None outside of a project and where the file is wrong.
         stations: that run the program, by name.
         environment: names for the compiler at the first of them.
@@ -37,6 +52,7 @@ class Surroundings:
 
     folder: Path | None = None
     cell_text: SourceText | None = None
+    robots: Mapping[str, RobotFile] = field(default_factory=dict)
     cell: Cell | None = None
     stations: Mapping[str, AtStation] = field(default_factory=lambda: NO_STATION)
     environment: language.Environment = language.NO_SIGNATURES
@@ -95,10 +111,13 @@ class Workshop:
         for folder in () if path is None else tuple(path.parents)[:_MAX_DEPTH]:
             place = folder / CELL_FILE
             if place in opened:
-                return self._read(folder, SourceText(str(place), opened[place].text), program)
-            if _is_file(place):
+                text: SourceText | None = SourceText(str(place), opened[place].text)
+            elif _is_file(place):
                 text, _ = read_text_file(place, str(place))
-                return self._read(folder, text, program)
+            else:
+                continue
+            robots = read_robot_files(folder, robot_files(text), partial(_text_of, folder, opened))
+            return self._read(folder, text, robots, program)
         return Surroundings()
 
     def named(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
@@ -111,8 +130,12 @@ class Workshop:
         around = self.surroundings(document, documents)
         source = _source(document)
         if _is_cell_file(document):
-            found = self.workspace.cell(source, _folder_name(document)).diagnostics
-            return CheckedText(source, found)
+            robots = robots_read(around.robots)
+            findings = self.workspace.cell(source, _folder_name(document), robots).diagnostics
+            own = (one for one in findings if one.span is None or one.span.source == source.name)
+            return CheckedText(source, tuple(own))
+        if _is_robot_file(document):
+            return CheckedText(source, read_robot(source).findings)
         checked = self.workspace.checked(source, around.stations)
         if around.is_broken:  # a program would be blamed for every name that the cell was to give it
             syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
@@ -167,30 +190,38 @@ class Workshop:
         self.told_tokens.pop(uri, None)
         self.workspace.forget(_source(Document(uri, 0, "")).name)
 
-    def _read(self, folder: Path, text: SourceText | None, program: str) -> Surroundings:
+    def _read(
+        self, folder: Path, text: SourceText | None, robots: Mapping[str, RobotFile], program: str
+    ) -> Surroundings:
         known = self._surroundings.get((folder, program))
-        cell = self.workspace.cell(text, folder.name).cell if text is not None else None
-        if known is not None and known.cell_text == text:
+        read = robots_read(robots)
+        cell = self.workspace.cell(text, folder.name, read).cell if text is not None else None
+        if known is not None and known.cell_text == text and known.robots == robots:
             return known
         if cell is None or text is None:
             before = None if known is None else (self._as_it_was(known) if known.cell else known.before)
-            made = Surroundings(folder, text, before=before)
+            made = Surroundings(folder, text, robots, before=before)
         else:
-            made = self._around(folder, text, cell, program)
+            made = self._around(folder, text, robots, cell, program)
         self._surroundings[folder, program] = made
         return made
 
-    def _around(self, folder: Path, text: SourceText, cell: Cell, program: str) -> Surroundings:
-        names = (one.name for one in cell.stations_of(program))
-        stations = {name: self.workspace.at(text, folder.name, name) for name in names}
+    def _around(
+        self, folder: Path, text: SourceText, robots: Mapping[str, RobotFile], cell: Cell, program: str
+    ) -> Surroundings:
+        names = [one.name for one in cell.stations_of(program)]
+        stations = {name: self.workspace.at(text, folder.name, name, robots_read(robots)) for name in names}
         environment = self.workspace.environment(next(iter(stations.values())))
-        return Surroundings(folder, text, cell, stations, environment)
+        return Surroundings(folder, text, robots, cell, stations, environment)
 
     def _as_it_was(self, known: Surroundings) -> Surroundings:
         """Return surroundings that hold beside the newer text of the same cell file."""
         assert known.cell_text is not None
         text = replace(known.cell_text, name=f"{known.cell_text.name}, as it was")
-        stations = {name: self.workspace.at(text, one.folder, name) for name, one in known.stations.items()}
+        read = robots_read(known.robots)
+        stations = {
+            name: self.workspace.at(text, one.folder, name, read) for name, one in known.stations.items()
+        }
         return replace(known, stations=stations)
 
 
@@ -201,6 +232,19 @@ def _source(document: Document) -> SourceText:
 def _is_cell_file(document: Document) -> bool:
     path = document.path
     return path is not None and path.name == CELL_FILE
+
+
+def _is_robot_file(document: Document) -> bool:
+    path = document.path
+    return path is not None and path.parent.name == "robots" and path.suffix.lower() in ROBOT_FORMATS
+
+
+def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) -> Reading:
+    """Return the text of a file of a project, as it is open in the editor or else on the disk."""
+    path = folder / name
+    if path in opened:
+        return SourceText(str(path), opened[path].text), ()
+    return read_text_file(path, str(path))
 
 
 def _folder_name(document: Document) -> str:

@@ -38,6 +38,7 @@ from ropsim.model.controller import ComputedTorqueGains as ComputedTorqueGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import Gains as Gains
+from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import PathDefaults as PathDefaults
 from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import gain_names as gain_names

@@ -12,10 +12,11 @@ from ropsim.spatial import Array, frozen, record
 
 
 class ControllerKind(Enum):
-    """The law of the joint controller."""
+    """The law of the joint controller; the ideal one lets arms without drives be where they should."""
 
     CASCADED_P_PI = "cascaded_p_pi"
     COMPUTED_TORQUE = "computed_torque"
+    IDEAL = "ideal"
 
 
 @frozen_dataclass
@@ -99,7 +100,12 @@ class ComputedTorqueGains:
         object.__setattr__(self, "kd", frozen(self.kd))
 
 
-Gains = CascadedGains | ComputedTorqueGains
+@frozen_dataclass
+class NoGains:
+    """The gains of the ideal joint controller: there are none."""
+
+
+Gains = CascadedGains | ComputedTorqueGains | NoGains
 
 
 def gain_names(gains: Gains) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""What can go wrong when a robot is asked for by name (codes X860 to X869)."""
+"""What can go wrong when a robot is asked for by name (codes X860 and X861)."""
 
 from collections.abc import Iterable
 
@@ -23,12 +23,12 @@ robot = ropsim.robots.load("puma560")
 
 NO_CONTROLLER = define(
     "X861",
-    "no-default-controller",
+    "no-standard-gains",
     Severity.ERROR,
-    "the robot has no drives, so no controller can be made for it",
+    "the robot has no drives, so no gains can be made for it",
     """
-Gains belong to drives: the standard controller is derived from motors, gears and masses of the model. A
-robot without drive data has none.
+Gains belong to drives: those of the standard controller are derived from motors, gears and masses of the
+model. A robot without drive data has none; in a cell it runs without dynamics, under the ideal controller.
 
 Give the model drives, make a `ControllerModel` with gains of your own, or use a robot that has drives.
 """,

@@ -40,13 +40,14 @@ def load(name: str) -> RobotModel:
 def default_controller(robot: str | Mechanism, rates: Rates = STANDARD_RATES) -> ControllerModel:
     """Return the standard controller of a robot, its gains derived from the model.
 
+    A robot without drives gets the ideal controller, under which it is where its reference is.
+
     Args:
-        robot: a built-in name, or a model with drives.
+        robot: a built-in name, or a model.
         rates: of the controller; the bandwidths follow them.
 
     Raises:
         UnknownRobotError: X860, no robot has this name.
-        NoControllerError: X861, the robot has no drives that gains could be made for.
     """
     model = load(robot) if isinstance(robot, str) else robot
     return _controller(model, rates)

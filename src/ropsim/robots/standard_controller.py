@@ -2,7 +2,8 @@
 
 An arm with geared motors gets cascaded loops, joint by joint. Where motors act on the joints directly,
 without an inertia of their own, the links push each other as hard as the motors do, and loops of single
-joints have to be slow; such an arm gets the computed-torque law.
+joints have to be slow; such an arm gets the computed-torque law. An arm without drives is where its
+reference is.
 """
 
 from functools import lru_cache
@@ -17,8 +18,10 @@ from ropsim.model import (
     ControllerKind,
     ControllerModel,
     Drive,
+    Gains,
     InputKind,
     Mechanism,
+    NoGains,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -134,28 +137,27 @@ def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains
 
 
 def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
-    """Return the standard controller of an arm with drives.
-
-    Raises:
-        NoControllerError: X861, the arm has no drives.
-    """
-    if not robot.drives:
-        raise NoControllerError(robot.name)
-    direct = all(map(_is_direct, robot.drives))
+    """Return the standard controller of an arm: the ideal one where it has no drives."""
+    kind, gains, origins = _law(robot, rates)
     return ControllerModel(
-        kind=ControllerKind.COMPUTED_TORQUE if direct else ControllerKind.CASCADED_P_PI,
+        kind=kind,
         rates=rates,
-        gains=standard_torque_gains(robot, rates) if direct else standard_gains(robot, rates),
+        gains=gains,
         path=PathDefaults(),
         in_position=np.full(robot.n, IN_POSITION),
-        origins=(
-            ParameterOrigin(
-                "controller gains",
-                "derived",
-                _torque_statement(rates) if direct else _statement(robot, rates),
-            ),
-        ),
+        origins=origins,
     )
+
+
+def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[ParameterOrigin, ...]]:
+    """Return the law that an arm gets, with its gains and where these come from."""
+    if not robot.drives:
+        return ControllerKind.IDEAL, NoGains(), ()
+    if all(map(_is_direct, robot.drives)):
+        origin = ParameterOrigin("controller gains", "derived", _torque_statement(rates))
+        return ControllerKind.COMPUTED_TORQUE, standard_torque_gains(robot, rates), (origin,)
+    origin = ParameterOrigin("controller gains", "derived", _statement(robot, rates))
+    return ControllerKind.CASCADED_P_PI, standard_gains(robot, rates), (origin,)
 
 
 def _is_direct(drive: Drive) -> bool:

@@ -128,7 +128,7 @@ def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, a
     return RunFacts(
         ropsim=__version__,
         project=run.cell.name,
-        fidelity=options.fidelity,
+        fidelity=_fidelity(run, options),
         record_hz=slowest.hz / slowest.plant.record_ticks,
         checked=(),  # collisions are not looked at
         inputs=tuple(inputs_taken(run)),
@@ -140,13 +140,19 @@ def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, a
     )
 
 
+def _fidelity(run: CellRun, options: RunOptions) -> Fidelity:
+    """Return what the run was: one of robots without drives is kinematic, whatever was asked for."""
+    driven = any(station.robot.drives for station in run.cell.stations.values())
+    return options.fidelity if driven else Fidelity.KINEMATIC
+
+
 def _station_facts(run: CellRun, name: str, program: Program | None, options: RunOptions) -> StationFacts:
     station = run.cell.stations[name]
     skipped = sum(isinstance(event, SkipEvent) and event.station == name for event in run.events)
     facts = replace(station_facts(name, station.robot, station.controller), skipped_moves=skipped)
     if program is not None:
         facts = replace(facts, program=program.name, source=program.source, icr_id=program_id(program))
-    if options.fidelity is Fidelity.DYNAMIC:
+    if options.fidelity is Fidelity.DYNAMIC and station.robot.drives:
         facts = with_law(facts, station.controller, options.laws.get(name))
     return facts
 

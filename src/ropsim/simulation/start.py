@@ -25,6 +25,7 @@ from ropsim.simulation.standing import stood
 from ropsim.simulation.station_run import StationRun
 from ropsim.simulation.tool_frames import ToolFrames
 from ropsim.simulation.track import tick_at
+from ropsim.simulation.undriven import undriven
 from ropsim.spatial import Pose, frozen
 
 
@@ -66,7 +67,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         progress=options.progress,
         ordered=options.ordered,
         watch=options.watch,
-        findings=list(findings),
+        findings=[*findings, *undriven(cell, options.fidelity)],
         placements=list(at_start(scenery.tree, parts, scenery.objects)),
         tracks={f"signal.{name}": signal_track(signal, hz) for name, signal in cell.signals.items()},
         inputs=list(inputs),
@@ -131,7 +132,7 @@ def _station_run(
 
 
 def _plant(cell: Cell, station: Station, load: Payload, options: RunOptions, senses: Senses) -> Plant:
-    if options.fidelity is Fidelity.KINEMATIC:
+    if options.fidelity is Fidelity.KINEMATIC or not station.robot.drives:
         record_ticks = options.record_ticks(station.controller.rates.control_hz)
         return KinematicPlant(station.robot, station.q_start, record_ticks, options.most_rows)
     return ServoPlant(cell, station, load, options, senses.read)

@@ -21,6 +21,12 @@ from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
 from ropsim.workbench.resolved import Resolved as Resolved
 from ropsim.workbench.resolved import location_of as location_of
+from ropsim.workbench.robot_files import Reading as Reading
+from ropsim.workbench.robot_files import RobotFile as RobotFile
+from ropsim.workbench.robot_files import read_robot as read_robot
+from ropsim.workbench.robot_files import read_robot_files as read_robot_files
+from ropsim.workbench.robot_files import robots_read as robots_read
+from ropsim.workbench.robot_formats import ROBOT_FORMATS as ROBOT_FORMATS
 from ropsim.workbench.session import Answer as Answer
 from ropsim.workbench.session import Session as Session
 from ropsim.workbench.session import as_program as as_program

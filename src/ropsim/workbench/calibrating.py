@@ -17,7 +17,7 @@ from ropsim.controller import StretchOrder
 from ropsim.core import Diagnostic, SourceText, read_bytes
 from ropsim.flow import Fidelity
 from ropsim.icr import Program
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, ReadRobot, Station
 from ropsim.simulation import RunOptions, run
 from ropsim.userfiles import UNREADABLE, missing_file
 from ropsim.workbench.calibrated_project import CalibratedProject
@@ -32,7 +32,12 @@ _TABLES = (
 
 
 def calibrate_project(
-    cell: Cell, codes: Mapping[str, Program], station: Station, cell_text: SourceText, trace: str | Path
+    cell: Cell,
+    codes: Mapping[str, Program],
+    station: Station,
+    cell_text: SourceText,
+    robots: Mapping[str, ReadRobot],
+    trace: str | Path,
 ) -> tuple[CalibratedProject | None, tuple[Diagnostic, ...]]:
     """Return the limits under which programs last as long as in a trace, and what was found.
 
@@ -41,6 +46,7 @@ def calibrate_project(
         codes: verified programs by station.
         station: whose trace it is.
         cell_text: the cell file.
+        robots: what was read from the files of robots that it names.
         trace: a table of times and joint coordinates: see `read_trace`.
 
     Returns:
@@ -63,7 +69,7 @@ def calibrate_project(
     findings += tuple(one for one in recording.findings if one.is_error)
     calibration, told = calibrate(cell, station, orders, found)
     findings += told
-    return (_with_cell(calibration, cell_text, station) if calibration else None), findings
+    return (_with_cell(calibration, cell_text, robots, station) if calibration else None), findings
 
 
 def changed_limits(before: MotionSettings, after: MotionSettings) -> Limits:
@@ -82,14 +88,16 @@ def changed_limits(before: MotionSettings, after: MotionSettings) -> Limits:
     return found
 
 
-def _with_cell(calibration: Calibration, text: SourceText, station: Station) -> CalibratedProject:
+def _with_cell(
+    calibration: Calibration, text: SourceText, robots: Mapping[str, ReadRobot], station: Station
+) -> CalibratedProject:
     limits = changed_limits(calibration.before, calibration.after)
     axes = tuple(joint.measure for joint in station.robot.axis_joints)
     values = written_limits(text, axes, limits)
     section = ".".join(limits_section(text, station.name))
     made = with_limits(text, station.name, values) if values else None
     if made is not None:
-        cell, _ = read_cell(made, "cell")
+        cell, _ = read_cell(made, "cell", robots)
         if cell is None or _differs(cell.stations[station.name], calibration.after):
             made = None
     return CalibratedProject(calibration, section, values, axes, made)

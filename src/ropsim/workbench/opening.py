@@ -2,21 +2,20 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path, PurePath
-from typing import TypeAlias
 
+from ropsim.cellfile import robot_files
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
 from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_text_file
 from ropsim.workbench.project import Project, ProjectError, cell_name
 from ropsim.workbench.project_diagnostics import NO_PROJECT
+from ropsim.workbench.robot_files import Reading, TextOf, read_robot_files, robots_read
 from ropsim.workbench.workspace import Workspace
 
 CELL_FILE = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
-
-Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
-"""What became of reading a file: its text, or why there is none."""
 
 
 def open_project(path: str | Path, workspace: Workspace | None = None) -> Project:
@@ -52,7 +51,8 @@ def _open(place: Path, path: str | Path, workspace: Workspace) -> Project:
         if place.parent.name == "programs" and (folder / CELL_FILE).is_file():
             return _only(_read_folder(folder, workspace), place)
         text, findings = read_text_file(place, str(path))
-        return Project(place.parent, None, {place.stem: text} if text else {}, None, findings, workspace)
+        sources = {place.stem: text} if text else {}
+        return Project(place.parent, None, sources, None, findings, workspace=workspace)
     message = f"`{path}` is neither a folder, a `cell.toml` nor a program ({' or '.join(PROGRAM_ENDINGS)})"
     raise ProjectError(NO_PROJECT.at(None, message))
 
@@ -74,7 +74,8 @@ def _read_folder(folder: Path, workspace: Workspace) -> Project:
     if not cell_path.is_file():
         raise ProjectError(no_cell_file(folder))
     programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
-    project = assembled(folder, read_text_file(cell_path, str(cell_path)), programs, workspace)
+    cell_file, read = read_text_file(cell_path, str(cell_path)), partial(_text, folder)
+    project = assembled(folder, cell_file, programs, read, workspace)
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
 
 
@@ -91,7 +92,11 @@ def program_files(folder: Path) -> list[Path]:
 
 
 def assembled(
-    folder: Path, cell_file: Reading, programs: Mapping[str, Reading], workspace: Workspace
+    folder: Path,
+    cell_file: Reading,
+    programs: Mapping[str, Reading],
+    text_of: TextOf,
+    workspace: Workspace,
 ) -> Project:
     """Return the project that a cell file and programs make.
 
@@ -99,12 +104,14 @@ def assembled(
         folder: of the project.
         cell_file: content of `cell.toml`, or why it cannot be read.
         programs: the same of each program by its file name.
+        text_of: the same of any other file of the project, by its path inside.
         workspace: that reads the project.
     """
     cell_text, findings = cell_file
     cell: Cell | None = None
+    robots = read_robot_files(folder, robot_files(cell_text), text_of)
     if cell_text is not None:
-        read = workspace.cell(cell_text, cell_name(folder))
+        read = workspace.cell(cell_text, cell_name(folder), robots_read(robots))
         cell, findings = read.cell, (*findings, *read.diagnostics)
     sources: dict[str, SourceText] = {}
     # a task comes before code of the same name, which is most likely compiled from an older state of it
@@ -113,7 +120,12 @@ def assembled(
         findings = (*findings, *found)
         if text is not None:
             sources[name.stem if name.stem not in sources else name.name] = text
-    return Project(folder, cell, sources, cell_text, findings, workspace)
+    return Project(folder, cell, sources, cell_text, findings, robots, workspace)
+
+
+def _text(folder: Path, name: str) -> Reading:
+    path = folder / name
+    return read_text_file(path, str(path))
 
 
 def _by_ending(name: PurePath) -> tuple[bool, PurePath]:

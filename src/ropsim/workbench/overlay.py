@@ -1,6 +1,7 @@
 """Opening a project with texts that have not been saved: they count instead of the files."""
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 from ropsim.core import SourceText
@@ -8,12 +9,12 @@ from ropsim.userfiles import UNREADABLE, read_text_file
 from ropsim.workbench.opening import (
     CELL_FILE,
     PROGRAM_ENDINGS,
-    Reading,
     assembled,
     no_cell_file,
     program_files,
 )
 from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.robot_files import Reading
 from ropsim.workbench.workspace import Workspace
 
 
@@ -36,7 +37,9 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace
         if CELL_FILE not in unsaved and not (folder / CELL_FILE).is_file():
             raise ProjectError(no_cell_file(folder))
         programs = {PurePosixPath(name).name: _read(folder, name, unsaved) for name in sorted(names)}
-        return assembled(folder, _read(folder, CELL_FILE, unsaved), programs, workspace or Workspace())
+        cell_file = _read(folder, CELL_FILE, unsaved)
+        text_of = partial(_read, folder, unsaved=unsaved)
+        return assembled(folder, cell_file, programs, text_of, workspace or Workspace())
     except OSError as error:
         message = f"`{folder}` cannot be opened: {error.strerror or error}"
         raise ProjectError(

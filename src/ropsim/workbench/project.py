@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass
-from ropsim.model import ROBOT, Cell, Station
+from ropsim.model import ROBOT, Cell, ReadRobot, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
+from ropsim.workbench.robot_files import RobotFile, robots_read
 from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ class Project:
         sources: texts of the programs by name.
         cell_text: text of `cell.toml`, None where absent.
         diagnostics: findings of reading.
+        robot_files: files of robots that the cell names, with what was read from them, by their paths.
         workspace: that has read it, and keeps what is made of its texts; no part of what the project is.
     """
 
@@ -61,6 +63,7 @@ class Project:
     sources: Mapping[str, SourceText]
     cell_text: SourceText | None = None
     diagnostics: tuple[Diagnostic, ...] = field(default=())
+    robot_files: Mapping[str, RobotFile] = field(default_factory=dict)
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
     @property
@@ -74,7 +77,20 @@ class Project:
     @property
     def texts(self) -> Mapping[str, SourceText]:
         """Return all texts of the project, by the names that spans use."""
-        return {text.name: text for text in (*self.sources.values(), self.cell_text) if text is not None}
+        robots = (one.text for one in self.robot_files.values())
+        every = (*self.sources.values(), self.cell_text, *robots)
+        return {text.name: text for text in every if text is not None}
+
+    @property
+    def toml_texts(self) -> tuple[SourceText, ...]:
+        """Return the texts that may name meshes: that of the cell, then those of its robots that are TOML."""
+        robots = (one.text for path, one in self.robot_files.items() if path.endswith(".toml"))
+        return tuple(text for text in (self.cell_text, *robots) if text is not None)
+
+    @property
+    def robots(self) -> Mapping[str, ReadRobot]:
+        """Return what was read from files of robots, by their paths."""
+        return robots_read(self.robot_files)
 
     def compile(self) -> CompiledProject:
         """Return all programs compiled, with the findings of the whole project.
@@ -97,7 +113,8 @@ class Project:
     def compiled_text(self, text: SourceText, station: Station | None) -> CompiledProgram:
         """Return a task or ICR text (by its ending), compiled for a station; None stands for the first."""
         name = station.name if station is not None else ""
-        return self.workspace.compiled(text, self.workspace.at(self.cell_text, cell_name(self.folder), name))
+        at = self.workspace.at(self.cell_text, cell_name(self.folder), name, self.robots)
+        return self.workspace.compiled(text, at)
 
     def program(self, name: str | None = None) -> CompiledProgram:
         """Return one compiled program; without a name that of the first station, else `main` or the only one.
@@ -262,7 +279,7 @@ class Project:
         cell, codes = self.runnable(self.programs(program))
         station = cell.station_of(program) if program else cell.first
         assert self.cell_text is not None  # a project with a cell has its text
-        return calibrate_project(cell, codes, station, self.cell_text, trace)
+        return calibrate_project(cell, codes, station, self.cell_text, self.robots, trace)
 
     def runnable(self, programs: Mapping[str, CompiledProgram]) -> tuple[Cell, dict[str, icr.Program]]:
         """Return the cell and the verified code of compiled programs, by station.
@@ -291,7 +308,7 @@ class Project:
         """
         from ropsim.workbench.report import Report, Setting
 
-        setting = Setting(self.cell, self.folder, self.cell_text) if self.cell else None
+        setting = Setting(self.cell, self.folder, self.toml_texts) if self.cell else None
         return Report.of(recording, self.texts, setting, before)
 
 

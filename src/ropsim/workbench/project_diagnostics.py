@@ -1,4 +1,4 @@
-"""Diagnostics of projects (X843 to X849, X895)."""
+"""Diagnostics of projects (X843 to X849, X895, X910, X911)."""
 
 from ropsim.core import Severity, define
 
@@ -92,5 +92,33 @@ MOVES_SKIPPED = define(
 `project.simulate(strict=True)` raises where the recording is not `ok`, with the first error of the run. This
 code stands for a run that has no error and skipped moves all the same, as with a path planner of your own
 that refuses a move with warnings only.
+""",
+)
+
+ROBOT_FILE_OUTSIDE = define(
+    "X910",
+    "robot-file-outside-project",
+    Severity.ERROR,
+    "the path of a robot file leads out of the project folder",
+    """
+A project is complete in its folder, and a project from somebody else must not look around on your disk. So
+a path may neither begin with `/` or a drive, nor contain `..`, nor be a link that leads out of the folder.
+Copy the file into the project, best into `robots/`.
+
+```toml
+[robot]
+model = "robots/my_arm.toml"
+```
+""",
+)
+
+UNKNOWN_ROBOT_FORMAT = define(
+    "X911",
+    "unknown-robot-format",
+    Severity.ERROR,
+    "a file of a robot has an ending that no reader knows",
+    """
+How a robot file is read depends on the ending of its name. The message lists the endings that are known;
+`docs/reference/robot-file.md` describes files that end with `.toml`.
 """,
 )

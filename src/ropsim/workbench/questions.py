@@ -12,7 +12,7 @@ from types import MappingProxyType
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, ReadRobot, Station
 from ropsim.query import Database
 from ropsim.userfiles import KeptAnswers
 from ropsim.workbench.answer_form import Translation, UnknownFormError, Verified, read, written
@@ -28,6 +28,8 @@ LINES = "lines"
 """Input: the compiler's own memory of texts; it changes no answer."""
 KEPT = "kept answers"
 """Input: answers of earlier processes, None for none; they are what would be answered now."""
+NO_ROBOTS: Mapping[str, ReadRobot] = MappingProxyType({})
+"""A cell file names no files of robots."""
 LEAST_LINES = 100
 """Of a text whose answers are kept; a shorter one is compiled in a moment."""
 
@@ -52,10 +54,16 @@ def text_of(name: str) -> Hashable:
     return "text", name
 
 
+def robots_of(name: str) -> Hashable:
+    """Return the name of the input that is what was read from the robot files of a cell file."""
+    return "robots", name
+
+
 def cell(db: Database, name: str, folder: str) -> ReadCell:
     """Return the cell that a cell file describes."""
     text: SourceText | None = db.read(text_of(name))
-    return ReadCell(*read_cell(text, folder)) if text is not None else ReadCell(None, ())
+    robots: Mapping[str, ReadRobot] | None = db.read(robots_of(name))
+    return ReadCell(*read_cell(text, folder, robots or NO_ROBOTS)) if text is not None else ReadCell(None, ())
 
 
 def environment(db: Database, at: AtStation) -> language.Environment:

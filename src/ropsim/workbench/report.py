@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from ropsim.cellfile import mesh_in_cell_file
+from ropsim.cellfile import mesh_in_files
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass, replace_file
 from ropsim.flow import Recording
 from ropsim.meshes import MeshLibrary, load_meshes
@@ -38,13 +38,13 @@ class Setting:
     Attributes:
         cell: that was simulated.
         folder: of the project, in which the meshes of the cell are.
-        text: `cell.toml`, for the places of findings.
+        texts: `cell.toml` and files of robots, for the places of findings.
         meshes: as they were read; None before that.
     """
 
     cell: Cell
     folder: Path
-    text: SourceText | None = None
+    texts: tuple[SourceText, ...] = ()
     meshes: MeshLibrary | None = None
 
 
@@ -91,7 +91,7 @@ class Report:
         if self.setting is None or self.setting.meshes is not None:
             return self
         meshes = load_meshes(
-            self.setting.folder, self.setting.cell, partial(mesh_in_cell_file, self.setting.text)
+            self.setting.folder, self.setting.cell, partial(mesh_in_files, self.setting.texts)
         )
         setting, before = replace(self.setting, meshes=meshes), (*self.before, *meshes.diagnostics)
         drawn = Report.of(self.recording, self.sources, setting, before)

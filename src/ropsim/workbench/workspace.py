@@ -5,6 +5,7 @@ from contextlib import suppress
 
 from ropsim import language
 from ropsim.core import SourceText
+from ropsim.model import ReadRobot
 from ropsim.query import Database, Event
 from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import questions
@@ -45,16 +46,30 @@ class Workspace:
         """Let what is asked be told by `events`."""
         self._db.events = []
 
-    def cell(self, text: SourceText, folder: str) -> ReadCell:
-        """Return the cell that a cell file describes; `folder` names it where the file does not."""
-        self._give(text)
+    def cell(
+        self, text: SourceText, folder: str, robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS
+    ) -> ReadCell:
+        """Return the cell that a cell file describes.
+
+        Args:
+            text: of the cell file.
+            folder: names the cell where the file does not.
+            robots: what was read from the files of robots that it names, by their paths.
+        """
+        self._give_cell(text, robots)
         return self._db.ask(questions.cell, text.name, folder)
 
-    def at(self, cell_text: SourceText | None, folder: str, station: str) -> AtStation:
+    def at(
+        self,
+        cell_text: SourceText | None,
+        folder: str,
+        station: str,
+        robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS,
+    ) -> AtStation:
         """Return a station of a cell, to ask for programs there; without a cell there is one place only."""
         if cell_text is None:
             return NOWHERE
-        self._give(cell_text)
+        self._give_cell(cell_text, robots)
         return AtStation(cell_text.name, folder, station)
 
     def environment(self, at: AtStation) -> language.Environment:
@@ -113,13 +128,17 @@ class Workspace:
 
     def forget(self, name: str) -> None:
         """Let go of a text that nobody looks at any more."""
-        self._db.give({questions.text_of(name): None})
+        self._db.give({questions.text_of(name): None, questions.robots_of(name): None})
         self._asked = {one for one in self._asked if one[1] != name}
 
     def _ask_for(self, text: SourceText, at: AtStation, *asked: Question) -> None:
         """Note what is asked of a task text, to be kept."""
         if not text.name.endswith(".icr"):
             self._asked |= {(question, text.name, at) for question in asked}
+
+    def _give_cell(self, text: SourceText, robots: Mapping[str, ReadRobot]) -> None:
+        self._give(text)
+        self._db.give({questions.robots_of(text.name): robots})
 
     def _give(self, text: SourceText) -> None:
         known: SourceText | None = self._db.read(questions.text_of(text.name))

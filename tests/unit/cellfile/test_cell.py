@@ -178,7 +178,7 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert controller.speed_override == 0.5
     assert cell.first.start[1] == pytest.approx(math.pi / 2)
     assert controller.rates.control_hz == 500
-    assert controller.gains.kp.tolist() == [1, 2, 3, 4, 5, 6]
+    assert cascaded(controller).kp.tolist() == [1, 2, 3, 4, 5, 6]
     assert controller.path.speed == pytest.approx(0.15)
     assert controller.path.orientation_speed == pytest.approx(math.pi / 2)
     assert controller.in_position[0] == pytest.approx(math.radians(0.1))

@@ -7,6 +7,7 @@ from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.kinematics import body_poses
 from ropsim.model import Cell, body_tree
+from support.gains import cascaded
 
 ROUNDING = 1e-12  # [m | -], of some products of poses
 HEAD = '[stations.shuttle]\nprogram = "shuttle"\n'
@@ -60,7 +61,7 @@ def test_start_controller_and_override_are_as_for_robots() -> None:
     station = right(text).first
     assert station.q_start.tolist() == pytest.approx([0.2])
     assert station.controller.speed_override == 0.5
-    assert station.controller.gains.kp.tolist() == [7.0]
+    assert cascaded(station.controller).kp.tolist() == [7.0]
 
 
 def test_it_begins_at_the_limit_that_is_nearest_to_0() -> None:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.cellfile import mesh_in_cell_file, read_cell
+from ropsim.cellfile import mesh_in_files, read_cell
 from ropsim.core import SourceText
 from ropsim.meshes import MeshLibrary, glb, load_meshes
 from ropsim.meshes import library as meshes
@@ -204,7 +204,7 @@ def test_a_finding_points_at_the_path_in_the_cell_file(tmp_path: Path) -> None:
     text = SourceText("cell.toml", "\n".join(lines))
     cell, _ = read_cell(text, "folder")
     assert cell is not None
-    (found,) = load_meshes(tmp_path, cell, partial(mesh_in_cell_file, text)).diagnostics
+    (found,) = load_meshes(tmp_path, cell, partial(mesh_in_files, (text,))).diagnostics
     assert found.span is not None
     assert (found.span.line, lines[1][found.span.column - 1 : found.span.end_column - 1]) == (6, '"gone.stl"')
 

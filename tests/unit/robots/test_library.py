@@ -4,7 +4,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.core import RopsimError
-from ropsim.model import GAIN_NAMES, audit
+from ropsim.model import GAIN_NAMES, ControllerKind, audit, gain_names
 from support.dc_drives import dc_motor
 from support.gains import cascaded
 
@@ -48,9 +48,11 @@ def test_the_controller_of_a_changed_model_follows_the_model() -> None:
     assert (cascaded(changed).ka == 0.5 * cascaded(own).ka).all()
 
 
-def test_a_robot_without_drives_has_no_controller() -> None:
-    with pytest.raises(robots.NoControllerError, match="X861"):
-        robots.default_controller(replace(robots.load("two_link"), drives=()))
+def test_a_robot_without_drives_has_the_ideal_controller() -> None:
+    controller = robots.default_controller(replace(robots.load("two_link"), drives=()))
+    assert controller.kind is ControllerKind.IDEAL
+    assert gain_names(controller.gains) == ()
+    assert controller.in_position.shape == (2,)
 
 
 def test_the_controller_of_an_unknown_robot_is_an_unknown_robot() -> None:

@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 from typing import cast
 
-from ropsim.cellfile import mesh_in_cell_file
+from ropsim.cellfile import mesh_in_files
 from ropsim.core import frozen_dataclass
 from ropsim.meshes import MeshLibrary, load_meshes
 from ropsim.model import Cell
@@ -45,7 +45,7 @@ def open_scene(job: OpenScene, known: MeshLibrary | None, workspace: Workspace) 
     cell = project.cell
     if cell is None:
         return OpenedScene(SceneReply(None, plain_findings(project.diagnostics), {}))
-    meshes = load_meshes(folder, cell, partial(mesh_in_cell_file, project.cell_text), known or MeshLibrary())
+    meshes = load_meshes(folder, cell, partial(mesh_in_files, project.toml_texts), known or MeshLibrary())
     drawn = cast("dict[str, object]", numeric(scene(cell, meshes.addresses)))
     findings = plain_findings((*project.diagnostics, *meshes.diagnostics))
     return OpenedScene(SceneReply(drawn, findings, dict(meshes.contents)), cell, meshes)

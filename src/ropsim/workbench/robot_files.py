@@ -1,0 +1,87 @@
+"""The files of robots that a project names: read from inside of its folder, by the format of their ending."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import TypeAlias
+
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.model import ReadRobot
+from ropsim.workbench.project_diagnostics import ROBOT_FILE_OUTSIDE, UNKNOWN_ROBOT_FORMAT
+from ropsim.workbench.robot_formats import ROBOT_FORMATS
+
+Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
+"""What became of reading a file: its text, or why there is none."""
+
+TextOf: TypeAlias = Callable[[str], Reading]
+"""Reads a file of a project by its path inside."""
+
+
+@frozen_dataclass
+class RobotFile:
+    """A file of a robot.
+
+    Attributes:
+        text: its content; None where it cannot be read.
+        read: what it says; findings without a place say why it cannot be read.
+    """
+
+    text: SourceText | None
+    read: ReadRobot
+
+
+def read_robot_files(folder: Path, paths: Iterable[str], text_of: TextOf) -> Mapping[str, RobotFile]:
+    """Return the robot files of a project by their paths; whatever is wrong is a finding.
+
+    Args:
+        folder: of the project.
+        paths: inside of it, as its cell file gives them.
+        text_of: reads one of them.
+    """
+    return {path: _read(folder, path, text_of) for path in paths}
+
+
+def robots_read(files: Mapping[str, RobotFile]) -> Mapping[str, ReadRobot]:
+    """Return what was read from files of robots, by their paths."""
+    return {path: one.read for path, one in files.items()}
+
+
+@lru_cache(maxsize=16)
+def read_robot(text: SourceText) -> ReadRobot:
+    """Return the robot that a text describes, in the format of the ending of its name."""
+    format_ = ROBOT_FORMATS.get(PurePosixPath(text.name).suffix.lower())
+    return format_.read(text) if format_ else ReadRobot(None, (unknown_format(text.name),))
+
+
+def unknown_format(name: str) -> Diagnostic:
+    """Return the finding that files of this name hold no robot."""
+    known = ", ".join(f"`{ending}`" for ending in ROBOT_FORMATS)
+    message = f"`{name[:200]}` is no file of a robot, these end with {known}"
+    return UNKNOWN_ROBOT_FORMAT.at(None, message, hint="`ropsim robot list` names the built-in robots")
+
+
+def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
+    refused = _refusal(folder, path)
+    if refused is not None:
+        return RobotFile(None, ReadRobot(None, (refused,)))
+    text, findings = text_of(path)
+    return RobotFile(text, ReadRobot(None, findings) if text is None else read_robot(text))
+
+
+def _refusal(folder: Path, path: str) -> Diagnostic | None:
+    """Return why a file is not even looked for; None where it may be read."""
+    strict = PureWindowsPath(path)  # understands both kinds of slash, and drives
+    if strict.anchor or ".." in strict.parts:
+        return _outside(path, "leads out of the project folder")
+    if PurePosixPath(path).suffix.lower() not in ROBOT_FORMATS:
+        return unknown_format(path)
+    try:
+        inside = (folder / path).resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError, ValueError):  # links that go round, odd characters
+        inside = False
+    return None if inside else _outside(path, "is a link that leads out of the project folder")
+
+
+def _outside(path: str, found: str) -> Diagnostic:
+    hint = "copy the file into the folder `robots` of the project"
+    return ROBOT_FILE_OUTSIDE.at(None, f"`{path[:200]}` {found}", hint=hint)
