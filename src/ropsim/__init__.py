@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ropsim import views as views
     from ropsim import workbench as workbench
     from ropsim.core import RopsimError as RopsimError
+    from ropsim.workbench import load_robot as load_robot
     from ropsim.workbench import open_project as open
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "icr",
     "kinematics",
     "language",
+    "load_robot",
     "meshes",
     "model",
     "motion",
@@ -63,7 +65,11 @@ __all__ = [
     "workbench",
 ]
 
-_SHORT_CUTS = {"open": ("ropsim.workbench", "open_project"), "RopsimError": ("ropsim.core", "RopsimError")}
+_SHORT_CUTS = {
+    "RopsimError": ("ropsim.core", "RopsimError"),
+    "load_robot": ("ropsim.workbench", "load_robot"),
+    "open": ("ropsim.workbench", "open_project"),
+}
 
 
 def __getattr__(name: str) -> object:

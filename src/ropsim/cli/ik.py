@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ropsim import kinematics, robots
+from ropsim import kinematics
+from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import remarks, solver_document
@@ -30,7 +31,9 @@ class _Branch:
 
 def ik(options: argparse.Namespace, output: Output) -> int:
     """Print every joint vector that reaches a pose: first those inside the limits, then those beyond."""
-    robot = robots.load(options.name)
+    robot = named_robot(options, output)
+    if robot is None:
+        return 1
     turn = quaternion.from_zyx(*(math.radians(angle) for angle in (options.yaw, options.pitch, options.roll)))
     pose = Pose(np.array([options.x, options.y, options.z]) / 1e3, np.array(turn))
     result = kinematics.inverse(robot, pose)

@@ -4,12 +4,15 @@ import argparse
 import shlex
 
 from ropsim.cli.output import Output
-from ropsim.workbench import STARTER, example_names, example_summary, new_project
+from ropsim.workbench import STARTER, example_names, example_summary, new_project, new_robot_project
 
 
 def new(options: argparse.Namespace, output: Output) -> int:
-    """Make a project folder from an example."""
-    place = new_project(options.path, options.example or STARTER)
+    """Make a project folder from an example, or for a robot."""
+    if options.robot:
+        place = new_robot_project(options.path, options.robot)
+    else:
+        place = new_project(options.path, options.example or STARTER)
     output.text(f"made {place}; next: ropsim run {shlex.quote(str(place))}")
     output.document({"ok": True, "path": str(place)})
     return 0

@@ -22,7 +22,7 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 
 _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
 _PROGRAM = "a .task, .icr or .icb file, or a project: its program"
-_ROBOT = "name of a robot, see `ropsim robot list`"
+_ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -79,9 +79,13 @@ def _lazy(function: str) -> Callable[..., int]:
 
 
 def _new(commands: Commands) -> None:
-    parser = _command(commands, "new", "new:new", "make a project folder from an example")
+    parser = _command(commands, "new", "new:new", "make a project folder from an example or for a robot")
     parser.add_argument("path", metavar="DIR", help="folder to make")
-    parser.add_argument("--example", metavar="NAME", help="which example (default: first_cell)")
+    origin = parser.add_mutually_exclusive_group()
+    origin.add_argument("--example", metavar="NAME", help="which example (default: first_cell)")
+    origin.add_argument(
+        "--robot", metavar="ROBOT", help="a cell with this robot instead: a built-in name, or a robot file"
+    )
     _command(commands, "examples", "new:examples", "list the examples")
 
 
@@ -211,7 +215,10 @@ def _robot(commands: Commands) -> None:
         description="Robot models: what they are made of, and their kinematics.",
     )
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
-    _command(actions, "list", "robot:list_", "list the built-in robots")
+    list_ = _command(actions, "list", "robot:list_", "list the built-in robots and those of a project")
+    list_.add_argument(
+        "path", metavar="PATH", nargs="?", default=".", help="project folder (default: this folder)"
+    )
     show = _command(actions, "show", "robot:show", "print joints, limits and where the numbers come from")
     show.add_argument("name", metavar="NAME", help=_ROBOT)
     audit = _command(actions, "audit", "robot:audit", "say what is doubtful in a model")

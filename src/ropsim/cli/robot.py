@@ -3,10 +3,12 @@
 import argparse
 import math
 import textwrap
+from pathlib import Path
 
 import numpy as np
 
 from ropsim import kinematics, robots
+from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import solver_document, solver_lines
@@ -15,6 +17,7 @@ from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
+from ropsim.workbench import find_robot, robots_in
 
 WRONG_COUNT = define(
     "U901",
@@ -33,17 +36,25 @@ class JointCountError(RopsimError):
 
 
 def list_(options: argparse.Namespace, output: Output) -> int:
-    """List the built-in robots."""
-    del options
+    """List the built-in robots, and the robot files of a project."""
     models = {name: robots.load(name) for name in robots.names()}
-    output.text("\n".join(f"{name:12} {model.n} axes  {model.title}" for name, model in models.items()))
-    output.document({"robots": {name: model.title for name, model in models.items()}})
+    files = {str(path): find_robot(path).robot for path in robots_in(Path(options.path))}
+    width = max(12, *map(len, files)) if files else 12
+    rows = [f"{name:{width}} {model.n} axes  {model.title}" for name, model in models.items()]
+    for name, robot in files.items():
+        told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
+        rows.append(f"{name:{width}} {told}")
+    output.text("\n".join(rows))
+    titles = {name: robot.title if robot else None for name, robot in files.items()}
+    output.document({"robots": {name: model.title for name, model in models.items()}, "files": titles})
     return 0
 
 
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a model."""
-    robot = robots.load(options.name)
+    robot = named_robot(options, output)
+    if robot is None:
+        return 1
     lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot), *_following(robot), ""]
     for text in solver_lines(robot):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
@@ -73,15 +84,19 @@ def show(options: argparse.Namespace, output: Output) -> int:
 
 def audit(options: argparse.Namespace, output: Output) -> int:
     """Say what is doubtful in a model."""
-    found = audit_model(robots.load(options.name))
-    code = output.findings(found, {})
+    asked = find_robot(options.name)
+    doubts = audit_model(asked.robot, asked.place_of) if asked.robot else ()
+    found = (*asked.findings, *doubts)
+    code = output.findings(found, {asked.text.name: asked.text} if asked.text else {})
     output.document({"ok": code == 0, **diagnostic_document(found)})
     return code
 
 
 def fk(options: argparse.Namespace, output: Output) -> int:
     """Print the pose of the mechanical interface."""
-    robot = robots.load(options.name)
+    robot = named_robot(options, output)
+    if robot is None:
+        return 1
     if len(options.q) != robot.n:
         message = f"`{robot.name}` has {robot.n} joints, given: {len(options.q)}"
         raise JointCountError(WRONG_COUNT.at(None, message))

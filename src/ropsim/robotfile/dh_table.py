@@ -16,7 +16,7 @@ from ropsim.model import (
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.spatial import Pose
-from ropsim.tomltext import MOMENT, TomlTable, Units
+from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units
 
 MOST_JOINTS = 32
 
@@ -104,7 +104,7 @@ def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRo
 def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str, None]) -> JointLimits:
     table.require("limits")
     way = units.turn if type_ is JointType.REVOLUTE else units.position
-    lower, upper = table.numbers("limits", 2, way, (0.0, 1.0))
+    lower, upper = _range(table, way)
     for key, words in (("speed", "speeds"), ("acceleration", "accelerations"), ("jerk", "jerks")):
         if table.present and key not in table:
             guessed[words] = None
@@ -114,6 +114,19 @@ def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str,
     jerk = table.number("jerk", units.rate(type_, 3), min(RISE * acceleration, units.rate(type_, 3).high))
     effort = table.number("effort", _EFFORT, float("inf"))
     return JointLimits(lower, upper, speed, acceleration, jerk, effort)
+
+
+def _range(table: TomlTable, way: Quantity) -> tuple[float, float]:
+    """Return the limits of the coordinate [rad | m], the lower one first."""
+    noted = len(table.findings.items)
+    lower, upper = table.numbers("limits", 2, way, (0.0, 1.0))
+    if lower < upper:
+        return lower, upper
+    if len(table.findings.items) == noted:  # no second complaint about stand-ins
+        first, last = (way.show(value / way.scale) for value in (lower, upper))
+        message = f"`{table.name_of('limits')}` goes from {first} to {last}, allowed is a lower number first"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("limits"), message)
+    return 0.0, 1.0
 
 
 def _names(tables: tuple[TomlTable, ...]) -> list[str]:

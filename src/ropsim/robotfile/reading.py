@@ -117,7 +117,9 @@ def _home(root: TomlTable, joints: tuple[Joint, ...], units: Units) -> Array:
 
 
 def _coordinate(joint: Joint, units: Units) -> Quantity:
-    return units.turn if joint.type is JointType.REVOLUTE else units.position
+    """Return how the coordinate of a joint is written; it lies within the limits."""
+    way = units.turn if joint.type is JointType.REVOLUTE else units.position
+    return way.within(joint.lower, joint.upper)
 
 
 def _pass_over(root: TomlTable) -> None:

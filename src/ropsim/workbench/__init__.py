@@ -12,6 +12,12 @@ from ropsim.workbench.example_projects import STARTER as STARTER
 from ropsim.workbench.example_projects import example_names as example_names
 from ropsim.workbench.example_projects import example_summary as example_summary
 from ropsim.workbench.example_projects import new_project as new_project
+from ropsim.workbench.example_projects import new_robot_project as new_robot_project
+from ropsim.workbench.named_robot import NamedRobot as NamedRobot
+from ropsim.workbench.named_robot import RobotFileError as RobotFileError
+from ropsim.workbench.named_robot import find_robot as find_robot
+from ropsim.workbench.named_robot import load_robot as load_robot
+from ropsim.workbench.named_robot import robots_in as robots_in
 from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.overlay import open_overlaid as open_overlaid
 from ropsim.workbench.project import FailedRunError as FailedRunError

@@ -2,6 +2,7 @@
 
 import shutil
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from ropsim.core import did_you_mean
@@ -33,19 +34,55 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
     Raises:
         ProjectError: no such example, or the place is taken or cannot be written.
     """
-    target = Path(place)
     if example not in example_names():
         known = ", ".join(f"`{name}`" for name in example_names())
         message = f"there is no example `{example}`, there are {known}"
         raise ProjectError(NO_EXAMPLE.at(None, message, hint=did_you_mean(example, example_names())))
+
+    def fill(folder: Path, name: str) -> None:
+        shutil.copytree(_folder() / example, folder, ignore=_LEFT_OUT)
+        name_project(folder, name)
+
+    return _made(place, fill)
+
+
+def new_robot_project(place: str | Path, robot: str) -> Path:
+    """Make a project folder for a robot and return it; all files appear at once or none does.
+
+    Its program moves the robot along a way that it can go. The project has the name of its folder.
+
+    Args:
+        place: of the folder.
+        robot: name of a built-in robot, or the path of a robot file, which is copied into the project.
+
+    Raises:
+        UnknownRobotError: X860, no built-in robot has this name.
+        RobotFileError: the file cannot be read, or an error in it forbids a robot.
+        ProjectError: the place is taken or cannot be written.
+    """
+    from ropsim.workbench.robot_project import fill_robot_project
+
+    return _made(place, lambda folder, name: fill_robot_project(folder, name, robot))
+
+
+def _made(place: str | Path, fill: Callable[[Path, str], None]) -> Path:
+    """Return a new folder that a function has filled.
+
+    Args:
+        place: of the folder.
+        fill: writes the files of a project of a name into a folder that is not there yet.
+
+    Raises:
+        ProjectError: the place is taken or cannot be written.
+    """
+    target = Path(place)
     try:
         if target.exists() and (not target.is_dir() or any(target.iterdir())):
             raise ProjectError(PLACE_TAKEN.at(None, f"`{place}` exists and is not an empty folder"))
         target.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target.parent, prefix=".ropsim-") as work:
             made = Path(work) / "project"
-            shutil.copytree(_folder() / example, made, ignore=_LEFT_OUT)
-            name_project(made, name_from_folder(target.resolve().name))
+            fill(made, name_from_folder(target.resolve().name))
             _move(made, target)
     except OSError as error:
         message = f"`{place}` cannot be made: {error.strerror or error}"

@@ -21,7 +21,7 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
     [
         (ROW, "{ a = 400, speed = 120 }", "X803", "{ a = 400", "needs `limits`"),
         (ROW, "{ a = 400, limit = [-9, 9] }", "X802", "limit", "`joints.limit` has no meaning"),
-        ("[-170, 170]", "[170, -170]", "X850", "[170, -170]", "joint `1`"),
+        ("[-170, 170]", "[170, -170]", "X806", "[170, -170]", "from 170 deg to -170 deg"),
         ("[-170, 170]", "[-170]", "X805", "[-170]", "needed are 2"),
         ("[-170, 170]", "[-800, 170]", "X806", "-800", "-720 to 720 deg"),
         ("a = 400", 'a = "400"', "X804", '"400"', "a number"),
@@ -31,7 +31,7 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
         ('convention = "standard"\n', "", "X803", "", "`convention`"),
         ("a = 400", 'type = "ball"', "X808", '"ball"', "`revolute`, `prismatic`"),
         ("a = 400", 'name = "2", a = 400', "X901", "{ a = 300", "`2`"),
-        ("joints", "home = [0, 200]\njoints", "X857", "200", "joint `2`"),
+        ("joints", "home = [0, 200]\njoints", "X806", "200", "-150 to 150 deg"),
         ("joints", "home = [0]\njoints", "X805", "[0]", "one per joint"),
         ("joints", "home = 3\njoints", "X804", "3", "a list of numbers"),
         ("joints", "links = [{ mass = 3 }]\njoints", "X805", "[{ mass = 3 }]", "one per joint"),
