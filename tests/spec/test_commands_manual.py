@@ -86,7 +86,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "icr compile my_cell": {"ok", "icr"} | found,
         "icr verify my_cell": {"ok", "id"} | found,
         "icr run my_cell": {"ok", "instructions", "steps"} | found,
-        "robot list": {"robots"},
+        "robot list": {"robots", "files"},
         "robot show puma560": {"name", "title", "joints", "following", "inverse_kinematics", "origins"},
         "robot audit puma560": {"ok"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},

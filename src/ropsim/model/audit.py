@@ -52,6 +52,7 @@ def audit(robot: Mechanism, place_of: PlaceOf = nowhere) -> tuple[Diagnostic, ..
         chain(
             chain.from_iterable(_joint_findings(k, robot.joints[k], place_of) for k in robot.axes),
             chain.from_iterable(_placement(k, joint, place_of) for k, joint in enumerate(robot.joints)),
+            _without_mass(robot, place_of),
             chain.from_iterable(_link_findings(k, link, place_of) for k, link in enumerate(robot.links)),
             _home(robot, place_of),
             _coupled_home(robot),
@@ -89,6 +90,20 @@ def _placement(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnos
         )
 
 
+def _without_mass(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    """Yield links without mass; where none has any, the first one for all of them."""
+    without = [number for number, link in enumerate(robot.links) if link.mass == 0.0]
+    if len(without) == len(robot.links) > 1:
+        message = f"no link of `{robot.name}` has a mass"
+        yield kinds.MASSLESS_LINK.at(
+            place_of(AuditPlace(0, Attribute.MASS)), message, hint="its dynamics cannot be simulated"
+        )
+        return
+    for number in without:
+        span = place_of(AuditPlace(number, Attribute.MASS))
+        yield kinds.MASSLESS_LINK.at(span, f"link `{number + 1}` has no mass", data={"mass_kg": 0.0})
+
+
 def _link_findings(number: int, link: Link, place_of: PlaceOf) -> Iterator[Diagnostic]:
     name = str(number + 1)
     of_mass, of_inertia = (
@@ -105,8 +120,6 @@ def _link_findings(number: int, link: Link, place_of: PlaceOf) -> Iterator[Diagn
             hint="check the sign",
             data={"mass_kg": link.mass},
         )
-    elif link.mass == 0.0:
-        yield kinds.MASSLESS_LINK.at(of_mass, f"link `{name}` has no mass", data={"mass_kg": 0.0})
     if not is_symmetric(link.inertia):
         yield kinds.ASYMMETRIC_INERTIA.at(
             of_inertia,
