@@ -16,7 +16,7 @@ from ropsim.model import (
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.spatial import Pose
-from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units
+from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units, float_of
 
 MOST_JOINTS = 32
 
@@ -148,7 +148,7 @@ def _note_radians(table: TomlTable, key: str, units: Units) -> None:
     if units.angle != "deg" or isinstance(value, bool) or not isinstance(value, int | float):
         return
     for turn, degrees in ((pi / 2.0, 90), (pi, 180)):
-        if abs(abs(value) - turn) < _RADIANS:
+        if abs(abs(float_of(value)) - turn) < _RADIANS:
             message = f"`{table.name_of(key)}` is {value:g}°, the digits of {degrees}° in radians"
             hint = f'write {degrees if value > 0 else -degrees}, or `units = {{ angle = "rad" }}`'
             table.findings.add(kinds.LOOKS_LIKE_RADIANS, table.value_span(key), message, hint)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ropsim import kinematics
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import IkOptions
+from ropsim.kinematics import IkOptions, Method
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, frozen
 
@@ -32,7 +32,8 @@ class FirstWay:
 
     Attributes:
         corners: poses X_BT of the tool, one after the other along straight lines; none without a line.
-        turns: configurations to go through where there are no corners [rad | m], each of shape (n,).
+        turns: configurations to go through first [rad | m], each of shape (n,): where many postures reach the
+            first corner, that from which the lines can be led; without corners they are all of the way.
     """
 
     corners: tuple[Pose, ...]
@@ -51,10 +52,16 @@ def first_way(robot: RobotModel, X_MT: Pose) -> FirstWay:
     for corners_of in (_square, _pair):
         for share in SHARES:
             side = max(round(share * length / _GRID), 1) * _GRID
-            found = (corners_of(robot, X_MT, q, X_BT, side) for _, q, X_BT in starts)
-            corners = next(filter(None, found), None)
+            found = ((corners_of(robot, X_MT, q, X_BT, side), q) for _, q, X_BT in starts)
+            corners, q = next((one for one in found if one[0]), ((), robot.home))
             if corners:
-                return FirstWay(corners)
+                known = kinematics.solver_of(robot).method is Method.CLOSED_FORM
+                return FirstWay(corners, () if known else (frozen(q),))
+    return turning(robot)
+
+
+def turning(robot: RobotModel) -> FirstWay:
+    """Return a way without corners, which turns every joint and which any arm can go."""
     middle = 0.5 * (robot.lower_limits + robot.upper_limits)
     reach = np.minimum(0.2 * (robot.upper_limits - robot.lower_limits), 1.0)
     return FirstWay((), (frozen(middle + reach), frozen(middle - 0.5 * reach)))

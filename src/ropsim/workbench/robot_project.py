@@ -1,14 +1,17 @@
-"""A new project for a robot: its cell, and a first program that moves it along a way that it can go."""
+"""A new project for a robot: its cell, and a first program that has been run without dynamics."""
 
 import math
 from pathlib import Path
 
 import numpy as np
 
+from ropsim.flow import Fidelity
 from ropsim.model import JointType, Mesh, RobotModel, Shape
+from ropsim.simulation import RunOptions
 from ropsim.spatial import Array, Pose, quaternion
-from ropsim.workbench.first_way import FirstWay, first_way
+from ropsim.workbench.first_way import FirstWay, first_way, turning
 from ropsim.workbench.named_robot import find_robot, load_robot
+from ropsim.workbench.opening import open_project
 
 X_MT = Pose(np.array([0.0, 0.0, 0.1]))
 """The tool of a new project: a point 100 mm in front of the mechanical interface."""
@@ -46,13 +49,15 @@ def fill_robot_project(folder: Path, name: str, robot: str) -> None:
         OSError: a file cannot be written.
     """
     model = load_robot(robot)
-    way = first_way(model, X_MT)
     named = _copied(folder, Path(robot), model) if find_robot(robot).text else robot
-    programs = folder / "programs"
-    programs.mkdir(parents=True)
-    cell = _CELL.format(name=name, model=named) + _locations(way)
-    (folder / "cell.toml").write_text(cell, "utf-8")
-    (programs / "main.task").write_text(_HEAD.format(name=name) + _statements(model, way), "utf-8")
+    (folder / "programs").mkdir(parents=True)
+    for way in (first_way(model, X_MT), turning(model)):
+        cell = _CELL.format(name=name, model=named) + _locations(way)
+        (folder / "cell.toml").write_text(cell, "utf-8")
+        program = _HEAD.format(name=name) + _statements(model, way)
+        (folder / "programs" / "main.task").write_text(program, "utf-8")
+        if open_project(folder).simulate(options=RunOptions(Fidelity.KINEMATIC)).ok:
+            return
 
 
 def _copied(folder: Path, file: Path, model: RobotModel) -> str:
@@ -98,15 +103,17 @@ def _turn(pose: Pose) -> str:
     if abs(x) == 1.0:
         return ""
     yaw, pitch, roll = (math.degrees(angle) for angle in quaternion.to_zyx((w, x, y, z)))
-    return f"rpy = [{', '.join(_number(angle, 6) for angle in (roll, pitch, yaw))}]\n"
+    return f"rpy = [{', '.join(_number(angle, 9) for angle in (roll, pitch, yaw))}]\n"
 
 
 def _statements(model: RobotModel, way: FirstWay) -> str:
-    if not way.corners:
-        lines = [f"mov joints({_coordinates(model, q)})" for q in way.turns]
-    else:
-        numbers = range(1, len(way.corners) + 1)
-        lines = ["mov corner_1", *(f"lin corner_{number}" for number in numbers[1:]), "lin corner_1"]
+    lines = [f"mov joints({_coordinates(model, q)})" for q in way.turns]
+    names = [f"corner_{number}" for number in range(1, len(way.corners) + 1)]
+    if names:
+        lines += [
+            f"{'lin' if lines else 'mov'} {names[0]}",
+            *(f"lin {one}" for one in (*names[1:], names[0])),
+        ]
     return "\n".join([*lines, "mov home"]) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""Texts of a project: `cell.toml`, task programs and ICR programs."""
+"""Texts of a project: `cell.toml`, robot files, task programs and ICR programs."""
 
 import json
 from dataclasses import replace
@@ -6,14 +6,21 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from ropsim import icr, language
+import numpy as np
+
+from ropsim import icr, kinematics, language, robots
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
+from ropsim.dynamics import check_model
+from ropsim.model import audit
 from ropsim.records.plain_values import numeric
+from ropsim.robotfile import read_robot_file, robot_file_places
 from ropsim.views import Style, diagnostics_text, scene
 from ropsim.workbench.environment import environment_of
+from support.cells import one_station
 from support.fuzzing.cells import AXES, RIGHT, STATIONS
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word
+from support.fuzzing.robots import ARMS
 from support.fuzzing.target import Target
 
 _ROOT = Path(__file__).parents[3]
@@ -107,6 +114,20 @@ def _cell(content: bytes) -> str:
     return answer
 
 
+def _robot(content: bytes) -> str:
+    source = SourceText("robots/arm.toml", content.decode("utf-8", errors="replace"))
+    read = read_robot_file(source)
+    answer = _check(read.findings, source)
+    assert (read.robot is None) == (answer != "read")
+    if read.robot is not None:
+        _check(audit(read.robot, robot_file_places(source)), source)
+        assert np.isfinite(kinematics.forward(read.robot, read.robot.home).matrix()).all()
+        check_model(read.robot)
+        cell = one_station("c", read.robot, robots.default_controller(replace(read.robot, drives=())))
+        json.dumps(numeric(scene(cell)), allow_nan=False)
+    return answer
+
+
 def _icr(content: bytes) -> str:
     source = SourceText("a.icr", content.decode("utf-8", errors="replace"))
     code, findings = icr.read_text(source.text, source.name)
@@ -158,11 +179,11 @@ def _everything() -> language.Environment:
     )
 
 
-def _made_cell(random: Random) -> bytes:
-    """Return a cell file with damaged text, or one with other values behind its keys."""
+def _made_toml(seeds: tuple[bytes, ...], random: Random) -> bytes:
+    """Return a TOML file with damaged text, or one with other values behind its keys."""
     if random.random() < 0.4:
-        return _made(_CELLS, random)
-    lines = random.choice(_CELLS).split(b"\n")
+        return _made(seeds, random)
+    lines = random.choice(seeds).split(b"\n")
     places = [k for k, line in enumerate(lines) if b" = " in line]
     for place in random.sample(places, random.choice((1, 1, 2, 3))):
         key, _, value = lines[place].partition(b" = ")
@@ -179,7 +200,8 @@ def _made(seeds: tuple[bytes, ...], random: Random) -> bytes:
 
 
 TARGETS = (
-    Target("cell", _made_cell, _cell),
+    Target("cell", lambda random: _made_toml(_CELLS, random), _cell),
+    Target("robot", lambda random: _made_toml(ARMS, random), _robot),
     Target("icr", lambda random: _made(_ICRS, random), _icr),
     Target("task", lambda random: _made(_TASKS, random), _task),
     Target("form", lambda random: _made(_TASKS, random), _form),

@@ -26,6 +26,7 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
         ("[-170, 170]", "[-800, 170]", "X806", "-800", "-720 to 720 deg"),
         ("a = 400", 'a = "400"', "X804", '"400"', "a number"),
         ("a = 400", "a = nan", "X807", "nan", "a number"),
+        ("alpha = 180", f"alpha = 1{400 * '0'}", "X806", "1000", "inf deg"),
         ("speed = 120", "speed = 0", "X806", "0", "deg/s"),
         ('"standard"', '"craig"', "X808", '"craig"', "`standard`, `modified`"),
         ('convention = "standard"\n', "", "X803", "", "`convention`"),
