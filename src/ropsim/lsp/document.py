@@ -10,6 +10,7 @@ from urllib.request import url2pathname
 from ropsim.core import Span, frozen_dataclass
 from ropsim.lsp.messages import Json
 from ropsim.lsp.protocol import ContentChange, Position
+from ropsim.workbench import ROBOT_FORMATS
 
 #: Ways of counting characters that an editor may choose; the first one where it says nothing.
 ENCODINGS = ("utf-16", "utf-8", "utf-32")
@@ -56,6 +57,12 @@ class Document:
         """Return the name that findings use: the path, else the URI."""
         path = self.path
         return str(path) if path is not None else self.uri
+
+    @property
+    def is_robot_file(self) -> bool:
+        """Return whether it is the file of a robot, in the folder `robots` of a project."""
+        path = self.path
+        return path is not None and path.parent.name == "robots" and path.suffix.lower() in ROBOT_FORMATS
 
     def line(self, number: int) -> str:
         """Return line `number` (from 0), empty beyond the end."""

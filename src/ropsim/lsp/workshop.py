@@ -15,7 +15,6 @@ from ropsim.model import Cell, Station
 from ropsim.userfiles import KeptAnswers, read_text_file
 from ropsim.workbench import (
     NOWHERE,
-    ROBOT_FORMATS,
     AtStation,
     CheckedText,
     Reading,
@@ -134,7 +133,7 @@ class Workshop:
             findings = self.workspace.cell(source, _folder_name(document), robots).diagnostics
             own = (one for one in findings if one.span is None or one.span.source == source.name)
             return CheckedText(source, tuple(own))
-        if _is_robot_file(document):
+        if document.is_robot_file:
             return CheckedText(source, read_robot(source).findings)
         checked = self.workspace.checked(source, around.stations)
         if around.is_broken:  # a program would be blamed for every name that the cell was to give it
@@ -232,11 +231,6 @@ def _source(document: Document) -> SourceText:
 def _is_cell_file(document: Document) -> bool:
     path = document.path
     return path is not None and path.name == CELL_FILE
-
-
-def _is_robot_file(document: Document) -> bool:
-    path = document.path
-    return path is not None and path.parent.name == "robots" and path.suffix.lower() in ROBOT_FORMATS
 
 
 def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) -> Reading:

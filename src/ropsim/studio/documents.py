@@ -6,7 +6,7 @@ import re
 import tomllib
 from collections.abc import Mapping
 from enum import Enum
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 from ropsim.core import Diagnostic, did_you_mean, replace_file
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
@@ -14,9 +14,9 @@ from ropsim.studio.document import LARGEST, Document
 from ropsim.studio.line_ends import plain_lines
 from ropsim.studio.project_files import (
     CELL,
-    PROGRAM_ENDINGS,
     Stamp,
     content,
+    is_text_of_project,
     leaves_project,
     program_names,
     stamps,
@@ -86,7 +86,7 @@ class Documents:
         """Bring back unsaved texts of an earlier session; those that the files have by now are dropped."""
         recovered: list[Document] = []
         for name, draft in drafts.items():
-            if name not in self._all and not _is_name(name):
+            if name not in self._all and not is_text_of_project(name):
                 continue
             document = self._all.get(name) or Document(name, self._folder / name, None)
             document.recover(draft)
@@ -237,12 +237,6 @@ class Documents:
     def _forget(self, name: str) -> None:
         self._all.pop(name, None)
         self._stamps.pop(name, None)
-
-
-def _is_name(name: str) -> bool:
-    """Return whether a journal may name a document so: it never leads out of the project."""
-    path = PurePosixPath(name)
-    return name == CELL or (path.parts[:-1] == ("programs",) and path.suffix in PROGRAM_ENDINGS)
 
 
 def _is_new_name(name: str) -> bool:

@@ -13,6 +13,7 @@ from ropsim.studio.document import LARGEST
 
 CELL = "cell.toml"
 PROGRAM_ENDINGS = (".task", ".icr")
+ROBOT_ENDING = ".toml"
 
 Stamp: TypeAlias = tuple[int, int, int, int]
 """Time of the last change [ns], size, number and permissions of a file: one of them changes with it."""
@@ -43,8 +44,8 @@ def _nothing_at(path: Path, found: str) -> Diagnostic:
 
 
 def stamps(folder: Path) -> dict[str, Stamp]:
-    """Return the texts of a project by name, `cell.toml` first, then the programs by name."""
-    names = [CELL, *sorted(_programs(folder))]
+    """Return the texts of a project by name: `cell.toml`, then programs, then robot files, each by name."""
+    names = [CELL, *_inside(folder, "programs", PROGRAM_ENDINGS), *_inside(folder, "robots", (ROBOT_ENDING,))]
     found = ((name, _stamp(folder / name)) for name in names)
     return {name: stamp for name, stamp in found if stamp is not None}
 
@@ -64,9 +65,21 @@ def leaves_project(folder: Path, path: Path) -> bool:
     return not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
 
 
+def is_text_of_project(name: str) -> bool:
+    """Return whether a project may have a text of this name; it never leads out of the project."""
+    path = PurePosixPath(name)
+    match path.parts[:-1]:
+        case ("programs",):
+            return path.suffix in PROGRAM_ENDINGS
+        case ("robots",):
+            return path.suffix == ROBOT_ENDING
+        case _:
+            return name == CELL
+
+
 def program_names(documents: Iterable[str]) -> Mapping[str, str]:
     """Return document names by program name: without ending, but code beside a task of that name keeps it."""
-    paths = [PurePosixPath(name) for name in documents if name != CELL]
+    paths = [path for path in map(PurePosixPath, documents) if path.parts[:-1] == ("programs",)]
     names: dict[str, str] = {}
     for path in sorted(paths, key=lambda one: (one.suffix != PROGRAM_ENDINGS[0], one)):
         names[path.stem if path.stem not in names else path.name] = str(path)
@@ -78,12 +91,13 @@ def _without_waiting(path: str, flags: int) -> int:
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
-def _programs(folder: Path) -> list[str]:
+def _inside(folder: Path, place: str, endings: tuple[str, ...]) -> list[str]:
+    """Return the files with some endings in a folder of the project, by name."""
     try:
-        inside = list((folder / "programs").iterdir())
+        inside = list((folder / place).iterdir())
     except OSError:
         return []
-    return [f"programs/{path.name}" for path in inside if path.suffix in PROGRAM_ENDINGS]
+    return sorted(f"{place}/{path.name}" for path in inside if path.suffix in endings)
 
 
 def _stamp(path: Path) -> Stamp | None:

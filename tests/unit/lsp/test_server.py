@@ -8,8 +8,9 @@ import pytest
 from ropsim.lsp import State, Workshop, answer
 from ropsim.lsp.messages import Call, ErrorCode, Fault, read_message
 from ropsim.lsp.state import Phase
-from ropsim.workbench import new_project, open_project
+from ropsim.workbench import new_project, new_robot_project, open_project
 from support.editors import Editor, place, uri_of
+from support.robot_files import TWO_JOINTS
 
 BARE = "file:///nowhere-at-all/x.task"
 WRONG = "program p\nunits mm, deg, s\ntask release(q: loc)\n  lin q\nendp\nrelase (1, 2, 3)\n"
@@ -137,6 +138,27 @@ def test_a_broken_cell_file_gets_its_findings_and_leaves_names_of_programs_alone
     told = editor.settle()
     assert told[uri_of(cell)][0]["severity"] == 1
     assert [one["code"][0] for one in told[uri_of(program)]] == ["L"]
+
+
+def test_the_open_file_of_a_robot_gets_its_findings_and_counts_in_the_cell(tmp_path: Path) -> None:
+    editor, folder = Editor(), new_robot_project(tmp_path / "cell", "scara")
+    arm, cell, program = (
+        folder / "robots" / "arm.toml",
+        folder / "cell.toml",
+        folder / "programs" / "main.task",
+    )
+    text = cell.read_text("utf-8").replace('"scara"', '"robots/arm.toml"')
+    (missing,) = editor.open(uri_of(cell), text)
+    assert missing["code"] == "X840"
+    (wrong,) = editor.open(uri_of(arm), TWO_JOINTS.replace("limits", "lmits", 1))
+    assert (wrong["code"], wrong["range"]["start"]) == ("X802", place(3, 13))
+    assert editor.open(uri_of(program), "program p\nunits mm, deg, s\nmov joints(10, 20)\n") == []
+    editor.type(uri_of(arm), (3, 13), (3, 18), "limits")
+    told = editor.settle()
+    assert told[uri_of(arm)] == []
+    assert told[uri_of(cell)] == []
+    editor.type(uri_of(program), (2, 11), (2, 17), "10, 20, 30")
+    assert [one["code"] for one in editor.settle()[uri_of(program)]] == ["T335"]
 
 
 def test_saved_files_are_read_again(project: Path) -> None:

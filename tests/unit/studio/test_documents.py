@@ -46,6 +46,21 @@ def test_documents_are_the_cell_file_and_the_programs(folder: Path) -> None:
     assert documents.unsaved_texts == {}
 
 
+def test_robot_files_are_documents_and_no_programs(folder: Path) -> None:
+    (folder / "robots").mkdir()
+    (folder / "robots" / "main.toml").write_text("one")
+    (folder / "robots" / "arm.stl").write_text("no")
+    documents = opened(folder)
+    assert [one.name for one in documents.all][-1] == "robots/main.toml"
+    assert documents.programs == ("main", "other")
+    (folder / "robots" / "main.toml").write_text("another")
+    changed, _ = asyncio.run(documents.look())
+    assert [one.name for one in changed] == ["robots/main.toml"]
+    draft = Draft("mine", hashlib.sha256(b"another").hexdigest())
+    assert [one.name for one in documents.recover({"robots/main.toml": draft})] == ["robots/main.toml"]
+    assert documents.recover({"robots/../../main.toml": draft, "other/main.toml": draft}) == ()
+
+
 @pytest.mark.parametrize(
     ("table", "program"),
     [("[stations.left]\nprogram = 'other'\n[stations.right]\n", "other"), ("[stations.main]\n", "main")],
