@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files, X900 to X906; those of all TOML files are in `tomltext`."""
+"""The kinds of mistakes in robot files, X900 to X907; those of all TOML files are in `tomltext`."""
 
 from ropsim.core import Severity, define
 
@@ -95,5 +95,18 @@ MASS_USED_UP = define(
     """
 `mass` is that of all moving links together. The links that have a mass of their own have more than that, so
 nothing is left for the others.
+""",
+)
+
+ANOTHER_REACH = define(
+    "X907",
+    "another-reach",
+    Severity.WARNING,
+    "the arm does not reach as far as its file says",
+    """
+`reach` is what the data sheet gives: how far the wrist centre or the mechanical interface comes from the
+axis of joint 1. With the lengths of the table it comes elsewhere, by more than a tenth. A length is wrong,
+`a` and `d` of a row are exchanged, or the table is of the other form: `"modified"` instead of `"standard"`,
+or the other way round.
 """,
 )

@@ -12,6 +12,7 @@ from ropsim.robotfile.drives import read_drives
 from ropsim.robotfile.links import read_links
 from ropsim.robotfile.origins import estimates, read_origins
 from ropsim.robotfile.places import robot_file_places
+from ropsim.robotfile.reach import check_reach
 from ropsim.spatial import Array, Pose, frozen
 from ropsim.tomltext import (
     Look,
@@ -67,8 +68,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         hint = "give `links` with masses, or `mass`, that of all moving links"
         root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
     home = _home(root, table.joints, units)
-    root.finish()
-    return RobotModel(
+    robot = RobotModel(
         name=name,
         title=title,
         joints=table.joints,
@@ -80,6 +80,9 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         X_nM=X_nM,
         dh=table.rows if convention == "standard" else (),
     )
+    check_reach(root, robot, units)
+    root.finish()
+    return robot
 
 
 def _base(table: TomlTable, units: Units) -> tuple[Pose, tuple[Shape, ...]]:

@@ -50,7 +50,7 @@ def find_robot(name: str | Path) -> NamedRobot:
         return NamedRobot(robots.load(str(name)))
     path = Path(name)
     if path.suffix.lower() not in ROBOT_FORMATS:
-        raise RobotFileError(unknown_format(str(name)))
+        raise RobotFileError(unknown_format(str(name), path))
     text, findings = read_text_file(path, str(name))
     if text is None:
         raise RobotFileError(findings[0])

@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import TypeAlias
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import ReadRobot
 from ropsim.workbench.project_diagnostics import ROBOT_FILE_OUTSIDE, UNKNOWN_ROBOT_FORMAT
 from ropsim.workbench.robot_formats import ROBOT_FORMATS
@@ -53,11 +53,20 @@ def read_robot(text: SourceText) -> ReadRobot:
     return format_.read(text) if format_ else ReadRobot(None, (unknown_format(text.name),))
 
 
-def unknown_format(name: str) -> Diagnostic:
-    """Return the finding that files of this name hold no robot."""
+def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
+    """Return the finding that files of this name hold no robot.
+
+    Args:
+        name: as it was given.
+        place: where the file would be; robot files beside it are near names.
+    """
     known = ", ".join(f"`{ending}`" for ending in ROBOT_FORMATS)
     message = f"`{name[:200]}` is no file of a robot, these end with {known}"
-    return UNKNOWN_ROBOT_FORMAT.at(None, message, hint="`ropsim robot list` names the built-in robots")
+    hint = "`ropsim robot list` names the built-in robots"
+    if place is not None and place.parent.is_dir():
+        beside = [one.name for one in place.parent.iterdir() if one.suffix.lower() in ROBOT_FORMATS]
+        hint = did_you_mean(place.name, beside) or hint
+    return UNKNOWN_ROBOT_FORMAT.at(None, message, hint=hint)
 
 
 def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
@@ -73,13 +82,15 @@ def _refusal(folder: Path, path: str) -> Diagnostic | None:
     strict = PureWindowsPath(path)  # understands both kinds of slash, and drives
     if strict.anchor or ".." in strict.parts:
         return _outside(path, "leads out of the project folder")
-    if PurePosixPath(path).suffix.lower() not in ROBOT_FORMATS:
-        return unknown_format(path)
     try:
         inside = (folder / path).resolve().is_relative_to(folder.resolve())
     except (OSError, RuntimeError, ValueError):  # links that go round, odd characters
         inside = False
-    return None if inside else _outside(path, "is a link that leads out of the project folder")
+    if not inside:
+        return _outside(path, "is a link that leads out of the project folder")
+    if PurePosixPath(path).suffix.lower() not in ROBOT_FORMATS:
+        return unknown_format(path, folder / path)
+    return None
 
 
 def _outside(path: str, found: str) -> Diagnostic:

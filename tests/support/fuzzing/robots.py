@@ -8,6 +8,7 @@ convention = "modified"
 source = "nobody"
 home = [0, 30, 200]
 mass = 40
+reach = 900
 origins = [{ parameters = "all", kind = "estimated", source = "by eye" }]
 [units]
 length = "mm"

@@ -88,3 +88,15 @@ def test_angles_that_look_like_radians_are_doubted(written: str, meant: str) -> 
 
 def test_a_set_of_numbers_as_published_is_read_without_a_word() -> None:
     assert found_in(PUMA560) == ()
+
+
+@pytest.mark.parametrize("reach", [400, 700, 750])
+def test_a_reach_that_the_arm_may_have_is_read_without_a_word(reach: int) -> None:
+    assert found_in(f"reach = {reach}\n{TWO_JOINTS}") == ()
+
+
+@pytest.mark.parametrize(("reach", "changed"), [("800", TWO_JOINTS), ("700", TWO_JOINTS.replace("400", "9"))])
+def test_a_reach_that_the_lengths_do_not_give_is_doubted(reach: str, changed: str) -> None:
+    (found,) = found_in(f"reach = {reach}\n{changed}")
+    assert (found.code, found.is_error) == ("X907", False)
+    assert f"`reach` is {reach} mm" in found.message

@@ -108,6 +108,7 @@ def test_mistakes_of_a_robot_file_are_findings_of_the_project_at_their_places(tm
         ("C:\\\\arm.toml", "X910", "leads out of the project folder"),
         ("robots/link.toml", "X910", "is a link"),
         ("robots/arm.pdf", "X911", "`.toml`"),
+        ("robots/arm", "X911", "did you mean `arm.toml`"),
         ("robots/\\u0000.toml", "X910", "is a link"),
         ("robots", "X860", "`puma560`"),
     ],
