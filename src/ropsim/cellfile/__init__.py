@@ -5,6 +5,9 @@ from ropsim.cellfile.controller_limits import Limits as Limits
 from ropsim.cellfile.controller_limits import limits_section as limits_section
 from ropsim.cellfile.controller_limits import with_limits as with_limits
 from ropsim.cellfile.controller_limits import written_limits as written_limits
+from ropsim.cellfile.new_cell import POINTER as POINTER
+from ropsim.cellfile.new_cell import new_cell as new_cell
+from ropsim.cellfile.new_cell import written_coordinates as written_coordinates
 from ropsim.cellfile.places import mesh_in_files as mesh_in_files
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
 from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file

@@ -1,37 +1,15 @@
 """A new project for a robot: its cell, and a first program that has been run without dynamics."""
 
-import math
 from pathlib import Path
 
-import numpy as np
-
+from ropsim.cellfile import POINTER, new_cell, written_coordinates
 from ropsim.flow import Fidelity
-from ropsim.model import JointType, Mesh, RobotModel, Shape
+from ropsim.model import Mesh, RobotModel, Shape
 from ropsim.simulation import RunOptions
-from ropsim.spatial import Array, Pose, quaternion
 from ropsim.workbench.first_way import FirstWay, first_way, turning
 from ropsim.workbench.named_robot import find_robot, load_robot
 from ropsim.workbench.opening import open_project
 
-X_MT = Pose(np.array([0.0, 0.0, 0.1]))
-"""The tool of a new project: a point 100 mm in front of the mechanical interface."""
-
-_CELL = """\
-# A cell with one robot. Lengths in millimetres, angles in degrees, masses in kilograms.
-# Every key is described in docs/reference/cell-file.md.
-
-[cell]
-name = "{name}"
-
-[robot]
-model = "{model}"
-tool = "pointer"
-
-# Put your tool here: its tip, its mass and its centre of mass in the mechanical interface frame.
-[tools.pointer]
-position = [0, 0, 100]
-"""
-_PLACES = "\n# Places that the robot reaches along straight lines; the tool points {how}.\n"
 _HEAD = "program {name}\nunits mm, deg, s\n\n"
 
 
@@ -51,8 +29,8 @@ def fill_robot_project(folder: Path, name: str, robot: str) -> None:
     model = load_robot(robot)
     named = _copied(folder, Path(robot), model) if find_robot(robot).text else robot
     (folder / "programs").mkdir(parents=True)
-    for way in (first_way(model, X_MT), turning(model)):
-        cell = _CELL.format(name=name, model=named) + _locations(way)
+    for way in (first_way(model, POINTER), turning(model)):
+        cell = new_cell(name, named, way.corners)
         (folder / "cell.toml").write_text(cell, "utf-8")
         program = _HEAD.format(name=name) + _statements(model, way)
         (folder / "programs" / "main.task").write_text(program, "utf-8")
@@ -86,28 +64,8 @@ def _solid(shape: Shape) -> object:
     return shape.solid
 
 
-def _locations(way: FirstWay) -> str:
-    """Return the corners of a way as locations; a tool that points down needs no orientation."""
-    if not way.corners:
-        return ""
-    turn = _turn(way.corners[0])
-    text = _PLACES.format(how="along the same direction at all of them" if turn else "straight down")
-    for number, corner in enumerate(way.corners, start=1):
-        x, y, z = (_number(1e3 * value, 3) for value in corner.position.tolist())
-        text += f"\n[locations.corner_{number}]\nposition = [{x}, {y}, {z}]\n{turn}"
-    return text
-
-
-def _turn(pose: Pose) -> str:
-    w, x, y, z = (float(one) for one in pose.orientation)
-    if abs(x) == 1.0:
-        return ""
-    yaw, pitch, roll = (math.degrees(angle) for angle in quaternion.to_zyx((w, x, y, z)))
-    return f"rpy = [{', '.join(_number(angle, 9) for angle in (roll, pitch, yaw))}]\n"
-
-
 def _statements(model: RobotModel, way: FirstWay) -> str:
-    lines = [f"mov joints({_coordinates(model, q)})" for q in way.turns]
+    lines = [f"mov joints({written_coordinates(model, q)})" for q in way.turns]
     names = [f"corner_{number}" for number in range(1, len(way.corners) + 1)]
     if names:
         lines += [
@@ -115,13 +73,3 @@ def _statements(model: RobotModel, way: FirstWay) -> str:
             *(f"lin {one}" for one in (*names[1:], names[0])),
         ]
     return "\n".join([*lines, "mov home"]) + "\n"
-
-
-def _coordinates(model: RobotModel, q: Array) -> str:
-    scales = [1e3 if joint.measure is JointType.PRISMATIC else 180.0 / math.pi for joint in model.axis_joints]
-    return ", ".join(_number(scale * value, 1) for scale, value in zip(scales, q.tolist(), strict=True))
-
-
-def _number(value: float, digits: int) -> str:
-    """Return a number without zeros behind it."""
-    return f"{round(value, digits) + 0.0:.{digits}f}".rstrip("0").rstrip(".")
