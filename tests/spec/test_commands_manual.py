@@ -89,6 +89,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "robot list": {"robots", "files"},
         "robot show puma560": {"name", "title", "joints", "following", "inverse_kinematics", "origins"},
         "robot audit puma560": {"ok"} | found,
+        "robot export scara my_arm.toml": {"ok", "path"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
         "robot ik puma560 500 100 400 180 0 30": {
             *("status", "solutions", "postures", "beyond_limits", "solver"),

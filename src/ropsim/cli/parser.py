@@ -223,6 +223,9 @@ def _robot(commands: Commands) -> None:
     show.add_argument("name", metavar="NAME", help=_ROBOT)
     audit = _command(actions, "audit", "robot:audit", "say what is doubtful in a model")
     audit.add_argument("name", metavar="NAME", help=_ROBOT)
+    export = _command(actions, "export", "robot_export:export", "write a robot into a file")
+    export.add_argument("name", metavar="NAME", help=_ROBOT)
+    export.add_argument("file", metavar="FILE", help="its ending says the format: .toml is a robot file")
     forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
     forward.add_argument("name", metavar="NAME", help=_ROBOT)
     forward.add_argument(

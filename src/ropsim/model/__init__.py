@@ -148,3 +148,4 @@ from ropsim.model.tool import Fingers as Fingers
 from ropsim.model.tool import Gripper as Gripper
 from ropsim.model.tool import Tool as Tool
 from ropsim.model.tool import ToolPart as ToolPart
+from ropsim.model.written_robot import WrittenRobot as WrittenRobot

@@ -2,3 +2,4 @@
 
 from ropsim.robotfile.places import robot_file_places as robot_file_places
 from ropsim.robotfile.reading import read_robot_file as read_robot_file
+from ropsim.robotfile.writing import write_robot_file as write_robot_file

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files, X900 to X907; those of all TOML files are in `tomltext`."""
+"""The kinds of mistakes in robot files, X900 to X908; those of all TOML files are in `tomltext`."""
 
 from ropsim.core import Severity, define
 
@@ -108,5 +108,17 @@ ANOTHER_REACH = define(
 axis of joint 1. With the lengths of the table it comes elsewhere, by more than a tenth. A length is wrong,
 `a` and `d` of a row are exchanged, or the table is of the other form: `"modified"` instead of `"standard"`,
 or the other way round.
+""",
+)
+
+NOT_IN_ROBOT_FILE = define(
+    "X908",
+    "not-in-robot-file",
+    Severity.WARNING,
+    "a robot has something that a robot file cannot say",
+    """
+A robot file describes one chain of turning and sliding joints by a table. Branches, closed chains,
+couplings and other types of joints have no place in it, and neither have drives that are neither a DC motor
+at a voltage amplifier nor a servo. The finding says what is left out, or why there is no file at all.
 """,
 )

@@ -5,7 +5,7 @@ from pathlib import Path
 from ropsim import robots
 from ropsim.cellfile import is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, Span, frozen_dataclass
-from ropsim.model import AuditPlace, PlaceOf, RobotModel
+from ropsim.model import AuditPlace, PlaceOf, RobotModel, WrittenRobot
 from ropsim.userfiles import read_text_file
 from ropsim.workbench.robot_files import read_robot, unknown_format
 from ropsim.workbench.robot_formats import ROBOT_FORMATS
@@ -72,6 +72,22 @@ def load_robot(name: str | Path) -> RobotModel:
     if found.robot is None:
         raise RobotFileError(next(one for one in found.findings if one.is_error))
     return found.robot
+
+
+def written_robot(robot: RobotModel, name: str | Path) -> WrittenRobot:
+    """Return a robot as the text of a file, and what of it is lost.
+
+    Args:
+        robot: to be written.
+        name: of the file, whose ending says in which format.
+
+    Raises:
+        RobotFileError: X911, robots are not written into files of this ending.
+    """
+    format_ = ROBOT_FORMATS.get(Path(name).suffix.lower())
+    if format_ is None or format_.write is None:
+        raise RobotFileError(unknown_format(str(name)))
+    return format_.write(robot)
 
 
 def robots_in(folder: Path) -> tuple[Path, ...]:

@@ -4,26 +4,28 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.model import PlaceOf, ReadRobot
-from ropsim.robotfile import read_robot_file, robot_file_places
+from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
+from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
 
 @frozen_dataclass
 class RobotFormat:
-    """How files of one ending are read.
+    """How files of one ending are read and written.
 
     Attributes:
         read: a text to a robot.
         places: where the numbers of the robot stand in a text that could be read; None where nobody can tell.
+        write: a robot to a text; None where there is no writer.
     """
 
     read: Callable[[SourceText], ReadRobot]
     places: Callable[[SourceText], PlaceOf] | None = None
+    write: Callable[[RobotModel], WrittenRobot] | None = None
 
 
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {
-        ".toml": RobotFormat(read_robot_file, robot_file_places),
+        ".toml": RobotFormat(read_robot_file, robot_file_places, write_robot_file),
     }
 )
 """By the ending of the file name, in small letters."""

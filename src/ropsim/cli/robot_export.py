@@ -1,0 +1,29 @@
+"""`ropsim robot export`: a robot as a file that can be changed."""
+
+import argparse
+import shlex
+from pathlib import Path
+
+from ropsim.cli.named_robot import named_robot
+from ropsim.cli.output import Output, cannot_write
+from ropsim.core import replace_file
+from ropsim.records import diagnostic_document
+from ropsim.workbench import RobotFileError, written_robot
+
+
+def export(options: argparse.Namespace, output: Output) -> int:
+    """Write a robot in the format of the ending of the file."""
+    robot = named_robot(options, output)
+    if robot is None:
+        return 1
+    written = written_robot(robot, options.file)
+    output.findings(written.losses, {})
+    is_written = bool(written.text)
+    if is_written:
+        try:
+            replace_file(Path(options.file), written.text.encode("utf-8"))
+        except OSError as error:
+            raise RobotFileError(cannot_write(options.file, error)) from error
+        output.text(f"wrote {options.file}; next: ropsim new my_cell --robot {shlex.quote(options.file)}")
+    output.document({"ok": is_written, "path": options.file, **diagnostic_document(written.losses)})
+    return 0 if is_written else 1

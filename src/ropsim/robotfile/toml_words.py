@@ -1,0 +1,64 @@
+"""Values as TOML text: numbers in the units of a robot file, poses, strings, inline tables."""
+
+import json
+from collections.abc import Iterable
+from math import degrees, isinf
+
+import numpy as np
+
+from ropsim.model import JointType
+from ropsim.spatial import Pose
+
+_ROUNDED = 9  # digits behind the point, of millimetres and degrees
+_UNIT = 14  # digits behind the point, of entries of quaternions
+_SAME = 1e-12  # [m, entries of a quaternion]
+
+
+def number(value: float) -> str:
+    """Return a number with the digits that it needs to be read as the same one."""
+    return repr(float(value) + 0.0).removesuffix(".0")
+
+
+def length(value: float) -> str:
+    """Return a length [m] in millimetres; rounding errors are no digits of a drawing."""
+    return number(round(1e3 * value, _ROUNDED))
+
+
+def coordinate(value: float, type_: JointType) -> str:
+    """Return a coordinate, or a derivative of it, of a joint [rad | m] in degrees or millimetres."""
+    return length(value) if type_ is JointType.PRISMATIC else number(round(degrees(value), _ROUNDED))
+
+
+def text(value: str) -> str:
+    """Return a string in quotation marks."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def row(values: Iterable[str]) -> str:
+    """Return a list."""
+    return f"[{', '.join(values)}]"
+
+
+def pose_keys(pose: Pose) -> dict[str, str]:
+    """Return the keys that give a pose; none where it is that of the surrounding frame."""
+    keys = {}
+    if np.abs(pose.position).max() > _SAME:
+        keys["position"] = row(map(length, pose.position.tolist()))
+    if np.abs(pose.orientation[1:]).max() > _SAME:
+        keys["quaternion"] = row(number(round(one, _UNIT)) for one in pose.orientation.tolist())
+    return keys
+
+
+def inline(keys: dict[str, str]) -> str:
+    """Return an inline table; keys without a value are left out."""
+    return f"{{ {', '.join(f'{key} = {value}' for key, value in keys.items() if value)} }}"
+
+
+def lines(keys: dict[str, str]) -> str:
+    """Return keys with their values, one to a line; keys without a value are left out."""
+    return "".join(f"{key} = {value}\n" for key, value in keys.items() if value)
+
+
+def unless(value: float, default: float) -> str:
+    """Return a number; nothing where it is the one that holds without it, or is infinite."""
+    return "" if value == default or isinf(value) else number(value)

@@ -1,0 +1,154 @@
+"""A robot to a robot file: its DH table, or one that is made from its axes."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.model import (
+    DhRow,
+    Joint,
+    JointType,
+    Link,
+    RobotModel,
+    WrittenRobot,
+    fixed_part,
+    snapped,
+)
+from ropsim.robotfile.common_normals import common_normals
+from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
+from ropsim.robotfile.drive_words import drive_keys
+from ropsim.robotfile.shape_words import shapes_text
+from ropsim.robotfile.toml_words import (
+    coordinate,
+    inline,
+    length,
+    lines,
+    number,
+    pose_keys,
+    row,
+    text,
+    unless,
+)
+from ropsim.spatial import Pose
+
+
+@frozen_dataclass
+class _Table:
+    """A DH table and where things stand in it: frame 0, own frames of the joints in those of the table."""
+
+    convention: str
+    rows: tuple[DhRow, ...]
+    X_B0: Pose
+    frames: tuple[Pose, ...]
+
+
+def write_robot_file(robot: RobotModel) -> WrittenRobot:
+    """Return the robot file of a serial arm of turning and sliding joints.
+
+    The arm keeps the table that it was made from; any other gets one of the modified form along the common
+    normals of its axes. Read again it has the same kinematics, masses and drives.
+
+    Args:
+        robot: to be written; where a file cannot say what it is, the text is empty and the losses name why.
+    """
+    refused = tuple(_refusals(robot))
+    if refused:
+        return WrittenRobot("", refused)
+    table, losses = _table(robot), tuple(_losses(robot))
+    X_NM = table.frames[-1] @ robot.X_nM
+    head = {
+        "name": text(robot.name),
+        "title": text(robot.title),
+        "convention": text(table.convention),
+        "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
+        "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
+        "joints": _rows([_joint(one, j) for one, j in zip(table.rows, robot.joints, strict=True)]),
+    }
+    parts = [lines(head)]
+    for section, keys in (
+        ("base", pose_keys(table.X_B0) | {"shapes": shapes_text(robot.base_shapes)}),
+        ("flange", pose_keys(X_NM)),
+    ):
+        parts += [f"[{section}]\n{lines(keys)}"] if any(keys.values()) else []
+    links = [_body(link, X) | _looks(link, X) for link, X in zip(robot.links, table.frames, strict=True)]
+    if not any(link.mass > 0.0 or link.inertia.any() for link in robot.links):
+        links = [_looks(link, X) for link, X in zip(robot.links, table.frames, strict=True)]
+    parts += [f"[[links]]\n{lines(keys)}" for keys in links if any(any(one.values()) for one in links)]
+    drives = [drive_keys(drive) for drive in robot.drives]
+    parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and not losses]
+    return WrittenRobot("\n".join(parts), losses)
+
+
+def _table(robot: RobotModel) -> _Table:
+    if robot.dh:
+        fixed = tuple(Pose.from_matrix(fixed_part(one)).inverse() for one in robot.dh)
+        return _Table("standard", robot.dh, robot.joints[0].placement, fixed)
+    made = common_normals(robot.joints)
+    return _Table("modified", made.rows, made.X_B0, made.frames)
+
+
+def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
+    """Yield why no table can be made of the joints of a robot."""
+    kinds = {joint.type for joint in robot.joints} - {JointType.REVOLUTE, JointType.PRISMATIC}
+    chain = [joint.parent for joint in robot.joints] == list(range(-1, len(robot.joints) - 1))
+    for found, what in (
+        (bool(kinds), f"joints of the types {', '.join(sorted(kind.value for kind in kinds))}"),
+        (not chain, "branches"),
+        (bool(robot.couplings), "couplings between joints"),
+        (bool(robot.cuts), "closed chains"),
+        (robot.tip != len(robot.joints) - 1, "its mechanical interface on another link than the last one"),
+    ):
+        if found:
+            message = f"`{robot.name}` has {what}, a robot file has one chain of turning and sliding joints"
+            yield NOT_IN_ROBOT_FILE.at(None, message)
+
+
+def _losses(robot: RobotModel) -> Iterator[Diagnostic]:
+    """Yield what a file does not say of a robot that it can hold."""
+    if any(drive_keys(drive) is None for drive in robot.drives):
+        yield NOT_IN_ROBOT_FILE.at(None, f"`{robot.name}` has drives of other blocks than robot files know")
+    if robot.external:
+        yield NOT_IN_ROBOT_FILE.at(None, f"external axes of `{robot.name}` are written as joints of the arm")
+
+
+def _origin(parameters: str, kind: str, source: str) -> dict[str, str]:
+    return {"parameters": text(parameters), "kind": text(kind), "source": text(source)}
+
+
+def _joint(found: DhRow, joint: Joint) -> dict[str, str]:
+    lower, upper = (coordinate(value, joint.type) for value in (joint.lower, joint.upper))
+    return {
+        "name": text(joint.name),
+        "type": text("prismatic") if joint.type is JointType.PRISMATIC else "",
+        "a": length(found.a),
+        "alpha": coordinate(found.alpha, JointType.REVOLUTE),
+        "d": length(found.d),
+        "theta": coordinate(found.theta, JointType.REVOLUTE),
+        "limits": row((lower, upper)),
+        "speed": coordinate(joint.max_speed, joint.type),
+        "acceleration": coordinate(joint.max_acceleration, joint.type),
+        "jerk": coordinate(joint.max_jerk, joint.type),
+        "effort": unless(joint.max_effort, 0.0),
+    }
+
+
+def _body(link: Link, X_FJ: Pose) -> dict[str, str]:
+    R = snapped(X_FJ.rotation())
+    com, inertia = R @ link.com + X_FJ.position, R @ link.inertia @ R.T
+    entries = (inertia[k] for k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+    return {
+        "mass": number(link.mass),
+        "com": row(map(length, com.tolist())),
+        "inertia": row(number(float(np.round(one, 15))) for one in entries),
+    }
+
+
+def _looks(link: Link, X_FJ: Pose) -> dict[str, str]:
+    return {"shapes": shapes_text([replace(shape, pose=X_FJ @ shape.pose) for shape in link.shapes])}
+
+
+def _rows(tables: Sequence[dict[str, str]]) -> str:
+    """Return a list of inline tables, each on a line of its own; nothing for none."""
+    return "[\n" + "".join(f"  {inline(one)},\n" for one in tables) + "]" if tables else ""
