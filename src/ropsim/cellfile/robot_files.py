@@ -6,7 +6,7 @@ from dataclasses import replace
 from ropsim import robots
 from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
 from ropsim.model import ReadRobot, RobotModel
-from ropsim.tomltext import TomlTable, toml_values
+from ropsim.tomltext import TomlTable, document_values
 
 NO_FILES: Mapping[str, ReadRobot] = {}
 
@@ -21,7 +21,7 @@ def robot_files(text: SourceText | None) -> tuple[str, ...]:
     if text is None:
         return ()
     try:
-        values = toml_values("\n".join(text.lines))
+        values = document_values(text)
     except (ValueError, RecursionError):
         return ()
     stations = values.get("stations")

@@ -9,6 +9,7 @@ from ropsim.tomltext.diagnostics import UNKNOWN_CELL_NAME as UNKNOWN_CELL_NAME
 from ropsim.tomltext.diagnostics import UNKNOWN_CHOICE as UNKNOWN_CHOICE
 from ropsim.tomltext.diagnostics import VALUE_OUT_OF_RANGE as VALUE_OUT_OF_RANGE
 from ropsim.tomltext.diagnostics import WRONG_VALUE_COUNT as WRONG_VALUE_COUNT
+from ropsim.tomltext.document import document_values as document_values
 from ropsim.tomltext.document import read_document as read_document
 from ropsim.tomltext.inertia import read_inertia as read_inertia
 from ropsim.tomltext.inertia import read_tensor as read_tensor

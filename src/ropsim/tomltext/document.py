@@ -1,6 +1,8 @@
 """A whole TOML text: its root table, or why there is none."""
 
 import re
+from collections.abc import Mapping
+from functools import lru_cache
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.tomltext import diagnostics as kinds
@@ -13,6 +15,17 @@ _KEY = re.compile(r"'([^']*)'")
 _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
+@lru_cache(maxsize=4)
+def document_values(text: SourceText) -> Mapping[str, object]:
+    """Return what a text says; several look at one, so nobody changes it.
+
+    Raises:
+        tomllib.TOMLDecodeError: it is no TOML.
+        RecursionError: values are nested too deeply.
+    """
+    return toml_values("\n".join(text.lines))
+
+
 def read_document(text: SourceText) -> tuple[TomlTable | None, tuple[Diagnostic, ...]]:
     """Return the root table of a text, or nothing and the finding that it is no TOML.
 
@@ -20,7 +33,7 @@ def read_document(text: SourceText) -> tuple[TomlTable | None, tuple[Diagnostic,
         text: any text is allowed.
     """
     try:
-        values = toml_values("\n".join(text.lines))
+        values = document_values(text)
         places = positions(text)
     except RecursionError:
         return None, (_too_deep(text),)
