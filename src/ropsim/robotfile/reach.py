@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.kinematics import configurations, forward_batch, frames_batch
+from ropsim.kinematics import configurations, frames_batch
 from ropsim.model import JointType, RobotModel
 from ropsim.robotfile.diagnostics import ANOTHER_REACH
 from ropsim.spatial import Array
@@ -10,7 +10,7 @@ from ropsim.tomltext import TomlTable, Units
 
 SLACK = 0.1
 """Share by which a data sheet may differ: sheets round, and what is sampled is a little less."""
-_SAMPLES = 2000
+_SAMPLES = 1000
 _WRIST = 3  # joints at whose frames a data sheet may count the reach, beside the interface
 
 
@@ -43,9 +43,8 @@ def check_reach(root: TomlTable, robot: RobotModel, units: Units) -> None:
 def _reaches(robot: RobotModel) -> list[float]:
     """Return how far wrist and interface come from the axis of joint 1, and from joint 2 [m]."""
     Q = configurations(robot, _SAMPLES)
-    frames = frames_batch(robot, Q)[:, :, :3, 3]
-    wrist = min(_WRIST, robot.n)
-    points = [forward_batch(robot, Q)[:, :3, 3], *(frames[:, -k - 1] for k in range(wrist))]
+    frames = frames_batch(robot, Q)[:, :, :3, 3]  # of the joints, then the interface
+    points = [frames[:, -1 - k] for k in range(1 + min(_WRIST, robot.n))]
     found = [_from_axis(robot, point) for point in points]
     if robot.n > 1:
         found += [float(np.linalg.norm(point - frames[:, 1], axis=1).max()) for point in points]

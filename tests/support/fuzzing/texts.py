@@ -14,7 +14,7 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.dynamics import check_model
 from ropsim.model import audit
 from ropsim.records.plain_values import numeric
-from ropsim.robotfile import read_robot_file, robot_file_places
+from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 from ropsim.views import Style, diagnostics_text, scene
 from ropsim.workbench.environment import environment_of
 from support.cells import one_station
@@ -123,6 +123,8 @@ def _robot(content: bytes) -> str:
         _check(audit(read.robot, robot_file_places(source)), source)
         assert np.isfinite(kinematics.forward(read.robot, read.robot.home).matrix()).all()
         check_model(read.robot)
+        again = read_robot_file(SourceText("robots/again.toml", write_robot_file(read.robot).text))
+        assert again.robot is not None, again.findings
         cell = one_station("c", read.robot, robots.default_controller(replace(read.robot, drives=())))
         json.dumps(numeric(scene(cell)), allow_nan=False)
     return answer
