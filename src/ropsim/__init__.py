@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ropsim import controller as controller
     from ropsim import core as core
     from ropsim import dynamics as dynamics
+    from ropsim import exchange as exchange
     from ropsim import flow as flow
     from ropsim import icr as icr
     from ropsim import kinematics as kinematics
@@ -44,6 +45,7 @@ __all__ = [
     "controller",
     "core",
     "dynamics",
+    "exchange",
     "flow",
     "icr",
     "kinematics",

@@ -21,6 +21,7 @@ BANDS = {
     "controller": {"C6"},
     "simulation": {"S7"},
     "model": {"X8"},
+    "exchange": {"X9"},
     "robots": {"X8"},
     "calibration": {"X8"},
     "workbench": {"X8", "X9"},

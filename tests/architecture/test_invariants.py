@@ -6,8 +6,9 @@ import pytest
 
 from support.sources import trees
 
-EDGES = {"cellfile", "cli", "language", "lsp", "robotfile", "robots", "studio", "tomltext", "views"}
-"""Where people write and read degrees and millimetres; `robots` has published figures."""
+EDGES = {"cellfile", "cli", "exchange", "language", "lsp", "robotfile", "robots", "studio", "tomltext", "views"}
+"""Where people write and read degrees and millimetres; `robots` has published figures,
+`exchange` files with degrees."""
 HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles"}
 HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""

@@ -125,6 +125,7 @@ from ropsim.model.part import Part as Part
 from ropsim.model.payload import Payload as Payload
 from ropsim.model.payload import box as box
 from ropsim.model.payload import combine as combine
+from ropsim.model.payload import moved as moved
 from ropsim.model.placements import placement_matrices as placement_matrices
 from ropsim.model.placements import pose_matrices as pose_matrices
 from ropsim.model.placements import snapped as snapped

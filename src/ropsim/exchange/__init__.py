@@ -1,0 +1,6 @@
+"""Robots in formats of others: URDF with xacro, MJCF; every way tells what does not go over."""
+
+from ropsim.exchange.folder import RobotFolder as RobotFolder
+from ropsim.exchange.options import ReadOptions as ReadOptions
+from ropsim.exchange.read_urdf import read_urdf as read_urdf
+from ropsim.exchange.write_urdf import write_urdf as write_urdf

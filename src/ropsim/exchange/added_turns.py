@@ -1,0 +1,53 @@
+"""Joints behind each other about one line: so files say that a joint follows several others."""
+
+from collections import Counter
+from dataclasses import replace
+
+from ropsim.exchange.description import Connection, Description, Following
+from ropsim.model import Payload
+
+
+def with_added_turns(description: Description) -> Description:
+    """Return a description in which followers behind each other, about one line, are one that follows all.
+
+    The turns of two joints add up where the frame of the second is that of the first and nothing but the
+    second hangs on the body between them, which has no weight and no shape. Slides along one line do so too.
+    """
+    empty = {one.name for one in description.bodies if not one.shapes and one.weight == Payload()}
+    carried = Counter(one.parent for one in description.connections)
+    between = {name for name in empty if carried[name] == 1}
+    first = {one.child: one for one in description.connections if one.child in between and one.following}
+    made: list[Connection] = []
+    places: dict[str, int] = {}
+    gone: set[str] = set()
+    for one in description.connections:
+        before = first.get(one.parent)
+        if before is None or not _adds(before, one):
+            places[one.name] = len(made)
+            made.append(one)
+            continue
+        gone.add(one.parent)
+        joined = _joined(before, one)
+        places[joined.name] = places.pop(before.name)
+        made[places[joined.name]] = joined
+        if one.child in between:
+            first[one.child] = joined
+    if not gone:
+        return description
+    bodies = tuple(one for one in description.bodies if one.name not in gone)
+    return replace(description, bodies=bodies, connections=tuple(made))
+
+
+def _adds(before: Connection, one: Connection) -> bool:
+    alike = (before.motion, before.axis, before.zero) == (one.motion, one.axis, 0.0)
+    return alike and one.X_PC.is_identity and before.following is not None and one.following is not None
+
+
+def _joined(before: Connection, one: Connection) -> Connection:
+    assert before.following
+    assert one.following
+    factors: dict[str, float] = {}
+    for name, factor in (*before.following.terms, *one.following.terms):
+        factors[name] = factors.get(name, 0.0) + factor
+    following = Following(tuple(factors.items()), before.following.constant + one.following.constant)
+    return replace(before, child=one.child, following=following)

@@ -1,0 +1,122 @@
+"""A description becomes a robot: what is fixed together becomes one, axes the z of joint frames."""
+
+from collections.abc import Mapping
+
+from ropsim.core import SourceText
+from ropsim.exchange.added_turns import with_added_turns
+from ropsim.exchange.aligned import aligned, displaced
+from ropsim.exchange.bodies import Carried, carried_names, links_of, weight_findings
+from ropsim.exchange.description import Connection, Description, Motion
+from ropsim.exchange.drives import drives_of
+from ropsim.exchange.joint_limits import limits_of, unknown_limits, unknown_names
+from ropsim.exchange.kept_joints import KeptJoints, kept_joints
+from ropsim.exchange.link_tree import LinkTree, link_tree
+from ropsim.exchange.notes import Notes
+from ropsim.exchange.tip import tip_of
+from ropsim.model import BASE_LINK, Coupling, Joint, JointType, ParameterOrigin, ReadRobot, RobotModel
+from ropsim.spatial import Array, Pose, frozen
+
+_TYPES = {Motion.TURN: JointType.REVOLUTE, Motion.SLIDE: JointType.PRISMATIC}
+
+
+def read_robot(
+    description: Description | None, tip: str | None, source: SourceText, notes: Notes
+) -> ReadRobot:
+    """Return the robot of a description, with everything that was noted.
+
+    Args:
+        description: nothing where the file could not be read.
+        tip: name of the body that carries the tool; None for the one that is recognised.
+        source: the file.
+        notes: of the reading so far.
+    """
+    robot = _robot(description, tip, source, notes) if description and not notes.fatal else None
+    return ReadRobot(None if notes.fatal else robot, notes.found)
+
+
+def _robot(
+    description: Description, wanted: str | None, source: SourceText, notes: Notes
+) -> RobotModel | None:
+    description = with_added_turns(description)
+    tree = link_tree(description, notes)
+    tip = tip_of(description, tree, wanted, notes) if tree else None
+    kept = kept_joints(tree, tip, notes) if tree and tip else None
+    if tree is None or tip is None or kept is None:
+        return None
+    placed = _placed(tree, kept)
+    moved = [one for one in tree.order if one.name in kept.numbers]
+    joints = tuple(_joint(one, placed) for one in moved)
+    links, base_shapes = links_of(description.bodies, placed, len(joints))
+    driven = [one for one in moved if one.following is None]
+    axes = tuple(kept.numbers[one.name] for one in driven)
+    carrier, X_CT = placed[tip]
+    told = description.tip
+    interface = X_CT @ told[1] if told and told[0] == tip else X_CT
+    unknown_limits(driven, notes)
+    weight_findings(description, joints, links, interface, notes)
+    carried_names(description, tree, placed, tip, notes)
+    return RobotModel(
+        name=description.name,
+        title=description.name,
+        joints=joints,
+        links=links,
+        drives=drives_of(driven, axes, joints, links),
+        home=_rest(description, driven),
+        axes=axes,
+        couplings=tuple(_coupling(one, kept) for one in moved if one.following),
+        gravity=frozen(description.gravity or (0.0, 0.0, -9.81)),
+        origins=_origins(source, driven),
+        base_shapes=base_shapes,
+        X_nM=interface,
+        tip=carrier,
+    )
+
+
+def _rest(description: Description, driven: list[Connection]) -> Array:
+    """Return the rest position that a file says, else zero, within the limits, shape (n,)."""
+    home = dict(description.home)
+    return frozen([min(max(home.get(one.name, 0.0), one.limits.lower), one.limits.upper) for one in driven])
+
+
+def _placed(tree: LinkTree, kept: KeptJoints) -> Mapping[str, Carried]:
+    """Return on which joint each body rides, and its frame in the frame of that joint."""
+    placed: dict[str, Carried] = {tree.root: (BASE_LINK, Pose())}
+    for one in tree.order:
+        carrier, X_CP = placed[one.parent]
+        if one.name in kept.numbers:
+            placed[one.child] = kept.numbers[one.name], aligned(one.axis).inverse()
+        else:
+            placed[one.child] = carrier, X_CP @ displaced(one, kept.resting.get(one.name, 0.0))
+    return placed
+
+
+def _joint(one: Connection, placed: Mapping[str, Carried]) -> Joint:
+    parent, X_CP = placed[one.parent]
+    limits = limits_of(one)
+    return Joint(
+        one.name,
+        _TYPES[one.motion],
+        X_CP @ one.X_PC @ aligned(one.axis),
+        -one.zero if one.zero else 0.0,
+        limits.lower,
+        limits.upper,
+        limits.max_speed,
+        limits.max_acceleration,
+        limits.max_jerk,
+        limits.max_effort,
+        parent,
+    )
+
+
+def _coupling(one: Connection, kept: KeptJoints) -> Coupling:
+    assert one.following
+    terms = tuple((kept.numbers[name], factor) for name, factor in one.following.terms)
+    return Coupling(kept.numbers[one.name], terms, one.following.constant)
+
+
+def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOrigin, ...]:
+    """Return where the numbers come from: the file, and what it does not say from estimates."""
+    found = [ParameterOrigin("geometry, masses and limits", "derived", f"read from {source.name}")]
+    for what, names in unknown_names(driven).items():
+        found.append(ParameterOrigin(what, "estimated", f"not in {source.name}: joints {', '.join(names)}"))
+    return tuple(found)

@@ -1,0 +1,135 @@
+"""A robot as its file describes it: bodies by name and what joins them; each format is read to this."""
+
+from enum import Enum
+
+from ropsim.core import Span, frozen_dataclass
+from ropsim.model import Payload, Shape
+from ropsim.spatial import Pose
+
+
+class Motion(Enum):
+    """What a connection lets its child do."""
+
+    TURN = "turn"
+    SLIDE = "slide"
+    NONE = "none"
+
+
+@frozen_dataclass
+class Body:
+    """A rigid body.
+
+    Attributes:
+        name: of the link.
+        weight: mass, centre of mass and inertia about that, in the frame of the body.
+        shapes: what it looks like, in the frame of the body.
+        span: where it stands.
+    """
+
+    name: str
+    weight: Payload
+    shapes: tuple[Shape, ...]
+    span: Span
+
+
+@frozen_dataclass
+class Limits:
+    """Limits of a connection; None for what the file does not say.
+
+    Attributes:
+        lower: of the coordinate [rad | m].
+        upper: [rad | m].
+        speed: [rad/s | m/s].
+        acceleration: [rad/s² | m/s²].
+        jerk: [rad/s³ | m/s³].
+        effort: [N·m | N].
+    """
+
+    lower: float
+    upper: float
+    speed: float | None = None
+    acceleration: float | None = None
+    jerk: float | None = None
+    effort: float | None = None
+
+
+@frozen_dataclass
+class Resistance:
+    """What a joint does against its motion.
+
+    Attributes:
+        viscous: [N·m·s/rad | N·s/m].
+        dry: [N·m | N].
+        rotor: inertia of what turns with the joint alone [kg·m² | kg].
+    """
+
+    viscous: float = 0.0
+    dry: float = 0.0
+    rotor: float = 0.0
+
+
+@frozen_dataclass
+class Following:
+    """The coordinate of a connection as a linear function of others: Σ factor · q_other + constant.
+
+    Attributes:
+        terms: names of connections with their factors.
+        constant: [rad | m].
+    """
+
+    terms: tuple[tuple[str, float], ...]
+    constant: float = 0.0
+
+
+@frozen_dataclass
+class Connection:
+    """A joint of the file.
+
+    Attributes:
+        name: of the joint.
+        motion: what it lets its child do.
+        parent: name of the body that carries it.
+        child: name of the body that it moves.
+        X_PC: frame of the child in that of its parent where the joint has not moved it.
+        axis: unit vector in the frame of the child.
+        zero: coordinate at which the joint has not moved its child [rad | m].
+        limits: of the coordinate.
+        resistance: friction and rotor.
+        following: what determines the coordinate, where it is not driven.
+        span: where it stands.
+    """
+
+    name: str
+    motion: Motion
+    parent: str
+    child: str
+    X_PC: Pose
+    span: Span
+    axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    zero: float = 0.0
+    limits: Limits = Limits(0.0, 0.0)
+    resistance: Resistance = Resistance()
+    following: Following | None = None
+
+
+@frozen_dataclass
+class Description:
+    """Everything that a robot file describes.
+
+    Attributes:
+        name: of the robot.
+        bodies: in the order of the file.
+        connections: in the order of the file.
+        gravity: acceleration of free fall [m/s²]; None where the file does not say.
+        home: coordinates of connections in the rest position, by name [rad | m].
+        span: of the outermost element.
+        tip: body that carries the interface, where the file says so, and the interface in its frame.
+    """
+
+    name: str
+    bodies: tuple[Body, ...]
+    connections: tuple[Connection, ...]
+    span: Span
+    gravity: tuple[float, float, float] | None = None
+    home: tuple[tuple[str, float], ...] = ()
+    tip: tuple[str, Pose] | None = None

@@ -1,0 +1,166 @@
+"""What can be wrong with a robot in URDF or MJCF (codes X980 to X991)."""
+
+from ropsim.core import Severity, define
+
+NOT_XML = define(
+    "X980",
+    "robot-file-not-xml",
+    Severity.ERROR,
+    "a robot file is not well-formed XML",
+    """
+URDF, xacro and MJCF are XML: every element that is opened is closed, attributes stand in quotation
+marks, and there is one outermost element. The place is where the reader could not go on; the mistake is
+there or before it.
+""",
+)
+
+XML_REFUSED = define(
+    "X981",
+    "robot-file-refused",
+    Severity.ERROR,
+    "a robot file is larger than is read, or defines entities",
+    """
+Files of robots come from elsewhere, so what they can cost is bounded: their size, how deep elements
+stand in each other, how many there are, how long an attribute is, and how much macros and included files
+may bring. A document type (`<!DOCTYPE`) and entities of its own are refused: nobody needs them in a
+robot file, and a few lines of them can grow to gigabytes or name other files of the computer.
+
+Take the document type out. A robot that is really larger than the bounds carries more than an arm; cut
+it.
+""",
+)
+
+ELEMENT_MISSING = define(
+    "X982",
+    "robot-element-missing",
+    Severity.ERROR,
+    "an element or attribute that a robot needs is not there",
+    """
+A joint needs a name, a type, and the two links that it joins; one that turns or slides within limits
+needs its `limit`. A geometry needs its measures. Nothing is guessed in their place, since a guessed
+frame or limit moves a real robot to the wrong place. Numbers that a file may leave out have the values
+that its format states.
+""",
+)
+
+BAD_NUMBER = define(
+    "X983",
+    "robot-number-unusable",
+    Severity.ERROR,
+    "a number in a robot file is none, or one that cannot be",
+    """
+Numbers are decimal and finite, as many as the attribute has: three of a position, four of a quaternion.
+An axis and a quaternion have a direction, so they are not zero; masses are not negative; a lower limit
+is below its upper limit; measures of solids are positive. `nan` and `inf` are refused wherever they
+stand.
+
+Angles are radians in URDF, and degrees or radians in MJCF, as its `compiler` says: degrees if it says
+nothing.
+""",
+)
+
+SAME_ENTITY = define(
+    "X984",
+    "robot-name-twice",
+    Severity.ERROR,
+    "two links or two joints of a robot file have one name",
+    """
+Links and joints are referred to by their names, so each link has a name of its own among the links, and
+each joint among the joints. A name comes twice most often where a macro is called a second time with the
+same prefix.
+""",
+)
+
+UNKNOWN_ENTITY = define(
+    "X985",
+    "robot-name-unknown",
+    Severity.ERROR,
+    "a robot file, or a question about it, names what it does not hold",
+    """
+A joint names its parent and its child link, a mimic joint the joint that it follows, a body its class of
+defaults, a mesh its asset: all of these are in the same file. The tip that is asked for is a link of it.
+""",
+)
+
+BROKEN_TREE = define(
+    "X986",
+    "robot-tree-broken",
+    Severity.ERROR,
+    "the links of a robot file are not one tree",
+    """
+Every link but one is the child of exactly one joint. The one that is not is the root, the base of the
+robot. Two roots are two robots, or a joint is missing between them; a link with two parents, or a circle
+of joints, is a closed chain, which URDF cannot hold: describe the driven tree, and let the joints of the
+chain follow by `mimic`. Joints that follow each other in a circle move nothing.
+""",
+)
+
+JOINT_IMPOSSIBLE = define(
+    "X987",
+    "robot-joint-impossible",
+    Severity.ERROR,
+    "a joint is of a type that no axis of an arm can be, or there are too many",
+    """
+The axes of an arm turn or slide: `revolute`, `continuous` and `prismatic` in URDF, `hinge` and `slide`
+in MJCF. A `floating` or `planar` joint lets a body move about freely, a `ball` joint has three freedoms
+that no single drive moves, and the arm stands on its base: where that base moves, it is a track or a
+carriage with joints of its own. A robot has at least one joint that moves on the way to its tip, and at
+most as many as the message says.
+""",
+)
+
+TIP_UNCLEAR = define(
+    "X988",
+    "robot-tip-unclear",
+    Severity.ERROR,
+    "a robot file has several ends, and nobody says which one carries the tool",
+    """
+An arm is the chain from the base to its tip, the link with the mechanical interface. Where a file
+branches, as at a gripper or in a robot with two arms, the tip is the link that is named `tool0`,
+`flange` or so; else the end behind the most joints. Where two ends are alike in that, name the tip.
+""",
+)
+
+DOUBTFUL_BODY = define(
+    "X989",
+    "robot-body-doubtful",
+    Severity.WARNING,
+    "the mass or inertia of a link is not that of a real body",
+    """
+Masses in robot files are often placeholders: the same for all links, zero, or larger than the whole
+robot is by its data sheet. Moments of inertia of a body obey A + B >= C and fit its size: the radius of
+gyration that they give is no larger than the reach of the robot. Files are read with the numbers that
+they have; simulated torques are as good as these are.
+
+Look the masses up in the data sheet. Without a mass behind an axis there is no dynamics: the robot moves
+as it is commanded.
+""",
+)
+
+LIMIT_UNKNOWN = define(
+    "X990",
+    "robot-limit-unknown",
+    Severity.HINT,
+    "a robot file does not say a limit of a joint, and an estimate stands in its place",
+    """
+Planning needs the greatest speed, acceleration and jerk of each axis. URDF has the speed, and since
+version 1.2 acceleration and jerk; MJCF has none of them. A speed or an effort of 0 stands for unknown in
+many files. What is not known is estimated: speed half a turn in a second (0.5 m/s for slides), full
+speed after 0.25 s, full acceleration after 0.1 s; an unknown effort is no limit. The model tells them as
+`estimated`.
+
+Write the numbers of the data sheet into the file: cycle times follow from them.
+""",
+)
+
+MESH_MISSING = define(
+    "X991",
+    "robot-mesh-missing",
+    Severity.WARNING,
+    "a file that a robot file names is not there, or not inside of the given folders",
+    """
+Meshes and included files are named as `package://name/path`, `$(find name)/path` or by a path beside the
+robot file. The folder of a package has to be given, and nothing outside of the folders that are given is
+looked at. A shape whose mesh is not there is left out; an included file that is not there is an error.
+""",
+)

@@ -1,0 +1,92 @@
+"""The folders in which a robot file finds its meshes and includes; nothing else is looked at."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import field
+from pathlib import Path
+from types import MappingProxyType
+
+from ropsim.core import frozen_dataclass, read_bytes
+
+NO_PACKAGES: Mapping[str, str] = MappingProxyType({})
+_LARGEST = 20_000_000  # bytes of an included file
+
+
+@frozen_dataclass
+class RobotFolder:
+    """A project folder, and where in it the packages are that robot files speak of.
+
+    Attributes:
+        root: the project folder; None where no file may be looked at: then meshes are taken as named.
+        packages: folder of each package, from the project folder on, with `/`.
+        beside: folder of the robot file, from the project folder on, with `/`.
+    """
+
+    root: Path | None = None
+    packages: Mapping[str, str] = field(default_factory=lambda: NO_PACKAGES)
+    beside: str = ""
+
+    def path(self, name: str, beside: str | None = None) -> str | None:
+        """Return the path of a named file from the project folder on; nothing where it is outside of it.
+
+        Args:
+            name: `package://package/path`, `file://path`, or a path beside the file that names it.
+            beside: folder of the file that names it; None for that of the robot file.
+        """
+        start = self.beside if beside is None else beside
+        for scheme in ("package://", "model://"):
+            if name.startswith(scheme):
+                package, _, name = name[len(scheme) :].partition("/")
+                if package not in self.packages:
+                    return None
+                start = self.packages[package]
+        name = name.removeprefix("file://").replace("\\", "/")
+        if "\0" in name or ":" in name:
+            return None
+        if name.startswith("/"):
+            return self._within(name)
+        return _normal(f"{start}/{name}" if start else name)
+
+    def _within(self, name: str) -> str | None:
+        """Return an absolute path from the project folder on."""
+        if self.root is None:
+            return None
+        inside = os.path.relpath(name, self.root).replace(os.sep, "/")
+        return None if inside.startswith("..") else inside
+
+    def has(self, path: str) -> bool:
+        """Return whether a file is there, and not by a link that leads out of the folder."""
+        return self.root is None or self._file(path) is not None
+
+    def text(self, path: str) -> str | None:
+        """Return the text of a file in the folder; nothing where it is not there, too large or not UTF-8."""
+        place = self._file(path)
+        if place is None or place.stat().st_size > _LARGEST:
+            return None
+        try:
+            return read_bytes(place).decode("utf-8-sig")
+        except (OSError, UnicodeDecodeError):
+            return None
+
+    def _file(self, path: str) -> Path | None:
+        if self.root is None:
+            return None
+        try:
+            place = Path(os.path.realpath(self.root / path))
+            inside = place.is_relative_to(os.path.realpath(self.root))
+            return place if inside and place.is_file() else None
+        except (OSError, ValueError):
+            return None
+
+
+def _normal(path: str) -> str | None:
+    """Return a path without `.` and `..`; nothing where it leads out."""
+    parts: list[str] = []
+    for part in path.split("/"):
+        if part == "..":
+            if not parts:
+                return None
+            parts.pop()
+        elif part not in ("", "."):
+            parts.append(part)
+    return "/".join(parts) or None

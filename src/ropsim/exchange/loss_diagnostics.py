@@ -1,0 +1,44 @@
+"""What does not go over from one format of robots to another (codes X993 to X995)."""
+
+from ropsim.core import Severity, define
+
+LOST_MOTION = define(
+    "X993",
+    "exchange-loses-motion",
+    Severity.WARNING,
+    "joints or couplings do not go over: the robot on the other side moves differently",
+    """
+A robot file and the model hold different kinds of joints and couplings. Read: joints that are not on the
+way to the tip, and that nothing on it follows, stand still at their zero, and their bodies ride along
+with their weight; springs at joints are left out. Written: URDF has joints that follow one other joint
+(`mimic`), none that follow two, and no closed chains; it says nothing of gravity. The message names each
+joint. Check whether the other side needs it, and mend the file there.
+""",
+)
+
+LOST_DRIVE = define(
+    "X994",
+    "exchange-loses-drives",
+    Severity.HINT,
+    "data of drives do not go over: motors, gears, friction by direction, controllers",
+    """
+URDF and MJCF know a joint with viscous and dry friction and a greatest effort; MJCF knows the inertia of
+a rotor at the joint too. Amplifiers, motor constants, gears that twist, and friction that differs
+between the two directions have no place there, and controllers and transmissions that such files carry
+for other programs have no place in the model. Geometry and rigid bodies are not touched by that.
+""",
+)
+
+LOST_DESCRIPTION = define(
+    "X995",
+    "exchange-loses-description",
+    Severity.HINT,
+    "names, looks or remarks do not go over; the robot moves and weighs the same",
+    """
+What stands in no place of the other side: names of links and of frames that are fixed to them, collision
+geometry beside what is drawn, textures, sensors, elements for other programs; and from the model cones,
+bodies of revolution, outlines and lines, the title, where numbers come from, and the home position. What
+is fixed to a link becomes a part of it, with its weight and its shape. A robot without collision
+geometry is drawn by it, if it has nothing else.
+""",
+)

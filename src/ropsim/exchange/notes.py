@@ -1,0 +1,63 @@
+"""What a reader has found so far, in the order of the file."""
+
+from collections.abc import Iterable, Mapping
+
+from ropsim.core import Diagnostic, Kind, Span, near
+
+MOST_NOTES = 100
+"""So many findings are kept: a file with more is not mended one by one."""
+_NAMED = 6  # so many entities are named in a message
+
+
+class Notes:
+    """Findings of one reading."""
+
+    def __init__(self) -> None:
+        self._found: list[Diagnostic] = []
+
+    @property
+    def found(self) -> tuple[Diagnostic, ...]:
+        """Return the findings in the order of the file; those without a place come last."""
+        return tuple(sorted(self._found, key=_place))
+
+    @property
+    def fatal(self) -> bool:
+        """Return whether an error forbids a robot."""
+        return any(one.is_error for one in self._found)
+
+    def add(
+        self,
+        kind: Kind,
+        span: Span | None,
+        message: str,
+        hint: str = "",
+        data: Mapping[str, object] | None = None,
+    ) -> None:
+        """Note a finding, as long as there is room."""
+        if len(self._found) < MOST_NOTES:
+            self._found.append(kind.at(span, message, hint=hint, data=data))
+
+    def unknown(self, kind: Kind, span: Span | None, what: str, name: str, known: Iterable[str]) -> None:
+        """Note a name that stands for nothing, with the names that look like it."""
+        if len(self._found) >= MOST_NOTES:
+            return
+        close = near(name, known)
+        hint = f"did you mean `{close[0]}`?" if close else "allowed are the names that the file defines"
+        self.add(kind, span, f"{what} `{shown(name)}`, which does not exist", hint, {"near": close})
+
+
+def shown(text: str) -> str:
+    """Return a text of the file as it is quoted in a message: on one line, and not too long."""
+    line = " ".join(text.split())
+    return line if len(line) <= 60 else line[:57] + "..."
+
+
+def listed(names: Iterable[str]) -> str:
+    """Return names in words: the first few, and how many more."""
+    unique = list(dict.fromkeys(names))
+    words = ", ".join(f"`{shown(name)}`" for name in unique[:_NAMED])
+    return words + (f" and {len(unique) - _NAMED} more" if len(unique) > _NAMED else "")
+
+
+def _place(one: Diagnostic) -> tuple[int, str, int, int]:
+    return (0, "", one.span.line, one.span.column) if one.span else (1, "", 0, 0)

@@ -1,0 +1,46 @@
+"""Meshes that a robot file names: paths inside of the project folder, in a format that is drawn."""
+
+from ropsim.core import Span
+from ropsim.exchange.diagnostics import MESH_MISSING
+from ropsim.exchange.folder import RobotFolder
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.notes import Notes, shown
+from ropsim.model import Mesh
+
+DRAWN = (".stl", ".obj", ".ply", ".glb")
+"""Endings of the meshes that are drawn."""
+
+
+def mesh_of(
+    name: str, scale: tuple[float, ...], folder: RobotFolder, span: Span, notes: Notes
+) -> Mesh | None:
+    """Return the mesh of a file; nothing where it cannot be drawn (noted).
+
+    Args:
+        name: as the robot file says it.
+        scale: of the three axes [m per unit of the mesh file].
+        folder: where meshes are.
+        span: of the element that names it.
+        notes: for what is wrong.
+    """
+    path = folder.path(name)
+    if path is None:
+        words = f"the mesh `{shown(name)}` is not inside of the given folders"
+        notes.add(MESH_MISSING, span, words, "give the folder of its package")
+        return None
+    if not path.lower().endswith(DRAWN):
+        words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(DRAWN)}"
+        notes.add(LOST_DESCRIPTION, span, words, "convert it to one of these")
+        return None
+    if len(set(scale)) > 1 or scale[0] <= 0.0:
+        figures = " ".join(f"{one:g}" for one in scale)
+        words = (
+            f"the mesh `{shown(name)}` is scaled by {figures}, allowed is one positive number for all axes"
+        )
+        notes.add(LOST_DESCRIPTION, span, words, "scale the mesh file itself")
+        return None
+    if not folder.has(path):
+        words = f"the mesh `{shown(path)}` is not there"
+        notes.add(MESH_MISSING, span, words, "put it there; the path counts from the project folder")
+        return None
+    return Mesh(path, scale[0])

@@ -1,0 +1,67 @@
+"""URDF, and xacro that makes it, become a robot."""
+
+from ropsim.core import SourceText
+from ropsim.exchange.assembly import read_robot
+from ropsim.exchange.description import Description
+from ropsim.exchange.diagnostics import ELEMENT_MISSING
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
+from ropsim.exchange.notes import Notes, listed, shown
+from ropsim.exchange.options import STANDARD, ReadOptions
+from ropsim.exchange.urdf.joints import connection_of, lost_of
+from ropsim.exchange.urdf.links import body_of
+from ropsim.exchange.urdf.shapes import materials_of
+from ropsim.exchange.xml_tree import Element, read_xml
+from ropsim.model import ReadRobot
+
+_READ = {"link", "joint", "material"}
+_DRIVES = {"transmission", "ros2_control"}
+
+
+def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
+    """Return the robot of a URDF or xacro file.
+
+    The file is read as version 1.2 of the format defines it. Links that are fixed to each other become one;
+    the chain to the tip and what is coupled to it become joints of the model; see X993 for the others.
+
+    Args:
+        source: the file.
+        options: tip, folders and arguments.
+    """
+    notes = Notes()
+    root = read_xml(source, notes)
+    description = _description(root, options, notes) if root else None
+    return read_robot(description, options.tip, source, notes)
+
+
+def _description(root: Element, options: ReadOptions, notes: Notes) -> Description | None:
+    if root.name != "robot":
+        words = f"the outermost element is `{shown(root.name)}`, that of URDF is `robot`"
+        notes.add(ELEMENT_MISSING, root.span, words, "is it a file of another format?")
+        return None
+    materials = materials_of(root, notes)
+    bodies = [body_of(one, materials, options.folder, notes) for one in root.all("link")]
+    connections = [connection_of(one, notes) for one in root.all("joint")]
+    _losses(root, notes)
+    return Description(
+        root.attributes.get("name", "").strip() or "robot",
+        tuple(one for one in bodies if one),
+        tuple(one for one in connections if one),
+        root.span,
+    )
+
+
+def _losses(root: Element, notes: Notes) -> None:
+    for joint in root.all("joint"):
+        lost_of(joint, notes)
+    others = [one for one in root.children if one.name not in _READ]
+    for kind, names in (
+        (LOST_DRIVE, [one for one in others if one.name in _DRIVES]),
+        (LOST_DESCRIPTION, [one for one in others if one.name not in _DRIVES]),
+    ):
+        if names:
+            words = f"elements {listed(one.name for one in names)} do not go over ({len(names)} of them)"
+            notes.add(kind, names[0].span, words)
+    both = [one for one in root.all("link") if one.first("visual") and one.first("collision")]
+    if both:
+        words = f"the collision geometry of links {listed(one.attributes.get('name', '') for one in both)}"
+        notes.add(LOST_DESCRIPTION, both[0].span, f"{words} does not go over: drawn is the visual one")

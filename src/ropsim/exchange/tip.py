@@ -1,0 +1,54 @@
+"""Which body of a tree carries the tool."""
+
+from ropsim.exchange.description import Description, Motion
+from ropsim.exchange.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
+from ropsim.exchange.link_tree import LinkTree
+from ropsim.exchange.notes import Notes, listed
+
+USUAL_TIPS = ("tool0", "flange", "hand_tcp", "tcp", "ee_link", "tool_frame")
+"""Names of the mechanical interface in robot files, with a prefix or without (REP 199, makers' files)."""
+
+
+def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: Notes) -> str | None:
+    """Return the name of the tip; nothing where it is unknown or unclear (noted).
+
+    It is the one that is wanted, else the one that the file says, else the only one with a usual name, else
+    the end behind the most joints; where several ends are fixed to the last of these, the body that it moves.
+    """
+    names = [one.name for one in description.bodies]
+    if wanted is not None:
+        if wanted in names:
+            return wanted
+        notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, names)
+        return None
+    if description.tip is not None:
+        return description.tip[0]
+    for usual in USUAL_TIPS:
+        found = [name for name in names if name == usual or name.endswith(("_" + usual, "/" + usual))]
+        if len(found) == 1:
+            return found[0]
+    return _deepest(description, tree, notes)
+
+
+def _deepest(description: Description, tree: LinkTree, notes: Notes) -> str | None:
+    depth, last = {tree.root: 0}, {tree.root: tree.root}
+    for one in tree.order:
+        moves = one.motion is not Motion.NONE and one.following is None
+        depth[one.child] = depth[one.parent] + moves
+        last[one.child] = one.child if moves else last[one.parent]
+    parents = {one.parent for one in tree.order}
+    most = max(depth.values())
+    ends = [name for name in depth if depth[name] == most and name not in parents]
+    behind = {last[name] for name in ends}
+    if len(ends) == 1:
+        return ends[0]
+    if len(behind) == 1:
+        return behind.pop()
+    notes.add(
+        TIP_UNCLEAR,
+        description.span,
+        f"{len(ends)} ends have {most} joints before them: {listed(ends)}",
+        f"name the tip: allowed are {listed(ends)}",
+        {"ends": tuple(ends)},
+    )
+    return None

@@ -1,0 +1,126 @@
+"""What of a robot does not go into a file, in whatever format: drives, looks, and what is said about it."""
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from ropsim.core import Diagnostic
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.names import link_name
+from ropsim.exchange.notes import listed
+from ropsim.exchange.written_tree import WrittenTree
+from ropsim.model import (
+    Cylinder,
+    DcMotor,
+    Drive,
+    EffortAmplifier,
+    ElasticGear,
+    Friction,
+    JointType,
+    Material,
+    Polyline,
+    Prism,
+    Revolve,
+    RobotModel,
+    Shape,
+)
+
+_TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
+    (
+        "amplifiers with their voltages and currents",
+        lambda one: not isinstance(one.amplifier, EffortAmplifier),
+    ),
+    ("motor constants", lambda one: isinstance(one.motor, DcMotor)),
+    ("gear ratios", lambda one: abs(one.ratio) != 1.0),
+    ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
+    (
+        "the difference of dry friction in the two directions",
+        lambda one: one.friction.coulomb_positive != -one.friction.coulomb_negative,
+    ),
+)
+
+
+def friction_at_joint(drive: Drive) -> tuple[float, float]:
+    """Return viscous [N·m·s/rad | N·s/m] and dry friction [N·m | N] at the joint."""
+    friction, ratio = drive.friction, drive.ratio
+    dry = (friction.coulomb_positive - friction.coulomb_negative) / 2.0
+    return friction.viscous * ratio * ratio, abs(ratio) * dry
+
+
+def rotor_at_joint(drive: Drive) -> float:
+    """Return the inertia of the rotor at the joint [kg·m² | kg]."""
+    return drive.motor.rotor_inertia * drive.ratio * drive.ratio
+
+
+def drive_losses(robot: RobotModel) -> Iterable[Diagnostic]:
+    """Yield what of the drives goes into no format."""
+    axes = [joint.name for joint in robot.axis_joints]
+    for what, lost in _TESTS:
+        names = [name for name, drive in zip(axes, robot.drives, strict=False) if lost(drive)]
+        if names:
+            yield LOST_DRIVE.at(
+                None, f"{what} of axes {listed(names)} do not go over", data={"axes": tuple(names)}
+            )
+    smooth = [
+        name
+        for name, drive in zip(axes, robot.drives, strict=False)
+        if drive.friction.coulomb_positive and drive.friction.smoothing_speed != Friction().smoothing_speed
+    ]
+    if smooth:
+        words = f"the speed over which dry friction of axes {listed(smooth)} sets in does not go over"
+        yield LOST_DRIVE.at(None, words, data={"axes": tuple(smooth)})
+
+
+def can_write(shape: Shape) -> bool:
+    """Return whether the formats have a solid like that of a shape."""
+    if isinstance(shape.solid, Cylinder):
+        return shape.solid.top_radius == shape.solid.radius
+    return not isinstance(shape.solid, Revolve | Prism | Polyline)
+
+
+def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
+    """Yield what goes into no format: the order of axes, and limits of joints that are written as several."""
+    if list(robot.axes) != sorted(robot.axes):
+        words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
+        yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")
+    held = {one.joint.name for one in tree.joints if one.own or one.type is JointType.FIXED}
+    names = [joint.name for joint in robot.joints if joint.type.freedoms and joint.name not in held]
+    if names:
+        words = f"joints {listed(names)} are written as several joints each, without their limits"
+        yield LOST_MOTION.at(None, words, data={"joints": tuple(names)})
+
+
+def look_losses(robot: RobotModel) -> Iterable[Diagnostic]:
+    """Yield the shapes that go into no format, and materials of surfaces."""
+    bodies = [("base", robot.base_shapes)]
+    bodies += [
+        (link_name(joint.name), link.shapes) for joint, link in zip(robot.joints, robot.links, strict=True)
+    ]
+    lost = [name for name, shapes in bodies if not all(map(can_write, shapes))]
+    if lost:
+        words = f"cones, outlines, bodies of revolution and lines of {listed(lost)} do not go over"
+        yield LOST_DESCRIPTION.at(None, words, hint="make meshes of them", data={"links": tuple(lost)})
+    surfaces = [name for name, shapes in bodies if any(one.material is not Material.PAINT for one in shapes)]
+    if surfaces:
+        words = f"what the surfaces of {listed(surfaces)} look as if made of does not go over"
+        yield LOST_DESCRIPTION.at(None, words, data={"links": tuple(surfaces)})
+
+
+def word_losses(robot: RobotModel, home: str = "the home position") -> Iterable[Diagnostic]:
+    """Yield what is said about a robot and goes into no format.
+
+    Args:
+        robot: to be written.
+        home: how its home position is called; empty where the format holds it.
+    """
+    zero = np.clip(0.0, robot.lower_limits, robot.upper_limits)
+    rows = (
+        ("the title", robot.title != robot.name),
+        (home, bool(home) and not np.array_equal(robot.home, zero)),
+        ("the DH table", bool(robot.dh)),
+        ("where its numbers come from", bool(robot.origins)),
+        ("which of its axes are external", bool(robot.external)),
+    )
+    lost = [what for what, is_lost in rows if is_lost]
+    if lost:
+        yield LOST_DESCRIPTION.at(None, f"of `{robot.name}` these do not go over: {', '.join(lost)}")

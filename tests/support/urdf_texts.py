@@ -1,0 +1,81 @@
+"""Texts of robots in URDF for tests; those of published arms are made from `published_arms.toml`."""
+
+from support.published_arms import TABLES
+
+ARM = """<?xml version="1.0"?>
+<robot name="arm">
+  <material name="orange"><color rgba="1 0.5 0 0.5"/></material>
+  <link name="base_link">
+    <visual><geometry><cylinder radius="0.1" length="0.2"/></geometry><material name="orange"/></visual>
+  </link>
+  <link name="upper">
+    <inertial>
+      <origin xyz="0.1 0.2 0.3" rpy="0.3 -0.2 0.5"/>
+      <mass value="4"/>
+      <inertia ixx="0.05" ixy="0.01" ixz="0" iyy="0.06" iyz="0" izz="0.04"/>
+    </inertial>
+    <visual><origin xyz="0 0 0.2"/><geometry><box size="0.1 0.1 0.4"/></geometry></visual>
+    <collision><geometry><sphere radius="0.3"/></geometry></collision>
+  </link>
+  <link name="camera">
+    <inertial>
+      <mass value="0.5"/><inertia ixx="1e-3" ixy="0" ixz="0" iyy="1e-3" iyz="0" izz="1e-3"/>
+    </inertial>
+    <visual><geometry><sphere radius="0.05"/></geometry></visual>
+  </link>
+  <link name="lower">
+    <inertial><mass value="2"/><inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.01"/></inertial>
+  </link>
+  <link name="tool0"/>
+  <link name="finger">
+    <inertial>
+      <mass value="0.1"/><inertia ixx="1e-4" ixy="0" ixz="0" iyy="1e-4" iyz="0" izz="1e-4"/>
+    </inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <origin xyz="0 0 0.3" rpy="0.1 0.2 0.3"/><parent link="base_link"/><child link="upper"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-2" upper="1.5" effort="100" velocity="2" acceleration="8" jerk="80"/>
+    <dynamics damping="0.7" friction="0.3"/>
+  </joint>
+  <joint name="camera_mount" type="fixed">
+    <origin xyz="0.1 0 0.1" rpy="0 0.5 0"/><parent link="upper"/><child link="camera"/>
+  </joint>
+  <joint name="slide" type="prismatic">
+    <origin xyz="0 0 0.5"/><parent link="upper"/><child link="lower"/><axis xyz="1 2 2"/>
+    <limit lower="0.1" upper="0.4" effort="0" velocity="0.5"/>
+  </joint>
+  <joint name="tool_mount" type="fixed">
+    <origin xyz="0.3 0 0"/><parent link="lower"/><child link="tool0"/>
+  </joint>
+  <joint name="grip" type="prismatic">
+    <origin xyz="0 0.1 0"/><parent link="lower"/><child link="finger"/><axis xyz="0 1 0"/>
+    <limit lower="0.01" upper="0.05" effort="10" velocity="0.1"/>
+  </joint>
+</robot>
+"""
+"""Two joints with axes in any direction, a camera fixed to a link, a finger beside the tip."""
+
+
+def published_urdf(name: str) -> str:
+    """Return the URDF of a published arm: its chain only, one link behind each joint, `tool0` at the end."""
+    table = TABLES[name]
+    rows: list[tuple[str, str, list[float], list[float]]] = (
+        [("base", "fixed", table["base"], [])] if "base" in table else []
+    )
+    rows += [(f"joint_{k}", "revolute", row, row[6:]) for k, row in enumerate(table["joints"], start=1)]
+    rows += [(f"end_{k}", "fixed", row, []) for k, row in enumerate(table["tip"])]
+    links = [f"l{k}" for k in range(len(rows))] + ["tool0"]
+    text = "".join(f'<link name="{one}"/>' for one in links)
+    for (joint, kind, row, more), parent, child in zip(rows, links, links[1:], strict=False):
+        text += f'<joint name="{joint}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
+        text += f'<origin xyz="{_words(row[:3])}" rpy="{_words(row[3:6])}"/>'
+        if more:
+            text += f'<axis xyz="{_words(more[:3])}"/><limit lower="{more[3]!r}" upper="{more[4]!r}" '
+            text += 'velocity="3" effort="0"/>'
+        text += "</joint>"
+    return f'<robot name="{name}">{text}</robot>'
+
+
+def _words(values: list[float]) -> str:
+    return " ".join(repr(value) for value in values)

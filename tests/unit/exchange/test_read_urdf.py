@@ -1,0 +1,246 @@
+"""URDF in: frames, axes, weights, limits, friction, looks, branches and what is lost."""
+
+from math import cos, inf, sin
+
+import numpy as np
+import pytest
+
+from ropsim.core import SourceText
+from ropsim.exchange import ReadOptions, read_urdf
+from ropsim.exchange.joint_limits import WITHOUT_END
+from ropsim.kinematics import forward
+from ropsim.model import Box, Cylinder, RobotModel, Sphere
+from support.urdf_texts import ARM
+
+EXACT = 1e-15
+
+
+def read(text: str, tip: str | None = None) -> RobotModel:
+    found = read_urdf(SourceText("arm.urdf", text), ReadOptions(tip))
+    assert found.robot is not None, found.findings
+    return found.robot
+
+
+def turned(roll: float, pitch: float, yaw: float) -> np.ndarray:
+    """Return Rz(yaw)·Ry(pitch)·Rx(roll), written out."""
+    (sr, sp, sy), (cr, cp, cy) = np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw])
+    x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+    z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+    return np.asarray(z @ y @ x)
+
+
+def test_the_chain_to_the_tip_is_the_arm() -> None:
+    robot = read(ARM)
+    assert [joint.name for joint in robot.joints] == ["shoulder", "slide"]
+    assert robot.n == 2
+
+
+def test_axes_in_any_direction_turn_and_slide_along_themselves() -> None:
+    robot = read(ARM)
+    q1, q2 = 0.7, 0.25
+    about_y = np.array([[cos(q1), 0, sin(q1)], [0, 1, 0], [-sin(q1), 0, cos(q1)]])
+    R = turned(0.1, 0.2, 0.3) @ about_y
+    along = np.array([1.0, 2.0, 2.0]) / 3.0
+    p = np.array([0, 0, 0.3]) + R @ (np.array([0, 0, 0.5]) + q2 * along + np.array([0.3, 0, 0]))
+    X = forward(robot, [q1, q2])
+    np.testing.assert_allclose(X.position, p, atol=EXACT)
+    np.testing.assert_allclose(X.rotation(), R, atol=4 * EXACT)
+
+
+def test_a_fixed_link_weighs_with_the_one_that_carries_it() -> None:
+    robot = read(ARM)
+    upper = robot.links[0]
+    com = (4.0 * np.array([0.1, 0.2, 0.3]) + 0.5 * np.array([0.1, 0.0, 0.1])) / 4.5
+    Q = turned(0.3, -0.2, 0.5)
+    own = Q @ np.array([[0.05, 0.01, 0], [0.01, 0.06, 0], [0, 0, 0.04]]) @ Q.T
+    expected = np.zeros((3, 3))
+    for mass, at, inertia in ((4.0, [0.1, 0.2, 0.3], own), (0.5, [0.1, 0.0, 0.1], np.eye(3) * 1e-3)):
+        r = np.array(at) - com
+        expected += inertia + mass * (r @ r * np.eye(3) - np.outer(r, r))
+    assert upper.mass == 4.5
+    moments = np.linalg.eigvalsh(upper.inertia)
+    np.testing.assert_allclose(moments, np.linalg.eigvalsh(expected), rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(upper.com), np.linalg.norm(com), rtol=1e-12)
+    assert upper.com[2] == pytest.approx(com[1], abs=EXACT)  # along the axis
+    assert upper.inertia[2, 2] == pytest.approx(expected[1, 1])
+
+
+def test_limits_are_those_of_the_file_and_the_rest_is_estimated_and_told() -> None:
+    found = read_urdf(SourceText("arm.urdf", ARM))
+    assert found.robot is not None
+    shoulder, slide = found.robot.joints
+    assert (shoulder.lower, shoulder.upper, shoulder.max_effort) == (-2.0, 1.5, 100.0)
+    assert (shoulder.max_speed, shoulder.max_acceleration, shoulder.max_jerk) == (2.0, 8.0, 80.0)
+    assert (slide.max_speed, slide.max_effort) == (0.5, inf)
+    assert slide.max_acceleration > 0.0
+    told = [one.data["joints"] for one in found.findings if one.code == "X990"]
+    assert told == [("slide",), ("slide",)]  # acceleration and jerk; effort
+    assert any(one.kind == "estimated" for one in found.robot.origins)
+
+
+def test_friction_of_joints_is_that_of_the_drives() -> None:
+    drive = read(ARM).drives[0]
+    assert (drive.friction.viscous, drive.friction.coulomb_positive, drive.friction.coulomb_negative) == (
+        0.7,
+        0.3,
+        -0.3,
+    )
+    assert drive.ratio == 1.0
+
+
+def test_a_robot_without_masses_has_no_drives() -> None:
+    without = "".join(line for line in ARM.splitlines() if "<mass" not in line and "inertia" not in line)
+    text = without.replace("<inertial>", "").replace("</inertial>", "")
+    text = text.replace('<origin xyz="0.1 0.2 0.3" rpy="0.3 -0.2 0.5"/>', "")
+    assert read(text).drives == ()
+
+
+def test_looks_are_in_their_places_and_colours() -> None:
+    robot = read(ARM)
+    (base,) = robot.base_shapes
+    assert (base.solid, base.colour, base.opacity) == (Cylinder(0.1, 0.2), "#ff8000", 0.5)
+    solids = [one.solid for one in robot.links[0].shapes]
+    assert solids == [Box((0.1, 0.1, 0.4)), Sphere(0.05)]
+    center = robot.joints[0].placement @ robot.links[0].shapes[1].pose
+    expected = np.array([0, 0, 0.3]) + turned(0.1, 0.2, 0.3) @ np.array([0.1, 0, 0.1])
+    np.testing.assert_allclose(center.position, expected, atol=EXACT)
+
+
+def test_a_joint_beside_the_way_to_the_tip_rests_and_its_link_weighs_on() -> None:
+    found = read_urdf(SourceText("arm.urdf", ARM))
+    assert found.robot is not None
+    assert found.robot.links[1].mass == pytest.approx(2.1)
+    (lost,) = [one for one in found.findings if one.code == "X993"]
+    assert lost.data["joints"] == ("grip",)
+    assert read(ARM, tip="finger").n == 3
+
+
+def test_losses_name_the_entities() -> None:
+    codes = {one.code: one for one in read_urdf(SourceText("arm.urdf", ARM)).findings}
+    assert "`camera`" in " ".join(
+        one.message for one in read_urdf(SourceText("a", ARM)).findings if one.code == "X995"
+    )
+    assert codes["X993"].span is not None
+    assert codes["X993"].span.source == "arm.urdf"
+    assert not any(one.is_error for one in codes.values())
+
+
+def test_a_continuous_joint_turns_without_end_and_a_mimic_joint_is_coupled() -> None:
+    text = ARM.replace('type="revolute"', 'type="continuous"').replace(
+        '<axis xyz="1 2 2"/>', '<axis xyz="1 2 2"/><mimic joint="shoulder" multiplier="0.1" offset="0.2"/>'
+    )
+    robot = read(text)
+    assert robot.n == 1
+    assert robot.joints[0].upper == WITHOUT_END
+    (coupling,) = robot.couplings
+    assert (coupling.dependent, coupling.terms, coupling.constant) == (1, ((0, 0.1),), 0.2)
+
+
+def test_the_order_of_elements_does_not_matter() -> None:
+    head, *joints = ARM.replace("</robot>", "").split("<joint ")
+    turned_round = head + "".join(f"<joint {one}" for one in reversed(joints)) + "</robot>"
+    a, b = read(ARM), read(turned_round)
+    assert (a.joints, a.links, a.X_nM) == (b.joints, b.links, b.X_nM)
+
+
+BAD = {
+    "X980": [ARM[:600], "", "no xml", "<robot></arm>"],
+    "X981": ['<!DOCTYPE robot [<!ENTITY a "aa">]><robot name="a"/>', "<robot>" * 300],
+    "X982": [
+        "<sdf/>",
+        '<robot name="a"/>',
+        ARM.replace('<parent link="base_link"/>', ""),
+        ARM.replace('<mass value="2"/>', ""),
+        ARM.replace('limit lower="-2"', 'limits lower="-2"'),
+        ARM.replace('radius="0.05"', ""),
+        ARM.replace('name="slide" ', ""),
+        ARM.replace('<box size="0.1 0.1 0.4"/>', ""),
+    ],
+    "X983": [
+        ARM.replace('"1 2 2"', '"0 0 0"'),
+        ARM.replace('"1 2 2"', '"nan 0 1"'),
+        ARM.replace('"1 2 2"', '"1 2"'),
+        ARM.replace('"0 0 0.5"', '"0 0 inf"'),
+        ARM.replace('"0 0 0.5"', '"0 0 1e999"'),
+        ARM.replace('value="2"', 'value="-2"'),
+        ARM.replace('"-2"', '"2"'),
+        ARM.replace('size="0.1 0.1 0.4"', 'size="0.1 -0.1 0.4"'),
+        ARM.replace('damping="0.7"', 'damping="-0.7"'),
+        ARM.replace('velocity="2"', 'velocity="-2"'),
+    ],
+    "X984": [ARM.replace('"finger"', '"lower"', 1), ARM.replace('name="grip"', 'name="slide"')],
+    "X985": [
+        ARM.replace('parent link="upper"', 'parent link="uper"'),
+        ARM.replace('<axis xyz="1 2 2"/>', '<mimic joint="sholder"/>'),
+    ],
+    "X986": [
+        ARM.replace('<link name="tool0"/>', '<link name="tool0"/><link name="alone"/>'),
+        ARM.replace('child link="finger"', 'child link="tool0"'),
+        ARM.replace('<parent link="base_link"/>', '<parent link="lower"/>'),
+        ARM.replace('<axis xyz="1 2 2"/>', '<mimic joint="slide"/>'),
+    ],
+    "X987": [
+        ARM.replace('type="prismatic"', 'type="floating"'),
+        ARM.replace('type="prismatic"', 'type="planar"'),
+        ARM.replace('type="prismatic"', 'type="wobbly"'),
+        ARM.replace('type="prismatic"', 'type="fixed"').replace('type="revolute"', 'type="fixed"'),
+    ],
+    "X988": [
+        ARM.replace('"tool0"', '"a"').replace(
+            'name="tool_mount" type="fixed"', 'name="tool_mount" type="continuous"'
+        )
+    ],
+}
+
+
+@pytest.mark.parametrize(("code", "text"), [(code, text) for code, texts in BAD.items() for text in texts])
+def test_bad_files_are_answered_with_their_place(code: str, text: str) -> None:
+    found = read_urdf(SourceText("bad.urdf", text))
+    assert found.robot is None
+    errors = [one for one in found.findings if one.is_error]
+    assert code in {one.code for one in errors}
+    assert all(one.message and one.hint for one in errors)
+    assert all(one.span is None or one.span.line <= max(1, text.count("\n") + 1) for one in errors)
+
+
+def test_a_near_name_is_suggested() -> None:
+    found = read_urdf(SourceText("bad.urdf", ARM.replace('parent link="upper"', 'parent link="uper"')))
+    assert any("did you mean `upper`" in one.hint for one in found.findings)
+    missing = read_urdf(SourceText("a", ARM), ReadOptions(tip="tol0"))
+    assert [(one.code, one.hint) for one in missing.findings if one.is_error] == [
+        ("X985", "did you mean `tool0`?")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (ARM.replace('mass value="4"', 'mass value="4000"'), "weigh"),
+        (ARM.replace('ixx="0.02"', 'ixx="9"'), "moments of inertia"),
+        (
+            ARM.replace('mass value="2"', 'mass value="0"').replace('mass value="0.1"', 'mass value="0"'),
+            "no mass",
+        ),
+    ],
+)
+def test_doubtful_bodies_are_told_and_kept(text: str, words: str) -> None:
+    found = read_urdf(SourceText("arm.urdf", text))
+    assert found.robot is not None
+    assert any(one.code == "X989" and words in one.message for one in found.findings)
+
+
+def test_placeholders_are_told() -> None:
+    """Published files give every link 2 kg where nobody knew better."""
+    links = "".join(
+        f'<link name="l{k}"><inertial><mass value="2"/>'
+        '<inertia ixx="1e-2" ixy="0" ixz="0" iyy="1e-2" iyz="0" izz="1e-2"/></inertial></link>'
+        for k in range(6)
+    )
+    joints = "".join(
+        f'<joint name="j{k}" type="continuous"><parent link="l{k}"/><child link="l{k + 1}"/>'
+        '<origin xyz="0 0 0.4"/><axis xyz="0 1 0"/></joint>'
+        for k in range(5)
+    )
+    found = read_urdf(SourceText("a", f'<robot name="a">{links}{joints}</robot>'))
+    assert any("placeholders" in one.hint for one in found.findings if one.code == "X989")
