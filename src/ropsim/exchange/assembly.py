@@ -39,19 +39,19 @@ def _robot(
 ) -> RobotModel | None:
     description = with_added_turns(description)
     tree = link_tree(description, notes)
-    tip = tip_of(description, tree, wanted, notes) if tree else None
-    kept = kept_joints(tree, tip, notes) if tree and tip else None
-    if tree is None or tip is None or kept is None:
+    found = tip_of(description, tree, wanted, notes) if tree else None
+    kept = kept_joints(tree, found[0], notes) if tree and found else None
+    if tree is None or found is None or kept is None:
         return None
+    tip, X_TM = found
     placed = _placed(tree, kept)
     moved = [one for one in tree.order if one.name in kept.numbers]
     joints = tuple(_joint(one, placed) for one in moved)
     links, base_shapes = links_of(description.bodies, placed, len(joints))
-    driven = [one for one in moved if one.following is None]
+    driven = _in_order([one for one in moved if one.following is None], description.axes)
     axes = tuple(kept.numbers[one.name] for one in driven)
     carrier, X_CT = placed[tip]
-    told = description.tip
-    interface = X_CT @ told[1] if told and told[0] == tip else X_CT
+    interface = X_CT @ X_TM
     unknown_limits(driven, notes)
     weight_findings(description, joints, links, interface, notes)
     carried_names(description, tree, placed, tip, notes)
@@ -70,6 +70,12 @@ def _robot(
         X_nM=interface,
         tip=carrier,
     )
+
+
+def _in_order(driven: list[Connection], names: tuple[str, ...]) -> list[Connection]:
+    """Return the connections that are driven in the order of their names; those without one come last."""
+    places = {name: place for place, name in enumerate(names)}
+    return sorted(driven, key=lambda one: places.get(one.name, len(places)))
 
 
 def _rest(description: Description, driven: list[Connection]) -> Array:

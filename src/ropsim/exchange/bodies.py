@@ -120,7 +120,10 @@ def carried_names(
         (renamed, "are called after the joints that move them"),
         (others, "become a part of the base, and their frames go"),
         (heavy, "stand still: their weight goes"),
-        ([tip] if tip != FLANGE and tip not in renamed else [], "is called the mechanical interface"),
+        (
+            [tip] if tip not in (FLANGE, *(one.child for one in moving)) else [],
+            "is called the mechanical interface",
+        ),
     )
     for names, words in rows:
         if names:

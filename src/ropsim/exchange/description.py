@@ -1,6 +1,9 @@
 """A robot as its file describes it: bodies by name and what joins them; each format is read to this."""
 
+from collections.abc import Mapping
+from dataclasses import field
 from enum import Enum
+from types import MappingProxyType
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.model import Payload, Shape
@@ -123,7 +126,8 @@ class Description:
         gravity: acceleration of free fall [m/s²]; None where the file does not say.
         home: coordinates of connections in the rest position, by name [rad | m].
         span: of the outermost element.
-        tip: body that carries the interface, where the file says so, and the interface in its frame.
+        axes: names of the connections that are driven, in the order of the axes; none for that of the file.
+        frames: named frames that are fixed to bodies: the body, and the frame in that of it.
     """
 
     name: str
@@ -132,4 +136,8 @@ class Description:
     span: Span
     gravity: tuple[float, float, float] | None = None
     home: tuple[tuple[str, float], ...] = ()
-    tip: tuple[str, Pose] | None = None
+    axes: tuple[str, ...] = ()
+    frames: Mapping[str, tuple[str, Pose]] = field(default_factory=lambda: _NO_FRAMES)
+
+
+_NO_FRAMES: Mapping[str, tuple[str, Pose]] = MappingProxyType({})

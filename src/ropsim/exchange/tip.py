@@ -4,30 +4,41 @@ from ropsim.exchange.description import Description, Motion
 from ropsim.exchange.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
 from ropsim.exchange.link_tree import LinkTree
 from ropsim.exchange.notes import Notes, listed
+from ropsim.spatial import Pose
 
-USUAL_TIPS = ("tool0", "flange", "hand_tcp", "tcp", "ee_link", "tool_frame")
+USUAL_TIPS = (
+    "tool0",
+    "flange",
+    "attachment_site",
+    "hand_tcp",
+    "tcp",
+    "ee_link",
+    "tool_frame",
+    "ee_site",
+    "end_effector",
+)
 """Names of the mechanical interface in robot files, with a prefix or without (REP 199, makers' files)."""
 
 
-def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: Notes) -> str | None:
-    """Return the name of the tip; nothing where it is unknown or unclear (noted).
+def tip_of(
+    description: Description, tree: LinkTree, wanted: str | None, notes: Notes
+) -> tuple[str, Pose] | None:
+    """Return the body that is the tip, and the interface in its frame; nothing where that is unclear (noted).
 
-    It is the one that is wanted, else the one that the file says, else the only one with a usual name, else
-    the end behind the most joints; where several ends are fixed to the last of these, the body that it moves.
+    It is the body or frame that is wanted, else the only one with a usual name, else the end behind the most
+    joints; where several ends are fixed to the last of these, the body that it moves.
     """
-    names = [one.name for one in description.bodies]
+    known = dict(description.frames) | {one.name: (one.name, Pose()) for one in description.bodies}
     if wanted is not None:
-        if wanted in names:
-            return wanted
-        notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, names)
-        return None
-    if description.tip is not None:
-        return description.tip[0]
+        if wanted not in known:
+            notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known)
+        return known.get(wanted)
     for usual in USUAL_TIPS:
-        found = [name for name in names if name == usual or name.endswith(("_" + usual, "/" + usual))]
+        found = [name for name in known if name == usual or name.endswith(("_" + usual, "/" + usual))]
         if len(found) == 1:
-            return found[0]
-    return _deepest(description, tree, notes)
+            return known[found[0]]
+    end = _deepest(description, tree, notes)
+    return (end, Pose()) if end else None
 
 
 def _deepest(description: Description, tree: LinkTree, notes: Notes) -> str | None:

@@ -79,10 +79,7 @@ def can_write(shape: Shape) -> bool:
 
 
 def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
-    """Yield what goes into no format: the order of axes, and limits of joints that are written as several."""
-    if list(robot.axes) != sorted(robot.axes):
-        words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
-        yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")
+    """Yield the joints whose limits go into no format: they are written as several joints."""
     held = {one.joint.name for one in tree.joints if one.own or one.type is JointType.FIXED}
     names = [joint.name for joint in robot.joints if joint.type.freedoms and joint.name not in held]
     if names:

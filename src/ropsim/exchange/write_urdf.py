@@ -95,6 +95,9 @@ def _mimic(tree: WrittenTree, one: WrittenJoint) -> tuple[Tag, ...]:
 
 def _losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
     yield from limit_losses(robot, tree)
+    if list(robot.axes) != sorted(robot.axes):
+        words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
+        yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")
     if robot.cuts:
         words = f"{len(robot.cuts)} closed chains of `{robot.name}` do not go over, URDF has none"
         yield LOST_MOTION.at(None, words, hint="MJCF and SDF hold them")

@@ -1,0 +1,1 @@
+"""MJCF, the modelling format of MuJoCo (XML reference of MuJoCo 4): its elements."""

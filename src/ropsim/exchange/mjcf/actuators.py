@@ -1,0 +1,54 @@
+"""Actuators of MJCF: how much they can do at the joints; what they are made of is told as lost."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ropsim.exchange.description import Connection, Motion
+from ropsim.exchange.loss_diagnostics import LOST_DRIVE
+from ropsim.exchange.mjcf.settings import MAIN, Settings
+from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.values import numbers_of
+from ropsim.exchange.xml_tree import Element
+
+
+def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, ...]:
+    """Return the joints that are driven: those with actuators in the order of these, then the others."""
+    free = [one.name for one in connections if one.motion is not Motion.NONE and one.following is None]
+    parts = [one for actuator in root.all("actuator") for one in actuator.children]
+    named = [one.attributes.get("joint", "") for one in parts]
+    return tuple(dict.fromkeys([*(name for name in named if name in set(free)), *free]))
+
+
+def driven(
+    connections: Iterable[Connection], root: Element, settings: Settings, notes: Notes
+) -> tuple[Connection, ...]:
+    """Return connections with the greatest effort of their actuators, where joints say none themselves."""
+    efforts: dict[str, float] = {}
+    others: list[Element] = []
+    for one in (part for actuator in root.all("actuator") for part in actuator.children):
+        if one.name != "motor":
+            others.append(one)
+        name = one.attributes.get("joint", one.attributes.get("jointinparent", ""))
+        most = _most(settings.whole(one, MAIN), notes)
+        if most:
+            efforts.setdefault(name, most)
+    if others:
+        names = listed(one.name for one in others)
+        words = f"actuators {names} go over as sources of effort ({len(others)} of them)"
+        notes.add(LOST_DRIVE, others[0].span, words)
+    return tuple(
+        replace(one, limits=replace(one.limits, effort=one.limits.effort or efforts.get(one.name)))
+        for one in connections
+    )
+
+
+def _most(actuator: Element, notes: Notes) -> float | None:
+    """Return the greatest effort at the joint [N·m | N]; nothing where the actuator does not say it."""
+    gear = abs(numbers_of(actuator, "gear", notes, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), least=1)[0])
+    keys = ["forcerange", "ctrlrange"] if actuator.name == "motor" else ["forcerange"]
+    bounds = [
+        max(map(abs, numbers_of(actuator, key, notes, (0.0, 0.0))))
+        for key in keys
+        if key in actuator.attributes
+    ]
+    return gear * min(bounds) if bounds and min(bounds) > 0.0 else None

@@ -1,0 +1,146 @@
+"""Bodies of MJCF, which stand in each other, as bodies and connections by name."""
+
+from dataclasses import replace
+
+from ropsim.exchange.description import Body, Connection, Motion
+from ropsim.exchange.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.folder import RobotFolder
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
+from ropsim.exchange.mjcf.inertials import inertial_of
+from ropsim.exchange.mjcf.joints import anchor_of, connection_of, is_free
+from ropsim.exchange.mjcf.poses import pose_of
+from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
+from ropsim.exchange.names import link_name
+from ropsim.exchange.notes import Notes, listed
+from ropsim.exchange.xml_tree import Element
+from ropsim.model import Payload, combine, moved
+from ropsim.spatial import Pose
+
+WORLD = "world"
+_KNOWN = {"body", "joint", "freejoint", "geom", "site", "inertial", "frame"}
+_SILENT = {"light", "camera"}
+
+
+class BodyReader:
+    """Bodies, connections and frames of one file, as they are found."""
+
+    def __init__(self, settings: Settings, assets: Assets, folder: RobotFolder, notes: Notes) -> None:
+        self.bodies: list[Body] = []
+        self.connections: list[Connection] = []
+        self.frames: dict[str, tuple[str, Pose]] = {}
+        self.free: list[str] = []
+        self._settings, self._assets, self._folder, self._notes = settings, assets, folder, notes
+        self._others: dict[str, Element] = {}
+        self._count = 0
+
+    def read(self, world: Element) -> None:
+        """Read all bodies of a world, each with its parent before it."""
+        waiting: list[tuple[Element, str, Pose, str]] = [(world, "", Pose(), MAIN)]
+        while waiting:
+            element, parent, X, inherited = waiting.pop()
+            if parent and is_free(element):
+                self._leave(element)
+                continue
+            parts, X_BO = self._body(element, parent, X, inherited)
+            name = self.bodies[-1].name
+            children = [
+                (one, name, X_BO @ at @ pose_of(one, self._settings, self._notes), own)
+                for one, at, own in parts
+                if one.name == "body"
+            ]
+            waiting += reversed(children)
+        if self._others:
+            words = f"elements {listed(self._others)} of bodies do not go over"
+            self._notes.add(LOST_DESCRIPTION, next(iter(self._others.values())).span, words)
+        if self.free:
+            words = f"bodies {listed(self.free)} move about freely and are left out"
+            self._notes.add(LOST_MOTION, world.span, words, "parts of a cell stand in its own file")
+
+    def _leave(self, element: Element) -> None:
+        self.free.append(element.attributes.get("name", "without a name"))
+
+    def _body(
+        self, element: Element, parent: str, X: Pose, inherited: str
+    ) -> tuple[list[tuple[Element, Pose, str]], Pose]:
+        """Read a body; return its elements with their frames and classes, and its own frame in its body."""
+        settings, notes = self._settings, self._notes
+        self._count += 1
+        name = element.attributes.get("name") or (f"body_{self._count}" if parent else WORLD)
+        own = class_of(element, "childclass", inherited, settings, notes)
+        parts = self._parts(element, own)
+        X_BO = self._joints(parts, name, parent, X) if parent else Pose()
+        geometry: list[Geometry] = []
+        for one, at, inside in parts:
+            if one.name == "geom":
+                geom = self._whole(one, inside)
+                made = geometry_of(geom, settings, self._assets, self._folder, notes)
+                geometry.append(_shifted(made, X_BO @ at))
+            elif one.name == "site" and "name" in one.attributes:
+                site = self._whole(one, inside)
+                self.frames[one.attributes["name"]] = name, X_BO @ at @ pose_of(site, settings, notes)
+        weight = self._weight(element, name, geometry, X_BO)
+        self.bodies.append(Body(name, weight, drawn(geometry), element.span))
+        return parts, X_BO
+
+    def _whole(self, element: Element, inherited: str) -> Element:
+        settings = self._settings
+        name = class_of(element, "class", inherited, settings, self._notes)
+        return settings.whole(element, name)
+
+    def _parts(self, element: Element, inherited: str) -> list[tuple[Element, Pose, str]]:
+        """Return the elements of a body with their frames and classes; those of its `frame` elements too."""
+        found: list[tuple[Element, Pose, str]] = []
+        waiting = [(one, Pose(), inherited) for one in reversed(element.children)]
+        while waiting:
+            one, at, own = waiting.pop()
+            if one.name == "frame":
+                inner = at @ pose_of(one, self._settings, self._notes)
+                name = class_of(one, "childclass", own, self._settings, self._notes)
+                waiting += [(child, inner, name) for child in reversed(one.children)]
+            elif one.name in _KNOWN:
+                found.append((one, at, own))
+            elif one.name not in _SILENT:
+                self._others.setdefault(one.name, one)
+        return found
+
+    def _joints(self, parts: list[tuple[Element, Pose, str]], name: str, parent: str, X: Pose) -> Pose:
+        """Connect a body by its joints, in their order; return its own frame in that of its last joint."""
+        joints = [self._whole(one, own) for one, _, own in parts if one.name == "joint"]
+        if not joints:
+            span = parts[0][0].span if parts else self.bodies[-1].span
+            self.connections.append(Connection(f"{name}_mount", Motion.NONE, parent, name, X, span))
+            return Pose()
+        carrier = parent
+        for place, joint in enumerate(joints, start=1):
+            called = joint.attributes.get("name") or (
+                f"{name}_joint" if len(joints) == 1 else f"{name}_joint_{place}"
+            )
+            child = name if place == len(joints) else link_name(called)
+            ends = (carrier, child)
+            self.connections.append(connection_of(joint, called, ends, X, self._settings, self._notes))
+            if child != name:
+                self.bodies.append(Body(child, Payload(), (), joint.span))
+            carrier, X = child, Pose(-anchor_of(joint, self._notes))
+        return X
+
+    def _weight(self, element: Element, name: str, geometry: list[Geometry], X: Pose) -> Payload:
+        """Return the weight of a body: its own, else that of its geometry, as the settings say."""
+        inertial, by = element.first("inertial"), self._settings.from_geometry
+        if inertial is not None and by != "true":
+            return moved(inertial_of(inertial, self._settings, self._notes), X)
+        if by == "false" or element.name == "worldbody":
+            return Payload()
+        if any(one.weight is None for one in geometry):
+            words = f"body `{name}` has the weight of a mesh, which is not computed"
+            hint = "write an inertial with its mass into it"
+            self._notes.add(DOUBTFUL_BODY, element.span, words, hint)
+        return combine(tuple(one.weight for one in geometry if one.weight))
+
+
+def _shifted(geometry: Geometry, X: Pose) -> Geometry:
+    if X.is_identity:
+        return geometry
+    shapes = tuple(replace(one, pose=X @ one.pose) for one in geometry.shapes)
+    weight = moved(geometry.weight, X) if geometry.weight else None
+    return Geometry(shapes, weight, geometry.group)

@@ -1,0 +1,99 @@
+"""Settings of an MJCF file: units of angles, order of Euler angles, and defaults by class."""
+
+from collections.abc import Mapping
+from math import radians
+from types import MappingProxyType
+
+from ropsim.core import frozen_dataclass
+from ropsim.exchange.diagnostics import SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.notes import Notes
+from ropsim.exchange.xml_tree import Element
+
+MAIN = "main"
+"""The class of what has none."""
+_TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
+"""Attributes that say an orientation, each another way: one's own replaces that of the defaults."""
+_OTHER_WAYS = (_TURNS, ("diaginertia", "fullinertia"), ("mass", "density"))
+
+Defaults = Mapping[str, Mapping[str, Mapping[str, str]]]
+"""Attributes of each element by the name of the element, by class."""
+
+
+@frozen_dataclass
+class Settings:
+    """What holds for a whole file.
+
+    Attributes:
+        angle: radians in one unit of angles of the file.
+        order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
+        limits: whether a range alone limits a joint (`autolimits`).
+        from_geometry: which bodies weigh what their geometry does: `auto` for those without `inertial`,
+            `true` for all, `false` for none.
+        meshes: folder of meshes beside the file.
+        defaults: attributes by class and element.
+    """
+
+    angle: float
+    order: str
+    limits: str
+    from_geometry: str
+    meshes: str
+    defaults: Defaults
+
+    def whole(self, element: Element, inherited: str) -> Element:
+        """Return an element with the attributes that its class adds to its own.
+
+        Args:
+            element: of the file.
+            inherited: class of the bodies around it, where it says none.
+        """
+        name = element.attributes.get("class", inherited)
+        added = dict(self.defaults.get(name, self.defaults[MAIN]).get(element.name, {}))
+        for ways in _OTHER_WAYS:
+            if any(key in element.attributes for key in ways):
+                added = {key: value for key, value in added.items() if key not in ways}
+        attributes = MappingProxyType({**added, **element.attributes})
+        return Element(element.name, attributes, element.children, element.span, element.text)
+
+
+def settings_of(root: Element, notes: Notes) -> Settings:
+    """Return the settings of a file; later elements of a name add to those before."""
+    compiler: dict[str, str] = {}
+    for one in root.all("compiler"):
+        compiler |= one.attributes
+    return Settings(
+        1.0 if compiler.get("angle", "degree") == "radian" else radians(1.0),
+        compiler.get("eulerseq", "xyz"),
+        compiler.get("autolimits", "true"),
+        compiler.get("inertiafromgeom", "auto"),
+        compiler.get("meshdir", compiler.get("assetdir", "")),
+        _defaults(root, notes),
+    )
+
+
+def _defaults(root: Element, notes: Notes) -> Defaults:
+    found: dict[str, dict[str, dict[str, str]]] = {MAIN: {}}
+    waiting = [(one, MAIN) for one in reversed(root.all("default"))]
+    while waiting:
+        element, above = waiting.pop()
+        name = element.attributes.get("class", MAIN)
+        if name in found and name != MAIN:
+            notes.add(
+                SAME_ENTITY, element.span, f"two classes have the name `{name}`", "give each its own name"
+            )
+        own = {key: dict(values) for key, values in found[above].items()}
+        for one in element.children:
+            if one.name != "default":
+                own[one.name] = {**own.get(one.name, {}), **one.attributes}
+        found[name] = own
+        waiting += [(one, name) for one in reversed(element.all("default"))]
+    return found
+
+
+def class_of(element: Element, key: str, inherited: str, settings: Settings, notes: Notes) -> str:
+    """Return the class that an element says, if the file defines it (noted), else the inherited one."""
+    name = element.attributes.get(key, inherited)
+    if name in settings.defaults:
+        return name
+    notes.unknown(UNKNOWN_ENTITY, element.span, f"`{element.name}` has the class", name, settings.defaults)
+    return inherited

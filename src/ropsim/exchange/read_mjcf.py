@@ -1,0 +1,123 @@
+"""MJCF becomes a robot."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ropsim.core import SourceText
+from ropsim.exchange.assembly import read_robot
+from ropsim.exchange.description import Connection, Description, Motion
+from ropsim.exchange.diagnostics import ELEMENT_MISSING
+from ropsim.exchange.joint_limits import WITHOUT_END
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
+from ropsim.exchange.mjcf.actuators import axis_names, driven
+from ropsim.exchange.mjcf.bodies import BodyReader
+from ropsim.exchange.mjcf.constraints import coupled
+from ropsim.exchange.mjcf.custom import limited
+from ropsim.exchange.mjcf.geoms import assets_of
+from ropsim.exchange.mjcf.includes import with_included
+from ropsim.exchange.mjcf.settings import settings_of
+from ropsim.exchange.notes import Notes, listed, shown
+from ropsim.exchange.options import STANDARD, ReadOptions
+from ropsim.exchange.values import finite, numbers_of
+from ropsim.exchange.xml_tree import Element, read_xml
+from ropsim.model import ReadRobot
+
+_SILENT = {
+    "compiler",
+    "option",
+    "default",
+    "asset",
+    "worldbody",
+    "equality",
+    "actuator",
+    "keyframe",
+    "custom",
+}
+_SILENT |= {"visual", "statistic", "size", "contact"}
+
+
+def read_mjcf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
+    """Return the robot of an MJCF file.
+
+    The file is read as the XML reference of MuJoCo 4 defines it: defaults by class, angles in the unit of the
+    compiler, joints about points of bodies, weights of geometry where a body says none. Bodies that are fixed
+    to each other become one; the chain to the tip, a body or a site, becomes the arm; bodies that move about
+    freely are left out. The axes come in the order of their actuators.
+
+    Args:
+        source: the file.
+        options: tip and folders.
+    """
+    notes = Notes()
+    root = read_xml(source, notes)
+    whole = with_included(root, options.folder, notes) if root else None
+    description = _description(whole, options, notes) if whole else None
+    return read_robot(description, options.tip, source, notes)
+
+
+def _description(root: Element, options: ReadOptions, notes: Notes) -> Description | None:
+    if root.name != "mujoco":
+        words = f"the outermost element is `{shown(root.name)}`, that of MJCF is `mujoco`"
+        notes.add(ELEMENT_MISSING, root.span, words, "is it a file of another format?")
+        return None
+    settings = settings_of(root, notes)
+    reader = BodyReader(settings, assets_of(root, settings), options.folder, notes)
+    worlds = root.all("worldbody")
+    if not worlds:
+        notes.add(ELEMENT_MISSING, root.span, "the file has no `worldbody`", "bodies stand in it")
+        return None
+    whole = replace(worlds[0], children=tuple(one for world in worlds for one in world.children))
+    reader.read(whole)
+    connections = driven(coupled(reader.connections, root, notes), root, settings, notes)
+    axes = axis_names(connections, root)
+    connections = limited(connections, axes, root, notes)
+    _bounded(connections, notes)
+    _losses(root, notes)
+    return Description(
+        root.attributes.get("model", "").strip() or "robot",
+        tuple(reader.bodies),
+        connections,
+        root.span,
+        gravity=_gravity(root, notes),
+        home=tuple(_home(root, connections)),
+        axes=axes,
+        frames=reader.frames,
+    )
+
+
+def _bounded(connections: tuple[Connection, ...], notes: Notes) -> None:
+    for one in connections:
+        if one.motion is Motion.SLIDE and one.following is None and one.limits.upper >= WITHOUT_END:
+            words = f"joint `{one.name}` slides without limits"
+            notes.add(ELEMENT_MISSING, one.span, words, 'write range="lower upper" into it')
+
+
+def _gravity(root: Element, notes: Notes) -> tuple[float, float, float]:
+    gravity = (0.0, 0.0, -9.81)
+    for option in root.all("option"):
+        x, y, z = numbers_of(option, "gravity", notes, gravity)
+        gravity = (x, y, z)
+    return gravity
+
+
+def _home(root: Element, connections: tuple[Connection, ...]) -> Iterable[tuple[str, float]]:
+    """Yield the coordinates of the first key frame, if it has one for each joint."""
+    keys = [key for frame in root.all("keyframe") for key in frame.all("key") if "qpos" in key.attributes]
+    moving = [one.name for one in connections if one.motion is not Motion.NONE]
+    if keys:
+        values = [finite(word) for word in keys[0].attributes["qpos"].split()]
+        if len(values) == len(moving):
+            yield from (
+                (name, value) for name, value in zip(moving, values, strict=True) if value is not None
+            )
+
+
+def _losses(root: Element, notes: Notes) -> None:
+    tendons = [one for tendon in root.all("tendon") for one in tendon.children]
+    if tendons:
+        words = f"{len(tendons)} tendons do not go over"
+        notes.add(LOST_MOTION, tendons[0].span, words)
+    others = [one for one in root.children if one.name not in _SILENT and one.name != "tendon"]
+    if others:
+        words = f"elements {listed(one.name for one in others)} do not go over"
+        notes.add(LOST_DESCRIPTION, others[0].span, words)
