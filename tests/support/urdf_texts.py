@@ -57,6 +57,56 @@ ARM = """<?xml version="1.0"?>
 """Two joints with axes in any direction, a camera fixed to a link, a finger beside the tip."""
 
 
+MACROS = """<?xml version="1.0"?>
+<robot xmlns:xacro="http://wiki.ros.org/xacro">
+  <xacro:property name="M_PI" value="3.14159265358979"/>
+  <xacro:property name="length" value="${2*half}"/>
+  <xacro:property name="half" value="0.25"/>
+  <xacro:macro name="slat" params="name mass:=2 size:='${length} 0.1 0.1' *origin">
+    <link name="${prefix}${name}">
+      <inertial>
+        <xacro:insert_block name="origin"/>
+        <mass value="${mass}"/>
+        <inertia ixx="${mass/12*(0.02)}" ixy="0" ixz="0" iyy="${mass/12*(length**2+0.01)}" iyz="0"
+          izz="${mass/12*(length**2 + 0.01)}"/>
+      </inertial>
+      <visual><geometry><box size="${size}"/></geometry></visual>
+      <xacro:if value="${meshes}">
+        <visual><geometry><mesh filename="package://arm/${name}.stl"/></geometry></visual>
+      </xacro:if>
+    </link>
+  </xacro:macro>
+  <xacro:macro name="hinge" params="number parent child angle:=90 **inside prefix:=^">
+    <joint name="${prefix}joint_${number}" type="revolute">
+      <parent link="${prefix}${parent}"/><child link="${prefix}${child}"/>
+      <xacro:insert_block name="inside"/>
+      <xacro:property name="limit" value="${radians(angle)}"/>
+      <limit lower="${-limit}" upper="${limit}" velocity="${M_PI / 2}" effort="10" acceleration="5"
+        jerk="50"/>
+    </joint>
+  </xacro:macro>
+  <xacro:macro name="arm" params="prefix meshes:=false">
+    <link name="${prefix}base_link"/>
+    <xacro:slat name="upper"><origin xyz="${half} 0 0"/></xacro:slat>
+    <xacro:slat name="fore" mass="1.5"><origin xyz="${half} 0 0"/></xacro:slat>
+    <xacro:hinge number="1" parent="base_link" child="upper">
+      <inside><origin xyz="0 0 1"/><axis xyz="0 1 0"/></inside>
+    </xacro:hinge>
+    <xacro:hinge number="2" parent="upper" child="fore" angle="120">
+      <inside><origin xyz="${length} 0 0"/><axis xyz="0 1 0"/></inside>
+    </xacro:hinge>
+    <xacro:unless value="$(arg bare)">
+      <link name="${prefix}tool0"/>
+      <joint name="${prefix}tool" type="fixed">
+        <parent link="${prefix}fore"/><child link="${prefix}tool0"/><origin xyz="${length} 0 0"/>
+      </joint>
+    </xacro:unless>
+  </xacro:macro>
+</robot>
+"""
+"""Macros for an arm of two hinges, as robot files of ROS are written."""
+
+
 def published_urdf(name: str) -> str:
     """Return the URDF of a published arm: its chain only, one link behind each joint, `tool0` at the end."""
     table = TABLES[name]

@@ -34,13 +34,13 @@ class RobotFolder:
             beside: folder of the file that names it; None for that of the robot file.
         """
         start = self.beside if beside is None else beside
+        name = name.removeprefix("file://").replace("\\", "/")
         for scheme in ("package://", "model://"):
             if name.startswith(scheme):
                 package, _, name = name[len(scheme) :].partition("/")
                 if package not in self.packages:
                     return None
-                start = self.packages[package]
-        name = name.removeprefix("file://").replace("\\", "/")
+                start, name = self.packages[package], name.lstrip("/")
         if "\0" in name or ":" in name:
             return None
         if name.startswith("/"):

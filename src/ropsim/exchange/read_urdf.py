@@ -10,6 +10,7 @@ from ropsim.exchange.options import STANDARD, ReadOptions
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
+from ropsim.exchange.xacro.expansion import expanded, uses_xacro
 from ropsim.exchange.xml_tree import Element, read_xml
 from ropsim.model import ReadRobot
 
@@ -29,7 +30,8 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     """
     notes = Notes()
     root = read_xml(source, notes)
-    description = _description(root, options, notes) if root else None
+    whole = expanded(root, options, notes) if root and uses_xacro(root) else root
+    description = _description(whole, options, notes) if whole else None
     return read_robot(description, options.tip, source, notes)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from support.fuzzing import binaries, meshes, recordings, server, texts, traces
+from support.fuzzing import binaries, meshes, recordings, robot_files, server, texts, traces
 from support.fuzzing.target import Target
 
 TARGETS: Mapping[str, Target] = {
@@ -12,6 +12,7 @@ TARGETS: Mapping[str, Target] = {
         *texts.TARGETS,
         *binaries.TARGETS,
         *recordings.TARGETS,
+        *robot_files.TARGETS,
         *server.TARGETS,
         *traces.TARGETS,
     )

@@ -23,28 +23,11 @@ from ropsim.model import (
 )
 from ropsim.spatial import Pose, frozen
 from support.exchange_laws import differences, random_chain
+from support.mjcf_texts import ARM
 from support.mujoco_files import MujocoFile
 
 SAME = 1e-12
 """Some ten products of rotations, each rounded [m, N·m over the largest]."""
-
-ARM = """<mujoco model="arm">
-  <compiler angle="radian"/>
-  <worldbody>
-    <body name="a" pos="0 0 1">
-      <joint name="j1" axis="0 1 0" range="-1 1" damping="0.1"/>
-      <inertial pos="0 0 0.2" mass="2" diaginertia="0.1 0.1 0.1"/>
-      <geom type="capsule" size="0.05 0.2" group="3"/>
-      <geom type="box" size="0.1 0.2 0.3" rgba="0 0 1 0.5"/>
-      <body name="b" pos="0 0 0.5">
-        <joint name="j2" axis="1 0 0" range="-1 1"/>
-        <inertial pos="0 0 0.1" mass="1" diaginertia="0.1 0.1 0.1"/>
-        <site name="tcp" pos="0 0 0.3"/>
-      </body>
-    </body>
-  </worldbody>
-</mujoco>
-"""
 
 
 def again(robot: RobotModel) -> RobotModel:

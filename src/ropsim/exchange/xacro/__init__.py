@@ -1,0 +1,1 @@
+"""Xacro: the macros in which robot files of ROS are written, expanded without running anything of theirs."""

@@ -1,0 +1,80 @@
+"""Macros and their parameters."""
+
+import re
+from enum import Enum
+
+from ropsim.core import frozen_dataclass
+from ropsim.exchange.xacro.values import XacroError
+from ropsim.exchange.xml_tree import Element
+
+_PARAMETER = re.compile(
+    r"\s*(?P<stars>\*{0,2})(?P<name>\w+)"
+    r"(?:(?P<assign>:?=)(?P<above>\^\|?)?(?P<default>'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)|[^\s'\"]*))?(?=\s|$)"
+)
+
+
+class Sort(Enum):
+    """What is given for a parameter."""
+
+    VALUE = "value"
+    ELEMENT = "element"
+    CONTENT = "content of an element"
+
+
+@frozen_dataclass
+class Parameter:
+    """A parameter of a macro.
+
+    Attributes:
+        name: of it.
+        sort: what is given for it: an attribute, an element of the call, or what stands in one of that name.
+        default: text; None where there is none.
+        inherits: whether it has the value that can be seen at the call, where that gives none.
+    """
+
+    name: str
+    sort: Sort
+    default: str | None = None
+    inherits: bool = False
+
+
+@frozen_dataclass
+class Macro:
+    """A macro: its parameters, and the elements that it stands for."""
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    body: tuple[Element, ...]
+
+
+def macro_of(element: Element) -> Macro:
+    """Return the macro that an element defines.
+
+    Raises:
+        XacroError: it has no name, or its parameters cannot be read.
+    """
+    name = element.attributes.get("name", "").removeprefix("xacro:")
+    if not name:
+        raise XacroError("a macro has no name", "write name=... into it")
+    text = element.attributes.get("params", "")
+    found = []
+    place = 0
+    while text[place:].strip():
+        match = _PARAMETER.match(text, place)
+        if match is None:
+            raise XacroError(
+                f"the parameters of macro `{name[:60]}` cannot be read from `{text[place:][:40].strip()}`"
+            )
+        found.append(_parameter(match))
+        place = match.end()
+    return Macro(name, tuple(found), element.children)
+
+
+def _parameter(match: re.Match[str]) -> Parameter:
+    sort = (Sort.VALUE, Sort.ELEMENT, Sort.CONTENT)[len(match.group("stars"))]
+    default, above = match.group("default"), bool(match.group("above"))
+    if default is not None and len(default) > 1 and default[0] == default[-1] and default[0] in "'\"":
+        default = default[1:-1]
+    if above and not default and not match.group("above").endswith("|"):
+        default = None
+    return Parameter(match.group("name"), sort, default, above)

@@ -1,0 +1,156 @@
+"""Xacro: a file of macros, as robot files of ROS are written, becomes the robot that was meant."""
+
+from pathlib import Path
+
+import pytest
+
+from ropsim.core import SourceText
+from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
+from ropsim.model import Mesh, ReadRobot, RobotModel
+from support.exchange_laws import differences
+from support.urdf_texts import MACROS
+
+MAIN = """<robot name="$(arg name)" xmlns:xacro="http://wiki.ros.org/xacro">
+  <xacro:arg name="name" default="folding"/>
+  <xacro:arg name="bare" default="false"/>
+  <xacro:include filename="$(find arm)/urdf/macros.xacro"/>
+  <xacro:arm prefix="r_" meshes="$(arg meshes)"/>
+</robot>
+"""
+PLAIN = """<robot name="folding"><link name="r_base_link"/>
+  <link name="r_upper"><inertial><origin xyz="0.25 0 0"/><mass value="2"/>
+    <inertia ixx="{a}" ixy="0" ixz="0" iyy="{b}" iyz="0" izz="{b}"/></inertial></link>
+  <link name="r_fore"><inertial><origin xyz="0.25 0 0"/><mass value="1.5"/>
+    <inertia ixx="{c}" ixy="0" ixz="0" iyy="{d}" iyz="0" izz="{d}"/></inertial></link>
+  <link name="r_tool0"/>
+  <joint name="r_joint_1" type="continuous"><parent link="r_base_link"/><child link="r_upper"/>
+    <origin xyz="0 0 1"/><axis xyz="0 1 0"/></joint>
+  <joint name="r_joint_2" type="continuous"><parent link="r_upper"/><child link="r_fore"/>
+    <origin xyz="0.5 0 0"/><axis xyz="0 1 0"/></joint>
+  <joint name="t" type="fixed"><parent link="r_fore"/><child link="r_tool0"/><origin xyz="0.5 0 0"/></joint>
+</robot>""".format(a=2 / 12 * 0.02, b=2 / 12 * 0.26, c=1.5 / 12 * 0.02, d=1.5 / 12 * 0.26)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "packages" / "urdf").mkdir(parents=True)
+    (tmp_path / "packages" / "urdf" / "macros.xacro").write_text(MACROS)
+    (tmp_path / "packages" / "fore.stl").write_text("solid")
+    return tmp_path
+
+
+def read(folder: Path, main: str = MAIN, **arguments: str) -> ReadRobot:
+    options = ReadOptions(
+        folder=RobotFolder(folder, {"arm": "packages"}), arguments={"meshes": "false", **arguments}
+    )
+    return read_urdf(SourceText("main.xacro", main), options)
+
+
+def robot_of(found: ReadRobot) -> RobotModel:
+    assert found.robot is not None, found.findings
+    return found.robot
+
+
+def test_macros_properties_blocks_and_arguments_give_the_robot(folder: Path) -> None:
+    robot = robot_of(read(folder))
+    plain = robot_of(read_urdf(SourceText("a", PLAIN)))
+    assert robot.name == "folding"
+    assert max(differences(robot, plain)) < 1e-15
+    assert robot.joints[1].upper == pytest.approx(2.0943951023931953)
+    assert robot.joints[0].max_speed == pytest.approx(1.5707963267948966)
+    assert [one.max_jerk for one in robot.joints] == [50.0, 50.0]
+
+
+def test_arguments_choose(folder: Path) -> None:
+    robot = robot_of(read(folder, name="other", bare="true"))
+    assert robot.name == "other"
+    assert robot.X_nM.position.tolist() == [0.0, 0.0, 0.0]
+
+
+def test_meshes_of_packages_are_found_and_missing_ones_are_told(folder: Path) -> None:
+    found = read(folder, meshes="true")
+    robot = robot_of(found)
+    assert Mesh("packages/fore.stl") in [one.solid for one in robot.links[1].shapes]
+    missing = [one.message for one in found.findings if one.code == "X991"]
+    assert missing == ["the mesh `packages/upper.stl` is not there"]
+
+
+WRONG = {
+    "nobody has defined `lenght`": MAIN.replace("r_", "${lenght}"),
+    "there is no macro `amr`": MAIN.replace("xacro:arm", "xacro:amr"),
+    "the argument `mehses` has no value": MAIN.replace("(arg meshes)", "(arg mehses)"),
+    "no parameter `side`": MAIN.replace("prefix=", "side=").replace("meshes=", 'prefix="" meshes='),
+    "lacks the parameter `prefix`": MAIN.replace('prefix="r_" ', ""),
+    "not inside of the given folders": MAIN.replace("find arm", "find leg"),
+    "`$(env ...)` is not carried out": MAIN.replace("$(arg name)", "$(env HOME)"),
+    "a condition is `perhaps`": MAIN,
+    "more than 40 in each other": MAIN.replace(
+        "<xacro:arm", '<xacro:macro name="m"><xacro:m/></xacro:macro><xacro:m/><xacro:arm'
+    ),
+    "becomes too much": MAIN.replace(
+        "<xacro:arm",
+        '<xacro:macro name="m0"/>'
+        + "".join(f'<xacro:macro name="m{k}">{f"<xacro:m{k - 1}/>" * 9}</xacro:macro>' for k in range(1, 12))
+        + "<xacro:m11/><xacro:arm",
+    ),
+    "is defined by itself": MAIN.replace(
+        "<xacro:arm", '<xacro:property name="M_PI" value="${M_PI}"/><xacro:arm'
+    ),
+    "a list has more": MAIN.replace(
+        "<xacro:arm",
+        '<xacro:property name="l0" value="${[1, 2]}"/>'
+        + "".join(f'<xacro:property name="l{k}" value="${{[l{k - 1}, l{k - 1}]}}"/>' for k in range(1, 28))
+        + '<link name="${l27}"/><xacro:arm',
+    ),
+    "a text has more": MAIN.replace(
+        "<xacro:arm",
+        '<xacro:property name="t0" value="abcdefgh"/>'
+        + "".join(f'<xacro:property name="t{k}" value="${{t{k - 1}}}${{t{k - 1}}}"/>' for k in range(1, 28))
+        + '<link name="${t27}"/><xacro:arm',
+    ),
+    "is not closed": MAIN.replace('"r_"', '"${1"'),
+}
+
+
+@pytest.mark.parametrize("words", WRONG)
+def test_mistakes_are_told_with_their_place(folder: Path, words: str) -> None:
+    arguments = {"bare": "perhaps"} if "perhaps" in words else {}
+    found = read(folder, WRONG[words], **arguments)
+    assert found.robot is None
+    (error,) = [one for one in found.findings if one.is_error]
+    assert (error.code, words in error.message) == ("X992", True), error
+    assert error.span is not None
+    assert error.hint
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../outside.xacro", "/etc/hostname", "file:///etc/hostname", "$(find arm)/../../x", "a\0b", "urdf"],
+)
+def test_nothing_outside_of_the_folders_is_read(folder: Path, name: str) -> None:
+    (folder.parent / "outside.xacro").write_text("<robot/>")
+    text = MAIN.replace("$(find arm)/urdf/macros.xacro", name.replace("\0", "&#1;"))
+    assert read(folder, text).robot is None
+
+
+def test_a_link_that_leads_out_is_not_followed(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    other = tmp_path_factory.mktemp("other")
+    (other / "macros.xacro").write_text(MACROS)
+    (folder / "packages" / "urdf" / "macros.xacro").unlink()
+    (folder / "packages" / "urdf" / "macros.xacro").symlink_to(other / "macros.xacro")
+    assert read(folder).robot is None
+
+
+def test_properties_of_outer_scopes_and_defaults() -> None:
+    text = """<robot name="a" xmlns:xacro="x">
+      <xacro:macro name="set"><xacro:property name="where" value="${1 + 1}" scope="parent"/>
+        <xacro:property name="all" value="3" scope="global"/></xacro:macro>
+      <xacro:property name="where" default="9"/><xacro:set/><xacro:property name="where" default="7"/>
+      <xacro:call macro="set"/>
+      <link name="base_link"/><link name="l${where}${all}$${x}"/>
+      <joint name="j" type="continuous"><parent link="base_link"/><child link="l23${'$'}{x}"/></joint>
+    </robot>"""
+    robot = robot_of(read_urdf(SourceText("a", text)))
+    assert robot.n == 1
