@@ -5,4 +5,5 @@ from ropsim.exchange.options import ReadOptions as ReadOptions
 from ropsim.exchange.read_mjcf import read_mjcf as read_mjcf
 from ropsim.exchange.read_urdf import read_urdf as read_urdf
 from ropsim.exchange.write_mjcf import write_mjcf as write_mjcf
+from ropsim.exchange.write_sdf import write_sdf as write_sdf
 from ropsim.exchange.write_urdf import write_urdf as write_urdf

@@ -5,10 +5,9 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
 from ropsim.exchange.names import link_name
 from ropsim.exchange.notes import listed
-from ropsim.exchange.written_tree import WrittenTree
 from ropsim.model import (
     Cylinder,
     DcMotor,
@@ -16,7 +15,6 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
-    JointType,
     Material,
     Polyline,
     Prism,
@@ -76,15 +74,6 @@ def can_write(shape: Shape) -> bool:
     if isinstance(shape.solid, Cylinder):
         return shape.solid.top_radius == shape.solid.radius
     return not isinstance(shape.solid, Revolve | Prism | Polyline)
-
-
-def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
-    """Yield the joints whose limits go into no format: they are written as several joints."""
-    held = {one.joint.name for one in tree.joints if one.own or one.type is JointType.FIXED}
-    names = [joint.name for joint in robot.joints if joint.type.freedoms and joint.name not in held]
-    if names:
-        words = f"joints {listed(names)} are written as several joints each, without their limits"
-        yield LOST_MOTION.at(None, words, data={"joints": tuple(names)})
 
 
 def look_losses(robot: RobotModel) -> Iterable[Diagnostic]:

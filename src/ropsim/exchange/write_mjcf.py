@@ -7,15 +7,15 @@ from ropsim.exchange.diagnostics import DOUBTFUL_BODY
 from ropsim.exchange.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.mjcf.custom import axis_limits
 from ropsim.exchange.mjcf.cuts import HeldPoint, held_points, lost_cuts
-from ropsim.exchange.mjcf.inertia import possible_inertia
 from ropsim.exchange.mjcf.text import assets, geoms, inertial, mesh_names, placed
+from ropsim.exchange.motion_losses import limit_losses
 from ropsim.exchange.names import BASE, FLANGE
 from ropsim.exchange.notes import listed
+from ropsim.exchange.possible_inertia import possible_inertia
 from ropsim.exchange.urdf.text import endless
 from ropsim.exchange.write_losses import (
     drive_losses,
     friction_at_joint,
-    limit_losses,
     look_losses,
     rotor_at_joint,
     word_losses,

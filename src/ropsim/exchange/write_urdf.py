@@ -5,24 +5,18 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic
 from ropsim.exchange.joint_limits import WITHOUT_END
-from ropsim.exchange.loss_diagnostics import LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.motion_losses import axis_losses, limit_losses
 from ropsim.exchange.names import BASE, FLANGE, unused
-from ropsim.exchange.notes import listed
 from ropsim.exchange.urdf.text import endless, inertial, limit, origin, visuals
 from ropsim.exchange.write_losses import (
     drive_losses,
     friction_at_joint,
-    limit_losses,
     look_losses,
-    rotor_at_joint,
     word_losses,
 )
 from ropsim.exchange.written_tree import WrittenJoint, WrittenTree, written_tree
 from ropsim.exchange.xml_text import Tag, number, tag, xml_text
 from ropsim.model import JointType, Link, RobotModel, WrittenRobot
-
-_GRAVITY = [0.0, 0.0, -9.81]
-_DOWN_HINT = "turn the base frame so that its z axis points up"
 
 
 def write_urdf(robot: RobotModel) -> WrittenRobot:
@@ -95,23 +89,7 @@ def _mimic(tree: WrittenTree, one: WrittenJoint) -> tuple[Tag, ...]:
 
 def _losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
     yield from limit_losses(robot, tree)
-    if list(robot.axes) != sorted(robot.axes):
-        words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
-        yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")
-    if robot.cuts:
-        words = f"{len(robot.cuts)} closed chains of `{robot.name}` do not go over, URDF has none"
-        yield LOST_MOTION.at(None, words, hint="MJCF and SDF hold them")
-    if robot.gravity.tolist() != _GRAVITY:
-        words = f"gravity of `{robot.name}` does not point down along z of its base frame"
-        yield LOST_MOTION.at(None, words, hint=_DOWN_HINT)
-    rotors = [
-        joint.name
-        for joint, drive in zip(robot.axis_joints, robot.drives, strict=False)
-        if rotor_at_joint(drive)
-    ]
-    if rotors:
-        words = f"inertias of the rotors of axes {listed(rotors)} do not go over"
-        yield LOST_DRIVE.at(None, words, hint="MJCF holds them", data={"axes": tuple(rotors)})
+    yield from axis_losses(robot)
     yield from drive_losses(robot)
     yield from look_losses(robot)
     yield from word_losses(robot)

@@ -17,16 +17,23 @@ class Tag:
         name: of the element.
         attributes: names and texts, in the order in which they are written.
         children: in their order.
+        text: between the tags of an element without children.
     """
 
     name: str
     attributes: tuple[tuple[str, str], ...] = ()
     children: tuple["Tag", ...] = ()
+    text: str = ""
 
 
 def tag(name: str, attributes: Iterable[tuple[str, str]] = (), *children: Tag) -> Tag:
     """Return an element with attributes and children."""
     return Tag(name, tuple(attributes), children)
+
+
+def value(name: str, text: str) -> Tag:
+    """Return an element that holds a text."""
+    return Tag(name, text=text)
 
 
 def xml_text(root: Tag) -> str:
@@ -40,7 +47,8 @@ def xml_text(root: Tag) -> str:
             lines.append(f"{blanks}</{one}>")
             continue
         attributes = "".join(f' {key}="{escaped(value)}"' for key, value in one.attributes)
-        lines.append(f"{blanks}<{one.name}{attributes}{'>' if one.children else '/>'}")
+        inside = f">{escaped(one.text)}</{one.name}>" if one.text else "/>"
+        lines.append(f"{blanks}<{one.name}{attributes}{'>' if one.children else inside}")
         if one.children:
             waiting.append((depth, one.name))
             waiting += [(depth + 1, child) for child in reversed(one.children)]

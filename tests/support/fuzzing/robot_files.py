@@ -62,9 +62,11 @@ def _check(found: ReadRobot, source: SourceText) -> str:
     audit(found.robot)
     assert np.isfinite(forward(found.robot, found.robot.home).matrix()).all()
     write_mjcf(found.robot)
-    again = read_urdf(SourceText("b.urdf", write_urdf(found.robot).text)).robot
-    assert again is not None
-    assert again.n == found.robot.n
+    again = read_urdf(SourceText("b.urdf", write_urdf(found.robot).text))
+    if again.robot is None:  # kilometres and tons make numbers beyond what is read
+        assert {one.code for one in again.findings if one.is_error} == {"X983"}
+        return "large"
+    assert again.robot.n == found.robot.n
     return "read"
 
 

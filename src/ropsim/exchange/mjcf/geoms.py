@@ -19,9 +19,8 @@ from ropsim.model import LIGHT_GREY, Box, Cylinder, Mesh, Payload, Shape, Solid,
 from ropsim.spatial import Pose
 
 _COUNTS = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
-_COLLIDING = (
-    3  # geometry of this group and above is not drawn where there is other, as models of MuJoCo do it
-)
+_SMALLEST = 1e-9  # m, of a measure
+_COLLIDING = 3  # from this group on geometry is not drawn where there is other, as models of MuJoCo do it
 
 
 @frozen_dataclass
@@ -94,7 +93,7 @@ def geometry_of(
             notes.add(LOST_DESCRIPTION, geom.span, words, f"drawn are {', '.join(_COUNTS)} and mesh")
         return Geometry((), Payload(), group)
     size, X = _sized(geom, kind, X, notes)
-    if min(size) <= 0.0:
+    if min(size) < _SMALLEST:
         words = f"a measure of `{kind}` is {min(size):g} m, allowed are positive numbers"
         notes.add(BAD_NUMBER, geom.span, words, "give size as half edges, radius and half length in metres")
         return Geometry((), Payload(), group)

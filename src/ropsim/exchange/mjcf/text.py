@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ropsim.exchange.mjcf.inertia import possible_inertia
+from ropsim.exchange.possible_inertia import possible_inertia
 from ropsim.exchange.write_losses import can_write
 from ropsim.exchange.xml_text import Tag, number, numbers, tag
 from ropsim.model import Box, Cylinder, Link, Mesh, Shape, Sphere

@@ -1,4 +1,4 @@
-"""Inertias that MuJoCo takes: its compiler refuses moments that break A + B >= C."""
+"""Inertias that other simulators take: they refuse moments that break A + B >= C."""
 
 import numpy as np
 

@@ -1,0 +1,43 @@
+"""What of the axes of a robot does not go into a file: their order, their limits, gravity, closed chains."""
+
+from collections.abc import Iterable
+
+from ropsim.core import Diagnostic
+from ropsim.exchange.loss_diagnostics import LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.notes import listed
+from ropsim.exchange.write_losses import rotor_at_joint
+from ropsim.exchange.written_tree import WrittenTree
+from ropsim.model import JointType, RobotModel
+
+_GRAVITY = [0.0, 0.0, -9.81]
+_DOWN_HINT = "turn the base frame so that its z axis points up"
+
+
+def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
+    """Yield the joints whose limits go into no format: they are written as several joints."""
+    held = {one.joint.name for one in tree.joints if one.own or one.type is JointType.FIXED}
+    names = [joint.name for joint in robot.joints if joint.type.freedoms and joint.name not in held]
+    if names:
+        words = f"joints {listed(names)} are written as several joints each, without their limits"
+        yield LOST_MOTION.at(None, words, data={"joints": tuple(names)})
+
+
+def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
+    """Yield what formats do not hold in which axes come in the order of the file and gravity points down."""
+    if list(robot.axes) != sorted(robot.axes):
+        words = f"the axes of `{robot.name}` are counted in another order, that of its joints"
+        yield LOST_MOTION.at(None, words, hint="name the axes by their joints on the other side")
+    if robot.cuts:
+        words = f"{len(robot.cuts)} closed chains of `{robot.name}` do not go over"
+        yield LOST_MOTION.at(None, words, hint="MJCF holds them")
+    if robot.gravity.tolist() != _GRAVITY:
+        words = f"gravity of `{robot.name}` does not point down along z of its base frame"
+        yield LOST_MOTION.at(None, words, hint=_DOWN_HINT)
+    rotors = [
+        joint.name
+        for joint, drive in zip(robot.axis_joints, robot.drives, strict=False)
+        if rotor_at_joint(drive)
+    ]
+    if rotors:
+        words = f"inertias of the rotors of axes {listed(rotors)} do not go over"
+        yield LOST_DRIVE.at(None, words, hint="MJCF holds them", data={"axes": tuple(rotors)})
