@@ -107,6 +107,29 @@ MACROS = """<?xml version="1.0"?>
 """Macros for an arm of two hinges, as robot files of ROS are written."""
 
 
+LIMITS = """# limits of an arm
+joint_limits:
+  shoulder_pan:
+    has_velocity_limits: true
+    max_position: !degrees  360.0   # of a file of Universal Robots
+    min_position: !degrees -360
+  'elbow':
+    max_position: 3.5
+    name: "a: b # c"
+---
+list:
+- 1
+- x: 2
+  y: [1, two, {k: 3}]
+-
+  - -4
+empty:
+nothing: ~
+inline: { a: 1, b: 'x, y' }
+"""
+"""A parameter file with everything that is read of YAML."""
+
+
 def published_urdf(name: str) -> str:
     """Return the URDF of a published arm: its chain only, one link behind each joint, `tool0` at the end."""
     table = TABLES[name]

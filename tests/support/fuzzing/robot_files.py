@@ -1,4 +1,4 @@
-"""Robot files: URDF, xacro and MJCF, damaged."""
+"""Robot files, damaged: URDF, xacro with its parameter files, and MJCF."""
 
 from random import Random
 
@@ -7,6 +7,8 @@ import numpy as np
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf, write_mjcf, write_urdf
+from ropsim.exchange.xacro.values import XacroError, bounded
+from ropsim.exchange.xacro.yaml_values import yaml_value
 from ropsim.kinematics import forward
 from ropsim.model import ReadRobot, audit, mechanism_findings
 from ropsim.views import Style, diagnostics_text
@@ -14,7 +16,7 @@ from support.fuzzing.mutation import TEXT, mutated, numeral, word
 from support.fuzzing.target import Target
 from support.mjcf_texts import ARM as MJCF_ARM
 from support.mjcf_texts import HANDS
-from support.urdf_texts import ARM, MACROS
+from support.urdf_texts import ARM, LIMITS, MACROS
 
 _WRITTEN = [robots.load(name) for name in ("palletizer", "scara", "two_link")]
 _URDF = (ARM.encode(), *(write_urdf(one).text.encode() for one in _WRITTEN))
@@ -80,8 +82,17 @@ def _mjcf(content: bytes) -> str:
     return _check(read_mjcf(source), source)
 
 
+def _yaml(content: bytes) -> str:
+    try:
+        bounded(yaml_value(content.decode("utf-8", errors="replace")))
+    except XacroError as error:
+        return error.message.split("`")[0].strip()[:20] or "refused"
+    return "read"
+
+
 TARGETS = (
     Target("urdf", _Make(_URDF), _urdf),
     Target("xacro", _Make(_XACRO), _urdf),
     Target("mjcf", _Make(_MJCF), _mjcf),
+    Target("yaml", _Make((LIMITS.encode(),)), _yaml),
 )

@@ -12,7 +12,7 @@ NAMES: dict[str, Value] = {"a": 2, "b": 0.5, "s": "left", "l": [1, [2, 3]], "d":
 
 
 def scope() -> Scope:
-    made = Scope(lambda text, _: text)
+    made = Scope(lambda text, _: text, lambda path: path)
     for name, value in NAMES.items():
         made.give(name, value)
     return made

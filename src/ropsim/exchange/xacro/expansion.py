@@ -11,6 +11,7 @@ from ropsim.exchange.xacro.macros import Macro, Parameter, Sort, macro_of
 from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.substitution import text_of, value_of_text
 from ropsim.exchange.xacro.values import Value, XacroError, truth
+from ropsim.exchange.xacro.yaml_values import yaml_value
 from ropsim.exchange.xacro_diagnostics import XACRO
 from ropsim.exchange.xml_tree import MOST_ELEMENTS, Element, read_xml
 
@@ -53,6 +54,7 @@ class _Expansion:
         self._given = options.arguments
         self._arguments: dict[str, str] = dict(options.arguments)
         self._macros: dict[str, Macro] = {}
+        self._files: dict[str, Value] = {}
         self._beside = [options.folder.beside]
         self._steps = self._made = self._characters = self._calls = 0
         self._known: Mapping[str, Callable[[Element, Scope, int], list[Element]]] = {
@@ -67,7 +69,7 @@ class _Expansion:
         }
 
     def file(self, root: Element) -> Element:
-        scope = Scope(self._value)
+        scope = Scope(self._value, self._loaded)
         if root.name.startswith(PREFIX):
             raise _PlacedError(root.span, f"the outermost element is `{root.name}`", "put it into a `robot`")
         # its attributes come last: they name arguments whose defaults stand in it
@@ -121,6 +123,21 @@ class _Expansion:
         self._spend(len(text))
         return text_of(text, scope, self._arguments)
 
+    def _loaded(self, name: str) -> Value:
+        if name not in self._files:
+            self._files[name] = yaml_value(self._text_of_file(name)[1])
+        return self._files[name]
+
+    def _text_of_file(self, name: str) -> tuple[str, str]:
+        """Return path and text of a file that is named in the one that is expanded."""
+        path = self._folder.path(name, self._beside[-1])
+        text = self._folder.text(path) if path else None
+        if path is None or text is None:
+            words = f"the file `{shown(name)}` is not there, or not inside of the given folders"
+            raise XacroError(words, "give the folder of its package")
+        self._spend(len(text) // 10)
+        return path, text
+
     def _need(self, one: Element, key: str, scope: Scope) -> str:
         if key not in one.attributes:
             raise XacroError(f"`{one.name}` has no `{key}`", f"write {key}=... into it")
@@ -169,20 +186,16 @@ class _Expansion:
         name = self._need(one, "filename", scope)
         if "ns" in one.attributes:
             raise XacroError("files are not included into a name space", "take `ns` out of the include")
-        path = self._folder.path(name, self._beside[-1])
-        text = self._folder.text(path) if path else None
-        if path is None or text is None:
+        try:
+            path, text = self._text_of_file(name)
+        except XacroError:
             if one.attributes.get("optional", "false") == "true":
                 return []
-            raise XacroError(
-                f"the file `{shown(name)}` is not there, or not inside of the given folders",
-                "give the folder of its package",
-            )
+            raise
         self._deeper()
         root = read_xml(SourceText(path, text), self._notes)
         if root is None:
             raise XacroError(f"the file `{shown(path)}` cannot be read")
-        self._steps += len(text) // 100
         self._beside.append(path.rpartition("/")[0])
         found = self._elements(root.children, scope, depth + 1)
         self._beside.pop()
@@ -204,7 +217,7 @@ class _Expansion:
         if macro is None:
             raise XacroError(f"there is no macro `{name[:60]}`", "define it before it is called")
         self._deeper()
-        inner = Scope(self._value, scope)
+        inner = Scope(self._value, self._loaded, scope)
         given = [parameter.name for parameter in macro.parameters if parameter.sort is Sort.VALUE]
         for key in one.attributes:
             if key not in given and not (key == "macro" and one.name == "xacro:call"):

@@ -10,7 +10,7 @@ from typing import Protocol
 
 from ropsim.exchange.xacro.operators import BINARY, CONSTANTS, FUNCTIONS, applied
 from ropsim.exchange.xacro.tokens import Sort, Token, tokens
-from ropsim.exchange.xacro.values import Value, XacroError, bounded
+from ropsim.exchange.xacro.values import Value, XacroError, bounded, words
 
 MOST_DEPTH = 20
 """Parentheses in each other."""
@@ -24,6 +24,14 @@ class Names(Protocol):
 
         Raises:
             XacroError: nobody has given it one.
+        """
+        ...
+
+    def loaded(self, path: str) -> Value:
+        """Return the value of a parameter file.
+
+        Raises:
+            XacroError: it cannot be had.
         """
         ...
 
@@ -184,6 +192,10 @@ class _Parser:
             return _constant(bounded(int(token.text) if whole else float(token.text)))
         if token.sort is Sort.TEXT:
             return _constant(token.text[1:-1].replace("\\'", "'").replace('\\"', '"'))
+        if (
+            token.text == "xacro" and self._take(".") and self._take("load_yaml")
+        ) or token.text == "load_yaml":
+            return self._loaded()
         if token.text == "math" and self._take("."):
             return self._math()
         if token.sort is Sort.NAME:
@@ -196,6 +208,12 @@ class _Parser:
         if token.text == "{":
             return self._dictionary()
         raise XacroError(f"`{token.text}` begins no expression")
+
+    def _loaded(self) -> Meaning:
+        self._need("(")
+        path = self._choice()
+        self._need(")")
+        return lambda names: names.loaded(words(path(names)))
 
     def _math(self) -> Meaning:
         name = self._name()

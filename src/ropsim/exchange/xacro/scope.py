@@ -14,11 +14,15 @@ Evaluate = Callable[[str, "Scope"], Value]
 """The value of a text with substitutions in it."""
 
 
+Load = Callable[[str], Value]
+"""The value of a parameter file by its path."""
+
+
 class Scope:
     """Properties and blocks of the file, or of one call of a macro."""
 
-    def __init__(self, evaluate: Evaluate, above: "Scope | None" = None) -> None:
-        self._evaluate, self._above = evaluate, above
+    def __init__(self, evaluate: Evaluate, load: Load, above: "Scope | None" = None) -> None:
+        self._evaluate, self._load, self._above = evaluate, load, above
         self._texts: dict[str, str] = {}
         self._values: dict[str, Value] = {}
         self._asked: list[str] = above._asked if above else []
@@ -79,6 +83,14 @@ class Scope:
         close = near(name, known, limit=1)
         hint = f"did you mean `{close[0]}`?" if close else "define it by xacro:property or as a parameter"
         raise XacroError(f"nobody has defined `{name[:60]}`", hint)
+
+    def loaded(self, path: str) -> Value:
+        """Return the value of a parameter file.
+
+        Raises:
+            XacroError: it cannot be had.
+        """
+        return self._load(path)
 
     def _found(self, name: str) -> Value:
         if len(self._asked) >= MOST_ASKED:

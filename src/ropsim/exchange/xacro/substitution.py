@@ -61,7 +61,7 @@ def _check(text: str) -> None:
 
 def _part(match: re.Match[str], scope: Scope, arguments: Mapping[str, str]) -> Value:
     if match.lastgroup == "expression":
-        return value_of(match.group("expression"), scope)
+        return value_of(text_of(match.group("expression"), scope, arguments), scope)
     command, _, rest = match.group("command").strip().partition(" ")
     rest = text_of(rest.strip(), scope, arguments)
     if command == "arg":
