@@ -3,8 +3,8 @@
 from collections import Counter
 from dataclasses import replace
 
+from ropsim.exchange.bodies import weighs
 from ropsim.exchange.description import Connection, Description, Following
-from ropsim.model import Payload
 
 
 def with_added_turns(description: Description) -> Description:
@@ -13,7 +13,7 @@ def with_added_turns(description: Description) -> Description:
     The turns of two joints add up where the frame of the second is that of the first and nothing but the
     second hangs on the body between them, which has no weight and no shape. Slides along one line do so too.
     """
-    empty = {one.name for one in description.bodies if not one.shapes and one.weight == Payload()}
+    empty = {one.name for one in description.bodies if not one.shapes and not weighs(one.weight)}
     carried = Counter(one.parent for one in description.connections)
     between = {name for name in empty if carried[name] == 1}
     first = {one.child: one for one in description.connections if one.child in between and one.following}

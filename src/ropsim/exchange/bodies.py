@@ -40,10 +40,15 @@ def links_of(
     for body in bodies:
         carrier, X_CB = placed[body.name]
         shapes[carrier] += [replace(one, pose=X_CB @ one.pose) for one in body.shapes]
-        if carrier != BASE_LINK and (body.weight.mass or body.weight.inertia.any()):
+        if carrier != BASE_LINK and weighs(body.weight):
             weights[carrier].append(body.weight if X_CB.is_identity else moved(body.weight, X_CB))
     links = tuple(_link(own, looks) for own, looks in zip(weights, shapes, strict=False))
     return links, tuple(shapes[BASE_LINK])
+
+
+def weighs(weight: Payload) -> bool:
+    """Return whether a body has a mass or an inertia."""
+    return bool(weight.mass or weight.inertia.any())
 
 
 def _link(weights: list[Payload], shapes: list[Shape]) -> Link:
@@ -112,8 +117,9 @@ def carried_names(
     ]
     moving = [one for one in tree.order if one.motion is not Motion.NONE]
     renamed = [one.child for one in moving if one.child != link_name(one.name)]
-    still = [one.name for one in description.bodies if placed[one.name][0] == BASE_LINK]
-    heavy = [one.name for one in description.bodies if one.name in set(still) and one.weight.mass]
+    standing = [one for one in description.bodies if placed[one.name][0] == BASE_LINK]
+    still = [one.name for one in standing]
+    heavy = [one.name for one in standing if one.weight.mass]
     others = [name for name in still if name not in (BASE, tree.root)]
     rows = (
         (fixed, "become a part of the link that carries them, and their frames go"),

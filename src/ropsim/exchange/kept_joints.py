@@ -70,7 +70,8 @@ def _couplings_hold(moving: Mapping[str, Connection], notes: Notes) -> bool:
                 notes.unknown(UNKNOWN_ENTITY, one.span, f"joint `{one.name}` follows joint", name, moving)
                 right = False
     if right and len(_followers_last(moving)) < len(moving):
-        left = [one for one in moving.values() if one not in set(_followers_last(moving))]
+        reached = {one.name for one in _followers_last(moving)}
+        left = [one for one in moving.values() if one.name not in reached]
         words = f"joints follow each other in a circle: {listed(one.name for one in left)}"
         notes.add(BROKEN_TREE, left[0].span, words, "let one of them be driven")
         right = False

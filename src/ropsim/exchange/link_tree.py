@@ -77,7 +77,8 @@ def link_tree(description: Description, notes: Notes) -> LinkTree | None:
         return None
     order = _ordered(description, set(roots))
     if len(order) < len(description.connections):
-        left = [one for one in description.connections if one not in set(order)]
+        reached = {one.name for one in order}
+        left = [one for one in description.connections if one.name not in reached]
         words = f"joints go in a circle: {listed(one.name for one in left)}"
         notes.add(BROKEN_TREE, left[0].span, words, "cut the closed chain")
         return None

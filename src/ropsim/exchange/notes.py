@@ -18,7 +18,8 @@ class Notes:
     @property
     def found(self) -> tuple[Diagnostic, ...]:
         """Return the findings in the order of the file; those without a place come last."""
-        return tuple(sorted(self._found, key=_place))
+        files = list(dict.fromkeys(one.span.source for one in self._found if one.span))
+        return tuple(sorted(self._found, key=lambda one: _place(one, files)))
 
     @property
     def fatal(self) -> bool:
@@ -59,5 +60,7 @@ def listed(names: Iterable[str]) -> str:
     return words + (f" and {len(unique) - _NAMED} more" if len(unique) > _NAMED else "")
 
 
-def _place(one: Diagnostic) -> tuple[int, str, int, int]:
-    return (0, "", one.span.line, one.span.column) if one.span else (1, "", 0, 0)
+def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:
+    if one.span is None:
+        return len(files), 0, 0
+    return files.index(one.span.source), one.span.line, one.span.column

@@ -90,9 +90,11 @@ def _yaml(content: bytes) -> str:
     return "read"
 
 
-TARGETS = (
-    Target("urdf", _Make(_URDF), _urdf),
-    Target("xacro", _Make(_XACRO), _urdf),
-    Target("mjcf", _Make(_MJCF), _mjcf),
-    Target("yaml", _Make((LIMITS.encode(),)), _yaml),
-)
+def _take(content: bytes) -> str:
+    """Read a file as what it seems to be: one process for all formats starts four times as fast."""
+    if b"<mujoco" in content:
+        return _mjcf(content)
+    return _urdf(content) if b"<robot" in content else _yaml(content)
+
+
+TARGETS = (Target("robots", _Make((*_URDF, *_XACRO, *_MJCF, LIMITS.encode())), _take),)

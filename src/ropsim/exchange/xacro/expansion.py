@@ -20,7 +20,7 @@ MOST_CALLS = 40
 """Macros and included files in each other."""
 MOST_DEPTH = 100
 """Elements in each other, with those of the macros that they call."""
-MOST_CHARACTERS = 2_000_000
+MOST_CHARACTERS = 1_000_000
 """Of all texts that are looked at or made."""
 MOST_STEPS = 5 * MOST_ELEMENTS
 """Elements that are looked at, over and over as macros are called."""
