@@ -40,7 +40,7 @@ def _robot(
     description = with_added_turns(description)
     tree = link_tree(description, notes)
     found = tip_of(description, tree, wanted, notes) if tree else None
-    kept = kept_joints(tree, found[0], notes) if tree and found else None
+    kept = kept_joints(tree, found[0], description.span, notes) if tree and found else None
     if tree is None or found is None or kept is None:
         return None
     tip, X_TM = found

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.description import Connection, Motion
 from ropsim.exchange.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UNKNOWN_ENTITY
 from ropsim.exchange.link_tree import LinkTree
@@ -23,11 +23,17 @@ class KeptJoints:
     resting: Mapping[str, float]
 
 
-def kept_joints(tree: LinkTree, tip: str, notes: Notes) -> KeptJoints | None:
+def kept_joints(tree: LinkTree, tip: str, span: Span, notes: Notes) -> KeptJoints | None:
     """Return what becomes of the joints of a tree; nothing where no robot can be made of them (noted).
 
     Kept are the joints on the way to the tip, the joints that these follow, and joints elsewhere that follow
     kept ones alone, as the rods of a palletizer do. All others rest at zero, or as near to it as they can.
+
+    Args:
+        tree: of the file.
+        tip: name of the body that carries the interface.
+        span: of the file, for what concerns all of it.
+        notes: for what is wrong or lost.
     """
     moving = {one.name: one for one in tree.order if one.motion is not Motion.NONE}
     if not _couplings_hold(moving, notes):
@@ -36,7 +42,7 @@ def kept_joints(tree: LinkTree, tip: str, notes: Notes) -> KeptJoints | None:
     if not kept:
         notes.add(
             JOINT_IMPOSSIBLE,
-            None,
+            span,
             f"no joint moves `{tip}`, the tip of the robot",
             "name another tip, or describe a joint that turns or slides",
         )
