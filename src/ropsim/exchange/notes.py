@@ -2,10 +2,11 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.core import Diagnostic, Kind, Span, near
+from ropsim.core import Diagnostic, Kind, Severity, Span, near
 
 MOST_NOTES = 100
-"""So many findings are kept: a file with more is not mended one by one."""
+"""So many errors are kept, and so many others: a file with more is not mended one by one."""
+_LONGEST = 400  # characters of a message: names are as long as their file has them
 _NAMED = 6  # so many entities are named in a message
 
 
@@ -14,6 +15,7 @@ class Notes:
 
     def __init__(self) -> None:
         self._found: list[Diagnostic] = []
+        self._counts = {Severity.ERROR: 0, Severity.WARNING: 0, Severity.HINT: 0}
 
     @property
     def found(self) -> tuple[Diagnostic, ...]:
@@ -24,7 +26,7 @@ class Notes:
     @property
     def fatal(self) -> bool:
         """Return whether an error forbids a robot."""
-        return any(one.is_error for one in self._found)
+        return self._counts[Severity.ERROR] > 0
 
     def add(
         self,
@@ -35,14 +37,15 @@ class Notes:
         data: Mapping[str, object] | None = None,
     ) -> None:
         """Note a finding, as long as there is room."""
-        if len(self._found) < MOST_NOTES:
-            self._found.append(kind.at(span, message, hint=hint, data=data))
+        self._counts[kind.severity] += 1
+        if self._counts[kind.severity] <= MOST_NOTES:
+            line = " ".join(message.split())
+            line = line if len(line) <= _LONGEST else line[: _LONGEST - 3] + "..."
+            self._found.append(kind.at(span, line, hint=hint, data=data))
 
     def unknown(self, kind: Kind, span: Span | None, what: str, name: str, known: Iterable[str]) -> None:
         """Note a name that stands for nothing, with the names that look like it."""
-        if len(self._found) >= MOST_NOTES:
-            return
-        close = near(name, known)
+        close = near(name, known) if self._counts[kind.severity] < MOST_NOTES else ()
         hint = f"did you mean `{close[0]}`?" if close else "allowed are the names that the file defines"
         self.add(kind, span, f"{what} `{shown(name)}`, which does not exist", hint, {"near": close})
 

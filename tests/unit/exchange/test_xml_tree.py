@@ -2,6 +2,7 @@
 
 from ropsim.core import SourceText
 from ropsim.exchange.diagnostics import NOT_XML
+from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.notes import MOST_NOTES, Notes
 from ropsim.exchange.xml_tree import MOST_ATTRIBUTE, MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
 
@@ -56,3 +57,13 @@ def test_only_so_many_findings_are_kept() -> None:
     for _ in range(10 * MOST_NOTES):
         notes.add(NOT_XML, None, "a")
     assert len(notes.found) == MOST_NOTES
+
+
+def test_an_error_behind_many_hints_still_forbids_the_robot() -> None:
+    notes = Notes()
+    for _ in range(10 * MOST_NOTES):
+        notes.add(LOST_DESCRIPTION, None, "a")
+    notes.add(NOT_XML, None, "b " * 2000)
+    assert notes.fatal
+    (error,) = [one for one in notes.found if one.is_error]
+    assert len(error.message) < 500
