@@ -33,3 +33,14 @@ def test_the_tip_is_where_another_program_has_it(name: str) -> None:
 @pytest.mark.parametrize("name", TABLES)
 def test_the_solver_is_that_of_the_chain(name: str) -> None:
     assert solver_of(read(name)).name == solver_of(published_arm(name)).name
+
+
+@pytest.mark.parametrize(("total", "told"), [(1077.0, False), (4879.0, True)])
+def test_masses_that_no_arm_of_this_length_has_are_told(total: float, told: bool) -> None:
+    """A file of a KUKA KR 210 adds up to 4,879 kg; the robot weighs 1,077 kg (kroshu, kr210_r2700_2)."""
+    text = published_urdf("kr210_r2700_2")
+    for k, share in enumerate((0.35, 0.3, 0.2, 0.08, 0.05, 0.02), start=1):
+        mass = f'<inertial><mass value="{share * total}"/></inertial>'
+        text = text.replace(f'<link name="l{k}"/>', f'<link name="l{k}">{mass}</link>')
+    found = read_urdf(SourceText("kr210.urdf", text)).findings
+    assert any("kg together" in one.message for one in found) is told
