@@ -51,7 +51,10 @@ class RobotFolder:
         """Return an absolute path from the project folder on."""
         if self.root is None:
             return None
-        inside = os.path.relpath(name, self.root).replace(os.sep, "/")
+        try:
+            inside = os.path.relpath(name, self.root).replace(os.sep, "/")
+        except ValueError:  # on another drive
+            return None
         return None if inside.startswith("..") else inside
 
     def has(self, path: str) -> bool:
@@ -61,9 +64,9 @@ class RobotFolder:
     def text(self, path: str) -> str | None:
         """Return the text of a file in the folder; nothing where it is not there, too large or not UTF-8."""
         place = self._file(path)
-        if place is None or place.stat().st_size > _LARGEST:
-            return None
         try:
+            if place is None or place.stat().st_size > _LARGEST:
+                return None
             return read_bytes(place).decode("utf-8-sig")
         except (OSError, UnicodeDecodeError):
             return None

@@ -1,5 +1,6 @@
 """URDF in: frames, axes, weights, limits, friction, looks, branches and what is lost."""
 
+from itertools import pairwise
 from math import cos, inf, sin
 
 import numpy as np
@@ -244,3 +245,32 @@ def test_placeholders_are_told() -> None:
     )
     found = read_urdf(SourceText("a", f'<robot name="a">{links}{joints}</robot>'))
     assert any("placeholders" in one.hint for one in found.findings if one.code == "X989")
+
+
+def branch(prefix: str, end: str, joints: int) -> str:
+    """Return a chain on the link `base` with a fixed link behind its last joint."""
+    names = ["base", *(f"{prefix}l{k}" for k in range(joints)), f"{prefix}{end}"]
+    text = "".join(f'<link name="{one}"/>' for one in names[1:])
+    for parent, child in pairwise(names):
+        kind = "fixed" if child.endswith(end) else "continuous"
+        text += (
+            f'<joint name="to_{child}" type="{kind}"><parent link="{parent}"/><child link="{child}"/></joint>'
+        )
+    return text
+
+
+@pytest.mark.parametrize(
+    ("branches", "joints"),
+    [
+        ([("a_", "tool0", 2), ("b_", "tip", 3)], 2),  # by its name, with a prefix
+        ([("a_", "end", 2), ("b_", "tip", 3)], 3),  # by its depth
+        ([("a_", "tool0", 2), ("b_", "tool0", 3)], 3),  # the name says nothing
+        ([("a_", "tool0", 2), ("b_", "tool0", 2)], 0),  # nor does the depth
+    ],
+)
+def test_the_tip_is_recognised(branches: list[tuple[str, str, int]], joints: int) -> None:
+    text = '<robot name="a"><link name="base"/>' + "".join(branch(*one) for one in branches) + "</robot>"
+    found = read_urdf(SourceText("a.urdf", text))
+    assert (found.robot.n if found.robot else 0) == joints
+    if not joints:
+        assert [one.code for one in found.findings if one.is_error] == ["X988"]
