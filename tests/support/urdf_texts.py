@@ -76,10 +76,10 @@ MACROS = """<?xml version="1.0"?>
       </xacro:if>
     </link>
   </xacro:macro>
-  <xacro:macro name="hinge" params="number parent child angle:=90 **inside prefix:=^">
+  <xacro:macro name="hinge" params="number parent child angle:=90 **in-side prefix:=^">
     <joint name="${prefix}joint_${number}" type="revolute">
       <parent link="${prefix}${parent}"/><child link="${prefix}${child}"/>
-      <xacro:insert_block name="inside"/>
+      <xacro:insert_block name="in-side"/>
       <xacro:property name="limit" value="${radians(angle)}"/>
       <limit lower="${-limit}" upper="${limit}" velocity="${M_PI / 2}" effort="10" acceleration="5"
         jerk="50"/>
@@ -90,10 +90,10 @@ MACROS = """<?xml version="1.0"?>
     <xacro:slat name="upper"><origin xyz="${half} 0 0"/></xacro:slat>
     <xacro:slat name="fore" mass="1.5"><origin xyz="${half} 0 0"/></xacro:slat>
     <xacro:hinge number="1" parent="base_link" child="upper">
-      <inside><origin xyz="0 0 1"/><axis xyz="0 1 0"/></inside>
+      <in-side><origin xyz="0 0 1"/><axis xyz="0 1 0"/></in-side>
     </xacro:hinge>
     <xacro:hinge number="2" parent="upper" child="fore" angle="120">
-      <inside><origin xyz="${length} 0 0"/><axis xyz="0 1 0"/></inside>
+      <in-side><origin xyz="${length} 0 0"/><axis xyz="0 1 0"/></in-side>
     </xacro:hinge>
     <xacro:unless value="$(arg bare)">
       <link name="${prefix}tool0"/>
@@ -113,6 +113,7 @@ joint_limits:
     has_velocity_limits: true
     max_position: !degrees  360.0   # of a file of Universal Robots
     min_position: !degrees -360
+    turn: !radians pi / 2
   'elbow':
     max_position: 3.5
     name: "a: b # c"

@@ -43,6 +43,9 @@ SAME_AS_PYTHON = [
     "{'k': 1}['k']",
     "1e-3 + .5 + 3.",
     "range(3)[2]",
+    "dict(x=1, y=a + 1)['y']",
+    "d.get('x', 0) + d.get('none', 7)",
+    "d.get('none') == None",
     "(1, 2)[1]",
     "True and False",
 ]
@@ -56,7 +59,7 @@ def test_values_are_those_of_python(text: str) -> None:
     assert type(found) is type(expected)
 
 
-_BUILTINS = ("min", "max", "abs", "sum", "sorted", "round", "int", "float", "str", "range", "len")
+_BUILTINS = ("min", "max", "abs", "sum", "sorted", "round", "int", "float", "str", "range", "len", "dict")
 
 
 @pytest.mark.parametrize(
@@ -80,6 +83,10 @@ REFUSED = [
     "eval('1')",
     "().__class__",
     "s.upper()",
+    "d.pop('x')",
+    "dict(1)",
+    "dict(x)",
+    "s.get('x')",
     "a.__class__",
     "lambda: 1",
     "[x for x in l]",

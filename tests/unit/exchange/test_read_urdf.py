@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from ropsim.core import SourceText
-from ropsim.exchange import ReadOptions, read_urdf
+from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
 from ropsim.exchange.joint_limits import WITHOUT_END
 from ropsim.kinematics import forward
-from ropsim.model import Box, Cylinder, RobotModel, Sphere
+from ropsim.model import Box, Cylinder, Mesh, RobotModel, Sphere
 from support.urdf_texts import ARM
 
 EXACT = 1e-15
@@ -106,6 +106,31 @@ def test_looks_are_in_their_places_and_colours() -> None:
     center = robot.joints[0].placement @ robot.links[0].shapes[1].pose
     expected = np.array([0, 0, 0.3]) + turned(0.1, 0.2, 0.3) @ np.array([0.1, 0, 0.1])
     np.testing.assert_allclose(center.position, expected, atol=EXACT)
+
+
+def test_a_link_whose_visual_mesh_is_not_drawn_is_drawn_by_its_collision_geometry() -> None:
+    mesh = '<mesh filename="package://a/b.dae"/>'
+    text = ARM.replace('<box size="0.1 0.1 0.4"/>', mesh)
+    found = read_urdf(
+        SourceText("arm.urdf", text), ReadOptions(folder=RobotFolder(packages={"a": "robots/a"}))
+    )
+    assert found.robot is not None
+    assert Sphere(0.3) in [one.solid for one in found.robot.links[0].shapes]
+    assert any("b.dae" in one.message for one in found.findings if one.code == "X995")
+    stl = read_urdf(
+        SourceText("arm.urdf", text.replace(".dae", ".stl")),
+        ReadOptions(folder=RobotFolder(packages={"a": "x"})),
+    )
+    assert stl.robot is not None
+    assert Mesh("x/b.stl") in [one.solid for one in stl.robot.links[0].shapes]
+    unknown = read_urdf(SourceText("arm.urdf", text))
+    assert [one.code for one in unknown.findings].count("X991") == 1
+
+
+def test_a_box_without_extent_is_left_out() -> None:
+    found = read_urdf(SourceText("arm.urdf", ARM.replace('size="0.1 0.1 0.4"', 'size="0 0 0"')))
+    assert found.robot is not None
+    assert any("extent" in one.message for one in found.findings if one.code == "X995")
 
 
 def test_a_joint_beside_the_way_to_the_tip_rests_and_its_link_weighs_on() -> None:

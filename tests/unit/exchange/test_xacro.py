@@ -154,3 +154,25 @@ def test_properties_of_outer_scopes_and_defaults() -> None:
     </robot>"""
     robot = robot_of(read_urdf(SourceText("a", text)))
     assert robot.n == 1
+
+
+def test_macros_hand_values_to_their_callers_as_files_of_universal_robots_do(folder: Path) -> None:
+    text = """<robot name="a" xmlns:xacro="x">
+      <xacro:macro name="look" params="name:=^ type:=^">
+        <xacro:property name="found" value="${files[name][type]}" scope="parent"/>
+      </xacro:macro>
+      <xacro:macro name="path" params="name:=^ type:=^">
+        <xacro:look/>
+        <xacro:property name="mesh" scope="parent"
+          value="file://$(find ${found['package']})/${found['path']}"/>
+      </xacro:macro>
+      <xacro:macro name="mesh" params="name type"><xacro:path/><mesh filename="${mesh}"/></xacro:macro>
+      <xacro:macro name="arm" params="files:=${dict(fore=dict(visual=dict(package='arm', path='fore.stl')))}">
+        <link name="base_link"/>
+        <link name="fore"><visual><geometry><xacro:mesh name="fore" type="visual"/></geometry></visual></link>
+        <joint name="j" type="continuous"><parent link="base_link"/><child link="fore"/></joint>
+      </xacro:macro>
+      <xacro:arm/>
+    </robot>"""
+    robot = robot_of(read(folder, text))
+    assert [one.solid for one in robot.links[0].shapes] == [Mesh("packages/fore.stl")]

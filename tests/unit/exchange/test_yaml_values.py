@@ -19,6 +19,7 @@ def test_what_parameter_files_use_is_read() -> None:
                 "has_velocity_limits": True,
                 "max_position": pytest.approx(2.0 * pi),
                 "min_position": pytest.approx(-2.0 * pi),
+                "turn": pytest.approx(pi / 2.0),
             },
             "elbow": {"max_position": 3.5, "name": "a: b # c"},
         },

@@ -38,8 +38,17 @@ def materials_of(robot: Element, notes: Notes) -> Mapping[str, Colour]:
 def shapes_of(
     link: Element, materials: Mapping[str, Colour], folder: RobotFolder, notes: Notes
 ) -> tuple[Shape, ...]:
-    """Return what a link looks like, in its frame; where nothing is to be seen, its collision geometry."""
-    parts = link.all("visual") or link.all("collision")
+    """Return what a link looks like, in its frame; where nothing of that is drawn, its collision geometry.
+
+    Many files show meshes in formats that are not drawn, and collide by simpler ones that are.
+    """
+    seen = _drawn(link.all("visual"), materials, folder, notes)
+    return seen or _drawn(link.all("collision"), materials, folder, notes)
+
+
+def _drawn(
+    parts: tuple[Element, ...], materials: Mapping[str, Colour], folder: RobotFolder, notes: Notes
+) -> tuple[Shape, ...]:
     shapes = []
     for part in parts:
         solid = _solid(part, folder, notes)
@@ -103,6 +112,10 @@ _MEASURES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("rad
 def _positive(element: Element, values: tuple[float, ...], notes: Notes) -> bool:
     if all(value > 0.0 for value in values):
         return True
+    if min(values) == 0.0:
+        words = f"`{element.name}` has no extent, and is not drawn"
+        notes.add(LOST_DESCRIPTION, element.span, words, "take it out where it stands for nothing")
+        return False
     words = f"a measure of `{element.name}` is {min(values):g} m, allowed are positive numbers"
     notes.add(BAD_NUMBER, element.span, words, "give its measures in metres")
     return False

@@ -168,17 +168,21 @@ class _Parser:
         found = self._atom()
         while sign := self._take("[", "."):
             if sign == "[":
-                index = self._choice()
+                found = _indexed(found, self._choice())
                 self._need("]")
+                continue
+            name = self._name()
+            if name == "get" and self._take("("):
+                key, *default = self._list(")")[:2] or [_constant(None)]
+                found = _indexed(found, key, default[0] if default else _constant(None))
             else:
-                index = _constant(self._name())
-            found = _indexed(found, index)
+                found = _indexed(found, _constant(name))
         return found
 
     def _name(self) -> str:
         token = self._next()
         if token is None or token.sort is not Sort.NAME:
-            raise XacroError("a name is missing behind a point")
+            raise XacroError("a name is missing")
         self._place += 1
         return token.text
 
@@ -220,11 +224,26 @@ class _Parser:
         return self._called(name) if self._sign() == "(" else _constant(CONSTANTS.get(name))
 
     def _called(self, name: str) -> Meaning:
+        if name == "dict":
+            return self._keyed()
         if name not in FUNCTIONS:
             raise XacroError(f"`{name}` cannot be called", f"functions are {', '.join(sorted(FUNCTIONS))}")
         self._need("(")
         parts = self._list(")")
         return lambda names: applied(name, FUNCTIONS[name], [part(names) for part in parts])
+
+    def _keyed(self) -> Meaning:
+        """Return the dictionary of `dict(name=value, ...)`."""
+        self._need("(")
+        pairs: list[tuple[str, Meaning]] = []
+        while not self._take(")"):
+            name = self._name()
+            self._need("=")
+            pairs.append((name, self._choice()))
+            if not self._take(","):
+                self._need(")")
+                break
+        return lambda names: bounded({name: value(names) for name, value in pairs})
 
     def _list(self, end: str) -> list[Meaning]:
         found: list[Meaning] = []
@@ -295,13 +314,17 @@ def _listed(parts: list[Meaning]) -> Meaning:
     return lambda names: bounded([part(names) for part in parts])
 
 
-def _indexed(of: Meaning, index: Meaning) -> Meaning:
+def _indexed(of: Meaning, index: Meaning, default: Meaning | None = None) -> Meaning:
+    """Return what stands at an index; where nothing does, the default, if there is one, as `get` has it."""
+
     def found(names: Names) -> Value:
         holder, key = of(names), index(names)
         if isinstance(holder, Mapping) and str(key) in holder:
             return holder[str(key)]
         if isinstance(holder, list | str) and isinstance(key, int) and -len(holder) <= key < len(holder):
             return holder[key]
+        if default is not None and isinstance(holder, Mapping):
+            return default(names)
         raise XacroError(f"there is nothing at `{str(key)[:40]}`", "look at the list or dictionary")
 
     return found

@@ -8,7 +8,7 @@ from ropsim.exchange.xacro.values import XacroError
 from ropsim.exchange.xml_tree import Element
 
 _PARAMETER = re.compile(
-    r"\s*(?P<stars>\*{0,2})(?P<name>\w+)"
+    r"\s*(?P<stars>\*{0,2})(?P<name>[^\s:=*'\"]+)"
     r"(?:(?P<assign>:?=)(?P<above>\^\|?)?(?P<default>'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)|[^\s'\"]*))?(?=\s|$)"
 )
 

@@ -1,12 +1,14 @@
 """Values in YAML, as far as parameter files of robots use it: mappings, lists and scalars, nothing that acts.
 
 Read are mappings and lists by indentation, lists and mappings in brackets on one line, texts in quotation
-marks, comments, and numbers with `!degrees` or `!radians` before them; anchors, other tags and texts over
+marks, comments, and expressions with `!degrees` or `!radians` before them; anchors, other tags and texts over
 several lines are refused (YAML 1.2, 2021, chapters 6 to 8, and the tags of xacro).
 """
 
 from math import radians
 
+from ropsim.exchange.xacro.expressions import value_of
+from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.values import Value, XacroError, bounded, literal
 
 MOST_LINES = 5_000
@@ -124,7 +126,7 @@ def _split(text: str) -> tuple[str, str] | None:
 def _scalar(text: str, depth: int) -> Value:
     for tag, factor in (("!degrees", radians(1.0)), ("!radians", 1.0)):
         if text.startswith(tag):
-            number = literal(text[len(tag) :])
+            number = value_of(text[len(tag) :], Scope(lambda known, _: known, literal))
             if not isinstance(number, int | float):
                 raise XacroError(f"behind `{tag}` stands `{text[len(tag) :][:40].strip()}`", "write a number")
             return float(number) * factor
