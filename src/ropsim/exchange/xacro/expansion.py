@@ -9,21 +9,12 @@ from ropsim.exchange.notes import Notes, shown
 from ropsim.exchange.options import ReadOptions
 from ropsim.exchange.xacro.macros import Macro, Parameter, Sort, macro_of
 from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.substitution import text_of, value_of_text
-from ropsim.exchange.xacro.values import Value, XacroError, truth
-from ropsim.exchange.xacro.yaml_values import yaml_value
+from ropsim.exchange.xacro.texts import Texts
+from ropsim.exchange.xacro.values import XacroError, truth
 from ropsim.exchange.xacro_diagnostics import XACRO
-from ropsim.exchange.xml_tree import MOST_ELEMENTS, Element, read_xml
+from ropsim.exchange.xml_tree import Element, read_xml
 
 PREFIX = "xacro:"
-MOST_CALLS = 40
-"""Macros and included files in each other."""
-MOST_DEPTH = 100
-"""Elements in each other, with those of the macros that they call."""
-MOST_CHARACTERS = 1_000_000
-"""Of all texts that are looked at or made."""
-MOST_STEPS = 5 * MOST_ELEMENTS
-"""Elements that are looked at, over and over as macros are called."""
 
 
 def uses_xacro(root: Element) -> bool:
@@ -48,15 +39,11 @@ class _PlacedError(Exception):
         self.span, self.message, self.hint = span, message, hint
 
 
-class _Expansion:
+class _Expansion(Texts):
     def __init__(self, options: ReadOptions, notes: Notes) -> None:
-        self._folder, self._notes = options.folder, notes
-        self._given = options.arguments
-        self._arguments: dict[str, str] = dict(options.arguments)
+        super().__init__(options)
+        self._notes = notes
         self._macros: dict[str, Macro] = {}
-        self._files: dict[str, Value] = {}
-        self._beside = [options.folder.beside]
-        self._steps = self._made = self._characters = self._calls = 0
         self._known: Mapping[str, Callable[[Element, Scope, int], list[Element]]] = {
             "arg": self._arg,
             "property": self._property,
@@ -81,9 +68,8 @@ class _Expansion:
         """Return what elements become."""
         found: list[Element] = []
         for one in elements:
-            self._steps += 1
             try:
-                self._spend(0, depth)
+                self._step(depth)
                 if one.name.startswith(PREFIX):
                     found += self._special(one, one.name.removeprefix(PREFIX), scope, depth)
                 else:
@@ -92,56 +78,19 @@ class _Expansion:
                 raise _PlacedError(one.span, error.message, error.hint) from None
         return found
 
-    def _spend(self, characters: int, depth: int = 0) -> None:
-        self._characters += characters
-        if self._steps > MOST_STEPS or depth > MOST_DEPTH or self._characters > MOST_CHARACTERS:
-            raise XacroError("the file becomes too much, or too deep", "look for a macro that calls itself")
-
     def _plain(self, one: Element, scope: Scope, depth: int) -> Element:
         attributes = {}
         for key, text in one.attributes.items():
             if not key.startswith("xmlns"):
                 attributes[key] = self._text(text, scope)
                 self._spend(len(attributes[key]))
-        self._made += 1
-        if self._made > MOST_ELEMENTS:
-            raise XacroError(
-                f"the file becomes more than {MOST_ELEMENTS} elements", "cut it down to the robot"
-            )
+        self._make()
         children = tuple(self._elements(one.children, scope, depth + 1))
         return Element(one.name, MappingProxyType(attributes), children, one.span, one.text)
 
     def _special(self, one: Element, name: str, scope: Scope, depth: int) -> list[Element]:
         known = self._known.get(name)
         return known(one, scope, depth) if known else self._call(name, one, scope, depth)
-
-    def _value(self, text: str, scope: Scope) -> Value:
-        self._spend(len(text))
-        return value_of_text(text, scope, self._arguments)
-
-    def _text(self, text: str, scope: Scope) -> str:
-        self._spend(len(text))
-        return text_of(text, scope, self._arguments)
-
-    def _loaded(self, name: str) -> Value:
-        if name not in self._files:
-            self._files[name] = yaml_value(self._text_of_file(name)[1])
-        return self._files[name]
-
-    def _text_of_file(self, name: str) -> tuple[str, str]:
-        """Return path and text of a file that is named in the one that is expanded."""
-        path = self._folder.path(name, self._beside[-1])
-        text = self._folder.text(path) if path else None
-        if path is None or text is None:
-            words = f"the file `{shown(name)}` is not there, or not inside of the given folders"
-            raise XacroError(words, "give the folder of its package")
-        self._spend(len(text) // 10)
-        return path, text
-
-    def _need(self, one: Element, key: str, scope: Scope) -> str:
-        if key not in one.attributes:
-            raise XacroError(f"`{one.name}` has no `{key}`", f"write {key}=... into it")
-        return self._text(one.attributes[key], scope)
 
     def _arg(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
         name = self._need(one, "name", scope)
@@ -201,13 +150,6 @@ class _Expansion:
         self._beside.pop()
         self._calls -= 1
         return found
-
-    def _deeper(self) -> None:
-        self._calls += 1
-        if self._calls > MOST_CALLS:
-            raise XacroError(
-                f"macros and files are more than {MOST_CALLS} in each other", "look for a circle"
-            )
 
     def _call_by_name(self, one: Element, scope: Scope, depth: int) -> list[Element]:
         return self._call(self._need(one, "macro", scope), one, scope, depth)

@@ -1,0 +1,83 @@
+"""Texts of a file that is expanded: what they stand for, what files they name, what all that may cost."""
+
+from ropsim.exchange.notes import shown
+from ropsim.exchange.options import ReadOptions
+from ropsim.exchange.xacro.scope import Scope
+from ropsim.exchange.xacro.substitution import text_of, value_of_text
+from ropsim.exchange.xacro.values import Value, XacroError
+from ropsim.exchange.xacro.yaml_values import yaml_value
+from ropsim.exchange.xml_tree import MOST_ELEMENTS, Element
+
+MOST_CALLS = 40
+"""Macros and included files in each other."""
+MOST_DEPTH = 100
+"""Elements in each other, with those of the macros that they call."""
+MOST_CHARACTERS = 1_000_000
+"""Of all texts that are looked at or made."""
+MOST_STEPS = 5 * MOST_ELEMENTS
+"""Elements that are looked at, over and over as macros are called."""
+
+
+class Texts:
+    """Texts of one expansion, with its arguments and the folder of the file that is read now."""
+
+    def __init__(self, options: ReadOptions) -> None:
+        self._folder = options.folder
+        self._given = options.arguments
+        self._arguments: dict[str, str] = dict(options.arguments)
+        self._files: dict[str, Value] = {}
+        self._beside = [options.folder.beside]
+        self._steps = self._made = self._characters = self._calls = 0
+
+    def _step(self, depth: int) -> None:
+        """Count an element that is looked at."""
+        self._steps += 1
+        if self._steps > MOST_STEPS or depth > MOST_DEPTH:
+            raise XacroError("the file becomes too much, or too deep", "look for a macro that calls itself")
+
+    def _spend(self, characters: int) -> None:
+        """Count characters that are looked at or made."""
+        self._characters += characters
+        if self._characters > MOST_CHARACTERS:
+            raise XacroError("the file becomes too much", "look for a macro that calls itself")
+
+    def _make(self) -> None:
+        """Count an element that is made."""
+        self._made += 1
+        if self._made > MOST_ELEMENTS:
+            raise XacroError(f"the file becomes more than {MOST_ELEMENTS} elements", "cut it down")
+
+    def _deeper(self) -> None:
+        self._calls += 1
+        if self._calls > MOST_CALLS:
+            raise XacroError(
+                f"macros and files are more than {MOST_CALLS} in each other", "look for a circle"
+            )
+
+    def _value(self, text: str, scope: Scope) -> Value:
+        self._spend(len(text))
+        return value_of_text(text, scope, self._arguments)
+
+    def _text(self, text: str, scope: Scope) -> str:
+        self._spend(len(text))
+        return text_of(text, scope, self._arguments)
+
+    def _need(self, one: Element, key: str, scope: Scope) -> str:
+        if key not in one.attributes:
+            raise XacroError(f"`{one.name}` has no `{key}`", f"write {key}=... into it")
+        return self._text(one.attributes[key], scope)
+
+    def _loaded(self, name: str) -> Value:
+        if name not in self._files:
+            self._files[name] = yaml_value(self._text_of_file(name)[1])
+        return self._files[name]
+
+    def _text_of_file(self, name: str) -> tuple[str, str]:
+        """Return path and text of a file that is named in the one that is expanded."""
+        path = self._folder.path(name, self._beside[-1])
+        text = self._folder.text(path) if path else None
+        if path is None or text is None:
+            words = f"the file `{shown(name)}` is not there, or not inside of the given folders"
+            raise XacroError(words, "give the folder of its package")
+        self._spend(len(text) // 10)
+        return path, text
