@@ -2,13 +2,16 @@
 
 from math import inf, pi
 
-from ropsim.exchange.description import Connection, Motion
-from ropsim.exchange.diagnostics import LIMIT_UNKNOWN
+from ropsim.exchange.description import Connection, Limits, Motion
+from ropsim.exchange.diagnostics import ELEMENT_MISSING, LIMIT_UNKNOWN
 from ropsim.exchange.notes import Notes, listed
 from ropsim.model import JointLimits
 
 WITHOUT_END = 400.0 * 2.0 * pi
 """Limit of a joint that turns without end [rad]."""
+
+UNSAID = Limits(-inf, inf)
+"""Limits of a joint that needs some, and whose file says none."""
 
 _SPEEDS = {Motion.TURN: pi, Motion.SLIDE: 0.5}  # [rad/s | m/s]
 _TO_SPEED = 0.25  # [s] until the greatest speed is reached with the greatest acceleration
@@ -20,9 +23,8 @@ def limits_of(one: Connection) -> JointLimits:
     speed = one.limits.speed or _SPEEDS[one.motion]
     acceleration = one.limits.acceleration or speed / _TO_SPEED
     jerk = one.limits.jerk or acceleration / _TO_ACCELERATION
-    return JointLimits(
-        one.limits.lower, one.limits.upper, speed, acceleration, jerk, one.limits.effort or inf
-    )
+    lower, upper = max(one.limits.lower, -WITHOUT_END), min(one.limits.upper, WITHOUT_END)
+    return JointLimits(lower, upper, speed, acceleration, jerk, one.limits.effort or inf)
 
 
 def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
@@ -35,7 +37,12 @@ def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
 
 
 def unknown_limits(joints: list[Connection], notes: Notes) -> None:
-    """Note the limits that are estimated, and the efforts that are not known."""
+    """Note the limits that are estimated, the efforts that are not known, and ends that nobody can guess."""
+    for one in joints:
+        if one.limits.lower == -inf:
+            words = f"joint `{one.name}` has no limits"
+            hint = "write the lower and upper limit of its coordinate into the file"
+            notes.add(ELEMENT_MISSING, one.span, words, hint)
     missing = [*unknown_names(joints).items()]
     efforts = tuple(one.name for one in joints if not one.limits.effort)
     if efforts:

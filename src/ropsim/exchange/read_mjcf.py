@@ -7,7 +7,6 @@ from ropsim.core import SourceText
 from ropsim.exchange.assembly import read_robot
 from ropsim.exchange.description import Connection, Description, Motion
 from ropsim.exchange.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.joint_limits import WITHOUT_END
 from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
 from ropsim.exchange.mjcf.actuators import axis_names, driven
 from ropsim.exchange.mjcf.bodies import BodyReader
@@ -71,7 +70,6 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
     connections = driven(coupled(reader.connections, root, notes), root, settings, notes)
     axes = axis_names(connections, root)
     connections = limited(connections, axes, root, notes)
-    _bounded(connections, notes)
     _losses(root, notes)
     return Description(
         root.attributes.get("model", "").strip() or "robot",
@@ -83,13 +81,6 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         axes=axes,
         frames=reader.frames,
     )
-
-
-def _bounded(connections: tuple[Connection, ...], notes: Notes) -> None:
-    for one in connections:
-        if one.motion is Motion.SLIDE and one.following is None and one.limits.upper >= WITHOUT_END:
-            words = f"joint `{one.name}` slides without limits"
-            notes.add(ELEMENT_MISSING, one.span, words, 'write range="lower upper" into it')
 
 
 def _gravity(root: Element, notes: Notes) -> tuple[float, float, float]:

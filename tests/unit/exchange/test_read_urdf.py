@@ -142,6 +142,16 @@ def test_a_joint_beside_the_way_to_the_tip_rests_and_its_link_weighs_on() -> Non
     assert read(ARM, tip="finger").n == 3
 
 
+def test_a_joint_without_limits_matters_only_where_it_is_an_axis() -> None:
+    """Published files end in passive cylinders that have none."""
+    text = ARM.replace('<limit lower="0.01" upper="0.05" effort="10" velocity="0.1"/>', "")
+    assert read(text) == read(ARM.replace('lower="0.01"', 'lower="-0.01"'))
+    found = read_urdf(SourceText("arm.urdf", text), ReadOptions("finger"))
+    assert [(one.code, one.message) for one in found.findings if one.is_error] == [
+        ("X982", "joint `grip` has no limits")
+    ]
+
+
 def test_losses_name_the_entities() -> None:
     codes = {one.code: one for one in read_urdf(SourceText("arm.urdf", ARM)).findings}
     assert "`camera`" in " ".join(

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.exchange.description import Connection, Limits, Motion, Resistance
 from ropsim.exchange.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
-from ropsim.exchange.joint_limits import WITHOUT_END
+from ropsim.exchange.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.exchange.notes import Notes, shown
@@ -15,6 +15,7 @@ from ropsim.exchange.values import direction_of, number_of, numbers_of
 from ropsim.exchange.xml_tree import Element
 from ropsim.spatial import Pose
 
+_FREE = Limits(-WITHOUT_END, WITHOUT_END)
 _MOTIONS = {"hinge": Motion.TURN, "slide": Motion.SLIDE}
 
 
@@ -52,7 +53,7 @@ def connection_of(
         made,
         axis=direction_of(joint, "axis", notes, (0.0, 0.0, 1.0)),
         zero=number_of(joint, "ref", notes) * unit,
-        limits=_limits(joint, name, unit, settings, notes),
+        limits=_limits(joint, name, made.motion, unit, settings, notes),
         resistance=_resistance(joint, name, notes),
     )
 
@@ -62,17 +63,19 @@ def anchor_of(joint: Element, notes: Notes) -> np.ndarray:
     return np.array(numbers_of(joint, "pos", notes, (0.0, 0.0, 0.0)))
 
 
-def _limits(joint: Element, name: str, unit: float, settings: Settings, notes: Notes) -> Limits:
+def _limits(
+    joint: Element, name: str, motion: Motion, unit: float, settings: Settings, notes: Notes
+) -> Limits:
     effort = _most(joint, "actuatorfrcrange", notes)
     said = joint.attributes.get("limited", "auto")
     limited = said == "true" or (said == "auto" and settings.limits == "true" and "range" in joint.attributes)
     if not limited:
-        return Limits(-WITHOUT_END, WITHOUT_END, effort=effort)
+        return replace(UNSAID if motion is Motion.SLIDE else _FREE, effort=effort)
     lower, upper = (unit * value for value in numbers_of(joint, "range", notes, (0.0, 0.0)))
     if not lower < upper:
         words = f"joint `{name}` has the lower limit {lower:g} and the upper limit {upper:g} [rad, m]"
         notes.add(BAD_NUMBER, joint.span, words, "the lower limit must be the smaller number")
-        return Limits(-WITHOUT_END, WITHOUT_END)
+        return _FREE
     return Limits(lower, upper, effort=effort)
 
 

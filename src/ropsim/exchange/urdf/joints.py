@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from ropsim.exchange.description import Connection, Following, Limits, Motion, Resistance
 from ropsim.exchange.diagnostics import BAD_NUMBER, ELEMENT_MISSING, JOINT_IMPOSSIBLE
-from ropsim.exchange.joint_limits import WITHOUT_END
+from ropsim.exchange.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.notes import Notes, shown
 from ropsim.exchange.urdf.poses import origin_of
@@ -60,12 +60,7 @@ def _link(joint: Element, side: str, notes: Notes) -> str | None:
 def _limits(joint: Element, kind: str, notes: Notes) -> Limits:
     limit, name = joint.first("limit"), joint.attributes["name"]
     if limit is None:
-        if kind != "continuous":
-            words = f"joint `{name}` of type `{kind}` has no limits"
-            notes.add(
-                ELEMENT_MISSING, joint.span, words, "write <limit lower=... upper=... velocity=.../> into it"
-            )
-        return _FREE
+        return _FREE if kind == "continuous" else UNSAID
     lower, upper = number_of(limit, "lower", notes), number_of(limit, "upper", notes)
     if kind == "continuous":
         lower, upper = _FREE.lower, _FREE.upper
