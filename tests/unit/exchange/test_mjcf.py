@@ -184,3 +184,9 @@ def test_the_tip_is_a_body_or_a_site(name: str) -> None:
         robot.X_nM.position[2 if name == "tcp" else 0] == 0.0
     )  # j2 turns about x: its z is the x of the body
     assert float(np.linalg.norm(robot.X_nM.position)) == pytest.approx(0.3 if name == "tcp" else 0.0)
+
+
+def test_names_that_are_blank_are_given() -> None:
+    robot = read_mjcf(SourceText("a.xml", ARM.replace('name="j2"', 'name=" "'))).robot
+    assert robot is not None
+    assert [joint.name for joint in robot.joints] == ["j1", "b_joint"]

@@ -15,7 +15,7 @@ def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, .
     """Return the joints that are driven: those with actuators in the order of these, then the others."""
     free = [one.name for one in connections if one.motion is not Motion.NONE and one.following is None]
     parts = [one for actuator in root.all("actuator") for one in actuator.children]
-    named = [one.attributes.get("joint", "") for one in parts]
+    named = [one.attributes.get("joint", "").strip() for one in parts]
     return tuple(dict.fromkeys([*(name for name in named if name in set(free)), *free]))
 
 
@@ -28,7 +28,7 @@ def driven(
     for one in (part for actuator in root.all("actuator") for part in actuator.children):
         if one.name != "motor":
             others.append(one)
-        name = one.attributes.get("joint", one.attributes.get("jointinparent", ""))
+        name = one.attributes.get("joint", one.attributes.get("jointinparent", "")).strip()
         most = _most(settings.whole(one, MAIN), notes)
         if most:
             efforts.setdefault(name, most)

@@ -66,7 +66,7 @@ class BodyReader:
         """Read a body; return its elements with their frames and classes, and its own frame in its body."""
         settings, notes = self._settings, self._notes
         self._count += 1
-        name = element.attributes.get("name") or (f"body_{self._count}" if parent else WORLD)
+        name = element.attributes.get("name", "").strip() or (f"body_{self._count}" if parent else WORLD)
         own = class_of(element, "childclass", inherited, settings, notes)
         parts = self._parts(element, own)
         X_BO = self._joints(parts, name, parent, X) if parent else Pose()
@@ -113,7 +113,7 @@ class BodyReader:
             return Pose()
         carrier = parent
         for place, joint in enumerate(joints, start=1):
-            called = joint.attributes.get("name") or (
+            called = joint.attributes.get("name", "").strip() or (
                 f"{name}_joint" if len(joints) == 1 else f"{name}_joint_{place}"
             )
             child = name if place == len(joints) else link_name(called)

@@ -43,8 +43,8 @@ def _following(
     if any(higher):
         words = f"joint `{follower.name}` follows by a polynomial: what is not linear in it does not go over"
         notes.add(LOST_MOTION, constraint.span, words)
-    other = constraint.attributes.get("joint2")
-    if other is None:
+    other = constraint.attributes.get("joint2", "").strip()
+    if not other:
         return Following((), follower.zero + a0)
     if other not in known:
         notes.unknown(UNKNOWN_ENTITY, constraint.span, f"joint `{follower.name}` follows joint", other, known)
