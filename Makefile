@@ -56,7 +56,7 @@ pictures:
 
 clean:
 	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
-	rm -rf .benchmarks examples/*/out frontend/node_modules frontend/dist src/ropsim/static
+	rm -rf .benchmarks examples/*/out frontend/node_modules frontend/dist src/ropsim/static src/ropsim/prolog/data
 	find src tests tools benchmarks -name __pycache__ -type d -prune -exec rm -rf '{}' +
 
 .PHONY: help demo test check bench docs pictures clean

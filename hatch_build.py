@@ -1,5 +1,8 @@
 """Build the pages of the studio and the replay into `src/ropsim/static`, where their sources have changed.
 
+SWI-Prolog comes the same way: it is one of the npm packages of the lock file, and its files are copied to
+`src/ropsim/prolog/data` when their SHA-256 is the one that is written down here.
+
 The build back-end calls `PagesHook`. Node comes as a wheel, which is asked for only when there is something
 to build; the machine needs no Node of its own. An sdist carries the pages instead of their sources: nothing
 is built there. `ROPSIM_SKIP_FRONTEND=1` leaves the pages as they are.
@@ -26,6 +29,13 @@ MADE = {"node_modules", "dist", "generated"}
 """Folders of `frontend/` that tools write."""
 SHOWN = tuple(Path("docs", "reference", name) for name in ("language.md", "cell-file.md", "commands.md"))
 """Pages of the documentation that the studio shows as help: sources of its pages, too."""
+PROLOG = {
+    "dist/swipl/swipl-web.wasm": "3223ce237f3ec3f02266a4a07a7cfa7294dd8d5696dce93d305d424e35e66615",
+    "dist/swipl/swipl-web.data": "f6ea3ce279e5a11db99ac22e770636c9e8068963624bae5d2e4896d5454e9740",
+    "dist/swipl/swipl-web.js": "fd829b58dec85887db0ad015fe79bcd0d143c7054a55b73819113361f2fa43ff",
+    "LICENSE.txt": "770594d0f4463b71f1485f00e4bc5cf4b6f667d62ef6bc9bde2fee236541992a",
+}
+"""Files of the npm package `swipl-wasm` that are carried, with their SHA-256."""
 FIRST, LAST = 12, 20
 """How many lines of npm's output a failure shows: npm says the cause first, the tools it runs say it last."""
 
@@ -60,12 +70,19 @@ def is_stale(root: Path) -> bool:
     if os.environ.get("ROPSIM_SKIP_FRONTEND") == "1" or not (root / "frontend").is_dir():
         return False
     stamp = stamp_of(root)
+    if not all((prolog_folder(root) / Path(name).name).is_file() for name in PROLOG):
+        return True
     return not stamp.is_file() or stamp.read_text("ascii", errors="replace") != digest(root)
 
 
 def stamp_of(root: Path) -> Path:
     """Return the file that holds the digest of the sources which the pages were built from."""
     return root / "src" / "ropsim" / "static" / ".build"
+
+
+def prolog_folder(root: Path) -> Path:
+    """Return the folder of the files of SWI-Prolog."""
+    return root / "src" / "ropsim" / "prolog" / "data"
 
 
 def sources(root: Path) -> Iterator[Path]:
@@ -90,7 +107,7 @@ def build(root: Path) -> None:
     """Build the pages from a copy of their sources and put them in place of the old ones.
 
     Raises:
-        PagesError: Node is missing or npm fails.
+        PagesError: Node is missing, npm fails, or SWI-Prolog is not the one that is known here.
     """
     begun = time.time()
     with tempfile.TemporaryDirectory(prefix="ropsim-pages-") as name:
@@ -101,11 +118,29 @@ def build(root: Path) -> None:
         built_from = digest(Path(name))  # of the copy: the sources may be edited meanwhile
         copy = Path(name, "frontend")
         npm(copy, "ci", "--include=dev", "--ignore-scripts", "--no-audit", "--no-fund")
+        prolog = prolog_files(copy / "node_modules" / "swipl-wasm", Path(name, "prolog"))
         npm(copy, "run", "build")
         stamp = copy / "dist" / ".build"
         stamp.write_text(built_from, "ascii")
         os.utime(stamp, (begun, begun))  # whatever is edited from now on is newer
+        replace(prolog_folder(root), prolog, root / "build")
         replace(stamp_of(root).parent, copy / "dist", root / "build")
+
+
+def prolog_files(package: Path, target: Path) -> Path:
+    """Copy the files of SWI-Prolog from an npm package to a new folder and return it.
+
+    Raises:
+        PagesError: a file is missing or has another content.
+    """
+    target.mkdir()
+    for name, wanted in PROLOG.items():
+        path = package / name
+        found = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else "no such file"
+        if found != wanted:
+            raise PagesError(f"`{name}` of the npm package swipl-wasm: SHA-256 is {found}, allowed is {wanted}")
+        shutil.copy2(path, target / path.name)
+    return target
 
 
 def replace(old: Path, new: Path, beside: Path) -> None:
@@ -115,6 +150,7 @@ def replace(old: Path, new: Path, beside: Path) -> None:
     the new one or none, never half of one.
     """
     beside.mkdir(exist_ok=True)
+    old.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="pages-", dir=beside) as name:
         fresh = shutil.copytree(new, Path(name, "new"))
         if old.exists():
@@ -151,7 +187,7 @@ def failure(arguments: tuple[str, ...], code: int, lines: list[str]) -> str:
             f"the pages of the studio cannot be built: `npm {step}` failed with exit code {code}:",
             *["", *told, ""],
             "Building them needs the npm registry once. ROPSIM_SKIP_FRONTEND=1 installs without the pages:",
-            "everything works but `ropsim studio` and the 3-D replay of reports.",
+            "everything works but `ropsim studio`, the 3-D replay of reports and knowledge bases.",
         ]
     )
 

@@ -13,6 +13,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PAGES = {"studio/index.html", "studio/assets/index-1a2b3c.js", "replay/replay.js", "replay/replay.css"}
+PROLOG = {Path(name).name for name in hatch_build.PROLOG}
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +32,9 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
         page = package / "static" / name
         page.parent.mkdir(parents=True, exist_ok=True)
         page.write_text(name)
+    hatch_build.prolog_folder(root).mkdir(parents=True)
+    for name in PROLOG:
+        (hatch_build.prolog_folder(root) / name).write_text(name)
     (root / "frontend" / "src").mkdir(parents=True)
     (root / "frontend" / "src" / "main.ts").write_text("1")
     hatch_build.stamp_of(root).write_text(hatch_build.digest(root))
@@ -68,6 +72,7 @@ def contents(wheel: Path) -> dict[str, str]:
 def test_an_sdist_carries_built_pages_and_no_sources_of_them(unpacked: Path) -> None:
     static = unpacked / "src" / "ropsim" / "static"
     assert {path.relative_to(static).as_posix() for path in static.rglob("*") if path.is_file()} == PAGES
+    assert {path.name for path in hatch_build.prolog_folder(unpacked).iterdir()} == PROLOG
     assert not (unpacked / "frontend").exists()
     assert (unpacked / "hatch_build.py").is_file()
     assert not hatch_build.is_stale(unpacked)
@@ -76,6 +81,7 @@ def test_an_sdist_carries_built_pages_and_no_sources_of_them(unpacked: Path) -> 
 def test_a_wheel_carries_the_pages_and_the_examples(project: Path, tmp_path: Path) -> None:
     names = set(contents(built(project, "wheel", tmp_path)))
     assert {f"ropsim/static/{name}" for name in PAGES} <= names
+    assert {f"ropsim/prolog/data/{name}" for name in PROLOG} <= names
     assert "ropsim/examples/palletizing/cell.toml" in names
     assert [name for name in names if "frontend" in name or name.endswith(".build")] == []
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 FRONTEND = Path(__file__).parents[2] / "frontend"
-LICENCES = {"MIT", "ISC"}
+LICENCES = {"MIT", "ISC", "BSD-2-Clause"}
 """Of what the pages carry; tools that only build them may have others."""
 
 pytestmark = pytest.mark.skipif(not FRONTEND.is_dir(), reason="an sdist has no sources of pages")

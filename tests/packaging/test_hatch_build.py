@@ -3,6 +3,7 @@
 A Python script stands in for npm here: the real one needs its registry.
 """
 
+import hashlib
 import sys
 from pathlib import Path
 
@@ -14,6 +15,8 @@ NPM = """\
 import pathlib, sys
 frontend = pathlib.Path.cwd()
 if sys.argv[1] == "ci":
+    (frontend / "node_modules" / "swipl-wasm").mkdir(parents=True)
+    (frontend / "node_modules" / "swipl-wasm" / "swipl.wasm").write_text("engine")
     exec(pathlib.Path({script!r}).read_text())
 else:
     (frontend / "dist" / "studio").mkdir(parents=True)
@@ -33,6 +36,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     npm = tmp_path / "npm.py"
     npm.write_text(NPM.format(script=str(tmp_path / "on_ci.py")))
     monkeypatch.setattr(hatch_build, "npm_command", lambda: [sys.executable, str(npm)])
+    monkeypatch.setattr(hatch_build, "PROLOG", {"swipl.wasm": hashlib.sha256(b"engine").hexdigest()})
     monkeypatch.delenv("ROPSIM_SKIP_FRONTEND", raising=False)
     return root
 
@@ -53,6 +57,28 @@ def test_pages_are_stale_until_built(project: Path) -> None:
     build(project)
     assert not is_stale(project)
     assert pages(project) == {"index.html": "1"}
+
+
+def test_prolog_is_taken_from_its_package_and_missed_when_it_is_gone(project: Path) -> None:
+    build(project)
+    (file,) = hatch_build.prolog_folder(project).iterdir()
+    assert file.read_text() == "engine"
+    file.unlink()
+    assert is_stale(project)
+    build(project)
+    assert file.read_text() == "engine"
+    assert not is_stale(project)
+
+
+@pytest.mark.parametrize("change", ["write_text('other')", "unlink()"])
+def test_another_prolog_is_refused_and_the_old_one_stays(project: Path, tmp_path: Path, change: str) -> None:
+    build(project)
+    (project / "frontend" / "src" / "main.ts").write_text("2")
+    (tmp_path / "on_ci.py").write_text(f"(frontend / 'node_modules/swipl-wasm/swipl.wasm').{change}")
+    with pytest.raises(PagesError, match=r"`swipl.wasm` of the npm package swipl-wasm: SHA-256 is .*, allowed"):
+        build(project)
+    assert pages(project) == {"index.html": "1"}
+    assert [file.read_text() for file in hatch_build.prolog_folder(project).iterdir()] == ["engine"]
 
 
 @pytest.mark.parametrize("name", ["src/main.ts", "src/new.ts", "package-lock.json", "vite.config.ts"])
