@@ -138,7 +138,9 @@ def prolog_files(package: Path, target: Path) -> Path:
         path = package / name
         found = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else "no such file"
         if found != wanted:
-            raise PagesError(f"`{name}` of the npm package swipl-wasm: SHA-256 is {found}, allowed is {wanted}")
+            raise PagesError(
+                f"`{name}` of the npm package swipl-wasm: SHA-256 is {found}, allowed is {wanted}"
+            )
         shutil.copy2(path, target / path.name)
     return target
 

@@ -24,6 +24,7 @@ BANDS = {
     "X8": "Projects, cell files, models, recordings",
     "X9": "Robots in files",
     "U9": "Use of the commands",
+    "P1": "Knowledge bases",
 }
 
 

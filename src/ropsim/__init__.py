@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ropsim import model as model
     from ropsim import motion as motion
     from ropsim import program as program
+    from ropsim import prolog as prolog
     from ropsim import records as records
     from ropsim import robotfile as robotfile
     from ropsim import robots as robots
@@ -56,6 +57,7 @@ __all__ = [
     "motion",
     "open",
     "program",
+    "prolog",
     "records",
     "robotfile",
     "robots",

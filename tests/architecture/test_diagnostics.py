@@ -34,6 +34,7 @@ BANDS = {
     "lsp": {"U9"},
     "studio": {"U9"},
     "cli": {"U9"},
+    "prolog": {"P1"},
 }
 
 

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 SERVING = ("msgspec", "starlette", "uvicorn", "websockets")
-HEAVY = ("numpy", "numba", "scipy", "pandas", *SERVING)
+HEAVY = ("numpy", "numba", "scipy", "pandas", "wasmtime", *SERVING)
 
 
 def loaded_after(program: str) -> set[str]:

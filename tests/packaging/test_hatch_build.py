@@ -75,7 +75,9 @@ def test_another_prolog_is_refused_and_the_old_one_stays(project: Path, tmp_path
     build(project)
     (project / "frontend" / "src" / "main.ts").write_text("2")
     (tmp_path / "on_ci.py").write_text(f"(frontend / 'node_modules/swipl-wasm/swipl.wasm').{change}")
-    with pytest.raises(PagesError, match=r"`swipl.wasm` of the npm package swipl-wasm: SHA-256 is .*, allowed"):
+    with pytest.raises(
+        PagesError, match=r"`swipl.wasm` of the npm package swipl-wasm: SHA-256 is .*, allowed"
+    ):
         build(project)
     assert pages(project) == {"index.html": "1"}
     assert [file.read_text() for file in hatch_build.prolog_folder(project).iterdir()] == ["engine"]

@@ -10,6 +10,7 @@ from ropsim.core.diagnostic import TextEdit as TextEdit
 from ropsim.core.errors import RopsimError as RopsimError
 from ropsim.core.files import cache_folder as cache_folder
 from ropsim.core.files import read_bytes as read_bytes
+from ropsim.core.files import read_own_bytes as read_own_bytes
 from ropsim.core.files import replace_file as replace_file
 from ropsim.core.files import replace_private_file as replace_private_file
 from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass

@@ -20,6 +20,21 @@ def read_bytes(path: Path) -> bytes:
     return path.read_bytes()
 
 
+def read_own_bytes(path: Path) -> bytes:
+    """Return the content of a file that nobody but the user could have written.
+
+    Raises:
+        OSError: the file cannot be read; `PermissionError` where it is a link or others may write it.
+    """
+    with os.fdopen(
+        os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)), "rb"
+    ) as stream:
+        found = os.fstat(stream.fileno())
+        if sys.platform != "win32" and (found.st_uid != os.geteuid() or found.st_mode & 0o022):
+            raise PermissionError(f"{path} could have been written by others")
+        return stream.read()
+
+
 def replace_file(path: Path, content: bytes) -> None:
     """Write `content` to `path` in one step: a crash leaves the old file, never half a new one.
 

@@ -1,0 +1,18 @@
+"""SWI-Prolog inside the Python process: knowledge bases are checked, loaded and asked, and call Python."""
+
+from ropsim.prolog.answers import Answer as Answer
+from ropsim.prolog.answers import Answers as Answers
+from ropsim.prolog.engine import Engine as Engine
+from ropsim.prolog.engine import Trust as Trust
+from ropsim.prolog.errors import GoalError as GoalError
+from ropsim.prolog.limits import Limits as Limits
+from ropsim.prolog.predicate import Predicate as Predicate
+from ropsim.prolog.predicate import Sort as Sort
+from ropsim.prolog.predicate import question as question
+from ropsim.prolog.reading import UnreadableError as UnreadableError
+from ropsim.prolog.reading import read_term as read_term
+from ropsim.prolog.terms import Atom as Atom
+from ropsim.prolog.terms import Struct as Struct
+from ropsim.prolog.terms import Term as Term
+from ropsim.prolog.terms import Var as Var
+from ropsim.prolog.writing import write_term as write_term

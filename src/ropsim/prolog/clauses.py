@@ -1,0 +1,126 @@
+"""What is wrong with the clauses of a text, from what Prolog read of it."""
+
+from bisect import bisect_right
+from collections.abc import Iterator
+
+from ropsim.core import Diagnostic, SourceText, Span, did_you_mean
+from ropsim.prolog.diagnostics import CLAUSE_SYNTAX, SCATTERED, SINGLETON, UNKNOWN_PREDICATE
+from ropsim.prolog.failures import failure_of
+from ropsim.prolog.syntax_words import syntax_words
+from ropsim.prolog.terms import Atom, Struct, Term
+
+
+class Places:
+    """Turns numbers of characters into lines and columns; every kind of line end is understood."""
+
+    def __init__(self, text: SourceText) -> None:
+        self._name = text.name
+        self._starts = [0]
+        place = 0
+        characters = text.text
+        for line in text.lines[:-1]:
+            place += len(line)
+            place += 2 if characters.startswith("\r\n", place) else 1
+            self._starts.append(place)
+        self._end = len(characters)
+
+    def span(self, start: int, end: int) -> Span:
+        """Return the span of the characters from `start` to `end`, counted from 0."""
+        start, end = min(max(start, 0), self._end), min(max(end, 0), self._end)
+        line, column = self._at(start)
+        end_line, end_column = self._at(max(end, start))
+        if (end_line, end_column) == (line, column):
+            end_column += 1
+        return Span(self._name, line, column, end_line, end_column)
+
+    def _at(self, place: int) -> tuple[int, int]:
+        line = bisect_right(self._starts, place)
+        return line, place - self._starts[line - 1] + 1
+
+
+def findings_of(text: SourceText, reply: Term) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with a text, in the order of the text.
+
+    Raises:
+        GoalError: reading was stopped, or ended with an error.
+    """
+    match reply:
+        case Struct("checked", (tuple(items), tuple(unknown), tuple(names))):
+            places = Places(text)
+            found = [
+                *_syntax(places, items),
+                *_singletons(places, items),
+                *_scattered(places, items),
+                *_unknown(places, unknown, names),
+            ]
+            return tuple(
+                sorted(found, key=lambda one: (one.span.line, one.span.column) if one.span else (0, 0))
+            )
+    raise failure_of(reply)
+
+
+def _syntax(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:
+    for item in items:
+        match item:
+            case Struct("error", (int(place), message)):
+                words, hint = syntax_words(message)
+                yield CLAUSE_SYNTAX.at(places.span(place, place + 1), words, hint=hint)
+
+
+def _singletons(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:
+    for item in items:
+        match item:
+            case Struct("clause", (_, _, _, _, _, tuple(singles))):
+                for single in singles:
+                    match single:
+                        case Struct("single", (Atom(name), int(start), int(end))):
+                            yield SINGLETON.at(
+                                places.span(start, end),
+                                f"variable `{name}` occurs only once in its clause",
+                                hint=f"write `_{name}` or `_` where that is meant",
+                            )
+
+
+def _scattered(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:
+    declared = {
+        _words(item.arguments[0]) for item in items if isinstance(item, Struct) and item.name == "declared"
+    }
+    seen: set[str] = set()
+    before = ""
+    for item in items:
+        match item:
+            case Struct("clause", (_, _, indicator, int(start), int(end), _)):
+                name = _words(indicator)
+                if name != before and name in seen and name not in declared:
+                    yield SCATTERED.at(
+                        places.span(start, end),
+                        f"clauses of `{name}` do not stand together",
+                        hint=f"move this one to the others, or write `:- discontiguous {name}.`",
+                    )
+                seen.add(name)
+                before = name
+
+
+def _unknown(places: Places, unknown: tuple[Term, ...], names: tuple[Term, ...]) -> Iterator[Diagnostic]:
+    by_name: dict[str, list[str]] = {}
+    for name in map(_words, names):
+        by_name.setdefault(name.rpartition("/")[0], []).append(name)
+    for call in unknown:
+        match call:
+            case Struct("call", (Struct("/", (Atom(name), int(arity))), int(start), int(end))):
+                others = by_name.get(name, [])
+                hint = (
+                    f"there is {' and '.join(f'`{one}`' for one in others[:3])}"
+                    if others
+                    else did_you_mean(name, by_name)
+                )
+                yield UNKNOWN_PREDICATE.at(
+                    places.span(start, end), f"predicate `{name}/{arity}` is defined nowhere", hint=hint
+                )
+
+
+def _words(indicator: Term) -> str:
+    match indicator:
+        case Struct("/", (Atom(name), int(arity))):
+            return f"{name}/{arity}"
+    return "?"

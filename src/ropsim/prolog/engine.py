@@ -1,0 +1,240 @@
+"""The engine of knowledge bases: texts, facts and functions in, answers out; it survives its Prolog."""
+
+from collections.abc import Iterable
+from enum import Enum
+from pathlib import PurePosixPath
+from threading import get_ident
+
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.prolog.answers import Answer, Answers, GoalStack
+from ropsim.prolog.clauses import findings_of
+from ropsim.prolog.diagnostics import WRONG_USE
+from ropsim.prolog.door import Door
+from ropsim.prolog.errors import GoalError
+from ropsim.prolog.failures import failure_of, failures_told
+from ropsim.prolog.limits import Limits
+from ropsim.prolog.loading import load_findings, loaded_module
+from ropsim.prolog.predicate import Predicate
+from ropsim.prolog.running import RunningProlog
+from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.writing import write_term
+
+DOOR = "/ropsim/door.pl"
+
+
+class Trust(Enum):
+    """What a text may do; the values are how its goals are called."""
+
+    OWN = "open"
+    STRANGER = "safe"
+
+
+@frozen_dataclass
+class _Loaded:
+    """A text that is in the engine, the module that it is, and what it may do."""
+
+    path: str
+    content: bytes
+    module: str
+    trust: Trust
+
+    def request(self) -> Term:
+        """Return the request to load it."""
+        return Struct("load", (Atom(self.path), Atom(self.module), Atom(self.trust.value)))
+
+
+class Engine:
+    """A Prolog with knowledge bases; it starts when it is first needed, and comes again after a crash.
+
+    One thread uses it; only `cancel` may be called by others. What goals assert lives until the next crash:
+    what has to stay is given with `put_facts`.
+    """
+
+    def __init__(self, limits: Limits | None = None) -> None:
+        self.limits = limits or Limits()
+        self._thread = get_ident()
+        self._running: RunningProlog | None = None
+        self._door = Door()
+        self._texts: dict[str, _Loaded] = {}
+        self._facts: dict[str, tuple[Term, ...]] = {}
+        self._stack = GoalStack()
+
+    def check(self, text: SourceText) -> tuple[Diagnostic, ...]:
+        """Return what is wrong with a text, clause by clause, without loading it; its directives are not run.
+
+        Raises:
+            GoalError: reading took too long or too much.
+        """
+        request = Struct("check", (text.text, Atom(PurePosixPath(text.name).stem)))
+        return findings_of(text, self._once("check", request))
+
+    def consult(self, text: SourceText, trust: Trust = Trust.STRANGER) -> tuple[Diagnostic, ...]:
+        """Load a text, in place of the one that had its name; return what is wrong with it.
+
+        It is loaded into the module that it declares, else into one with the name of its file, without folder
+        and ending. A text with errors is not loaded, nor is it there as it was before.
+
+        Raises:
+            GoalError: loading took too long or too much.
+        """
+        self.forget(text.name)
+        findings = self.check(text)
+        if any(one.is_error for one in findings):
+            return findings
+        loaded = _Loaded(
+            f"/kb/{text.name.lstrip('/')}",
+            text.text.encode(errors="replace"),
+            PurePosixPath(text.name).stem,
+            trust,
+        )
+        reply = self._load(self._prolog(), loaded)
+        findings = (*findings, *load_findings(text, reply))
+        if any(one.is_error for one in findings):
+            self._once("forget", Atom(loaded.path))
+        else:
+            self._texts[text.name] = _Loaded(loaded.path, loaded.content, loaded_module(reply), trust)
+        return findings
+
+    def forget(self, name: str) -> None:
+        """Take the text of a name out of the engine, and all that it defined."""
+        loaded = self._texts.pop(name, None)
+        if loaded is not None:
+            self._once("forget", Atom(loaded.path))
+
+    def put_facts(self, module: str, facts: Iterable[Term]) -> None:
+        """Let a module hold these facts and no others, such as what is true in the cell.
+
+        Raises:
+            GoalError: a fact is no callable term, or the module is one of a text.
+        """
+        given = tuple(facts)
+        reply = self._give(self._prolog(), module, given)
+        if reply != Atom("done"):
+            raise failure_of(reply)
+        self._facts[module] = given
+
+    def register(self, predicate: Predicate) -> None:
+        """Let all texts call a function of Python as a predicate; one of its name and arity is replaced.
+
+        Raises:
+            GoalError: the name is one of Prolog's own.
+        """
+        running = self._prolog()
+        self._door.register(predicate)
+        try:
+            self._open_door(running)
+        except GoalError:
+            self._door.withdraw(predicate)
+            self._open_door(running)
+            raise
+
+    def query(
+        self, goal: str | Struct | Atom, *, module: str = "user", limits: Limits | None = None
+    ) -> Answers:
+        """Yield the answers of a goal, one by one; Prolog looks for the next when it is asked for.
+
+        Args:
+            goal: a term, or its text without a full stop.
+            module: the module in which the goal is meant.
+            limits: for this goal; those of the engine where nothing is said.
+
+        Raises:
+            GoalError: the goal cannot be read, is not allowed, ended with an error or was stopped.
+        """
+        text = goal if isinstance(goal, str) else write_term(goal)
+        bounds = limits or self.limits
+        strange = any(one.trust is Trust.STRANGER for one in self._texts.values())
+        guard = Trust.STRANGER if strange else Trust.OWN
+        inferences = Atom("none") if bounds.inferences is None else bounds.inferences
+        request = Struct("goal", (text, Atom(module), Atom(guard.value), inferences))
+        return Answers(self._prolog().ask("solve", request, bounds.seconds), self._stack)
+
+    def once(
+        self, goal: str | Struct | Atom, *, module: str = "user", limits: Limits | None = None
+    ) -> Answer | None:
+        """Return the first answer of a goal, None where it has none; all else is as with `query`."""
+        answers = self.query(goal, module=module, limits=limits)
+        try:
+            return next(answers, None)
+        finally:
+            answers.close()
+
+    def module_of(self, name: str) -> str | None:
+        """Return the module of the text of a name, or None where there is no such text."""
+        loaded = self._texts.get(name)
+        return loaded.module if loaded else None
+
+    def printed(self) -> str:
+        """Return what goals and texts have printed since the last time, up to 64 KiB."""
+        return self._running.printed() if self._running else ""
+
+    def cancel(self) -> None:
+        """Stop the goal that runs now, if any; every thread may call this."""
+        running = self._running
+        if running is not None:
+            running.cancel()
+
+    def close(self) -> None:
+        """End Prolog and all goals; it starts again when it is needed."""
+        self._stack.give_up()
+        self._door.close()
+        self._running = None
+
+    def _once(self, name: str, request: Term) -> Term:
+        """Return the reply to a request.
+
+        Raises:
+            GoalError: the reply is an error, Prolog was stopped or has crashed.
+        """
+        with failures_told():
+            reply = self._prolog().once(name, request, self.limits.seconds)
+        if isinstance(reply, Struct) and reply.name in {"stopped", "error", "uncaught"}:
+            raise failure_of(reply)
+        return reply
+
+    def _prolog(self) -> RunningProlog:
+        """Return the Prolog that runs; where there is none, start one and give it what the last one had.
+
+        Raises:
+            GoalError: the engine belongs to another thread.
+            RopsimError: SWI-Prolog is not there.
+        """
+        if get_ident() != self._thread:
+            raise GoalError(
+                WRONG_USE.at(
+                    None,
+                    "the engine belongs to the thread that made it, and another one used it",
+                    hint="make an engine in each thread",
+                )
+            )
+        running = self._running
+        if running is None or (running.has_ended and not running.is_busy):
+            self.close()
+            running = RunningProlog(self.limits, self._door.answer)
+            self._running = running
+            with failures_told():
+                self._replay(running)
+        return running
+
+    def _replay(self, running: RunningProlog) -> None:
+        self._open_door(running)
+        for module, facts in self._facts.items():
+            self._give(running, module, facts)
+        for loaded in self._texts.values():
+            self._load(running, loaded)
+
+    def _open_door(self, running: RunningProlog) -> None:
+        running.write(DOOR, self._door.text().encode())
+        with failures_told():
+            reply = running.once("open_door", Atom(DOOR), self.limits.seconds)
+        if reply != Atom("done"):
+            raise failure_of(reply)
+
+    def _load(self, running: RunningProlog, loaded: _Loaded) -> Term:
+        running.write(loaded.path, loaded.content)
+        with failures_told():
+            return running.once("load", loaded.request(), self.limits.seconds)
+
+    def _give(self, running: RunningProlog, module: str, facts: tuple[Term, ...]) -> Term:
+        with failures_told():
+            return running.once("put_facts", Struct("facts", (Atom(module), facts)), self.limits.seconds)

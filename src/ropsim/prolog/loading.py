@@ -1,0 +1,52 @@
+"""What Prolog says while it loads a text, as findings."""
+
+from collections.abc import Iterator
+
+from ropsim.core import Diagnostic, SourceText, Span
+from ropsim.prolog.diagnostics import LOAD_WARNING, NOT_LOADED
+from ropsim.prolog.failures import failure_of, quoted
+from ropsim.prolog.terms import Atom, Struct, Term
+
+CHECKED = {"syntax_error", "singletons", "discontiguous", "multitons", "undefined_procedures"}
+"""Sorts of messages about what `check` has told with better places."""
+
+
+def loaded_module(reply: Term) -> str:
+    """Return the module that a text became.
+
+    Raises:
+        GoalError: loading was stopped, or ended with an error.
+    """
+    match reply:
+        case Struct("loaded", (Atom(module), tuple())):
+            return module
+    raise failure_of(reply)
+
+
+def load_findings(text: SourceText, reply: Term) -> Iterator[Diagnostic]:
+    """Yield a finding for each message of loading.
+
+    Raises:
+        GoalError: loading was stopped, or ended with an error.
+    """
+    match reply:
+        case Struct("loaded", (_, tuple(messages))):
+            pass
+        case _:
+            raise failure_of(reply)
+    for message in messages:
+        match message:
+            case Struct("message", (Atom(kind), int(line), Atom(sort), str(words))) if sort not in CHECKED:
+                yield _finding(text, kind, line, words)
+
+
+def _finding(text: SourceText, kind: str, line: int, words: str) -> Diagnostic:
+    lines = [one.strip() for one in words.splitlines() if one.strip()]
+    message = quoted((lines[0] if lines else "refused")[:300])
+    span = Span.whole_line(text.name, min(max(line, 1), len(text.lines)))
+    notes = (quoted(" ".join(lines[1:])[:500]),) if len(lines) > 1 else ()
+    if kind == "error":
+        return NOT_LOADED.at(
+            span, message, notes=notes, hint="texts that are not trusted may do less: see P105"
+        )
+    return LOAD_WARNING.at(span, message, notes=notes)

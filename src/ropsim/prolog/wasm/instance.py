@@ -1,0 +1,165 @@
+"""The program of SWI-Prolog as it runs: imports answered, functions called by their names in C."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, cast
+
+from ropsim.core import frozen_without_equality
+from ropsim.prolog.wasm.artefact import Artefact
+from ropsim.prolog.wasm.clock_calls import ClockCalls
+from ropsim.prolog.wasm.file_calls import FileCalls
+from ropsim.prolog.wasm.files import MemoryFiles
+from ropsim.prolog.wasm.jumps import LongJump, invoke, jump
+from ropsim.prolog.wasm.memory import LinearMemory, NoAddressError
+from ropsim.prolog.wasm.module_cache import compiled
+
+if TYPE_CHECKING:
+    from wasmtime import Func, Memory, Table
+
+ENVIRONMENT = ("HOME=/kb", "PATH=/", "LANG=C.UTF-8", "USER=ropsim", "SWI_HOME_DIR=swipl")
+FOREVER = 1 << 40
+"""So many epochs no call lasts."""
+FEWEST_BYTES = 64 << 20
+"""Below this Prolog does not start."""
+
+
+class CrashError(Exception):
+    """The program has ended in the middle of a call; it is of no use any more."""
+
+
+class StoppedError(CrashError):
+    """The program was ended from outside."""
+
+
+@frozen_without_equality
+class Host:
+    """What a program is given.
+
+    Attributes:
+        memory_bytes: the most memory that it may have.
+        on_call: answers `'$js_call'(Request, Reply)`: it is given two references to terms and returns whether
+            the reply was unified.
+    """
+
+    memory_bytes: int
+    on_call: Callable[[int, int], int]
+
+
+class Instance:
+    """One program with memory and files of its own; it belongs to one thread, except for `stop`."""
+
+    def __init__(self, artefact: Artefact, host: Host) -> None:
+        from wasmtime import Config, Engine, Linker, Store
+
+        self._artefact = artefact
+        self._host = host
+        self.has_ended = False
+        self.files = MemoryFiles(artefact.library)
+        self._file_calls = FileCalls(self.files)
+        clock_calls = ClockCalls()
+        config = Config()
+        config.epoch_interruption = True
+        # An engine of its own: whoever moves its epoch on stops this program and no other.
+        self._engine: Engine = Engine(config)
+        self._store = Store(self._engine)
+        self._store.set_limits(memory_size=max(host.memory_bytes, FEWEST_BYTES))
+        self._store.set_epoch_deadline(FOREVER)
+        module = compiled(self._engine, artefact.code)
+        answers = {**self._file_calls.table(), **clock_calls.table(), **self._table()}
+        linker = Linker(self._engine)
+        for one in module.imports:
+            name = artefact.imports[one.name or ""]
+            answer = answers.get(name) or self._invoke(name)
+            linker.define_func(one.module, one.name or "", one.type, answer)  # type: ignore[arg-type]
+        exports = linker.instantiate(self._store, module).exports(self._store)
+        self._exports = {name: cast("Func", exports[short]) for name, short in artefact.exports.items()}
+        kinds = {type(one).__name__: one for one in exports.values()}
+        self._functions = cast("Table", kinds["Table"])
+        self.memory = LinearMemory(cast("Memory", kinds["Memory"]), self._store)
+        self._file_calls.memory = clock_calls.memory = self.memory
+        cast("Func", exports[artefact.start])(self._store)
+
+    def call(self, name: str, *arguments: int) -> int:
+        """Call a function of C.
+
+        Raises:
+            StoppedError: it was stopped.
+            CrashError: the program has ended, by a trap or by itself.
+        """
+        from wasmtime import Trap, TrapCode, WasmtimeError
+
+        if self.has_ended:
+            raise CrashError("the program has ended")
+        try:
+            return cast("int", self._exports[name](self._store, *arguments))
+        except LongJump:
+            raise
+        except Trap as trap:
+            self.has_ended = True
+            if trap.trap_code is TrapCode.INTERRUPT:
+                raise StoppedError("stopped") from trap
+            raise CrashError(trap.message.splitlines()[-1]) from trap
+        except (WasmtimeError, NoAddressError) as error:
+            self.has_ended = True
+            raise CrashError(str(error)) from error
+        except BaseException:  # it was left in the middle
+            self.has_ended = True
+            raise
+
+    def limit(self) -> None:
+        """Let the next `stop` end what runs from now on."""
+        self._store.set_epoch_deadline(1)
+
+    def stop(self) -> None:
+        """End what the program does now; any thread may call this."""
+        self._engine.increment_epoch()
+
+    def printed(self) -> str:
+        """Return what the program has printed since the last time."""
+        text = self._file_calls.printed.decode(errors="replace")
+        self._file_calls.printed.clear()
+        return text
+
+    def _invoke(self, name: str) -> Callable[..., int | None]:
+        """Return the function of an import that calls back into the program."""
+        if not name.startswith("invoke_"):
+            raise CrashError(f"the program wants `{name}`, which nobody answers")
+        return invoke(name, self._store, lambda: self._functions, self.call)
+
+    def _table(self) -> dict[str, Callable[..., int | None]]:
+        """Return the functions about the program itself by the names of their imports."""
+        return {
+            "emscripten_asm_const_int": self._constant,
+            "emscripten_asm_const_ptr": lambda *_: 0,
+            "emscripten_get_heap_max": lambda: self._host.memory_bytes,
+            "emscripten_resize_heap": lambda size: int(self.memory.grow(size & 0xFFFFFFFF)),
+            "emscripten_run_script": lambda _script: None,
+            "_emscripten_throw_longjmp": jump,
+            "_munmap_js": lambda *_: 0,
+            "_abort_js": lambda: _ended("abort"),
+            "exit": lambda code: _ended(f"exit with {code}"),
+            "environ_sizes_get": self._environment_sizes,
+            "environ_get": self._environment,
+        }
+
+    def _constant(self, code: int, _signature: int, arguments: int) -> int:
+        """Answer a piece of script in the program; the call of the host is the only one that matters here."""
+        if code != self._artefact.call_code:
+            return 0
+        request, reply = self.memory.unpack(arguments, "<II")
+        return self._host.on_call(request, reply)
+
+    def _environment_sizes(self, count: int, size: int) -> int:
+        self.memory.pack(count, "<I", len(ENVIRONMENT))
+        self.memory.pack(size, "<I", sum(len(one) + 1 for one in ENVIRONMENT))
+        return 0
+
+    def _environment(self, addresses: int, texts: int) -> int:
+        for one in ENVIRONMENT:
+            self.memory.pack(addresses, "<I", texts)
+            self.memory.write(texts, one.encode() + b"\0")
+            addresses, texts = addresses + 4, texts + len(one) + 1
+        return 0
+
+
+def _ended(how: str) -> None:
+    raise CrashError(f"the program has ended itself: {how}")
