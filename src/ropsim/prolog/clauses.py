@@ -1,7 +1,7 @@
 """What is wrong with the clauses of a text, from what Prolog read of it."""
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ropsim.core import Diagnostic, SourceText, Span, did_you_mean
 from ropsim.prolog.diagnostics import CLAUSE_SYNTAX, SCATTERED, SINGLETON, UNKNOWN_PREDICATE
@@ -45,13 +45,13 @@ def findings_of(text: SourceText, reply: Term) -> tuple[Diagnostic, ...]:
         GoalError: reading was stopped, or ended with an error.
     """
     match reply:
-        case Struct("checked", (tuple(items), tuple(unknown), tuple(names))):
+        case Struct("checked", (tuple(items), tuple(unknown), tuple(own), tuple(others))):
             places = Places(text)
             found = [
                 *_syntax(places, items),
                 *_singletons(places, items),
                 *_scattered(places, items),
-                *_unknown(places, unknown, names),
+                *_unknown(places, unknown, (_by_name(own), _by_name(others))),
             ]
             return tuple(
                 sorted(found, key=lambda one: (one.span.line, one.span.column) if one.span else (0, 0))
@@ -101,22 +101,32 @@ def _scattered(places: Places, items: tuple[Term, ...]) -> Iterator[Diagnostic]:
                 before = name
 
 
-def _unknown(places: Places, unknown: tuple[Term, ...], names: tuple[Term, ...]) -> Iterator[Diagnostic]:
-    by_name: dict[str, list[str]] = {}
-    for name in map(_words, names):
-        by_name.setdefault(name.rpartition("/")[0], []).append(name)
+def _unknown(
+    places: Places, unknown: tuple[Term, ...], known: tuple[Mapping[str, list[str]], ...]
+) -> Iterator[Diagnostic]:
     for call in unknown:
         match call:
             case Struct("call", (Struct("/", (Atom(name), int(arity))), int(start), int(end))):
-                others = by_name.get(name, [])
-                hint = (
-                    f"there is {' and '.join(f'`{one}`' for one in others[:3])}"
-                    if others
-                    else did_you_mean(name, by_name)
-                )
+                hints = (_meant(name, names) for names in known)
                 yield UNKNOWN_PREDICATE.at(
-                    places.span(start, end), f"predicate `{name}/{arity}` is defined nowhere", hint=hint
+                    places.span(start, end),
+                    f"predicate `{name}/{arity}` is defined nowhere",
+                    hint=next(filter(None, hints), ""),
                 )
+
+
+def _meant(name: str, names: Mapping[str, list[str]]) -> str:
+    """Return what may have been meant: the same name with other arguments, or another name."""
+    if name in names:
+        return f"there is {' and '.join(f'`{one}`' for one in names[name][:3])}"
+    return did_you_mean(name, names)
+
+
+def _by_name(indicators: tuple[Term, ...]) -> Mapping[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for one in map(_words, indicators):
+        found.setdefault(one.rpartition("/")[0], []).append(one)
+    return found
 
 
 def _words(indicator: Term) -> str:

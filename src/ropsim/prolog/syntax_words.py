@@ -4,8 +4,8 @@ from ropsim.prolog.terms import Atom, Struct, Term
 
 _WORDS: dict[str, tuple[str, str]] = {
     "operator_expected": (
-        "something is missing between two terms",
-        "put an operator or a comma between them, or a full stop at the end of the clause before",
+        "an operator, a comma, a closing bracket or a full stop is missing",
+        "two terms stand beside each other: what belongs between them?",
     ),
     "operator_clash": (
         "two operators cannot stand so beside each other",

@@ -8,18 +8,18 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.prolog import Engine, Sort, question
 
 SYNTAX = [
-    ("a(1). b(2) c.\nd(3).\n", (1, 12), "missing between two terms"),
-    ("b :- a,, c.\n", (1, 8), "comma"),
-    ("a(1).\nb([1, 2.\n", (2, 8), ""),
-    ("a(1).\nb('c.\n", (2, 3), "within quotes"),
-    ("a :- .\n", (1, 6), ""),
+    ("a(1). b(2) c.\nd(3).\n", (1, 11), "full stop is missing"),
+    ("b :- a,, c.\n", (1, 7), "comma"),
+    ("a(1).\nb([1, 2.\n", (2, 7), "closing bracket"),
+    ("a(1).\nb('c.\n", (2, 1), "within quotes"),
+    ("a :- .\n", (1, 5), "lacks one"),
     ("a(1)\n", (1, 5), "ends within a clause"),
-    ("a :- (b, c.\n", (1, 11), ""),
-    ("a(1)).\n", (1, 5), ""),
-    ("a := := b.\n", (1, 6), ""),
-    ('a("x\\q").\n', (1, 3), "backslash"),
-    ("é(1). ü(2) c.\n", (1, 12), "missing between two terms"),
-    ("a(1).\r\nb(2) c.\r\n", (2, 6), "missing between two terms"),
+    ("a :- (b, c.\n", (1, 10), "closing bracket"),
+    ("a(1)).\n", (1, 4), "can begin here"),
+    ("a := := b.\n", (1, 8), "operator"),
+    ('a("x\\q").\n', (1, 5), "backslash"),
+    ("é(1). ü(2) c.\n", (1, 11), "full stop is missing"),
+    ("a(1).\r\nb(2) c.\r\n", (2, 5), "full stop is missing"),
 ]
 
 
@@ -87,15 +87,11 @@ def test_what_nobody_defines_is_found_where_it_is_called(engine: Engine) -> None
         "u :- reachble(arm, s1), (true -> missing ; true).\n"
     )
     findings = found(engine, text)
-    assert places(findings) == [
-        ("P102", 2, 9, 14),
-        ("P102", 2, 24, 27),
-        ("P102", 2, 35, 37),
-        ("P102", 2, 45, 49),
-        ("P102", 2, 63, 70),
-        ("P102", 2, 87, 92),
-        ("P102", 3, 6, 14),
-        ("P102", 3, 34, 41),
+    marked = [(one.span, text.splitlines()[one.span.line - 1]) for one in findings if one.span]
+    assert {one.code for one in findings} == {"P102"}
+    assert [line[span.column - 1 : span.end_column - 1] for span, line in marked] == [
+        *("membr", "att", "at", "nope", "unknown", "hlper"),
+        *("reachble", "missing"),
     ]
     hints = {one.message.split("`")[1]: one.hint for one in findings}
     assert hints["membr/2"] == "did you mean `member`?"
@@ -115,7 +111,13 @@ def test_clauses_that_do_not_stand_together_are_found(engine: Engine) -> None:
 
 
 def test_checking_runs_nothing(engine: Engine) -> None:
-    text = ":- assertz(user:ran(1)).\n:- initialization(assertz(user:ran(2))).\n:- op(0, xfx, user:(is)).\n:- repeat, fail.\n"
+    directives = (
+        "assertz(user:ran(1))",
+        "initialization(assertz(user:ran(2)))",
+        "op(0, xfx, user:(is))",
+        "repeat, fail",
+    )
+    text = "".join(f":- {one}.\n" for one in directives)
     assert found(engine, text) == ()
     assert engine.once("catch(ran(_), _, fail)") is None
     assert engine.once("X is 1 + 1") == {"X": 2}

@@ -13,9 +13,9 @@
 %   Items:   error(Place, Message) | clause(From, To, Name/Arity, HeadFrom, HeadTo, Singletons) | directive(From, To)
 %            | declared(Name/Arity)
 %   Unknown: call(Name/Arity, From, To), of what neither the text nor Prolog nor its libraries define.
-%   Names:   indicators that begin as an unknown one does.
-check_text(Text, Module, checked(Items, Unknown, Names)) :-
-    in_temporary_module(Scratch, true, checked_in(Scratch, Module, Text, Items, Unknown, Names)).
+%   Own, Others: indicators of this text, and those elsewhere that begin as an unknown one does.
+check_text(Text, Module, checked(Items, Unknown, Own, Others)) :-
+    in_temporary_module(Scratch, true, checked_in(Scratch, Module, Text, Items, Unknown, Own-Others)).
 
 :- public checked_in/6.
 checked_in(Scratch, Module, Text, Items, Unknown, Names) :-
@@ -54,7 +54,7 @@ character(_, 0).
 item((:- Directive), Positions, _, Scratch, _, [], [directive(From, To)|Rest], Tail) :-
     !,
     ends(Positions, From, To),
-    catch(take_effect(Directive, Scratch), _, true),
+    ignore(catch(take_effect(Directive, Scratch), _, true)),
     findall(declared(Indicator), declared(Directive, Indicator), Declared),
     append(Declared, Tail, Rest).
 item((?- _), Positions, _, _, _, [], [directive(From, To)|Tail], Tail) :- !, ends(Positions, From, To).
@@ -87,6 +87,7 @@ ends(_, 0, 0).
 
 single(_-Singletons, Term, Positions, Name, From, To) :-
     member(Name=Variable, Singletons),
+    \+ sub_atom(Name, 0, 1, _, '_'),
     once(place_of(Term, Positions, Variable, From, To)).
 
 %   place_of(+Term, +Positions, +Variable, -From, -To): where a variable stands first.
@@ -190,13 +191,12 @@ is_unknown(Scratch, Here, call(Name/Arity, _, _)) :-
     functor(Head, Name, Arity),
     \+ catch(predicate_property(Scratch:Head, visible), _, fail).
 
-like_names([], _, []) :- !.
-like_names(Unknown, Here, Names) :-
+like_names([], _, []-[]) :- !.
+like_names(Unknown, Here, Own-Others) :-
     assoc_to_keys(Here, Own),
     findall(First, ( member(call(Name/_, _, _), Unknown), sub_atom(Name, 0, 1, _, First) ), Firsts0),
     sort(Firsts0, Firsts),
     findall(Name/Arity,
             ( member(Module, [system, lists, apply, ropsim_door]),
               current_predicate(Module:Name/Arity), sub_atom(Name, 0, 1, _, First), memberchk(First, Firsts) ),
-            Others),
-    append(Own, Others, Names).
+            Others).
