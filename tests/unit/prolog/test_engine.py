@@ -236,7 +236,7 @@ def test_what_is_printed_is_kept_and_bounded(shared: Engine) -> None:
     engine = shared
     engine.once("write(hello), nl")
     assert engine.printed() == "hello\n"
-    engine.once("forall(between(1, 12000, X), (write(X), nl))")
+    engine.once("forall(between(1, 15000, X), (write(X), nl))")
     assert len(engine.printed()) == 1 << 16
 
 

@@ -16,12 +16,12 @@ deep(N, D) :- numlist(1, N, L), wrap(L, z, D).
 wrap([], D, D).
 wrap([_|T], D, E) :- wrap(T, f(D), E).
 """
-SHORT = Limits(seconds=0.1, memory_bytes=96 << 20)
+SHORT = Limits(seconds=0.1, memory_bytes=64 << 20)
 
 
 @pytest.fixture(scope="module")
 def engine() -> Engine:
-    engine = Engine(Limits(memory_bytes=96 << 20))
+    engine = Engine(Limits(memory_bytes=64 << 20))
     assert engine.consult(SourceText("stubborn.pl", STUBBORN), Trust.OWN) == ()
     return engine
 
@@ -84,14 +84,11 @@ def test_inferences_are_counted_alike_in_every_engine(engine: Engine) -> None:
         "numlist(1, 100000000, L)",
         "length(L, 10000000), copy_term(L, M), copy_term(f(L, M), N)",
         "repeat, assertz(filler(abcdefgh, 1, 2, 3, 4, 5, 6, 7, 8, 9)), fail",
-        "between(1, inf, X), atom_concat(long_name_of_an_atom_, X, A), assertz(filler(A)), fail",
-        "atom_length(A, 5)",
-        "length(L, 1000000), atomic_list_concat(L, A)",
         "numlist(1, 3000000, L), atomic_list_concat(L, A), atom_concat(A, A, B), atom_concat(B, B, C)",
     ],
 )
 def test_memory_is_bounded_and_the_engine_comes_back(engine: Engine, goal: str) -> None:
-    assert code_of(engine, goal, Limits(seconds=2.0)) in {"P111", "P113", "P116", "P117"}
+    assert code_of(engine, goal, Limits(seconds=1.0)) in {"P111", "P113", "P116", "P117"}
 
 
 @pytest.mark.parametrize("depth", [1000, 30_000, 300_000])
