@@ -2,17 +2,19 @@
 
 import os
 import threading
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim.core import RopsimError, read_own_bytes
+from ropsim.core import RopsimError, read_own_bytes, replace_private_file
 from ropsim.prolog.wasm.artefact import NAMES, artefact, artefact_in
 from ropsim.prolog.wasm.files import ROOM, MemoryFiles, NoRoomError, absolute
 from ropsim.prolog.wasm.library import Library, Packed
 from ropsim.prolog.wasm.lz4 import DamagedBlockError, unpacked
+from ropsim.prolog.wasm.module_cache import kept_code
 from ropsim.prolog.watchdog import Watchdog
 from support.patience import PATIENCE
 
@@ -144,3 +146,12 @@ def test_a_file_that_others_could_have_written_is_not_trusted(tmp_path: Path) ->
     (tmp_path / "link").symlink_to(path)
     with pytest.raises(OSError, match="link"):
         read_own_bytes(tmp_path / "link")
+
+
+def test_machine_code_that_is_damaged_is_not_run(tmp_path: Path) -> None:
+    path = tmp_path / "code"
+    replace_private_file(path, b"\0" * 32 + b"code")
+    with pytest.raises(ValueError, match="is damaged"):
+        kept_code(path)
+    replace_private_file(path, sha256(b"code").digest() + b"code")
+    assert kept_code(path) == b"code"

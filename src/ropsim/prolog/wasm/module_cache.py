@@ -21,7 +21,7 @@ def compiled(engine: "Engine", code: bytes) -> "Module":
 
     path = _path(code)
     with suppress(OSError, ValueError, WasmtimeError):
-        return Module.deserialize(engine, _read(path))
+        return Module.deserialize(engine, kept_code(path))
     module = Module(engine, code)
     kept = bytes(module.serialize())
     with suppress(OSError):
@@ -35,7 +35,7 @@ def _path(code: bytes) -> Path:
     return cache_folder() / "prolog" / f"{digest[:32]}.module"
 
 
-def _read(path: Path) -> bytes:
+def kept_code(path: Path) -> bytes:
     """Return the machine code of a file.
 
     Raises:
