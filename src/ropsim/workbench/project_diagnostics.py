@@ -119,6 +119,7 @@ UNKNOWN_ROBOT_FORMAT = define(
     "a file of a robot has an ending that no reader knows",
     """
 How a robot file is read depends on the ending of its name. The message lists the endings that are known;
-`docs/reference/robot-file.md` describes files that end with `.toml`.
+`docs/reference/robot-file.md` describes files that end with `.toml`, `docs/reference/exchange-formats.md`
+those of other systems: URDF (`.urdf`, `.xacro`) and MJCF (`.xml`).
 """,
 )

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import SourceText, frozen_dataclass
+from ropsim.exchange import read_mjcf, read_urdf, write_mjcf, write_urdf
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
@@ -26,6 +27,9 @@ class RobotFormat:
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {
         ".toml": RobotFormat(read_robot_file, robot_file_places, write_robot_file),
+        ".urdf": RobotFormat(read_urdf, write=write_urdf),
+        ".xacro": RobotFormat(read_urdf),
+        ".xml": RobotFormat(read_mjcf, write=write_mjcf),
     }
 )
 """By the ending of the file name, in small letters."""

@@ -11,7 +11,7 @@ from ropsim.flow import Fidelity, Recording
 from ropsim.model import ControllerKind
 from ropsim.simulation import RunOptions
 from ropsim.views import Style
-from ropsim.workbench import Project, open_overlaid
+from ropsim.workbench import ROBOT_FORMATS, Project, open_overlaid
 from support.robot_files import PUMA560, TWO_JOINTS
 
 LIMITS = """
@@ -143,3 +143,19 @@ def test_two_stations_share_a_file_and_its_findings_are_told_once(tmp_path: Path
     assert made.cell is not None
     one, other = made.cell.stations.values()
     assert one.robot == other.robot
+
+
+@pytest.mark.parametrize("ending", [".toml", ".urdf", ".xml"])
+def test_a_cell_runs_a_robot_of_each_format_that_is_written(tmp_path: Path, ending: str) -> None:
+    written = ROBOT_FORMATS[ending].write
+    assert written is not None
+    text = written(ropsim.load_robot("puma560")).text
+    built_in = project(tmp_path / "built_in", '[robot]\nmodel = "puma560"\n')
+    made = project(tmp_path / "made", f'[robot]\nmodel = "robots/arm{ending}"\n')
+    (made.folder / "robots" / f"arm{ending}").write_text(text, "utf-8")
+    ends = []
+    for one in (built_in, made):
+        recording = ropsim.open(one.folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+        assert recording.ok
+        ends.append(recording.rows("q")[-1])
+    np.testing.assert_allclose(ends[1], ends[0], atol=1e-9)
