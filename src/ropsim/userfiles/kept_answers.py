@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from hashlib import sha256
 from pathlib import Path
 
-from ropsim.core import cache_folder, replace_file
+from ropsim.core import cache_folder, replace_private_file
 
 MOST = 64_000_000
 """Bytes of all answers together; beyond that those go that were not used for longest."""
@@ -54,7 +54,7 @@ class KeptAnswers:
         try:
             self.folder.mkdir(parents=True, exist_ok=True, mode=0o700)
             if self._is_trusted():
-                replace_file(self.folder / key, sha256(answer).hexdigest().encode() + answer)
+                replace_private_file(self.folder / key, sha256(answer).hexdigest().encode() + answer)
                 self._make_room()
         except OSError:
             return

@@ -16,7 +16,7 @@ from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.questions import Question, ReadCell
 from ropsim.workbench.resolved import Resolved
 
-MAX_KEPT = 300
+MAX_KEPT = 5_000
 """Answers kept at least: a few for each text at each of its stations."""
 
 

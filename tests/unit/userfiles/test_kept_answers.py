@@ -28,6 +28,18 @@ def test_an_answer_comes_back_as_it_was_given(kept: KeptAnswers) -> None:
     assert kept.find(KEY) == b""
 
 
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no permissions of files")
+def test_an_answer_comes_back_where_groups_may_write_to_what_is_made(tmp_path: Path) -> None:
+    before = os.umask(0o002)
+    try:
+        kept = KeptAnswers(tmp_path / "answers")
+        kept.keep(KEY, ANSWER)
+    finally:
+        os.umask(before)
+    assert kept.find(KEY) == ANSWER
+    assert (kept.folder / KEY).stat().st_mode & 0o077 == 0
+
+
 def test_a_folder_that_is_gone_has_no_answers_and_takes_new_ones(kept: KeptAnswers) -> None:
     (kept.folder / KEY).unlink()
     kept.folder.rmdir()
