@@ -12,7 +12,7 @@ T = TypeVar("T")
 def frozen_dataclass(cls: type[T]) -> type[T]:
     """Make what `dataclass(frozen=True, slots=True)` makes; objects of a class are equal by their fields."""
     made: type[T] = dataclass(slots=True, init=False, eq=False, repr=False)(cls)
-    return _completed(made, _METHODS if "__eq__" in cls.__dict__ else _METHODS | _EQUALITY, cls)
+    return _completed(made, _METHODS | _EQUALITY, cls)
 
 
 @dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(field,))
@@ -25,7 +25,8 @@ def frozen_without_equality(cls: type[T]) -> type[T]:
 def _completed(made: type[T], methods: dict[str, Callable[..., object]], written: type) -> type[T]:
     """Give a class its constructor and the methods that it does not say itself."""
     for name, method in methods.items():
-        if name not in written.__dict__:
+        said = written.__dict__.get(name)  # a class that says `__eq__` is given `__hash__ = None` by Python
+        if said is None:
             setattr(made, name, method)
     if "__init__" not in written.__dict__:
         known: dict[str, Any] = {"__missing__": MISSING}
@@ -46,7 +47,7 @@ def _method(cls: type, name: str, source: str, known: dict[str, Any]) -> Callabl
 
 def _constructor(cls: type, known: dict[str, Any]) -> str:
     """Return `__init__`: it sets the fields and calls `__post_init__` where there is one."""
-    arguments, lines = ["self"], []
+    arguments, lines = ["__self__"], []
     parts = sorted(_parts(cls), key=lambda one: bool(one.kw_only))
     for one in parts:
         name = one.name
@@ -59,11 +60,14 @@ def _constructor(cls: type, known: dict[str, Any]) -> str:
             known[f"__make_{name}__"] = one.default_factory
             made = f"__make_{name}__()"
             value = f"{name} if {name} is not __missing__ else {made}" if one.init else made
-            lines.append(f"__set_{name}__(self, {value})")
+            lines.append(f"__set_{name}__(__self__, {value})")
         elif one.init:
-            lines.append(f"__set_{name}__(self, {name})")
+            lines.append(f"__set_{name}__(__self__, {name})")
+        elif one.default is not MISSING:
+            known[f"__default_{name}__"] = one.default
+            lines.append(f"__set_{name}__(__self__, __default_{name}__)")
     if hasattr(cls, "__post_init__"):
-        lines.append("self.__post_init__()")
+        lines.append("__self__.__post_init__()")
     return f"def __init__({', '.join(arguments)}):\n " + ("\n ".join(lines) or "pass")
 
 
@@ -76,7 +80,7 @@ def _default(one: "Field[Any]", known: dict[str, Any]) -> str:
 
 def _equal(self: object, other: object) -> bool:
     """Compare two objects of a class for the first time: few classes ever come to it."""
-    cls = type(self)
+    cls = _made_here(self, "__eq__", _equal)
     names = [one.name for one in _parts(cls) if one.compare]
     test = f"{_content(names, 'self')} == {_content(names, 'other')}"
     source = (
@@ -88,11 +92,16 @@ def _equal(self: object, other: object) -> bool:
 
 def _hash(self: object) -> int:
     """Return the hash of an object, the first of its class of which somebody wants it."""
-    cls = type(self)
+    cls = _made_here(self, "__hash__", _hash)
     names = [one.name for one in _parts(cls) if (one.compare if one.hash is None else one.hash)]
     source = f"def __hash__(self):\n return hash({_content(names, 'self')})"
     found: int = _method(cls, "__hash__", source, {})(self)
     return found
+
+
+def _made_here(self: object, name: str, method: Callable[..., object]) -> type:
+    """Return the class for which a method is still to be made: of the object, or one that it comes from."""
+    return next(cls for cls in type(self).__mro__ if cls.__dict__.get(name) is method)
 
 
 def _parts(cls: type) -> "tuple[Field[Any], ...]":
@@ -113,6 +122,10 @@ def _refuse(_self: object, name: str, _value: object = None) -> None:
     raise FrozenInstanceError(f"cannot assign to field {name!r}")
 
 
+def _refuse_to_delete(_self: object, name: str) -> None:
+    raise FrozenInstanceError(f"cannot delete field {name!r}")
+
+
 def _state(self: object) -> list[object]:
     return [getattr(self, one.name) for one in _parts(type(self))]
 
@@ -125,7 +138,7 @@ def _restore(self: object, state: list[object]) -> None:
 _METHODS: dict[str, Callable[..., object]] = {
     "__repr__": _shown,
     "__setattr__": _refuse,
-    "__delattr__": _refuse,
+    "__delattr__": _refuse_to_delete,
     "__getstate__": _state,
     "__setstate__": _restore,
 }

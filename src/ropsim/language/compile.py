@@ -18,6 +18,7 @@ from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.task_form import TaskForm
 from ropsim.language.text import Line
+from ropsim.language.units import of_task
 from ropsim.program import Program, SourceMap, check_contracts, circles, recursion
 from ropsim.query import Database
 
@@ -127,7 +128,9 @@ def _checked(
         return None, nowhere
     try:
         units = divided(source, environment, report, db)
-        inputs: dict[Hashable, object] = {("task", name): None for name in db.read(questions.TASKS) or ()}
+        gone = db.read(questions.TASKS) or ()
+        inputs: dict[Hashable, object] = {("task", name): None for name in gone}
+        inputs |= {("places", of_task(name)): None for name in gone}
         inputs |= {("task", name): task for name, task in units.tasks.items()}
         inputs |= {("places", unit): one for unit, one in units.map.units.items()}
         inputs |= {questions.TASKS: tuple(units.tasks), questions.STATEMENTS: units.control}

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 LARGEST = 5_000_000
 """Largest JSON text of inputs that is read [bytes]."""
 
+LONGEST = 4 * 3600.0
+"""Time that is simulated at most, however late the last input comes [s]."""
+
 SLOWEST = 1e-3
 """Least override for which a run is given more time."""
 
@@ -57,8 +60,8 @@ def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
         inputs=given.inputs,
         overrides=given.overrides,
         stopped=given.stopped,
-        longest=options.longest / pace + later,
-        longest_wait=options.longest_wait / pace + later,
+        longest=min(options.longest / pace + later, LONGEST),
+        longest_wait=min(options.longest_wait / pace + later, LONGEST),
     )
 
 

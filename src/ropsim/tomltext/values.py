@@ -6,7 +6,8 @@ import tomllib
 MOST_PARTS = 64
 """Parts of a dotted key; the parser of the standard library takes time in their square."""
 
-_QUOTED = re.compile(r'"(?:[^"\\\n]|\\.)*"|' + r"'[^'\n]*'")
+_QUOTED = re.compile(r'"(?:[^"\\\n]++|\\.)*+(")?|' + r"'[^'\n]*+(')?")
+"""A text in quotes; one that is not closed goes to the end of its line, so that nothing is read twice."""
 _PART = re.compile(r"[ \t]*[\w-]+[ \t]*")
 
 
@@ -21,9 +22,14 @@ def toml_values(text: str) -> dict[str, object]:
     return tomllib.loads(text)
 
 
+def _without_dots(quoted: re.Match[str]) -> str:
+    """Return as many letters for a text in quotes, and one that is not closed as it is."""
+    return "q" * len(quoted.group()) if quoted.group(1) or quoted.group(2) else quoted.group()
+
+
 def _check_keys(text: str) -> None:
     """Refuse keys of too many parts; what lies between two dots of a key is one part and nothing else."""
-    between = _QUOTED.sub(lambda quoted: "q" * len(quoted.group()), text).split(".")
+    between = _QUOTED.sub(_without_dots, text).split(".")
     parts, at = 0, 0
     for piece in between:
         at += len(piece) + 1

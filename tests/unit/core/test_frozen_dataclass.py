@@ -176,3 +176,51 @@ def test_fields_may_have_any_name() -> None:
 def test_replaced_fields_are_told_anew() -> None:
     changed = replace(Longer(1.0, unit="m"), x=7.0)
     assert (changed.x, changed.made, changed.unit, changed.z) == (7.0, 7, "m", 0.0)
+
+
+@frozen_dataclass
+class Counted:
+    """With a field that nobody gives, and one with a name that functions like for their object."""
+
+    self: int
+    turns: int = field(init=False, default=4)
+
+
+def test_a_field_that_is_not_given_has_its_default() -> None:
+    assert Counted(1).turns == 4
+    assert Counted(self=1) == Counted(1)
+
+
+def test_a_class_that_says_when_it_is_equal_has_the_hash_of_its_fields() -> None:
+    @frozen_dataclass
+    class Same:
+        x: int
+
+        def __eq__(self, other: object) -> bool:
+            return isinstance(other, Same)
+
+    assert hash(Same(1)) == hash(Same(1))
+
+
+def test_a_class_that_asks_its_parent_keeps_its_own_answer() -> None:
+    @frozen_dataclass
+    class Parent:
+        x: int
+
+    class Never(Parent):
+        def __eq__(self, other: object) -> bool:
+            assert super().__eq__(other) in (True, NotImplemented)
+            return False
+
+        def __hash__(self) -> int:
+            return super().__hash__() ^ 1
+
+    one = Never(1)
+    assert [one == Never(1) for _ in range(3)] == [False, False, False]
+    assert hash(one) == hash(one) == hash(Parent(1)) ^ 1
+    assert Parent(1) == Parent(1)
+
+
+def test_deleting_is_told_as_such() -> None:
+    with pytest.raises(FrozenInstanceError, match="cannot delete field 'x'"):
+        del Ours(1.0).x

@@ -1,10 +1,13 @@
 """What the compiler keeps for editors: parsed lines, the outline of a text, how tasks are called."""
 
+from dataclasses import replace
+
 import pytest
 
 from ropsim import language
 from ropsim.core import SourceText
-from ropsim.language import LineCache, Role
+from ropsim.language import LineCache, Role, TaskSignature
+from support.tasks import CELL
 
 TEXT = """task A(q: loc)
   x = 1
@@ -55,3 +58,17 @@ def test_tasks_tell_how_they_are_called_also_in_a_wrong_text() -> None:
     compiled = language.compile("units mm\ntask T(a, d: length = 3)\n  mov a above d\nendp\nlin\n")
     assert not compiled.ok
     assert str(compiled.tasks["T"]) == "T(a: loc, d: length [mm] = …)"
+
+
+def test_a_task_of_a_library_has_no_places_of_a_deleted_one_of_its_name() -> None:
+    library = language.compile("task Other\n print 2\nendp\nOther\n", CELL, "lib.task").program
+    assert library is not None
+    environment = replace(CELL, tasks={one.name: TaskSignature(one) for one in library.tasks})
+    lines = language.LineCache()
+    own = "program p\nunits mm, deg, s\n\n\n\ntask Other\n\n\n print 1\nendp\nOther\n"
+    for text in (own, "program p\nunits mm, deg, s\nOther\n"):
+        again = language.compile(text, environment, "p", lines)
+        clean = language.compile(text, environment, "p")
+        assert again.icr is not None
+        assert clean.icr is not None
+        assert [one.lines for one in again.icr.procedures] == [one.lines for one in clean.icr.procedures]

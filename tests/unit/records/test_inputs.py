@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from ropsim.cli.main import main
 from ropsim.flow import Interventions, OverrideChange, Recording, RunFacts
 from ropsim.records import InputsError, RecordingFileError, inputs_text, read_recording, write_recording
-from ropsim.records.inputs import inputs_of, read_inputs, with_inputs
+from ropsim.records.inputs import LONGEST, inputs_of, read_inputs, with_inputs
 from ropsim.records.plain_inputs import inputs_from_plain
 from ropsim.simulation import Fidelity, InputChange, RunOptions
 from ropsim.workbench import open_project
@@ -222,3 +222,8 @@ def test_a_device_or_a_pipe_is_no_file_of_inputs(tmp_path: Path) -> None:
     for path in (pipe, Path("/dev/zero")):
         with pytest.raises(InputsError, match="it is no ordinary file"):
             read_inputs(path)
+
+
+def test_a_late_input_makes_no_endless_run() -> None:
+    late = Interventions((InputChange(1e6, "go", 1.0),))
+    assert with_inputs(RunOptions(), late).longest == LONGEST == 4 * 3600.0

@@ -42,3 +42,12 @@ def test_a_cell_file_with_such_a_key_has_a_finding_at_its_line() -> None:
     assert finding.span is not None
     assert finding.span.line == 2
     assert "more than 64 parts" in finding.message
+
+
+@pytest.mark.parametrize(
+    "text", ['a = "' + '\\"' * 200_000, "a = " + "'" * 200_001, 'a = "' + "x.y" * 100_000]
+)
+def test_a_text_that_is_not_closed_is_read_once(text: str) -> None:
+    """Where it was tried anew from every quote, each of these took minutes."""
+    with pytest.raises(tomllib.TOMLDecodeError):
+        toml_values(text)
