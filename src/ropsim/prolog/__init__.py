@@ -3,7 +3,6 @@
 from ropsim.prolog.answers import Answer as Answer
 from ropsim.prolog.answers import Answers as Answers
 from ropsim.prolog.engine import Engine as Engine
-from ropsim.prolog.engine import Trust as Trust
 from ropsim.prolog.errors import GoalError as GoalError
 from ropsim.prolog.limits import Limits as Limits
 from ropsim.prolog.predicate import Predicate as Predicate
@@ -15,4 +14,5 @@ from ropsim.prolog.terms import Atom as Atom
 from ropsim.prolog.terms import Struct as Struct
 from ropsim.prolog.terms import Term as Term
 from ropsim.prolog.terms import Var as Var
+from ropsim.prolog.texts import Trust as Trust
 from ropsim.prolog.writing import write_term as write_term

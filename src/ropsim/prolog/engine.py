@@ -1,11 +1,10 @@
 """The engine of knowledge bases: texts, facts and functions in, answers out; it survives its Prolog."""
 
 from collections.abc import Iterable
-from enum import Enum
 from pathlib import PurePosixPath
 from threading import get_ident
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText
 from ropsim.prolog.answers import Answer, Answers, GoalStack
 from ropsim.prolog.clauses import findings_of
 from ropsim.prolog.diagnostics import WRONG_USE
@@ -17,30 +16,10 @@ from ropsim.prolog.loading import load_findings, loaded_module
 from ropsim.prolog.predicate import Predicate
 from ropsim.prolog.running import RunningProlog
 from ropsim.prolog.terms import Atom, Struct, Term
+from ropsim.prolog.texts import LoadedText, Trust
 from ropsim.prolog.writing import write_term
 
 DOOR = "/ropsim/door.pl"
-
-
-class Trust(Enum):
-    """What a text may do; the values are how its goals are called."""
-
-    OWN = "open"
-    STRANGER = "safe"
-
-
-@frozen_dataclass
-class _Loaded:
-    """A text that is in the engine, the module that it is, and what it may do."""
-
-    path: str
-    content: bytes
-    module: str
-    trust: Trust
-
-    def request(self) -> Term:
-        """Return the request to load it."""
-        return Struct("load", (Atom(self.path), Atom(self.module), Atom(self.trust.value)))
 
 
 class Engine:
@@ -55,7 +34,7 @@ class Engine:
         self._thread = get_ident()
         self._running: RunningProlog | None = None
         self._door = Door()
-        self._texts: dict[str, _Loaded] = {}
+        self._texts: dict[str, LoadedText] = {}
         self._facts: dict[str, tuple[Term, ...]] = {}
         self._stack = GoalStack()
 
@@ -81,7 +60,7 @@ class Engine:
         findings = self.check(text)
         if any(one.is_error for one in findings):
             return findings
-        loaded = _Loaded(
+        loaded = LoadedText(
             f"/kb/{text.name.lstrip('/')}",
             text.text.encode(errors="replace"),
             PurePosixPath(text.name).stem,
@@ -92,7 +71,7 @@ class Engine:
         if any(one.is_error for one in findings):
             self._once("forget", Atom(loaded.path))
         else:
-            self._texts[text.name] = _Loaded(loaded.path, loaded.content, loaded_module(reply), trust)
+            self._texts[text.name] = LoadedText(loaded.path, loaded.content, loaded_module(reply), trust)
         return findings
 
     def forget(self, name: str) -> None:
@@ -230,7 +209,7 @@ class Engine:
         if reply != Atom("done"):
             raise failure_of(reply)
 
-    def _load(self, running: RunningProlog, loaded: _Loaded) -> Term:
+    def _load(self, running: RunningProlog, loaded: LoadedText) -> Term:
         running.write(loaded.path, loaded.content)
         with failures_told():
             return running.once("load", loaded.request(), self.limits.seconds)

@@ -6,43 +6,14 @@ Numbers of errors and the layout of records are those of emscripten's musl (`err
 
 import struct
 from collections.abc import Callable
-from enum import IntEnum
 from posixpath import dirname
 
-from ropsim.prolog.wasm.files import MemoryFiles, NoRoomError, absolute
+from ropsim.prolog.wasm.files import NoRoomError, absolute
 from ropsim.prolog.wasm.memory import LinearMemory
+from ropsim.prolog.wasm.stream_calls import Errno, StreamCalls
 
-MOST_OPEN = 256
-"""Files that may be open at a time."""
-PRINTED = 1 << 16
-"""Bytes of what a program prints that are kept."""
 ENTRY = 280
 """Bytes of an entry of a folder."""
-
-
-class Errno(IntEnum):
-    """Why a call failed."""
-
-    BADF = 8
-    EXIST = 20
-    INVAL = 28
-    ISDIR = 31
-    MFILE = 33
-    NOENT = 44
-    NOSPC = 51
-    NOTDIR = 54
-    NOTTY = 59
-    PERM = 63
-    SPIPE = 70
-
-
-class Opening:
-    """What is open, a file, a folder or the terminal: where it is, how, and how far it has been read."""
-
-    def __init__(self, path: str, flags: int) -> None:
-        self.path = path
-        self.flags = flags
-        self.place = 0
 
 
 class FileCalls:
@@ -50,11 +21,10 @@ class FileCalls:
 
     memory: LinearMemory
 
-    def __init__(self, files: MemoryFiles) -> None:
-        self.files = files
+    def __init__(self, streams: StreamCalls) -> None:
+        self.files = streams.files
         self.folder = "/kb"
-        self.printed = bytearray()
-        self._open = {number: Opening("", flags) for number, flags in enumerate((0, 1, 1))}
+        self._streams = streams
 
     def table(self) -> dict[str, Callable[..., int]]:
         """Return the function of each call by the name of its import."""
@@ -80,15 +50,8 @@ class FileCalls:
             "poll_nonblocking": lambda *_: 0,
         }
         refused = ("chmod", "dup3", "linkat", "renameat", "rmdir", "symlinkat", "utimensat")
-        streams: dict[str, Callable[..., int]] = {
-            "fd_close": self._close,
-            "fd_read": self._read,
-            "fd_write": self._write,
-            "fd_seek": self._seek,
-            "fd_fdstat_get": self._fdstat,
-        }
         system = calls | {name: lambda *_: -Errno.PERM for name in refused}
-        return {f"__syscall_{name}": call for name, call in system.items()} | streams
+        return {f"__syscall_{name}": call for name, call in system.items()}
 
     def _path(self, address: int) -> str:
         return absolute(self.memory.string(address), self.folder)
@@ -110,80 +73,16 @@ class FileCalls:
             return -Errno.EXIST
         elif empties:
             files.replace(path, b"")
-        number = next((one for one in range(3, MOST_OPEN) if one not in self._open), None)
-        if number is None:
-            return -Errno.MFILE
-        self._open[number] = Opening(path, flags)
-        if appends and not files.is_folder(path):
-            self._open[number].place = files.size(path)
+        number = self._streams.open(path, flags)
+        if number > 0 and appends and not files.is_folder(path):
+            self._streams.opened[number].place = files.size(path)
         return number
-
-    def _close(self, number: int) -> int:
-        return 0 if self._open.pop(number, None) else Errno.BADF
-
-    def _read(self, number: int, vector: int, count: int, done: int) -> int:
-        one = self._open.get(number)
-        if one is None:
-            return Errno.BADF
-        if self.files.is_folder(one.path):
-            return Errno.ISDIR
-        content = self.files.content(one.path) if one.path else b""
-        begin = one.place
-        for index in range(count):
-            address, length = self.memory.unpack(vector + 8 * index, "<II")
-            piece = bytes(content[one.place : one.place + length])
-            self.memory.write(address, piece)
-            one.place += len(piece)
-            if len(piece) < length:
-                break
-        self.memory.pack(done, "<I", one.place - begin)
-        return 0
-
-    def _write(self, number: int, vector: int, count: int, done: int) -> int:
-        one = self._open.get(number)
-        if one is None or not one.flags & 3:
-            return Errno.BADF
-        total = 0
-        for index in range(count):
-            address, length = self.memory.unpack(vector + 8 * index, "<II")
-            piece = self.memory.read(address, length)
-            if not one.path:
-                self.printed += piece[: max(PRINTED - len(self.printed), 0)]
-            else:
-                try:
-                    self.files.write(one.path, one.place, piece)
-                except NoRoomError:
-                    return Errno.NOSPC
-                one.place += length
-            total += length
-        self.memory.pack(done, "<I", total)
-        return 0
-
-    def _seek(self, number: int, offset: int, whence: int, result: int) -> int:
-        one = self._open.get(number)
-        if one is None or not one.path:
-            return Errno.SPIPE
-        size = 0 if self.files.is_folder(one.path) else self.files.size(one.path)
-        place = offset + (0, one.place, size)[whence] if whence in (0, 1, 2) else -1
-        if place < 0:
-            return Errno.INVAL
-        one.place = place
-        self.memory.pack(result, "<q", place)
-        return 0
-
-    def _fdstat(self, number: int, buffer: int) -> int:
-        one = self._open.get(number)
-        if one is None:
-            return Errno.BADF
-        kind = 2 if not one.path else 3 if self.files.is_folder(one.path) else 4
-        self.memory.write(buffer, struct.pack("<BxHIQQ", kind, 0, 0, 0, 0))
-        return 0
 
     def _stat(self, address: int, buffer: int) -> int:
         return self._describe(self._path(address), buffer)
 
     def _fstat(self, number: int, buffer: int) -> int:
-        one = self._open.get(number)
+        one = self._streams.opened.get(number)
         return self._describe(one.path, buffer) if one else -Errno.BADF
 
     def _describe(self, path: str, buffer: int) -> int:
@@ -220,14 +119,14 @@ class FileCalls:
         return 0
 
     def _fcntl(self, number: int, command: int, _arguments: int) -> int:
-        one = self._open.get(number)
+        one = self._streams.opened.get(number)
         if one is None:
             return -Errno.BADF
         return one.flags if command == 3 else 0
 
     def _getdents(self, number: int, buffer: int, size: int) -> int:
         """Write entries of a folder from where the last call ended, as many as fit."""
-        one = self._open.get(number)
+        one = self._streams.opened.get(number)
         if one is None or not self.files.is_folder(one.path):
             return -Errno.NOTDIR
         names = (".", "..", *self.files.names(one.path))
@@ -256,7 +155,7 @@ class FileCalls:
         return 0
 
     def _truncate(self, number: int, length: int) -> int:
-        one = self._open.get(number)
+        one = self._streams.opened.get(number)
         if one is None or not one.path:
             return -Errno.BADF
         try:

@@ -11,6 +11,7 @@ from ropsim.prolog.wasm.files import MemoryFiles
 from ropsim.prolog.wasm.jumps import LongJump, invoke, jump
 from ropsim.prolog.wasm.memory import LinearMemory, NoAddressError
 from ropsim.prolog.wasm.module_cache import compiled
+from ropsim.prolog.wasm.stream_calls import StreamCalls
 
 if TYPE_CHECKING:
     from wasmtime import Func, Memory, Table
@@ -54,7 +55,8 @@ class Instance:
         self._host = host
         self.has_ended = False
         self.files = MemoryFiles(artefact.library)
-        self._file_calls = FileCalls(self.files)
+        self._streams = StreamCalls(self.files)
+        file_calls = FileCalls(self._streams)
         clock_calls = ClockCalls()
         config = Config()
         config.epoch_interruption = True
@@ -64,7 +66,8 @@ class Instance:
         self._store.set_limits(memory_size=max(host.memory_bytes, FEWEST_BYTES))
         self._store.set_epoch_deadline(FOREVER)
         module = compiled(self._engine, artefact.code)
-        answers = {**self._file_calls.table(), **clock_calls.table(), **self._table()}
+        tables = (self._streams.table(), file_calls.table(), clock_calls.table(), self._table())
+        answers = dict(item for table in tables for item in table.items())
         linker = Linker(self._engine)
         for one in module.imports:
             name = artefact.imports[one.name or ""]
@@ -75,7 +78,7 @@ class Instance:
         kinds = {type(one).__name__: one for one in exports.values()}
         self._functions = cast("Table", kinds["Table"])
         self.memory = LinearMemory(cast("Memory", kinds["Memory"]), self._store)
-        self._file_calls.memory = clock_calls.memory = self.memory
+        self._streams.memory = file_calls.memory = clock_calls.memory = self.memory
         cast("Func", exports[artefact.start])(self._store)
 
     def call(self, name: str, *arguments: int) -> int:
@@ -115,8 +118,8 @@ class Instance:
 
     def printed(self) -> str:
         """Return what the program has printed since the last time."""
-        text = self._file_calls.printed.decode(errors="replace")
-        self._file_calls.printed.clear()
+        text = self._streams.printed.decode(errors="replace")
+        self._streams.printed.clear()
         return text
 
     def _invoke(self, name: str) -> Callable[..., int | None]:
