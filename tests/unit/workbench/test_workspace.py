@@ -1,5 +1,6 @@
 """One place asks for what is made of texts: what an edit does not reach is not made again."""
 
+from math import radians
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from ropsim.core import SourceText
 from ropsim.query import Outcome
 from ropsim.workbench import Project, Workspace, new_project, open_overlaid, open_project
+from support.robot_files import PUMA560
 
 CELL = SourceText(
     "cell.toml",
@@ -112,3 +114,21 @@ def test_a_project_on_the_disk_keeps_what_was_made_of_it(watched: Watched) -> No
     assert first == again
     assert first.cell is again.cell
     assert first.program().icr is again.program().icr
+
+
+def test_an_edit_of_a_robot_file_reaches_the_cell(tmp_path: Path) -> None:
+    new_project(tmp_path / "p")
+    (tmp_path / "p" / "robots").mkdir()
+    (tmp_path / "p" / "robots" / "arm.toml").write_text(PUMA560, "utf-8")
+    cell = (tmp_path / "p" / "cell.toml").read_text("utf-8").replace('"puma560"', '"robots/arm.toml"')
+    (tmp_path / "p" / "cell.toml").write_text(cell, "utf-8")
+    watched = Watched(tmp_path / "p")
+    assert not any(one.is_error for one in watched.opened().compile().diagnostics)
+    narrower = PUMA560.replace("limits = [-160, 160]", "limits = [-150, 150]")
+    changed = open_overlaid(watched.folder, {"robots/arm.toml": narrower}, watched.workspace)
+    assert changed.cell is not None
+    assert changed.cell.first.robot.axis_joints[0].upper == pytest.approx(radians(150.0))
+    assert not any(one.is_error for one in watched.opened().compile().diagnostics)
+    assert watched.ran() != []
+    watched.opened()
+    assert watched.ran() == []
