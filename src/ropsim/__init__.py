@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ropsim import meshes as meshes
     from ropsim import model as model
     from ropsim import motion as motion
+    from ropsim import part21 as part21
     from ropsim import program as program
     from ropsim import prolog as prolog
     from ropsim import records as records
@@ -56,6 +57,7 @@ __all__ = [
     "model",
     "motion",
     "open",
+    "part21",
     "program",
     "prolog",
     "records",

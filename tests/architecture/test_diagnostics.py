@@ -30,6 +30,7 @@ BANDS = {
     "tomltext": {"X8"},
     "records": {"X8"},
     "meshes": {"X8"},
+    "part21": {"X9"},
     "userfiles": {"X8"},
     "lsp": {"U9"},
     "studio": {"U9"},

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from support.fuzzing import binaries, meshes, recordings, robot_files, server, texts, traces
+from support.fuzzing import binaries, meshes, part21_files, recordings, robot_files, server, texts, traces
 from support.fuzzing.target import Target
 
 TARGETS: Mapping[str, Target] = {
@@ -15,5 +15,6 @@ TARGETS: Mapping[str, Target] = {
         *robot_files.TARGETS,
         *server.TARGETS,
         *traces.TARGETS,
+        *part21_files.TARGETS,
     )
 }

@@ -1,0 +1,143 @@
+"""Tokens of an exchange file, one after the other."""
+
+from enum import Enum
+from re import compile as pattern
+from typing import NamedTuple
+
+from ropsim.core import Diagnostic
+from ropsim.part21.diagnostics import SYNTAX
+from ropsim.part21.places import Places
+
+_SPACE = pattern(r"\s*")
+_TOKEN = pattern(
+    r"""(?P<STRING>'[^']*'(?:'[^']*')*)|(?P<REFERENCE>\#\d+)|(?P<ENUMERATION>\.[A-Za-z_][A-Za-z0-9_]*\.)"""
+    r"""|(?P<REAL>[+-]?\d+\.\d*(?:[Ee][+-]?\d+)?)|(?P<INTEGER>[+-]?\d+)|(?P<BINARY>"[0-3][0-9A-Fa-f]*")"""
+    r"""|(?P<KEYWORD>!?[A-Za-z_][A-Za-z0-9_]*(?:-[A-Za-z0-9_]+)*)|(?P<SIGN>[(),;=$*])"""
+)
+_STOP = pattern(r";|/\*|'[^']*'")
+SHOWN = 24
+"""Characters of a token that a message shows."""
+
+
+class TokenKind(Enum):
+    """What a token is."""
+
+    STRING = "a string"
+    REFERENCE = "a reference"
+    ENUMERATION = "an item of an enumeration"
+    REAL = "a real number"
+    INTEGER = "an integer"
+    BINARY = "a binary value"
+    KEYWORD = "a keyword"
+    SIGN = "a sign"
+    END = "the end of the text"
+
+
+class Token(NamedTuple):
+    """A token, its characters and where it begins."""
+
+    kind: TokenKind
+    text: str
+    offset: int
+
+
+class SyntaxProblemError(Exception):
+    """The text goes on in another way than it may; carries what is said of it."""
+
+    def __init__(self, finding: Diagnostic) -> None:
+        super().__init__(finding.message)
+        self.finding = finding
+
+
+class Scanner:
+    """The tokens of a text from some place on; time and memory are linear in its length.
+
+    Attributes:
+        token: the one that comes next.
+    """
+
+    def __init__(self, places: Places) -> None:
+        self._text = places.source.text
+        self._places = places
+        self._at = 0
+        self.token = self._scanned()
+
+    def take(self) -> Token:
+        """Return the next token and go on."""
+        taken = self.token
+        self.token = self._scanned()
+        return taken
+
+    def is_sign(self, text: str) -> bool:
+        """Return whether this sign comes next."""
+        return self.token.text == text and self.token.kind is TokenKind.SIGN
+
+    def take_sign(self, text: str) -> None:
+        """Go on behind a sign.
+
+        Raises:
+            SyntaxProblemError: something else comes next.
+        """
+        if not self.is_sign(text):
+            raise self.problem(f"`{text}`")
+        self.take()
+
+    def take_keyword(self) -> str:
+        """Go on behind a keyword and return it in capitals.
+
+        Raises:
+            SyntaxProblemError: something else comes next.
+        """
+        if self.token.kind is not TokenKind.KEYWORD:
+            raise self.problem("a keyword")
+        return self.take().text.upper()
+
+    def skip_statement(self) -> None:
+        """Go on behind the next semicolon that is in no string and no comment."""
+        at = self.token.offset
+        while (found := _STOP.search(self._text, at)) and found[0] != ";":
+            at = self._behind_comment(found.start()) if found[0] == "/*" else found.end()
+        self._at = found.end() if found else len(self._text)
+        self.token = self._scanned()
+
+    def problem(self, allowed: str, at: Token | None = None) -> SyntaxProblemError:
+        """Return what to raise where something else than what is allowed comes next.
+
+        Args:
+            allowed: what is allowed there, in words.
+            at: the token in question; None for the next one.
+        """
+        token = at or self.token
+        shown = token.text[:SHOWN] + ("…" if len(token.text) > SHOWN else "")
+        found = f"found `{shown}`" if token.text else "the text ends"
+        return SyntaxProblemError(
+            SYNTAX.at(
+                self._places.span(token.offset, max(len(shown), 1)),
+                f"{found}, allowed is {allowed}",
+                data={"found": shown},
+            )
+        )
+
+    def _scanned(self) -> Token:
+        self._skip_gap()
+        if self._at >= len(self._text):
+            return Token(TokenKind.END, "", len(self._text))
+        found = _TOKEN.match(self._text, self._at)
+        if not found:
+            self._at += 1
+            return Token(TokenKind.SIGN, self._text[self._at - 1], self._at - 1)
+        self._at = found.end()
+        return Token(TokenKind[str(found.lastgroup)], found[0], found.start())
+
+    def _skip_gap(self) -> None:
+        """Go on behind spaces, line ends and comments; one without an end takes all the text."""
+        while True:
+            space = _SPACE.match(self._text, self._at)
+            self._at = space.end() if space else self._at
+            if not self._text.startswith("/*", self._at):
+                return
+            self._at = self._behind_comment(self._at)
+
+    def _behind_comment(self, start: int) -> int:
+        end = self._text.find("*/", start + 2)
+        return len(self._text) if end < 0 else end + 2
