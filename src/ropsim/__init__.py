@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ropsim import core as core
     from ropsim import dynamics as dynamics
     from ropsim import exchange as exchange
+    from ropsim import express as express
     from ropsim import flow as flow
     from ropsim import icr as icr
     from ropsim import kinematics as kinematics
@@ -48,6 +49,7 @@ __all__ = [
     "core",
     "dynamics",
     "exchange",
+    "express",
     "flow",
     "icr",
     "kinematics",

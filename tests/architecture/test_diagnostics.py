@@ -31,6 +31,7 @@ BANDS = {
     "records": {"X8"},
     "meshes": {"X8"},
     "part21": {"X9"},
+    "express": {"X9"},
     "userfiles": {"X8"},
     "lsp": {"U9"},
     "studio": {"U9"},

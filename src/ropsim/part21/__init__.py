@@ -15,4 +15,5 @@ from ropsim.part21.values import Enumeration as Enumeration
 from ropsim.part21.values import Reference as Reference
 from ropsim.part21.values import Typed as Typed
 from ropsim.part21.values import Value as Value
+from ropsim.part21.writer import value_text as value_text
 from ropsim.part21.writer import write_exchange as write_exchange

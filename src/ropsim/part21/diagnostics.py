@@ -50,7 +50,7 @@ NOT_READ = define(
     """
 Files of the second edition of ISO 10303-21 with one data section are read. Sections of the third edition
 (anchors, references, signatures) and further data sections are not: write the file as one section. Texts of
-up to 16 million characters with 200,000 instances are read; a robot has a few hundred. A file of that size
+up to 4 million characters with 100,000 instances are read; a robot has a few hundred. A file of that size
 holds the shapes of a CAD model, which NIROX refers to and does not contain.
 """,
 )

@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import field
 
-from ropsim.core import Span, frozen_dataclass
-from ropsim.part21.places import Places
+from ropsim.core import Places, Span, frozen_dataclass
 from ropsim.part21.values import Reference, Typed, Value
 
 

@@ -2,15 +2,14 @@
 
 from collections.abc import Iterator
 
-from ropsim.core import Diagnostic, SourceText
+from ropsim.core import Diagnostic, Places, SourceText, places_of
 from ropsim.part21.diagnostics import NO_INSTANCE, NOT_READ, NUMBER_TWICE, SYNTAX
 from ropsim.part21.exchange_file import ExchangeFile, Instance, Record, references
-from ropsim.part21.places import Places, places_of
 from ropsim.part21.record_reader import read_record
 from ropsim.part21.scanner import Scanner, SyntaxProblemError, TokenKind
 
-MAX_CHARACTERS = 16_000_000
-MAX_INSTANCES = 200_000
+MAX_CHARACTERS = 4_000_000
+MAX_INSTANCES = 100_000
 MAX_FINDINGS = 20
 """Mistakes of one text that are told; more of them have one cause."""
 _HEADER = ("FILE_DESCRIPTION", "FILE_NAME", "FILE_SCHEMA")

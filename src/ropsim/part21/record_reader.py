@@ -2,10 +2,9 @@
 
 from math import isfinite
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, Places
 from ropsim.part21.diagnostics import SYNTAX
 from ropsim.part21.exchange_file import NOTED, Record
-from ropsim.part21.places import Places
 from ropsim.part21.scanner import Scanner, SyntaxProblemError, Token, TokenKind
 from ropsim.part21.strings import BadStringError, decoded
 from ropsim.part21.values import Absent, Binary, Enumeration, Reference, Typed, Value

@@ -4,9 +4,8 @@ from enum import Enum
 from re import compile as pattern
 from typing import NamedTuple
 
-from ropsim.core import Diagnostic
+from ropsim.core import Diagnostic, Places
 from ropsim.part21.diagnostics import SYNTAX
-from ropsim.part21.places import Places
 
 _SPACE = pattern(r"\s*")
 _TOKEN = pattern(

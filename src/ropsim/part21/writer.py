@@ -36,10 +36,15 @@ def _instance(instance: Instance) -> str:
 
 
 def _record(record: Record) -> str:
-    return f"{record.keyword}({','.join(_value(value) for value in record.values)})"
+    return f"{record.keyword}({','.join(value_text(value) for value in record.values)})"
 
 
-def _value(value: Value) -> str:
+def value_text(value: Value) -> str:
+    """Return a parameter as it stands in a file.
+
+    Raises:
+        ValueError: a number is not finite, or a character has no place in a string.
+    """
     match value:
         case int():
             return str(value)
@@ -56,9 +61,9 @@ def _value(value: Value) -> str:
         case Binary(digits):
             return f'"{digits}"'
         case Typed(keyword, inner):
-            return f"{keyword}({_value(inner)})"
+            return f"{keyword}({value_text(inner)})"
         case tuple():
-            return f"({','.join(_value(one) for one in value)})"
+            return f"({','.join(value_text(one) for one in value)})"
 
 
 def _real(number: float) -> str:

@@ -140,7 +140,7 @@ def test_what_is_no_exchange_file_is_told(text: str) -> None:
 
 
 def test_more_than_is_read_is_told() -> None:
-    assert told(" " * 16_000_001)[0][0] == "X963"
+    assert told(" " * 4_000_001)[0][0] == "X963"
 
 
 def test_references_stand_in_lists_and_typed_values() -> None:

@@ -3,7 +3,9 @@
 from bisect import bisect_right
 from re import compile as pattern
 
-from ropsim.core import SourceText, Span, frozen_without_equality
+from ropsim.core.frozen_dataclass import frozen_without_equality
+from ropsim.core.source import SourceText
+from ropsim.core.span import Span
 
 _LINE_END = pattern(r"\r\n|\r|\n")
 
