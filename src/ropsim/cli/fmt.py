@@ -121,7 +121,8 @@ def _difference(one: _Text) -> Iterator[str]:
 def _written(one: _Text, output: Output) -> str:
     """Write a text where it changes, that of standard input to standard output; return the name of a file."""
     if one.path is None:
-        output.text(one.form.removesuffix("\n"))
+        if one.form:
+            output.text(one.form.removesuffix("\n"))
         return ""
     if not one.changes:
         return ""

@@ -12,7 +12,7 @@ _CALL = re.compile(
 )
 _BEFORE = re.compile(r"([A-Za-z_]\w*)\s*$", re.ASCII)
 _NAMED = re.compile(r"\s*([A-Za-z_]\w*)\s*=(?!=)", re.ASCII)
-_TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
+_TEXT = re.compile(r'"(?:[^"\\]|\\.)*+("?)')
 _NO_PLACE = re.compile(r'["#]|//')
 
 
@@ -45,7 +45,7 @@ def call_place(lead: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
         lead: the line up to the place.
         tasks: how each task is called.
     """
-    bare = _TEXT.sub(lambda text: "_" * len(text[0]), lead)
+    bare = _TEXT.sub(lambda text: "_" * len(text[0]) if text[1] else text[0], lead)
     if _NO_PLACE.search(bare):  # in a text that goes on, or in a comment
         return None
     for start in reversed(_open_brackets(bare)):

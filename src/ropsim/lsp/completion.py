@@ -28,7 +28,7 @@ _KEYWORD, _FUNCTION, _UNIT, _TYPE, _FIELD, _LITERAL = 14, 3, 11, 25, 5, 12
 _SIDES = ("after start", "before end")
 _QUIET_TRIGGERS = (" ", ",", "(")
 _MEMBERS = ("x", "y", "z", "rx", "ry", "rz", "col", "row", "layer")
-_NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*")*(?:#|//|")')
+_NO_PLACE = re.compile(r'^(?:[^"#/]|/(?!/)|"(?:[^"\\]|\\.)*+")*+(?:#|//|")')
 _PARTIAL = re.compile(r"[A-Za-z_]?\w*$", re.ASCII)
 
 #: What may stand at the end of a line up to the word being typed, and what is offered there.

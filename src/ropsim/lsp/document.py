@@ -96,6 +96,11 @@ class Document:
         before = self.line(line)[: max(column, 0)]
         return {"line": line, "character": _units(before, self.encoding)}
 
+    def units(self, line: int, first: int, last: int) -> int:
+        """Return how many units of the protocol stand between two characters of a line, counted from 0."""
+        begin, end = self.starts[line], self.ends[line]
+        return _units(self.text[min(begin + first, end) : min(begin + last, end)], self.encoding)
+
     def range_of(self, span: Span | None) -> Json:
         """Return the range of a span; one of a whole line, or none, becomes the words of that line."""
         if span is None or span.is_whole_line:
@@ -128,4 +133,5 @@ def _units(text: str, encoding: str) -> int:
     """Return how many units a text has."""
     if encoding == "utf-8" and not text.isascii():
         return len(text.encode("utf-8", "surrogatepass"))
-    return len(text) + (len(_WIDE.findall(text)) if encoding == "utf-16" else 0)
+    is_plain = encoding != "utf-16" or text.isascii()
+    return len(text) + (0 if is_plain else len(_WIDE.findall(text)))

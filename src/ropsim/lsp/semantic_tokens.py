@@ -145,15 +145,11 @@ def _data(found: list[_Token], document: Document) -> list[int]:
 
 
 def _numbers(found: list[_Token], document: Document) -> Iterator[tuple[int, int, int, int, int]]:
-    line = column = end = 0
+    line, last, end = 0, 0, 0  # the line of the word before, and the characters where it starts and ends
     for one in found:
-        at = document.range_of(one.span)
-        start, stop = at["start"], at["end"]
-        assert isinstance(start, dict)
-        assert isinstance(stop, dict)
-        if start["line"] != stop["line"] or (start["line"], start["character"]) < (line, end):
+        number, start, stop = one.span.line - 1, one.span.column - 1, one.span.end_column - 1
+        if one.span.end_line != one.span.line or (number, start) < (line, end):
             continue  # editors take neither words over several lines nor words within words
-        down = start["line"] - line
-        across = start["character"] - (0 if down else column)
-        yield down, across, stop["character"] - start["character"], TYPES.index(one.type), one.modifiers
-        line, column, end = start["line"], start["character"], stop["character"]
+        across = document.units(number, last if number == line else 0, start)
+        yield number - line, across, document.units(number, start, stop), TYPES.index(one.type), one.modifiers
+        line, last, end = number, start, stop

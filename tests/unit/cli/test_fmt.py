@@ -61,6 +61,14 @@ def test_standard_input_goes_to_standard_output(
     assert json.loads(capsys.readouterr().out)["text"] == FORM
 
 
+def test_nothing_on_standard_input_gives_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"")))
+    assert main(["fmt", "-"]) == 0
+    assert capsys.readouterr().out == ""
+
+
 @pytest.mark.parametrize(
     ("name", "content", "code", "finding"),
     [

@@ -159,3 +159,20 @@ def test_the_second_loop_of_one_name_has_a_type_of_its_own() -> None:
     whole = {"start": place(0, 0), "end": place(99, 0)}
     hints = editor.ask("textDocument/inlayHint", textDocument={"uri": BARE}, range=whole)
     assert [one["label"] for one in hints] == [": int", ": length"]
+
+
+def test_places_on_one_long_line_are_counted_once_through(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = 0
+
+    def counted(text: str, encoding: str) -> int:
+        nonlocal seen
+        seen += len(text)
+        return len(text.encode("utf-16-le")) // 2
+
+    monkeypatch.setattr("ropsim.lsp.document._units", counted)
+    for count in (500, 1000):
+        seen, editor, text = 0, Editor(), "mov " + "a " * count + "# é"
+        editor.open(BARE, text)
+        seen = 0
+        editor.ask("textDocument/semanticTokens/full", textDocument={"uri": BARE})
+        assert seen <= 2 * len(text)

@@ -6,6 +6,7 @@ import pytest
 
 from ropsim import language
 from ropsim.lsp import words
+from ropsim.lsp.call_place import _TEXT, call_place
 from ropsim.workbench import new_project
 from support.editors import Editor, place, uri_of
 
@@ -167,6 +168,16 @@ def test_names_of_the_cell_are_offered_where_they_fit(program: str) -> None:
 @pytest.mark.parametrize("line", ["# mo|", "// mo|", 'print "mo|', "loc |", "task |"])
 def test_nothing_is_offered_in_comments_texts_and_new_names(line: str) -> None:
     assert labels(BARE, HEAD + line) == []
+
+
+def test_behind_a_closed_text_names_are_offered_again() -> None:
+    assert "total" in labels(BARE, 'total = 3\nprint "a \\" b", to|')
+
+
+def test_a_line_of_many_quotes_is_read_once() -> None:
+    for lead in ('Go "' + '\\"' * 1000, 'Go \\"' + '\\"' * 1000):
+        assert call_place(lead, {}) is None
+        assert sum(len(one[0]) for one in _TEXT.finditer(lead)) == len(lead) - lead.index('"')
 
 
 def test_variables_of_a_task_are_offered_inside_of_it_only() -> None:
