@@ -36,14 +36,15 @@ def applied(document: Document, changes: Iterable[Change]) -> str:
 
 
 def action(title: str, kind: str, document: Document, changes: Sequence[Change]) -> Json:
-    """Return changes as something that an editor offers."""
+    """Return changes as something that an editor offers, with the line ends that the document has."""
+    line_end = "\r\n" if document.text[document.ends[0] :].startswith("\r\n") else "\n"
     edits = [
         {
             "range": {
                 "start": document.position(one.line, one.column),
                 "end": document.position(one.end_line, one.end_column),
             },
-            "newText": one.text,
+            "newText": one.text.replace("\n", line_end),
         }
         for one in changes
     ]

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from textwrap import dedent, indent
 
 from ropsim.language import Act, Meaning, Role, Uses
+from ropsim.lsp.carried import carried
 from ropsim.lsp.document import Document
 from ropsim.lsp.edits import Change, action, applied, refused
 from ropsim.lsp.messages import Json
@@ -59,6 +60,9 @@ def _made(
     if uses.is_classic:
         return "in a classic text, tasks have no parameters with types"
     taken, given = _taken(uses, first + 1, last + 1), _given(uses, first + 1, last + 1)
+    lost = carried(document, uses, first + 1, last + 1, frozenset(taken) & frozenset(given))
+    if lost is not None:
+        return f"the loop around them keeps the value of `{lost.name}` for its next pass, and a task does not"
     if len(given) > 1:
         listed = " and ".join(f"`{one.name}`" for one in given)
         return f"they give values to {listed}, and a task returns one"

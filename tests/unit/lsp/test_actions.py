@@ -154,11 +154,50 @@ def test_lines_that_cannot_be_a_task_are_told_why(first: int, last: int, reason:
     assert reason in action["disabled"]["reason"]
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("x = x + 1", "print x"),
+        ("if i == 1", "  x = 5", "endif", "print x"),
+        ("if i == 1 then x = 5", "print x"),
+        ("if i == 1", "  y = 5", "endif", "print y"),
+        ("print x", "x = i"),
+        ("x = (1 +", "  x)", "print x"),
+    ],
+)
+@pytest.mark.parametrize("condition", ["part_ok", "1 == 1"])
+def test_what_a_loop_carries_into_its_next_pass_stays_in_it(lines: tuple[str, ...], condition: str) -> None:
+    head = ["program p", "signal part_ok = input 1", "x = 1", "y = 1", f"if {condition}", "for i = 1 to 3"]
+    text = "\n".join([*head, *lines, "endf", "endif", ""])
+    action = named(offered(text, (6, 0), (5 + len(lines), 99)), "make a task")
+    assert "for its next pass" in action["disabled"]["reason"]
+
+
+def test_a_parameter_that_a_loop_changes_stays_in_it() -> None:
+    text = "program p\ntask T(a: int)\n  for i = 1 to 3\n    a = a + 5\n    print a\n  endf\nendp\nT 1\n"
+    assert "`a`" in named(offered(text, (3, 0), (4, 99)), "make a task")["disabled"]["reason"]
+
+
+@pytest.mark.parametrize("behind", ["print x", "wait 0 s"])
+def test_what_a_pass_gives_anew_or_hands_back_may_be_a_task(behind: str) -> None:
+    for lines in (["x = i", "x = x + 1", "print x"], *([["x = x + 1", "print x"]] * (behind == "print x"))):
+        text = "\n".join(["program p", "x = 1", "for i = 1 to 3", *lines, behind, "endf", ""])
+        changed = after(text, named(offered(text, (3, 0), (2 + len(lines), 99)), "make a task"))
+        assert done(changed) == done(text)
+
+
 def test_a_component_that_only_a_loop_has_keeps_its_lines() -> None:
     grid = "pattern slots = grid 2 x 2 from (400, 0, 300) step (70, 0, 0), (0, 90, 0)\n"
     text = f"program p\nunits mm\n{grid}for each s in slots\n  lin s\n  print s.row\nendf\n"
     assert "disabled" in named(offered(text, (5, 0), (5, 13)), "make a task")
     assert done(after(text, named(offered(text, (4, 0), (4, 7)), "make a task"))) == done(text)
+
+
+def test_new_lines_end_as_those_of_the_document_do() -> None:
+    text = TEXT.replace("\n", "\r\n")
+    changed = after(text, named(offered(text, (7, 0), (8, 99)), "make a task"))
+    assert "Task1 part, gap" in changed
+    assert "\n" not in changed.replace("\r\n", "")
 
 
 def test_a_cursor_selects_no_lines() -> None:
