@@ -14,7 +14,6 @@ from ropsim.flow import (
     MessageEvent,
     MessageInstruction,
     MoveInstruction,
-    Origin,
     OutputEvent,
     OutputInstruction,
     SyncInstruction,
@@ -65,7 +64,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     advance = adapted(machine.advance, options.adapt)
     serving = Serving()
     yield from _while_held(run, at)
-    step = last = advance()
+    step = advance()
     while not isinstance(step, Finished) and not (at.is_over or at.in_vain or at.dismissed):
         if not is_needed(run, at) and serving.comes_round(machine, step):
             at.dismissed = True
@@ -76,15 +75,15 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             yield from move(run, at, stretch, world) if stretch else _carry_out(run, at, step, world)
             yield
             yield from _while_held(run, at)
-            last, step = step, stretch.next if stretch else advance()
+            step = stretch.next if stretch else advance()
     if at.in_vain or at.dismissed:
         return  # who ended the wait has told why; those that it served have ended
-    if run.is_stopped(at.due) and (at.cut_short or not isinstance(step, Finished)):
-        run.findings.append(_stopped(last))
-    elif at.cut_short or not isinstance(step, Finished):
-        run.findings.append(_too_long(last, options))
-    elif step.trap is not None:
-        run.findings.append(step.trap)
+    if isinstance(step, Finished) and not at.cut_short:
+        run.findings += filter(None, (step.trap,))
+    elif run.is_stopped(at.due):
+        run.findings.append(_stopped(at))
+    else:
+        run.findings.append(_too_long(at, options))
 
 
 def _while_held(run: CellRun, at: StationRun) -> Iterator[None]:
@@ -155,17 +154,22 @@ def _blamed(step: Instruction) -> Iterator[None]:
         raise type(error)(replace(found, span=step.origin.span, label=f"pass {visit}", data=data)) from error
 
 
-def _stopped(step: Instruction | Finished) -> Diagnostic:
-    span = None if isinstance(step, Finished) else step.origin.span
-    return STOPPED.at(span, "the run was ended here by hand")
+def _stopped(at: StationRun) -> Diagnostic:
+    """Return S761 at the instruction at which the station has come to stand, at the time of that."""
+    return STOPPED.at(
+        at.origin.span,
+        "the run was ended here by hand",
+        label=f"pass {at.origin.visit}",
+        data={"pass": at.origin.visit, "time_s": at.time},
+    )
 
 
-def _too_long(step: Instruction | Finished, options: RunOptions) -> Diagnostic:
-    origin = Origin() if isinstance(step, Finished) else step.origin
+def _too_long(at: StationRun, options: RunOptions) -> Diagnostic:
+    """Return S723 at the instruction in force, at the time of its station."""
     return RUN_TOO_LONG.at(
-        origin.span,
+        at.origin.span,
         f"the program still runs after {options.longest:g} s of simulated time, it was stopped here",
-        label=f"pass {origin.visit}",
+        label=f"pass {at.origin.visit}",
         hint="give the loop an end or fewer passes, or a long wait a shorter time",
-        data={"pass": origin.visit},
+        data={"pass": at.origin.visit, "time_s": at.time},
     )

@@ -190,6 +190,26 @@ def test_a_run_that_is_stopped_while_it_waits_for_a_key_waits_until_then_again()
     assert again(first, IDEAL, lone) == first
 
 
+LOOP = ("repeat 3", "  mov (500, -200, 300)", "  mov (500, 200, 300) blend 20 mm", "  mov home", "endr")
+
+
+def test_the_end_by_hand_is_told_at_its_own_time_and_pass_and_at_the_move_that_it_cut_short() -> None:
+    lone = replace(CELL, stations={"a": CELL.stations["a"]})
+    programs = {"a": code("a", LOOP)}
+    moves = run(lone, programs, IDEAL).events_of(MoveEvent)
+    cut = next(one for one in moves if (one.line, one.visit) == (5, 2))  # the second move of its stretch
+    stop = cut.time + 0.2 * cut.duration
+    ended = run(lone, programs, replace(IDEAL, watch=Hand([(stop, STOP)])))
+    (finding,) = ended.findings
+    assert finding.span
+    assert finding.span.line == 5
+    assert (finding.data["pass"], finding.label) == (2, "pass 2")
+    told = finding.data["time_s"]
+    assert isinstance(told, float)
+    assert ended.facts.stopped == pytest.approx(stop, abs=0.02)
+    assert stop <= told == pytest.approx(ended.duration)  # the arm brakes before it stands
+
+
 def test_what_would_act_after_the_end_is_not_part_of_the_run() -> None:
     given_ = replace(IDEAL, overrides=(OverrideChange(1000.0, 0.5),), stopped=2000.0)
     recording = run(CELL, BOTH, given_)
