@@ -61,7 +61,7 @@ class Overlap:
     """A corner at which the next move begins while the one before still ends: both motions are added.
 
     Attributes:
-        zone: largest distance of the TCP from the corner while both last [m].
+        zone: distance of the TCP from the corner within which both may last, on either path [m].
         leave: place on the path before from which on the next move may begin, in its unit.
         enter: place on the path behind up to which the one before may last, in its unit.
     """
@@ -102,7 +102,8 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
             return Stop.STANDS
     s_leave = leave(one.positions, one.length, zone, halves[0])
     s_enter = enter(other.positions, other.length, zone, halves[1])
-    flown = max(one.distance(s_leave, one.length), other.distance(s_enter, 0.0))
+    distances = one.distance(s_leave, one.length), other.distance(s_enter, 0.0)
+    flown = max(distances)
     if meeting:
         between = corner(meeting.before, s_leave, meeting.behind, s_enter)
         if between is CornerFault.TURNS_BACK:
@@ -122,7 +123,8 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
             return Rounding(flown, s_leave, s_enter, between, traced[0], along)
-    return Overlap(flown, s_leave, s_enter)
+    ways = [way for way in distances if way > _LEAST]  # where the tool only turns no zone is too long
+    return Overlap(min(ways, default=0.0), s_leave, s_enter)
 
 
 def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:

@@ -11,6 +11,7 @@ from ropsim.controller.corners import Corner, Stop, corner_between
 from ropsim.controller.correction_check import beside_correction, correction_refusal
 from ropsim.controller.course import course_of
 from ropsim.controller.entities import Refusal
+from ropsim.controller.flown_zones import flown_zones
 from ropsim.controller.hopeless import joints_refusal, rest_to_rest_refusal, standing_refusal
 from ropsim.controller.keeping import keeping_of
 from ropsim.controller.kept_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
@@ -120,7 +121,7 @@ def _planned(
     if late := _late(legs, kept.clock.times_of(course.ends)):
         return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
     findings += slowed_findings(legs, course.ends, keeping.slowed, chain.robot)
-    zones = [one.zone if one else 0.0 for one in corners] + [0.0]
+    zones = flown_zones(chain.robot, legs, corners, course)
     return in_ticks(chain, legs, zones, course, kept, findings)
 
 
@@ -200,6 +201,6 @@ def _corners(chain: MotionChain, legs: list[Leg], findings: list[Diagnostic]) ->
             findings += stopped(before.move, found)
             corners.append(None)
         else:
-            findings += clipped(before.move, found.zone)
+            findings += clipped(before.move, found)
             corners.append(found)
     return corners

@@ -1,6 +1,6 @@
 """What is said about the zones of a stretch."""
 
-from ropsim.controller.corners import Stop
+from ropsim.controller.corners import Corner, Overlap, Stop
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
@@ -9,19 +9,21 @@ _SAME = 1e-6
 """Share by which the zone that is flown may be smaller than the commanded one without a word."""
 
 
-def clipped(move: MoveInstruction, zone: float) -> tuple[Diagnostic, ...]:
+def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
     """Return M562 where less than the commanded zone is flown; only at its first visit.
 
     Args:
         move: that commands the zone.
-        zone: that is flown [m].
+        corner: that is flown; where motions overlap, its zone is the most that may be flown.
     """
-    wanted = move.modal.zone
+    wanted, zone = move.modal.zone, corner.zone
+    most = "at most " if isinstance(corner, Overlap) else ""
     if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
         return ()
     finding = ZONE_CLIPPED.at(
         move.origin.span,
-        f"the zone of {wanted * 1e3:g} mm is flown as {zone * 1e3:.3g} mm, half of the shorter way beside it",
+        f"the zone of {wanted * 1e3:g} mm is flown as {most}{zone * 1e3:.3g} mm, "
+        "half of the shorter way beside it",
         hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
         data={"zone_m": wanted, "flown_m": zone},
     )

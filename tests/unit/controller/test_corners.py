@@ -111,7 +111,7 @@ def test_a_zone_takes_at_most_half_of_either_move(kinds: str) -> None:
     assert found.enter <= behind.joints.length / 2.0 * (1.0 + 1e-9)
     ends = (before, found.leave), (behind, found.enter)
     away = [np.linalg.norm(place_of(leg, place) - FIRST.position) for leg, place in ends]
-    assert found.zone == pytest.approx(max(away), abs=PLACE)
+    assert found.zone == pytest.approx(min(away), abs=PLACE)
     if kinds == "LIN to LIN":
         assert away == pytest.approx([0.03, 0.03], abs=PLACE)  # half of the second line
     else:
@@ -126,7 +126,9 @@ def test_a_line_back_on_itself_is_a_stop() -> None:
 def test_a_tool_that_only_turns_on_one_side_of_two_lines_is_a_stop() -> None:
     turned = Pose(FIRST.position, (FIRST @ Pose(orientation=np.array([0.99, 0.0, 0.0, 0.1]))).orientation)
     assert between(lin(FIRST), lin(turned), 0.01) is Stop.STANDS
-    assert isinstance(between(ptp(FIRST), lin(turned), 0.01), Overlap)
+    overlap = between(ptp(FIRST), lin(turned), 0.01)
+    assert isinstance(overlap, Overlap)
+    assert overlap.zone == pytest.approx(0.01)  # what only turns has no zone to be cut
 
 
 def test_there_is_no_way_round_where_a_move_leads_nowhere() -> None:
