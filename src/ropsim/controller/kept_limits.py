@@ -104,7 +104,7 @@ def _slowed(leg: Leg, part: Slowed, joint: Joint, start: float, end: float) -> D
     return SLOWED.at(
         origin.span,
         f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {place:.0%} of the "
-        f"move: joint `{joint.name}` has no more {_WORDS[part.quantity][0]}",
+        f"move: joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
         label=passes(origin),
         hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
         data={"joint": joint.name, "share": part.share, "place": place},

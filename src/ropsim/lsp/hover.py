@@ -113,7 +113,7 @@ def _places(resolved: Resolved, station: Station | None) -> str:
     if resolved.moving:
         return plain(f"{names.pose_words(resolved.X_FT)} in {resolved.moving}, which moves")
     X_WB = station.X_WB if station is not None else Pose()
-    known = "W" if station is not None else "the base frame"
+    known = "the world frame" if station is not None else "the base frame"
     parts = [f"{names.pose_words(X_WB @ resolved.X_BT)} in {known}"]
     if resolved.frame:
         parts.append(f"{names.pose_words(resolved.X_FT)} in {resolved.frame}")

@@ -123,7 +123,9 @@ def _drive_check(robot: RobotModel, limit: Limit, axes: list[int], tally: Tally,
         return _Check(kind, limit.column, _shown(robot, limit, axes[0]), tuple(axes), values, ticks, bounds)
     counts, ticks = (one[places] for one in tally.at_limit(limit.column))
     most = np.full(len(axes), SATURATION_TIME)
-    return _Check(kind, f"time at full {limit.column}", _TIME, tuple(axes), counts / hz, ticks, most)
+    return _Check(
+        kind, f"drive saturated, time at full {limit.column}", _TIME, tuple(axes), counts / hz, ticks, most
+    )
 
 
 def _shown(robot: RobotModel, limit: Limit, axis: int) -> _Shown:

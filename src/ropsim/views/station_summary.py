@@ -42,7 +42,8 @@ class StationSummary:
         facts: who ran what on which arm.
         cycle_time: end of its last motion or instruction [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
-        grips: number of times a part or nothing was gripped.
+        grips: number of times that a gripper closed on a part.
+        empty_grips: number of times that it closed on nothing.
         releases: number of times the gripper was opened.
         skipped: moves that were refused and left out.
         share_in_motion: share of its cycle time in which any joint reference speed exceeds 1e-6 rad/s
@@ -61,6 +62,7 @@ class StationSummary:
     cycle_time: float
     moves: Mapping[str, int]
     grips: int
+    empty_grips: int
     releases: int
     skipped: tuple[SkipEvent, ...]
     share_in_motion: float
@@ -104,7 +106,12 @@ class Figures(Protocol):
 
     @property
     def grips(self) -> int:
-        """Return how often a gripper closed."""
+        """Return how often a gripper closed on a part."""
+        ...
+
+    @property
+    def empty_grips(self) -> int:
+        """Return how often a gripper closed on nothing."""
         ...
 
     @property
@@ -177,7 +184,8 @@ def _station(recording: Recording, facts: StationFacts) -> StationSummary:
         facts=facts,
         cycle_time=cycle_time,
         moves=moves_by_kind(events),
-        grips=sum(isinstance(event, GripEvent) for event in events),
+        grips=sum(isinstance(event, GripEvent) and event.part != "" for event in events),
+        empty_grips=sum(isinstance(event, GripEvent) and event.part == "" for event in events),
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
         share_in_motion=share_in_motion(recording, cycle_time),

@@ -50,7 +50,8 @@ class Summary:
         duration: simulated time [s].
         cycle_time: end of the last motion or instruction of all stations [s].
         moves: number of moves carried out, by kind (`PTP`, `LIN`).
-        grips: number of times a part or nothing was gripped.
+        grips: number of times that a gripper closed on a part.
+        empty_grips: number of times that it closed on nothing.
         releases: number of times the gripper was opened.
         skipped: moves that were refused and left out; with any, the cycle time is not valid.
         share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
@@ -78,6 +79,7 @@ class Summary:
     cycle_time: float
     moves: Mapping[str, int]
     grips: int
+    empty_grips: int
     releases: int
     skipped: tuple[SkipEvent, ...]
     share_in_motion: float
@@ -149,7 +151,8 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         duration=recording.duration,
         cycle_time=cycle_time,
         moves=moves_by_kind(events),
-        grips=sum(isinstance(event, GripEvent) for event in events),
+        grips=sum(isinstance(event, GripEvent) and event.part != "" for event in events),
+        empty_grips=sum(isinstance(event, GripEvent) and event.part == "" for event in events),
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
         share_in_motion=share_in_motion(recording, cycle_time),

@@ -52,8 +52,14 @@ def effort_lines(figures: Figures, summary: Summary) -> list[str]:
         f"in motion    {percent(figures.share_in_motion)} of the cycle time",
         *_settling(figures, summary),
         *_waiting(figures),
-        f"moves        {moves}; {plural(figures.grips, 'grip')}, {plural(figures.releases, 'release')}",
+        f"moves        {moves}; {_gripper(figures)}",
     ]
+
+
+def _gripper(figures: Figures) -> str:
+    """Return how often a gripper closed on a part, on nothing, and opened."""
+    empty = [plural(figures.empty_grips, "empty grip")] if figures.empty_grips else []
+    return ", ".join((plural(figures.grips, "grip"), *empty, plural(figures.releases, "release")))
 
 
 def _settling(figures: Figures, summary: Summary) -> list[str]:

@@ -42,7 +42,7 @@ def verdict(summary: Summary) -> VerdictText:
         reasons.append(plural(summary.warning_count, "warning"))
     if failed:
         return VerdictText(Verdict.FAILED, "failed: " + ", ".join(reasons))
-    end = "ended by hand before the program was" if summary.stopped_by_hand else "ran to the end"
+    end = "ended by hand before the program ended" if summary.stopped_by_hand else "ran to the end"
     if reasons:
         return VerdictText(Verdict.DOUBTFUL, f"{end} with " + ", ".join(reasons))
     kind = Verdict.DOUBTFUL if summary.stopped_by_hand else Verdict.GOOD

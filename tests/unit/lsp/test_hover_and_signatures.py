@@ -77,7 +77,7 @@ def test_a_pose_in_the_world_counts_where_the_robot_stands(tmp_path: Path) -> No
     new_project(folder, "two_arms")
     program = uri_of(folder / "programs" / "right.task")  # its robot stands at x = 1320 mm, turned by 180°
     told = hover("program right\nunits mm, deg\nloc cor|ner = (20, 0, 0; rpy 0 0 0)\nmov corner\n", program)
-    assert "(1300, 0, 0) mm, roll pitch yaw (0, 0, 180)° in W" in told
+    assert "(1300, 0, 0) mm, roll pitch yaw (0, 0, 180)° in the world frame" in told
 
 
 def test_where_a_move_goes_is_told_of_the_last_text_without_errors() -> None:

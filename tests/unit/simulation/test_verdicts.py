@@ -121,7 +121,10 @@ def test_a_current_that_is_held_at_its_limit_counts_when_it_lasts() -> None:
     rows["current"][20:35, 2] = -0.995 * 8.8
     (found,) = found_in(rows, _limited())
     assert (found.code, found.data["joint"], found.data["value"]) == ("S739", 3, pytest.approx(0.060))
-    assert "time at full current of joint `3` reached 0.06 s, the limit is 0.05 s" in found.message
+    assert (
+        "drive saturated, time at full current of joint `3` reached 0.06 s, the limit is 0.05 s"
+        in found.message
+    )
     assert found.span is not None
     assert found.span.line == 34
 

@@ -7,6 +7,7 @@ import pytest
 from ropsim.flow import (
     AxisType,
     Channel,
+    GripEvent,
     MotionKind,
     MoveEvent,
     Recording,
@@ -16,8 +17,10 @@ from ropsim.flow import (
     WaitEvent,
 )
 from ropsim.views import summarize
+from ropsim.views.html.cards import key_figures
 from ropsim.views.joint_summary import closest_to_position_limit
 from ropsim.views.station_summary import moves_by_kind
+from ropsim.views.terminal_figures import effort_lines
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 ROUNDING = 1e-12
@@ -47,7 +50,18 @@ def test_cycle_time_is_the_end_of_the_last_event() -> None:
 def test_moves_are_counted_by_kind() -> None:
     summary = summarize(pick_and_place(2))
     assert dict(summary.moves) == {"PTP": 4, "LIN": 8}
-    assert (summary.grips, summary.releases) == (2, 2)
+    assert (summary.grips, summary.empty_grips, summary.releases) == (2, 0, 2)
+
+
+def test_a_grip_that_took_nothing_is_counted_apart_and_told() -> None:
+    recording = pick_and_place(2)
+    first = next(event for event in recording.events if isinstance(event, GripEvent))
+    events = tuple(replace(event, part="") if event is first else event for event in recording.events)
+    summary = summarize(replace(recording, events=events))
+    assert (summary.grips, summary.empty_grips, summary.releases) == (1, 1, 2)
+    assert [(one.grips, one.empty_grips) for one in summary.stations] == [(1, 1)]
+    assert effort_lines(summary, summary)[-1].endswith("1 grip, 1 empty grip, 2 releases")
+    assert "<dd>1<small>grips, 1 empty, 2 releases</small></dd>" in key_figures(summary)
 
 
 def test_settle_times_add_up_and_are_a_share_of_the_cycle() -> None:

@@ -149,7 +149,7 @@ def test_colour_changes_nothing_but_colour() -> None:
 def test_a_run_that_was_ended_by_hand_does_not_claim_to_have_run_to_the_end() -> None:
     stopped = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s")
     text = report(findings=(stopped,))
-    assert "ended by hand before the program was, no errors" in text
+    assert "ended by hand before the program ended, no errors" in text
     assert "s  ! not valid" in text
     assert "ran to the end" not in text
 

@@ -59,10 +59,11 @@ def _cycle_time(figures: Figures, summary: Summary) -> Card:
 
 def _work(figures: Figures) -> list[Card]:
     moves = ", ".join(f"{count} {text(kind)}" for kind, count in figures.moves.items()) or "none"
+    empty = f"{figures.empty_grips} empty, " if figures.empty_grips else ""
     return [
         ("in motion", percent(figures.share_in_motion), "of the cycle time"),
         ("moves", str(sum(figures.moves.values())), moves),
-        ("gripper", str(figures.grips), f"grips, {figures.releases} releases"),
+        ("gripper", str(figures.grips), f"grips, {empty}{figures.releases} releases"),
     ]
 
 
