@@ -46,6 +46,8 @@ SAID = {
     "grasp": "`open` and `close`",
     **dict.fromkeys(("def", "PROC", "procedure", "function", "func", "Sub"), "`task Name(parameter: type)`"),
     "BEGIN": "leave `begin` out",
+    "next": "`endf`",
+    **dict.fromkeys(("speed", "vel", "acc", "accel", "blend", "zone"), "`set speed 500 mm/s`"),
     "end": "`endif`, `endw`, `endr`",
     "loop": "`repeat 3 … endr`",
     "foreach": "`for each b in PATTERN`",
@@ -55,6 +57,10 @@ SAID = {
     **dict.fromkeys(("halt", "exit", "quit"), "the end of a program is `stop`"),
     **dict.fromkeys(("int", "real", "float", "num", "bool", "string", "DECL", "let", "dim"), "`var x: type`"),
 }
+
+MODAL = "settings stand behind `set` or a target: `set speed 500 mm/s`, `lin p speed 500 mm/s`"
+COMMA = "a location is written in parentheses, `(x, y, z)`; what follows it stands without a comma"
+STEPS = "(1, 0, 0), (0, 1, 0), (0, 0, 1)"
 
 
 def test_every_word_of_the_table_is_tested() -> None:
@@ -112,6 +118,16 @@ def test_a_task_of_the_same_name_in_another_case_is_nearer() -> None:
         ("for ech b in g\nendf", "L101", "did you mean `each`?"),
         ("x = 3 ** 2", "L101", "there is no power: write `x * x`"),
         ("x = 3 ^ 2", "L102", "there is no power: write `x * x`"),
+        ("wait 0,5 s", "L101", "decimals are written with a point: `0.5 s`"),
+        ("x = 12,75", "L101", "decimals are written with a point: `12.75`"),
+        ("x = 12, 75", "L101", COMMA),
+        ("lin infeed z10", "L101", "write `blend 10 mm`"),
+        ("lin infeed v500", "L101", "write `speed 500 mm/s`"),
+        ("lin infeed speed v500", "N202", "write `speed 500 mm/s`"),
+        ("speed v500", "N201", MODAL),
+        ("next", "N201", "a `for` ends with `endf`"),
+        ("pattern q = grid 2x4 from (0, 0, 0) step (1, 0, 0), (0, 1, 0)", "L101", "write blanks: `2 x 4`"),
+        (f"pattern q = grid 2x4x3 from (0, 0, 0) step {STEPS}", "L101", "write blanks: `2 x 4 x 3`"),
         ("int x = 3 3", "L101", "a variable is made by its first value, `x = 3`, or by `var x: type`"),
     ],
 )

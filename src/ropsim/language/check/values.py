@@ -17,6 +17,7 @@ from ropsim.language.check.world import Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
+from ropsim.language.syntax.other_languages import data_hint
 from ropsim.program import (
     Expression,
     SignalUse,
@@ -93,6 +94,8 @@ def name(body: Body, node: nodes.Name) -> Value:
         message = f"`{node.text}` is the variable of a loop that has ended"
         hint = f"give `{node.text}` a value before the loop, or copy it to another variable inside"
         body.fail(name_kinds.UNKNOWN_NAME, node, message, hint)
+    if hint := data_hint(node.text):
+        body.fail(name_kinds.UNKNOWN_NAME, node, f"there is no name `{node.text}`", hint)
     body.unknown(name_kinds.UNKNOWN_NAME, node, "name", visible(body))
 
 

@@ -7,7 +7,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.fault import Fault, LineFaultError
 from ropsim.language.syntax.lexer import UNITS, Token
 from ropsim.language.syntax.nodes import Name
-from ropsim.language.syntax.other_languages import LEFT_OVER, NO_VALUE
+from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER, NO_VALUE, data_hint
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.words import INSIDE, NOT_YET_MODIFIERS, RESERVED
 
@@ -140,7 +140,9 @@ class Cursor:
             message = f"`{token.word}` stands in a location, behind its `;`"
             self.fault(kinds.UNEXPECTED, token.start, token.end, message, hint)
         is_foreign = token.kind == "word" and token.word not in INSIDE
-        meant = did_you_mean(token.text, INSIDE) if is_foreign else LEFT_OVER.get(token.word, "")
+        meant = self.decimal_hint() or LEFT_OVER.get(token.word, "")
+        if is_foreign:
+            meant = data_hint(token.text) or did_you_mean(token.text, INSIDE)
         if before.kind == "number" and is_foreign and (token.word in WRITTEN_OUT or not meant):
             written = WRITTEN_OUT.get(token.word, "")
             near = f"write `{written}`" if written else did_you_mean(token.text, UNITS)
@@ -149,6 +151,13 @@ class Cursor:
         if token.word in NOT_YET_MODIFIERS:
             self.not_yet(token, token.word)
         self.fail("the end of the line", meant)
+
+    def decimal_hint(self) -> str:
+        """Return what to write where a decimal comma comes next, as in `0,5`; empty elsewhere."""
+        before, comma, behind = self.look(-1), self.token, self.look(1)
+        is_decimal = comma.word == "," and before.kind == behind.kind == "number"
+        is_tight = before.end == comma.start and comma.end == behind.start
+        return DECIMAL.format(before.text, behind.text) if is_decimal and is_tight else ""
 
     def not_yet(self, token: Token, what: str) -> NoReturn:
         """Refuse a part of the language that this version does not have."""

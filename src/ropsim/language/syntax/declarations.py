@@ -6,6 +6,7 @@ from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import UNITS, Token, text_value
 from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.other_languages import grid_hint
 from ropsim.language.syntax.statements import (
     ConstantDeclaration,
     FrameDeclaration,
@@ -115,7 +116,9 @@ def pattern(cursor: Cursor, head: Token) -> Statement:
         counts.append(total(cursor))
     if len(counts) > 3:
         cursor.fail("at most three counts")
-    cursor.expect("from")
+    if cursor.word != "from":
+        cursor.fail("`from`", grid_hint(cursor.look(-1).text, cursor.word))
+    cursor.advance()
     origin = total(cursor)
     cursor.expect("step")
     steps = listed(cursor)

@@ -1,5 +1,6 @@
 """Words and signs of other languages, and what they are called here."""
 
+import re
 from collections.abc import Mapping
 
 _LIN = "did you mean `lin`?"
@@ -22,6 +23,8 @@ _LOOP = "loops are `repeat 3 … endr`, `while … endw`, `for i = 1 to 3 … en
 _CHOICE = "write `if … elseif … else … endif`"
 _STOP = "the end of a program is `stop`, the way out of a task `return`, out of a loop `break`"
 _DECLARED = "a variable is made by its first value, `x = 3`, or by `var x: type`"
+_MODAL = "settings stand behind `set` or a target: `set speed 500 mm/s`, `lin p speed 500 mm/s`"
+_NEXT = "a `for` ends with `endf`"
 _GRIPPER = "the gripper is opened and closed by `open` and `close`"
 
 HINTS: Mapping[str, str] = {
@@ -67,6 +70,7 @@ HINTS: Mapping[str, str] = {
     "begin": "a block begins with its own line, `if …`, `repeat …`, `task …`; leave `begin` out",
     "end": _CLOSER,
     "loop": _LOOP,
+    "next": _NEXT,
     "foreach": "write `for each b in PATTERN`",
     "goto": f"there are no jumps: {_LOOP}",
     "switch": _CHOICE,
@@ -74,6 +78,12 @@ HINTS: Mapping[str, str] = {
     "halt": _STOP,
     "exit": _STOP,
     "quit": _STOP,
+    "speed": _MODAL,
+    "vel": _MODAL,
+    "acc": _MODAL,
+    "accel": _MODAL,
+    "blend": _MODAL,
+    "zone": _MODAL,
     "int": _DECLARED,
     "real": _DECLARED,
     "float": _DECLARED,
@@ -130,3 +140,26 @@ UNITS: Mapping[str, str] = {
     **dict.fromkeys(("newton", "newtons"), "N"),
 }
 """Units written out, and how they are written here."""
+
+DECIMAL = "decimals are written with a point: `{0}.{1}`"
+"""What to write for `0,5`."""
+
+_TIGHT_COUNTS = re.compile(r"(?:x[0-9]+)+")
+_DATA = re.compile(r"([vz])([0-9]+)")
+_OF_DATA: Mapping[str, str] = {"v": "write `speed {0} mm/s`", "z": "write `blend {0} mm`"}
+
+
+def data_hint(name: str) -> str:
+    """Return what to write for speed and zone data such as `v500` and `z10`; empty for other names."""
+    found = _DATA.fullmatch(name.lower())
+    return _OF_DATA[found[1]].format(found[2]) if found else ""
+
+
+def grid_hint(first: str, rest: str) -> str:
+    """Return what to write for the counts of a grid that stand together; empty where they do not.
+
+    Args:
+        first: what stands before the first `x`, such as `2`.
+        rest: the word behind it, such as `x4x3`.
+    """
+    return f"write blanks: `{first}{rest.replace('x', ' x ')}`" if _TIGHT_COUNTS.fullmatch(rest) else ""
