@@ -1,11 +1,16 @@
 """Fewer points for the same picture."""
 
+from itertools import pairwise
+
 import numpy as np
 import numpy.typing as npt
 
 from ropsim.spatial import Array
 
 Indices = npt.NDArray[np.intp]
+
+_CELL = 0.2
+"""Share of the tolerance within which samples count as one place."""
 
 PIECES = 300
 """Above this number of pieces a trace with gaps is drawn without them."""
@@ -30,24 +35,49 @@ def min_max(values: Array, points: int) -> list[Indices]:
     return [piece if bucket <= 2 else _thinned(values, piece, bucket) for piece in pieces]
 
 
-def along_curve(x: Array, y: Array, step: float, points: int) -> Indices:
-    """Return indices that draw a plane curve: samples at least `step` apart on a grid of that size.
+def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices) -> Indices:
+    """Return indices that draw a plane curve, which is nowhere further from their polygon than a tolerance.
 
-    The step is doubled until at most `points` samples are left.
+    The tolerance is doubled until at most `points` samples are left, those of `kept` not counted. After
+    Douglas and Peucker (1973), between each two samples that are kept anyway.
 
     Args:
         x: shape (n,), finite.
         y: shape (n,), finite.
-        step: in the unit of x and y, > 0.
+        tolerance: in the unit of x and y, > 0.
         points: at most so many.
+        kept: samples that stay, such as the ends of moves; the first and the last one do so, too.
     """
+    if x.size == 0:
+        return np.empty(0, dtype=np.intp)
     while True:
-        cells = np.round(np.stack([x, y]) / step)
-        moved = np.any(np.diff(cells, axis=1) != 0.0, axis=0)
-        kept = np.flatnonzero(np.concatenate([[x.size > 0], moved])[: x.size])
-        if kept.size <= points:
-            return kept
-        step *= 2.0
+        cells = np.round(np.stack([x, y]) / (_CELL * tolerance))
+        moved = np.flatnonzero(np.any(np.diff(cells, axis=1) != 0.0, axis=0)) + 1
+        ends = np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp))
+        near = np.unique(np.concatenate((moved, ends)))
+        bends = near[_bends(np.stack([x, y], axis=1)[near], (1.0 - 2.0 * _CELL) * tolerance, ends, near)]
+        if bends.size <= points + ends.size:
+            return np.asarray(bends, dtype=np.intp)
+        tolerance *= 2.0
+
+
+def _bends(places: Array, tolerance: float, ends: Indices, near: Indices) -> Indices:
+    """Return numbers of the places, (k, 2), between which the curve is as good as straight."""
+    found = np.searchsorted(near, ends).tolist()
+    spans = list(pairwise(found))
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        way, inner = places[last] - places[first], places[first + 1 : last] - places[first]
+        share = np.clip(inner @ way / max(float(way @ way), 1e-300), 0.0, 1.0)
+        off = np.linalg.norm(inner - share[:, None] * way, axis=1)
+        worst = int(np.argmax(off))
+        if off[worst] > tolerance:
+            middle = first + 1 + worst
+            found.append(middle)
+            spans += [(first, middle), (middle, last)]
+    return np.asarray(sorted(found), dtype=np.intp)
 
 
 def _thinned(values: Array, piece: Indices, bucket: int) -> Indices:

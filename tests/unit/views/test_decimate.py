@@ -2,6 +2,8 @@ import numpy as np
 
 from ropsim.views.decimate import along_curve, min_max
 
+NONE = np.empty(0, dtype=np.intp)
+
 
 def test_short_traces_keep_every_sample() -> None:
     (piece,) = min_max(np.arange(10.0), 100)
@@ -31,12 +33,29 @@ def test_trace_with_very_many_gaps_is_drawn_in_one_piece() -> None:
     assert len(min_max(values, 100)) == 1
 
 
-def test_curve_drops_samples_that_do_not_move() -> None:
-    x = np.repeat(np.arange(5.0), 100)
-    kept = along_curve(x, np.zeros(500), 0.1, 1000)
-    assert kept.tolist() == [0, 100, 200, 300, 400]
+def test_curve_drops_samples_that_do_not_move_and_those_on_the_way() -> None:
+    x, y = np.repeat(np.arange(5.0), 100), np.repeat([0.0, 1.0, 0.0, 1.0, 0.0], 100)
+    assert along_curve(x, y, 0.1, 1000, NONE).tolist() == [0, 100, 200, 300, 499]
+    assert along_curve(x, np.zeros(500), 0.1, 1000, NONE).tolist() == [0, 499]
 
 
 def test_curve_keeps_to_its_number_of_points() -> None:
     angle = np.linspace(0.0, 40.0, 5000)
-    assert along_curve(np.cos(angle), np.sin(angle), 1e-6, 300).size <= 300
+    assert along_curve(np.cos(angle), np.sin(angle), 1e-6, 300, NONE).size <= 302
+
+
+def test_a_drawn_curve_is_nowhere_off_by_more_than_the_tolerance_and_keeps_its_corners() -> None:
+    angle = np.linspace(0.0, 0.5 * np.pi, 800)
+    side = np.linspace(0.0, 100.0, 701)
+    x = np.concatenate((100.0 * np.cos(angle), np.zeros(701), side))
+    y = np.concatenate((100.0 * np.sin(angle), 100.0 - side, np.zeros(701)))
+    kept = along_curve(x, y, 0.25, 2500, np.array([1100]))
+    assert {0, 1100, len(x) - 1} < set(kept.tolist())
+    for corner in ((0.0, 100.0), (0.0, 0.0)):
+        assert np.hypot(x[kept] - corner[0], y[kept] - corner[1]).min() < 0.05
+    a, b = np.stack((x, y), axis=1)[kept[:-1]], np.stack((x, y), axis=1)[kept[1:]]
+    ways = b - a
+    away = np.stack((x, y), axis=1)[:, None] - a
+    share = np.clip(np.sum(away * ways, axis=2) / np.sum(ways * ways, axis=1), 0.0, 1.0)
+    assert np.linalg.norm(away - share[..., None] * ways, axis=2).min(axis=1).max() < 0.25
+    assert kept.size < 40

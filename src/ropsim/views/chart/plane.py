@@ -16,6 +16,8 @@ RIGHT = 486.0
 TOP = 14.0
 BOTTOM = 396.0
 POINTS = 2500
+TOLERANCE = 0.25
+"""By how much of a pixel the drawn curve may be off, as long as it needs no more points than that."""
 
 
 @frozen_dataclass
@@ -70,7 +72,8 @@ def plane_chart(chart: PlaneChart) -> str:
     known = np.isfinite(chart.x) & np.isfinite(chart.y)
     x, y, straight = chart.x[known], chart.y[known], chart.straight[known]
     frame = _fit(x, y)
-    kept = along_curve(x, y, 0.5 / frame.scale, POINTS)
+    changes = np.flatnonzero(np.diff(straight)) + 1  # both sides: a straight move is drawn from end to end
+    kept = along_curve(x, y, TOLERANCE / frame.scale, POINTS, np.concatenate((changes - 1, changes)))
     parts = [_grid(frame), _curve(frame, x[kept], y[kept], "c1"), _straight(frame, x, y, straight, kept)]
     parts += [_spot(frame, spot) for spot in chart.spots]
     return (
@@ -87,7 +90,7 @@ def plane_chart(chart: PlaneChart) -> str:
 
 def _fit(x: Array, y: Array) -> _Frame:
     if x.size == 0:
-        return _Frame(0.0, 0.0, 100.0)
+        return _Frame(0.0, 0.0, 0.1)
     x_low, x_high = padded(float(x.min()), float(x.max()))
     y_low, y_high = padded(float(y.min()), float(y.max()))
     scale = min((RIGHT - LEFT) / (x_high - x_low), (BOTTOM - TOP) / (y_high - y_low))

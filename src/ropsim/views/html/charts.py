@@ -164,7 +164,7 @@ def _tool_paths(station: StationView) -> list[Stretch]:
 
 
 def _path_views(station: StationView) -> str:
-    position = station.matrix("attained_position", 3)
+    position = station.matrix("attained_position", 3) * MILLIMETRES.factor
     if not np.any(np.isfinite(position)):
         return ""
     straight = np.isfinite(station.series("path_error"))
@@ -174,7 +174,7 @@ def _path_views(station: StationView) -> str:
                 f"chart-{ident}{_suffix(station)}",
                 f"TCP path, {name}",
                 f"Attained path of the tool centre point in the base frame, {name}, equal scales.",
-                (f"{axes[0]} [m]", f"{axes[1]} [m]"),
+                (f"{axes[0]} [mm]", f"{axes[1]} [mm]"),
                 position[:, "xyz".index(axes[0])],
                 position[:, "xyz".index(axes[1])],
                 straight,
@@ -200,5 +200,5 @@ def _spots(station: StationView, position: Array, axes: str) -> tuple[Spot, ...]
             index = min(int(np.searchsorted(station.time, event.time)), station.time.size - 1)
             x, y = (float(position[index, "xyz".index(axis)]) for axis in axes)
             if np.isfinite(x) and np.isfinite(y):
-                spots[Spot(event.kind, round(x, 3), round(y, 3))] = None
+                spots[Spot(event.kind, round(x), round(y))] = None
     return tuple(spots)
