@@ -61,12 +61,14 @@ class Overlap:
     """A corner at which the next move begins while the one before still ends: both motions are added.
 
     Attributes:
-        zone: distance of the TCP from the corner within which both may last, on either path [m].
+        zone: distance of the TCP from the corner within which both may last, on the longer of the paths [m].
+        shorter: the same on the shorter one [m].
         leave: place on the path before from which on the next move may begin, in its unit.
         enter: place on the path behind up to which the one before may last, in its unit.
     """
 
     zone: float
+    shorter: float
     leave: float
     enter: float
 
@@ -124,7 +126,7 @@ def corner_between(chain: MotionChain, before: Leg, behind: Leg) -> Corner | Sto
                 return Stop.UNREACHABLE
             return Rounding(flown, s_leave, s_enter, between, traced[0], along)
     ways = [way for way in distances if way > _LEAST]  # where the tool only turns no zone is too long
-    return Overlap(min(ways, default=0.0), s_leave, s_enter)
+    return Overlap(flown, min(ways, default=flown), s_leave, s_enter)
 
 
 def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:

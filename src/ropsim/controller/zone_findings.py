@@ -17,13 +17,15 @@ def clipped(move: MoveInstruction, corner: Corner) -> tuple[Diagnostic, ...]:
         corner: that is flown; where motions overlap, its zone is the most that may be flown.
     """
     wanted, zone = move.modal.zone, corner.zone
-    most = "at most " if isinstance(corner, Overlap) else ""
+    shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
+    if isinstance(corner, Overlap):
+        shorter = f" and {corner.shorter * 1e3:.3g} mm" if corner.shorter < zone * (1.0 - _SAME) else ""
+        shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
     if move.origin.visit > 1 or zone >= wanted * (1.0 - _SAME):
         return ()
     finding = ZONE_CLIPPED.at(
         move.origin.span,
-        f"the zone of {wanted * 1e3:g} mm is flown as {most}{zone * 1e3:.3g} mm, "
-        "half of the shorter way beside it",
+        f"the zone of {wanted * 1e3:g} mm is flown as {shown}",
         hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
         data={"zone_m": wanted, "flown_m": zone},
     )

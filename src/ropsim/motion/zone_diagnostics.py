@@ -26,9 +26,10 @@ ZONE_CLIPPED = define(
     "the zone is larger than half of a way beside it, less of it is flown",
     """
 Zones may not overlap: each takes at most half of the move before and half of the move behind its point. The
-message gives the zone that is flown. Where a move in joint space takes part (`mov` beside `lin`), that is the
-most that is flown: the next motion begins while the one before ends, both parts within the zone last equally
-long, and the move with the slower part is left nearer to its point. The report gives that distance.
+message gives the zone that is flown. Where a move in joint space takes part (`mov` beside `lin`), each of the
+two ways has its own half, and these are the most that is flown: the next motion begins while the one before
+ends, both parts within the zone last equally long, and the move with the slower part is left nearer to its
+point. The report gives that distance. Such a zone is told where it is larger than both halves.
 
 **How to mend it.** Give the zone that is flown, or put the points further apart.
 """,
