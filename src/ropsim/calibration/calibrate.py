@@ -1,6 +1,6 @@
 """Calibration: the limits and the look-ahead of a controller from a trace of its robot."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -23,7 +23,11 @@ _WORTH_SAYING = 0.02
 
 
 def calibrate(
-    cell: Cell, station: Station, orders: Sequence[StretchOrder], trace: Trace
+    cell: Cell,
+    station: Station,
+    orders: Sequence[StretchOrder],
+    trace: Trace,
+    planning: Callable[[], None] = lambda: None,
 ) -> tuple[Calibration | None, tuple[Diagnostic, ...]]:
     """Return the limits under which a program lasts as long as in a trace, and what was found on the way.
 
@@ -36,12 +40,13 @@ def calibrate(
         station: that made the moves.
         orders: its stretches, as a run planned them.
         trace: of its axes.
+        planning: called before each stretch that is planned again.
 
     Returns:
         The calibration, None where the trace is not one of this program; and the findings.
     """
     known = settings_of(station)
-    replan = replanner(cell, station, orders)
+    replan = replanner(cell, station, orders, planning)
     try:
         logged, made, findings = compared(replan, orders, known, station.robot.axis_joints, trace)
     except CalibrationError as error:

@@ -25,13 +25,19 @@ Replan = Callable[[int, MotionSettings], MotionPlan | None]
 _KEPT = 512
 
 
-def replanner(cell: Cell, station: Station, orders: Sequence[StretchOrder]) -> Replan:
+def replanner(
+    cell: Cell,
+    station: Station,
+    orders: Sequence[StretchOrder],
+    planning: Callable[[], None] = lambda: None,
+) -> Replan:
     """Return what plans the stretches of a program under any settings, from where they were begun.
 
     Args:
         cell: static model.
         station: that makes the moves.
         orders: the stretches.
+        planning: called before each stretch that is planned: that is what takes the time.
     """
     made_for = standard_chain(cell, station)
 
@@ -46,6 +52,7 @@ def replanner(cell: Cell, station: Station, orders: Sequence[StretchOrder]) -> R
 
     @lru_cache(maxsize=_KEPT)
     def planned(number: int, settings: MotionSettings) -> MotionPlan | None:
+        planning()
         order = orders[number]
         made, refusal = plan(chain(settings), order.moves, MotionState.at_rest(order.q_start), order.payload)
         return made if refusal is None else None

@@ -1,6 +1,8 @@
 """`ropsim calibrate`: limits and look-ahead of a controller from a logged trace."""
 
 import argparse
+import itertools
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -25,8 +27,12 @@ def calibrate(options: argparse.Namespace, output: Output) -> int:
         output.document({"ok": False, **diagnostic_document(before)})
         return output.findings(before, sources)
     with Progress(f"calibrating {project.folder.resolve().name}") as progress:
-        progress(0.0, "planning the program under other limits")
-        found, findings = project.calibrate(options.trace, options.program)
+        count = itertools.count(1)
+
+        def planning() -> None:
+            progress(math.nan, f"planning under other limits, motion {next(count)}")
+
+        found, findings = project.calibrate(options.trace, options.program, planning)
     findings = (*before, *findings)
     code = output.findings(findings, sources)
     if found is None:

@@ -60,22 +60,23 @@ class Progress:
             self._put("\r\x1b[K")
 
     def __call__(self, done: float, text: str) -> None:
-        """Tell how much is done (0 to 1, anything else is clipped) and what is being done now."""
+        """Tell how much is done (0 to 1, else clipped; NaN where nobody knows) and what is being done now."""
         now = self._clock()
         if now < self._next:
             return
         self._next = now + (REFRESH if self._live else SPARSE)
         self._drawn = True
-        share = 0.0 if math.isnan(done) else min(max(done, 0.0), 1.0)
+        share = done if math.isnan(done) else min(max(done, 0.0), 1.0)
         line = self._line(share, text, now - self._start)
         self._put(f"\r{line}\x1b[K" if self._live else f"{line}\n")
 
     def _line(self, share: float, text: str, elapsed: float) -> str:
         left = f", {_clock_text(elapsed / share - elapsed)} left" if share > 0.02 else ""
-        full = round(share * BAR)
+        full = 0 if math.isnan(share) else round(share * BAR)
         bar = f"{self._full * full}{self._hollow * (BAR - full)} " if self._live else ""
+        bar = "" if math.isnan(share) else f"{bar}{share:4.0%}  "
         what = "".join(c if c.isprintable() else " " for c in f"{self._title}: {text}")
-        line = f"{bar}{share:4.0%}  {what}  ({_clock_text(elapsed)}{left})"
+        line = f"{bar}{what}  ({_clock_text(elapsed)}{left})"
         columns = shutil.get_terminal_size().columns - 1
         return line[:columns] if self._live else line
 

@@ -1,6 +1,6 @@
 """Calibrating a project: its program is planned, compared with a trace, and its cell file gets the limits."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ropsim.calibration import (
@@ -38,6 +38,7 @@ def calibrate_project(
     cell_text: SourceText,
     robots: Mapping[str, ReadRobot],
     trace: str | Path,
+    planning: Callable[[], None],
 ) -> tuple[CalibratedProject | None, tuple[Diagnostic, ...]]:
     """Return the limits under which programs last as long as in a trace, and what was found.
 
@@ -48,6 +49,7 @@ def calibrate_project(
         cell_text: the cell file.
         robots: what was read from the files of robots that it names.
         trace: a table of times and joint coordinates: see `read_trace`.
+        planning: called before each stretch that is planned again.
 
     Returns:
         The calibration, None where there is none; and the findings.
@@ -67,7 +69,7 @@ def calibrate_project(
 
     recording = run(cell, codes, RunOptions(Fidelity.KINEMATIC, ordered=ordered))
     findings += tuple(one for one in recording.findings if one.is_error)
-    calibration, told = calibrate(cell, station, orders, found)
+    calibration, told = calibrate(cell, station, orders, found, planning)
     findings += told
     return (_with_cell(calibration, cell_text, robots, station) if calibration else None), findings
 

@@ -1,6 +1,6 @@
 """A project folder: its cell, its programs, and what can be done with them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -259,13 +259,17 @@ class Project:
         return compare(recording or run(cell, codes, options), cell, codes, wanted, options)
 
     def calibrate(
-        self, trace: str | Path, program: str | None = None
+        self,
+        trace: str | Path,
+        program: str | None = None,
+        planning: Callable[[], None] = lambda: None,
     ) -> tuple["CalibratedProject | None", tuple[Diagnostic, ...]]:
         """Return the limits under which a program lasts as long as in a trace, and what was found.
 
         Args:
             trace: a table of times and joint coordinates, logged while the robot ran the program.
             program: name of the one that ran; None for that of the first station.
+            planning: called before each stretch that is planned again.
 
         Returns:
             The calibration, None where there is none; and the findings. Nothing is written.
@@ -279,7 +283,7 @@ class Project:
         cell, codes = self.runnable(self.programs(program))
         station = cell.station_of(program) if program else cell.first
         assert self.cell_text is not None  # a project with a cell has its text
-        return calibrate_project(cell, codes, station, self.cell_text, self.robots, trace)
+        return calibrate_project(cell, codes, station, self.cell_text, self.robots, trace, planning)
 
     def runnable(self, programs: Mapping[str, CompiledProgram]) -> tuple[Cell, dict[str, icr.Program]]:
         """Return the cell and the verified code of compiled programs, by station.

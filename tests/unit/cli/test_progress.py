@@ -74,6 +74,11 @@ def test_text_cannot_control_the_terminal() -> None:
     assert "\x1b[31m" not in tell(Terminal(), (2.0, 0.5, "\x1b[31m\n"))
 
 
-@pytest.mark.parametrize(("share", "shown"), [(7.0, "100%"), (-1.0, "0%"), (float("nan"), "0%")])
+@pytest.mark.parametrize(("share", "shown"), [(7.0, "100%"), (-1.0, "0%")])
 def test_share_is_clipped(share: float, shown: str) -> None:
     assert shown in tell(Terminal(), (2.0, share, "x"))
+
+
+def test_work_whose_share_nobody_knows_shows_text_and_time_only() -> None:
+    shown = tell(Terminal(), (3.0, float("nan"), "motion 12"))
+    assert shown == "\rsimulating: motion 12  (3 s)\x1b[K"
