@@ -44,6 +44,19 @@ def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
     return (finding,)
 
 
+_TURNED_OVER = 3.1
+"""Angle to what the arm can take from which on its tool is turned over [rad]."""
+
+
+def _beside_hint(miss: Miss | None, X_BM: Pose) -> str:
+    """Return what to do with a pose X_BM of the mechanical interface beside what the arm can take."""
+    if miss is not None and miss.angle > _TURNED_OVER and X_BM.matrix()[2, 2] > 0.0:
+        return (
+            "the tool points up there; write `; down` behind the coordinates, or with a turn `; down, rz 90`"
+        )
+    return "give the pose the orientation that the arm has there, or use joint coordinates"
+
+
 def out_of_reach(
     move: MoveInstruction, X_BM: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
 ) -> Diagnostic:
@@ -72,7 +85,7 @@ def out_of_reach(
         f"{what}: {why or place}",
         label=passes(move.origin),
         notes=(*((place,) if why else ()), *external_notes(robot, q)),
-        hint="give the pose the orientation that the arm has there, or use joint coordinates"
+        hint=_beside_hint(shortfall.miss, X_BM)
         if beside
         else "move the target or its frame, and look at the units of its coordinates",
         data=data,

@@ -242,6 +242,11 @@ def test_a_tilted_target_of_a_scara_is_refused_with_its_tilt() -> None:
     assert found.code == "M530"
     assert "the arm cannot tilt its tool; 11.46° from it to the pose" in found.message
     assert refused(lin(tilted), SCARA_START, SCARA_CHAIN).code == "M530"
+    assert "down" not in found.hint
+    over = level @ Pose(orientation=np.array([0.0, 1.0, 0.0, 0.0]))
+    up = refused(ptp(over), SCARA_START, SCARA_CHAIN)
+    assert up.code == "M530"
+    assert "the tool points up there; write `; down`" in up.hint
 
 
 def test_absent_branches_are_no_choice_within_the_limits() -> None:
