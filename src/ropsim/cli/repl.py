@@ -13,12 +13,13 @@ from ropsim.cli.robot_state import state_text
 from ropsim.core import RopsimError, replace_file
 from ropsim.language import goes_on
 from ropsim.workbench import (
+    NOT_IN_SESSION,
     NOT_WRITABLE,
     ProjectError,
     Session,
-    as_program,
     begin_session,
     open_project,
+    saved,
     taken_back,
     told,
 )
@@ -32,7 +33,7 @@ tasks of the project's program are known. A block is carried out when it is clos
   undo         take the last command back
   list         print the commands
   save NAME    write them as task NAME to programs/NAME.task
-  help, quit"""
+  help, quit (or exit)"""
 
 _PROMPT, _MORE = "> ", ". "
 
@@ -115,7 +116,10 @@ def _carry_out(talk: _Talk, command: str) -> None:
     elif command.strip() == "undo":
         talk.session = taken_back(before, talk.options)
         _show(talk, before)
-    elif word == "save" and name.strip().isidentifier():
+    elif word == "undo" and not name.lstrip().startswith("="):
+        message = "`undo` takes one command back"
+        raise ProjectError(NOT_IN_SESSION.at(None, message, hint="say `undo` once for each command"))
+    elif word == "save" and not name.lstrip().startswith("="):
         _save(talk, name.strip())
     else:
         answer = told(before, command, talk.options)
@@ -141,14 +145,16 @@ def _save(talk: _Talk, name: str) -> None:
     """Write the commands as a task to a program of its own.
 
     Raises:
-        ProjectError: X847, there is such a program, or it cannot be written.
+        ProjectError: X847, there is such a program, or it cannot be written; X912, none can have this name,
+            or none would do what was done.
     """
     path = talk.session.project.folder / "programs" / f"{name}.task"
-    if path.exists():
+    if name.isidentifier() and path.exists():
         message = f"`{path}` is there already"
         raise ProjectError(NOT_WRITABLE.at(None, message, hint="choose another name"))
+    text = saved(talk.session, name, talk.options)
     try:
-        replace_file(Path(path), as_program(talk.session, name).encode())
+        replace_file(Path(path), text.encode())
     except OSError as error:
         raise ProjectError(cannot_write(str(path), error)) from error
     talk.output.text(f"wrote {path}; next: ropsim run {talk.session.project.folder} {name}")

@@ -24,6 +24,7 @@ from ropsim.workbench.overlay import open_overlaid as open_overlaid
 from ropsim.workbench.project import FailedRunError as FailedRunError
 from ropsim.workbench.project import Project as Project
 from ropsim.workbench.project import ProjectError as ProjectError
+from ropsim.workbench.project_diagnostics import NOT_IN_SESSION as NOT_IN_SESSION
 from ropsim.workbench.project_diagnostics import NOT_WRITABLE as NOT_WRITABLE
 from ropsim.workbench.replay import pack_of as pack_of
 from ropsim.workbench.resolved import Resolved as Resolved
@@ -38,6 +39,7 @@ from ropsim.workbench.session import Answer as Answer
 from ropsim.workbench.session import Session as Session
 from ropsim.workbench.session import as_program as as_program
 from ropsim.workbench.session import begin_session as begin_session
+from ropsim.workbench.session import saved as saved
 from ropsim.workbench.session import taken_back as taken_back
 from ropsim.workbench.session import told as told
 from ropsim.workbench.what_if import Change as Change

@@ -1,4 +1,4 @@
-"""Diagnostics of projects (X843 to X849, X895, X910, X911)."""
+"""Diagnostics of projects (X843 to X849, X895, X910 to X912)."""
 
 from ropsim.core import Severity, define
 
@@ -121,5 +121,20 @@ UNKNOWN_ROBOT_FORMAT = define(
 How a robot file is read depends on the ending of its name. The message lists the endings that are known;
 `docs/reference/robot-file.md` describes files that end with `.toml`, `docs/reference/exchange-formats.md`
 those of other systems: URDF (`.urdf`, `.xacro`) and MJCF (`.xml`).
+""",
+)
+
+NOT_IN_SESSION = define(
+    "X912",
+    "not-in-a-session",
+    Severity.ERROR,
+    "a line that `ropsim repl` cannot take now",
+    """
+The commands of a session make one run, which goes on with every command. `program`, `units`, `classic` and
+`strict` say how a whole text is read, so they stand in the program of the project, with which a session
+begins. Behind `stop` nothing follows.
+
+`save NAME` writes a program that does what the session did: NAME is letters, digits and `_`, and nothing else
+has it, neither a word of the language nor a task of the program.
 """,
 )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ropsim import language
 from ropsim.core import Diagnostic, Severity, SourceText, Span, frozen_dataclass
 from ropsim.workbench.project import Project, ProjectError
+from ropsim.workbench.project_diagnostics import NOT_IN_SESSION
 
 if TYPE_CHECKING:
     from ropsim.flow import Recording
@@ -18,6 +19,8 @@ SESSION = "session"
 """Name of the text of the commands."""
 
 _PROGRAM = re.compile(r"^\s*program\s+\w+", re.MULTILINE | re.IGNORECASE)
+_FOR_ALL = re.compile(r"[ \t]*+(program|units|classic|strict)\b", re.IGNORECASE)
+_NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _START = "wait 0 s"
 """A program that does nothing, which is no program, would be refused."""
 
@@ -97,6 +100,8 @@ def told(session: Session, command: str, options: "RunOptions") -> Answer:
     Raises:
         RopsimError: the simulation cannot go on, as `simulation.run` says.
     """
+    if (refused := _refusal(session, command)) is not None:
+        return Answer(session, (refused,), session.texts, is_taken=False)
     after = replace(session, commands=(*session.commands, command))
     before = frozenset(map(str, session.recording.findings))
     found, recording = _run(after.project, after.whole, options)
@@ -117,12 +122,62 @@ def taken_back(session: Session, options: "RunOptions") -> Session:
     return replace(before, recording=recording or session.recording)
 
 
+def _refusal(session: Session, command: str) -> Diagnostic | None:
+    """Return why a command cannot follow those so far."""
+    word = _FOR_ALL.match(command)
+    if word is not None:
+        message = f"`{word[1]}` says how a whole program is read, and would change what was done"
+        return NOT_IN_SESSION.at(None, message, hint="write it in the program of the project")
+    if any(one.strip().lower() == "stop" for one in session.commands):
+        message = "the program has stopped, nothing follows"
+        return NOT_IN_SESSION.at(None, message, hint="`undo` takes the last command back")
+    return None
+
+
+def saved(session: Session, name: str, options: "RunOptions") -> str:
+    """Return a program that does what the commands did.
+
+    Raises:
+        ProjectError: X912, no program of this name does so.
+        RopsimError: the simulation cannot go on, as `simulation.run` says.
+    """
+    if not _NAME.fullmatch(name):
+        message = f"`{name[:60]}` cannot name a program"
+        raise ProjectError(NOT_IN_SESSION.at(None, message, hint="letters, digits and `_`, a letter first"))
+    if not session.commands:
+        raise ProjectError(NOT_IN_SESSION.at(None, "there are no commands to save"))
+    text = as_program(session, name)
+    found, recording = _run(session.project, text, options)
+    if recording is None:
+        reason = next(one.message for one in found if one.is_error)
+        message = f"the commands cannot be saved as `{name}`: {reason}"
+        raise ProjectError(NOT_IN_SESSION.at(None, message, hint="choose another name"))
+    if not _is_same_run(recording, session.recording):
+        message = f"saved as `{name}` the commands would not do what they did"
+        raise ProjectError(NOT_IN_SESSION.at(None, message, hint="`list` prints them"))
+    return text
+
+
+def _is_same_run(one: "Recording", other: "Recording") -> bool:
+    from ropsim.flow import MessageEvent
+
+    said = [[event.text for event in run.events_of(MessageEvent)] for run in (one, other)]
+    same_way = one.rows("q").tobytes() == other.rows("q").tobytes()
+    return one.duration == other.duration and same_way and said[0] == said[1]
+
+
 def as_program(session: Session, name: str) -> str:
-    """Return a program that has the commands as a task, and calls it."""
+    """Return a program that has the commands as a task, and calls it.
+
+    Where a declaration comes behind another command, its value may depend on that: then the commands stand in
+    their order in the program itself.
+    """
     declared = [one for one in session.commands if language.prelude(one).strip()]
     body = [one for one in session.commands if one not in declared]
     named = _PROGRAM.sub(f"program {name}", session.prelude)
     head = "\n".join(line for line in named.splitlines() if line.strip())
+    if (*declared, *body) != session.commands:
+        return language.formatted("\n".join((head, *session.commands)))
     return language.formatted("\n".join((head, *declared, f"task {name}", *body, "end", name)))
 
 

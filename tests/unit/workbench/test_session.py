@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.flow import MoveEvent
+from ropsim.flow import MessageEvent, MoveEvent
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import (
     ProjectError,
@@ -13,6 +13,7 @@ from ropsim.workbench import (
     begin_session,
     new_project,
     open_project,
+    saved,
     taken_back,
     told,
 )
@@ -92,6 +93,46 @@ def test_saved_commands_run_as_they_were_told(begun: Session) -> None:
     assert run.ok
     assert run.duration == session.recording.duration
     assert (run.rows("q") == session.recording.rows("q")).all()
+
+
+@pytest.mark.parametrize("line", ["units cm", "classic", "program zz", "  STRICT"])
+def test_what_would_change_the_commands_before_is_refused(begun: Session, line: str) -> None:
+    session = after(begun, "lin pick_up above 20")
+    answer = told(session, line, KINEMATIC)
+    assert [one.code for one in answer.diagnostics] == ["X912"]
+    assert answer.session == session
+
+
+def test_nothing_follows_stop(begun: Session) -> None:
+    session = after(begun, "print 1", "stop")
+    assert [one.code for one in told(session, "print 2", KINEMATIC).diagnostics] == ["X912"]
+
+
+def test_declarations_between_commands_keep_their_place_in_the_saved_program(begun: Session) -> None:
+    commands = (
+        "var n: int = 3",
+        "n = n + 1",
+        "var m: int = n",
+        "print m",
+        "lin pick_up",
+        "var p2: loc = here",
+        "lin p2",
+    )
+    session = after(begun, *commands)
+    text = saved(session, "again", KINEMATIC)
+    assert "task again" not in text
+    (begun.project.folder / "programs" / "again.task").write_text(text, encoding="utf-8")
+    run = open_project(begun.project.folder).simulate("again", KINEMATIC)
+    assert run.ok
+    assert [one.text for one in run.events_of(MessageEvent)] == ["4"]
+    assert (run.rows("q") == session.recording.rows("q")).all()
+
+
+@pytest.mark.parametrize("name", ["mov", "home", "Carry", "été", "1a", "", "../x"])
+def test_names_that_no_program_can_have_are_refused(begun: Session, name: str) -> None:
+    with pytest.raises(ProjectError) as refused:
+        saved(after(begun, "wait 1 s"), name, KINEMATIC)
+    assert refused.value.diagnostic.code == "X912"
 
 
 def test_a_project_with_errors_has_no_session(begun: Session) -> None:
