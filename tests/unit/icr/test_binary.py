@@ -8,6 +8,7 @@ import pytest
 
 from ropsim.icr import Program, UnverifiedError, assemble, disassemble, encoded, read_binary
 from ropsim.icr.binary.layout import CHECKSUM
+from ropsim.icr.binary.supply import DamageError, Supply
 from support.manual import DOCS, blocks
 
 GOLDEN = sorted((Path(__file__).parents[2] / "golden" / "icr").glob("*.icr"))
@@ -117,3 +118,30 @@ def test_only_programs_that_may_run_are_written() -> None:
     with pytest.raises(UnverifiedError) as raised:
         encoded(assemble(SMALL.replace("LOCAL b", f"LOCAL {256 * 'b'}").replace(" b\n", f" {256 * 'b'}\n")))
     assert raised.value.diagnostic.code == "I407"
+
+
+def supply(content: bytes) -> Supply:
+    return Supply(content, 0, len(content))
+
+
+@pytest.mark.parametrize("number", [0, 1, 127, 128, 2**63, 2**64 - 1])
+def test_numbers_have_at_most_64_bits(number: int) -> None:
+    def written(value: int) -> bytes:
+        groups = [value >> shift & 0x7F for shift in range(0, max(value.bit_length(), 1), 7)]
+        return bytes([*(group | 0x80 for group in groups[:-1]), groups[-1]])
+
+    assert supply(written(number)).number("a count") == number
+    with pytest.raises(DamageError, match="64 bits"):
+        supply(written(2**64 + number)).number("a count")
+
+
+@pytest.mark.parametrize(("length", "is_allowed"), [(1, True), (255, True), (256, False), (0, False)])
+def test_names_have_1_to_255_bytes(length: int, is_allowed: bool) -> None:
+    text = "n" * length
+    head = [length & 0x7F | 0x80, length >> 7] if length > 127 else [length]
+    given = supply(bytes(head) + text.encode())
+    if is_allowed:
+        assert given.name("a name") == text
+    else:
+        with pytest.raises(DamageError, match="allowed are 1 to 255"):
+            given.name("a name")

@@ -127,3 +127,15 @@ def test_a_comparison_is_never_an_argument_by_name(call: str) -> None:
 
 def test_a_parenthesis_that_is_no_list_of_arguments_holds_a_comparison() -> None:
     assert codes("program p\nn = 3\nm = 4\nx = (n = 3)\nif (n = 3) and (m = 4) then print x") == []
+
+
+def test_a_task_of_the_text_hides_that_of_the_library() -> None:
+    library = compiled("task Other\n  print 2\nendp\nOther").program
+    assert library is not None
+    environment = replace(CELL, tasks={one.name: TaskSignature(one) for one in library.tasks})
+    result = compiled("task Other\n  print 1\nendp\nOther", environment)
+    assert result.program is not None
+    assert [one.name for one in result.program.tasks] == ["Other"]
+    assert result.icr is not None
+    said = [one.text for one in run(result.icr).instructions if isinstance(one, MessageInstruction)]
+    assert said == ["1"]

@@ -116,6 +116,32 @@ def test_answers_of_no_use_lately_are_given_up_and_all_others_hold() -> None:
         assert len(db) < 60
 
 
+def counted(db: Database) -> int:
+    return db.ask(count)
+
+
+def counted_and_one(db: Database) -> int:
+    return db.ask(counted) + 1
+
+
+def asked_once(_db: Database, number: int) -> int:
+    return number
+
+
+def test_what_is_in_use_keeps_all_that_it_is_made_of() -> None:
+    db = Database(limit=3)
+    db.give({"text": "a b"})
+    assert db.ask(counted_and_one) == 3
+    for k in range(60):  # long enough for what is not in use to be given up several times
+        db.give({"other": k})
+        for number in range(5):
+            db.ask(asked_once, 10 * k + number)
+        db.ask(counted_and_one)
+    assert len(db) < 150  # of 300 that were asked
+    db.give({"text": "a b c d"})
+    assert db.ask(counted_and_one) == 5
+
+
 def test_a_database_for_one_state_gives_the_same_answers() -> None:
     once, db = Once(), database(text="a b c", is_left=False, left="l", right="r")
     once.give({"text": "a b c", "is left": False, "left": "l", "right": "r"})
