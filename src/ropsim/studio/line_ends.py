@@ -1,7 +1,6 @@
 """Line ends: pages see line feeds only, files keep theirs byte for byte."""
 
 import re
-from itertools import pairwise
 
 _END = re.compile(r"\r\n|\r|\n")
 
@@ -32,12 +31,11 @@ def restored(text: str, former: str) -> str:
 
 def _unmerged(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Return lines of which no two became one: a carriage return that now stands before a line feed."""
-    merged = {
-        index
-        for index, ((_, end), (line, after)) in enumerate(pairwise(lines))
-        if end == "\r" and not line and after == "\n"
-    }
-    return [(line, "\n" if index in merged else end) for index, (line, end) in enumerate(lines)]
+    found: list[tuple[str, str]] = []
+    for line, end in reversed(lines):  # a line that becomes one with the next may do so with the one before
+        merges = end == "\r" and bool(found) and found[-1] == ("", "\n")
+        found.append((line, "\n" if merges else end))
+    return found[::-1]
 
 
 def _cut(text: str) -> list[tuple[str, str]]:

@@ -19,6 +19,10 @@ def test_a_last_line_without_end_stays_without() -> None:
     assert restored("a\nb\n", "a\r\nb") == "a\r\nb\r\n"
 
 
+def test_lines_do_not_become_one_in_a_row() -> None:
+    assert restored("\n" * 6 + "aa", "a\n\n\r\r\raa") == "\n\n\n\r\r\raa"
+
+
 def test_half_a_character_becomes_a_question_mark() -> None:
     assert plain_lines("x\ud800y") == "x?y"
 
