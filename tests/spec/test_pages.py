@@ -22,7 +22,7 @@ PAGES = sorted([*(DOCS / "tutorials").glob("*.md"), *(DOCS / "how-to").glob("*.m
 TRIED = [page for page in PAGES if any(step.language == "console" or step.path for step in steps(page))]
 SILENCED = " > /dev/null"
 """Behind a command whose findings matter and not its results."""
-PROGRESS = re.compile(r" *\d+%  ")
+PROGRESS = re.compile(r" *\d+%  |\w.*: .*  \(\d+ s\)$")
 """A line that a command shows when its work takes longer than a second: on a busy machine."""
 NAMED = re.compile(r"# (error|warning|hint): ([A-Z]\d{3})$")
 
