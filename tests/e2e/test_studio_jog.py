@@ -169,6 +169,20 @@ def test_what_is_no_quantity_is_refused_in_words(
     stands_at(tab, first_project, start)
 
 
+def test_a_wrong_entry_is_given_up_where_the_joint_is_moved_by_other_means(
+    tab: StudioPage, jog: "Locator", first_project: Project, start: Array
+) -> None:
+    put(jog, "Joint 1", "12 furlong")
+    jog.get_by_role("alert").wait_for()
+    jog.get_by_role("slider", name="Joint 1", exact=True).press("Home")
+    assert first_project.cell is not None
+    limit = float(first_project.cell.first.robot.lower_limits[0])
+    stands_at(tab, first_project, np.array([limit, *start[1:]]))
+    typed = jog.get_by_label("Joint 1, typed value")
+    tab.until(lambda: typed.input_value() == f"{degrees(limit):.2f}°")
+    jog.get_by_role("alert").wait_for(state="detached")
+
+
 def test_jog_moves_are_undone_and_redone_one_by_one(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:

@@ -257,6 +257,33 @@ def test_a_full_disk_is_said_and_the_text_stays(
         page.until(lambda: "# does not fit" in program(cell).read_text("utf-8"))
 
 
+def test_a_dialog_whose_wish_is_refused_stays_with_the_reason_and_what_was_typed(
+    start_studio: Start, open_undrawn: Pages, folder: Path
+) -> None:
+    page = StudioPage.opened(open_undrawn, start_studio(folder).url)
+    page.command("New program …")
+    dialog = page.page.get_by_role("dialog", name="New program")
+    name = dialog.get_by_label("Name of the program")
+    for refused, why in (("main", "there is a program"), ("a:b", "cannot be the name of a program")):
+        name.fill(refused)
+        name.press("Enter")
+        dialog.get_by_role("alert").get_by_text(why).wait_for()
+        assert name.input_value() == refused
+    name.fill("second")
+    dialog.get_by_role("alert").wait_for(state="detached")
+    name.press("Enter")
+    dialog.wait_for(state="detached")
+    page.until(lambda: page.text().startswith("program second"))
+    assert (folder / "programs" / "second.task").read_text("utf-8").startswith("program second")
+    page.command("Open project …")
+    dialog = page.page.get_by_role("dialog", name="Open project")
+    dialog.get_by_label("Folder of the project").fill("nowhere")
+    dialog.get_by_label("Folder of the project").press("Enter")
+    dialog.get_by_role("alert").get_by_text("nowhere").wait_for()
+    page.page.keyboard.press("Escape")
+    dialog.wait_for(state="detached")
+
+
 def test_a_removed_project_folder_is_said_and_the_texts_stay(
     start_studio: Start, open_undrawn: Pages, folder: Path, tmp_path: Path
 ) -> None:

@@ -24,6 +24,7 @@ export function QuantityField({
 }: QuantityFieldProps) {
   const [typed, setTyped] = useState<string | null>(null)
   const [mistake, setMistake] = useState('')
+  const [last, setLast] = useState(value)
   const id = useId()
   const complaint = mistake || (typed === null ? refused : '')
   const shown = formatQuantity(value, dimension === 'length' ? 'm' : 'rad')
@@ -41,6 +42,11 @@ export function QuantityField({
   const drop = () => {
     setTyped(null)
     setMistake('')
+  }
+  if (value !== last) {
+    setLast(value)
+    // Whoever moves the value by other means has given up what was typed wrong.
+    if (mistake) drop()
   }
   return (
     <span className="quantity">

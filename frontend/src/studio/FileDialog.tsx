@@ -1,5 +1,5 @@
 /** The dialogs of the File menu: which folder, which name, from which example. */
-import { type FormEvent, useEffect, useId, useRef, useState } from 'react'
+import { type FormEvent, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { fileWords } from '../text/files'
 import { useStudio, useStudioState } from './context'
 import type { DialogKind } from './state'
@@ -17,14 +17,20 @@ function Dialog({ kind }: { kind: DialogKind }) {
   const { folder, recent, examples } = studio.store.getState()
   const [typed, setTyped] = useState(kind === 'recent' ? (recent[0] ?? '') : '')
   const [example, setExample] = useState(examples[0]?.name ?? '')
+  const refusal = useStudioState(state => state.refusal)
   const hint = useId()
+  const why = useId()
   useEffect(() => dialog.current?.showModal(), [])
+  // Closed before it is taken away, the keyboard goes back to where it was.
+  useLayoutEffect(() => {
+    const shown = dialog.current
+    return () => shown?.close()
+  }, [])
   const close = () => dialog.current?.close()
   const act = (event: FormEvent) => {
     event.preventDefault()
     const text = typed.trim()
     if (!text) return
-    close()
     if (kind === 'newProject') studio.newProject(text, example)
     else if (kind === 'newProgram') studio.newProgram(text)
     else if (kind === 'saveAs') studio.saveAs(text)
@@ -40,7 +46,7 @@ function Dialog({ kind }: { kind: DialogKind }) {
       ref={dialog}
       className="file-dialog"
       aria-label={words.titles[kind]}
-      onClose={() => studio.store.setState({ dialog: null })}
+      onClose={() => studio.store.setState({ dialog: null, refusal: null })}
     >
       <form onSubmit={act}>
         <h2>{words.titles[kind]}</h2>
@@ -63,11 +69,21 @@ function Dialog({ kind }: { kind: DialogKind }) {
             autoFocus
             required
             spellCheck={false}
-            aria-describedby={hint}
+            aria-describedby={refusal ? `${why} ${hint}` : hint}
+            aria-invalid={refusal !== null}
             value={typed}
-            onChange={event => setTyped(event.target.value)}
+            onChange={event => {
+              setTyped(event.target.value)
+              studio.store.setState({ refusal: null })
+            }}
           />
         </label>
+        {refusal ? (
+          <p className="mistake" role="alert" id={why}>
+            {refusal.text}
+            {refusal.hint ? ` – ${refusal.hint}` : ''}
+          </p>
+        ) : null}
         <p className="quiet" id={hint}>
           {help} {isProject ? words.kept : ''}
         </p>
@@ -80,7 +96,7 @@ function Dialog({ kind }: { kind: DialogKind }) {
                 type="button"
                 className="recent"
                 onClick={() => {
-                  close()
+                  setTyped(one)
                   studio.openProject(one)
                 }}
               >

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import fixture from '../run/fixtures/first_cell.json'
 import type { SceneDescription } from '../scene/description'
-import type { DocumentState, Message, RunStatus, Welcome } from '../wire/messages'
+import type { DocumentState, Message, Notice, RunStatus, Welcome } from '../wire/messages'
 import { Receiver } from './receiver'
 import { Studio } from './studio'
 
@@ -50,6 +50,27 @@ beforeEach(() => {
 
 afterEach(() => {
   vi.unstubAllGlobals()
+})
+
+describe('the answer to a dialog', () => {
+  const refusal: Notice = { type: 'notice', level: 'error', code: 'U957', text: 'taken', hint: 'another' }
+
+  it('closes it where all is done', () => {
+    studio.store.setState({ dialog: 'newProgram', refusal })
+    receiver.receive({ type: 'answered', refusal: null })
+    expect([state().dialog, state().refusal]).toEqual([null, null])
+  })
+
+  it('keeps it open with the reason', () => {
+    studio.store.setState({ dialog: 'newProgram' })
+    receiver.receive({ type: 'answered', refusal })
+    expect([state().dialog, state().refusal, state().notices]).toEqual(['newProgram', refusal, []])
+  })
+
+  it('is a notice where the dialog is closed by now', () => {
+    receiver.receive({ type: 'answered', refusal })
+    expect(state().notices.map(one => one.text)).toEqual(['taken'])
+  })
 })
 
 describe('a welcome', () => {

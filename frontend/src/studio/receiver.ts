@@ -2,7 +2,7 @@
 import type { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
-import type { LiveStatus, Message, RunStatus, SceneMessage, Welcome } from '../wire/messages'
+import type { LiveStatus, Message, Notice, RunStatus, SceneMessage, Welcome } from '../wire/messages'
 import type { Jog } from './jog'
 import { type Look, lookFrom } from './look'
 import type { Loop } from './loop'
@@ -83,7 +83,16 @@ export class Receiver {
       },
       jogged: message => studio.jog.receive(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
+      answered: ({ refusal }) => this.#answered(refusal),
     }
+  }
+
+  /** A dialog that was refused stays open, with the reason and with what was typed. */
+  #answered(refusal: Notice | null): void {
+    const { store } = this.#studio
+    if (!refusal) store.setState({ dialog: null, refusal: null })
+    else if (store.getState().dialog) store.setState({ refusal })
+    else this.#studio.notify(refusal.level, refusal.text, refusal.hint, refusal.code)
   }
 
   #welcome(message: Welcome): void {

@@ -64,6 +64,8 @@ export interface StudioState {
   /** The newest run that the server has as files; 0 for none. */
   readonly finished: number
   readonly dialog: DialogKind | null
+  /** Why what the dialog asked for last was not done. */
+  readonly refusal: Notice | null
   /** Folders of the projects that were open last. */
   readonly recent: readonly string[]
   readonly examples: Welcome['examples']
@@ -98,6 +100,7 @@ const START: StudioState = {
   help: 'keys',
   finished: 0,
   dialog: null,
+  refusal: null,
   recent: [],
   examples: [],
 }

@@ -249,6 +249,13 @@ export interface Notice {
   readonly hint: string
 }
 
+/** What became of what a dialog of the page asked for: a new program, a new project, another project. */
+export interface Answered {
+  readonly type: 'answered'
+  /** Why it was not done; none where it was. */
+  readonly refusal: Notice | null
+}
+
 export type Message =
   | Welcome
   | TrustChanged
@@ -263,3 +270,4 @@ export type Message =
   | Printed
   | Jogged
   | Notice
+  | Answered

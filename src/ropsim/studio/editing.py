@@ -11,7 +11,7 @@ from ropsim.studio.diagnostics import INTERNAL, NO_JOURNAL, PROJECT_GONE, READ_O
 from ropsim.studio.document import Document
 from ropsim.studio.documents import Documents, ListChange, Overwriting
 from ropsim.studio.keeper import Keeper
-from ropsim.studio.messages import DocumentsChanged, notice
+from ropsim.studio.messages import Answered, DocumentsChanged, notice
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.userfiles import Journal
@@ -79,7 +79,8 @@ class Editing:
         """Do what a tab wants done to a text, if it may."""
         if not self._tabs.may_edit(tab):
             message = "another tab edits this project; nothing was changed"
-            tab.send(notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")))
+            refusal = notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab"))
+            tab.send(Answered(refusal) if isinstance(command, commands.Create) else refusal)
             return
         match command:
             case commands.Edit(name, text, version):
@@ -125,11 +126,10 @@ class Editing:
 
     async def _create(self, tab: Tab, name: str, text: str) -> None:
         document, finding = await self.documents.create(name, text)
-        if document is None:
-            _refuse(tab, finding)
-            return
-        self._list_changed()
-        self._tell([document])
+        if document is not None:
+            self._list_changed()
+            self._tell([document])
+        tab.send(Answered(None if finding is None else notice(finding)))
 
     async def _watch(self) -> None:
         while True:

@@ -305,6 +305,16 @@ class Notice(Struct, frozen=True, tag_field="type", tag="notice"):
     hint: str
 
 
+class Answered(Struct, frozen=True, tag_field="type", tag="answered"):
+    """What became of what a dialog of the page asked for: a new program, a new project, another project.
+
+    Attributes:
+        refusal: why it was not done; none where it was.
+    """
+
+    refusal: Notice | None
+
+
 Message: TypeAlias = (
     Welcome
     | TrustChanged
@@ -319,6 +329,7 @@ Message: TypeAlias = (
     | Printed
     | Jogged
     | Notice
+    | Answered
     | Mapping[str, object]
 )
 """Mappings are messages of a live run, as they come from the worker: see `plain`."""

@@ -17,7 +17,7 @@ from ropsim.studio.diagnostics import (
 )
 from ropsim.studio.document import Document
 from ropsim.studio.editing import Editing
-from ropsim.studio.messages import ExampleState, TrustChanged, TrustState, Welcome, notice
+from ropsim.studio.messages import Answered, ExampleState, TrustChanged, TrustState, Welcome, notice
 from ropsim.studio.project_files import CELL, project_folder
 from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
@@ -132,7 +132,8 @@ class Session:
         """Let another project take the place of this one, if the tab may and there is one."""
         if not self._tabs.may_edit(tab):
             message = "another tab edits this project; it was not left"
-            tab.send(notice(READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")))
+            finding = READ_ONLY.at(None, message, hint="`Take over` gives the right to this tab")
+            tab.send(Answered(notice(finding)))
             return
         try:
             place = self._folder.parent / Path(command.path).expanduser()
@@ -141,8 +142,9 @@ class Session:
             folder = await asyncio.to_thread(project_folder, place)
         except (RopsimError, RuntimeError, ValueError) as error:
             finding = error.diagnostic if isinstance(error, RopsimError) else _no_place(command.path)
-            tab.send(notice(finding))
+            tab.send(Answered(notice(finding)))
             return
+        tab.send(Answered(None))
         self._switch(folder)
 
     def _run(self, command: commands.Command) -> None:

@@ -123,8 +123,8 @@ def test_what_cannot_be_opened_or_made_is_said_and_the_project_stays(
 ) -> None:
     async def play(workplace: Workplace) -> None:
         before = workplace.session
-        codes = [one["code"] for one in await said(workplace, message) if one["type"] == "notice"]
-        assert codes == [code]
+        heard = await said(workplace, message)
+        assert [one["refusal"]["code"] for one in heard if one["type"] == "answered"] == [code]
         assert workplace.session is before
 
     at(home / "first", play)
@@ -135,7 +135,7 @@ def test_a_tab_that_only_looks_on_opens_nothing(home: Path) -> None:
         before, editor = workplace.session, Tab()
         await before.receive(editor, json.dumps({"type": "hello", "tab": "editor"}))
         heard = await said(workplace, {"type": "new_project", "path": "third", "example": "fig5"})
-        assert [one["code"] for one in heard if one["type"] == "notice"] == ["U954"]
+        assert [one["refusal"]["code"] for one in heard if one["type"] == "answered"] == ["U954"]
         assert workplace.session is before
 
     at(home / "first", play)
