@@ -100,6 +100,26 @@ Nothing is said in a cell without fixed objects, devices and positioners, or wit
 """,
 )
 
+TINY_PART = define(
+    "X913",
+    "tiny-part",
+    Severity.WARNING,
+    "a part of which no edge has a millimetre",
+    """
+Lengths of a cell file are in millimetres unless it says otherwise. A part that is smaller than a millimetre
+in every direction is most often given in metres.
+
+```toml
+[[parts]]
+name = "box"
+size = [0.06, 0.06, 0.04]      # 60 µm: wrong where a box of 60 mm is meant
+size = [60, 60, 40]            # right
+```
+
+A file that is written in metres throughout says so: `length = "m"` under `[units]`.
+""",
+)
+
 PART_INSIDE = define(
     "X825",
     "part-inside",

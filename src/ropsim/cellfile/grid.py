@@ -1,34 +1,70 @@
-"""Grids in a cell file: many parts, or many places, by two counts and two steps."""
+"""Grids in a cell file: many parts, or many places, in rows, in rows and columns, or in layers of those."""
+
+from collections.abc import Iterator
+from itertools import product
+from math import prod
 
 import numpy as np
 
 from ropsim.spatial import Array
-from ropsim.tomltext import ORIGIN, TomlTable, Units
+from ropsim.tomltext import ORIGIN, WRONG_VALUE_COUNT, TomlTable, Units
+
+MOST = 10000
+"""Places of one grid."""
+
+ORDERS = ("row", "column", "snake")
+"""As in patterns of the task language: a row is filled first, a column is, or rows and layers in turn to and fro."""
 
 
 def read_grid(table: TomlTable, units: Units) -> list[Array]:
-    """Return the shifts in world axes [m], shape (3,) each; the first direction runs fastest."""
+    """Return the shifts in world axes [m], shape (3,) each, layer by layer in the order that the table says."""
     table.require("counts", "step")
-    counts = _items(table, "counts")
-    nx, ny = (table.integer_at(("counts", k), counts[k], 1, 100, 1) for k in range(2)) if counts else (1, 1)
-    steps = _items(table, "step")
-    directions = [
-        np.array(table.numbers_at(("step", k), step, 3, units.position, ORIGIN))
-        for k, step in enumerate(steps)
+    counts = [
+        table.integer_at(("counts", k), one, 1, 100, 1) for k, one in enumerate(_items(table, "counts"))
     ]
+    steps = [
+        np.array(table.numbers_at(("step", k), one, 3, units.position, ORIGIN))
+        for k, one in enumerate(_items(table, "step"))
+    ]
+    order = table.choice("order", ORDERS, ORDERS[0])
     table.finish()
-    if len(directions) != 2:
+    if not counts or len(counts) != len(steps):
+        if counts and steps:
+            table.wrong_count(("step",), steps, f"{len(counts)}, one for each of `counts`")
         return [np.zeros(3)]
-    return [i * directions[0] + j * directions[1] for j in range(ny) for i in range(nx)]
+    if prod(counts) > MOST:
+        message = f"`{table.name_of('counts')}` makes {prod(counts)} places, {MOST} are allowed"
+        table.findings.add(WRONG_VALUE_COUNT, table.value_span("counts"), message)
+        return [np.zeros(3)]
+    directions = np.zeros((3, 3))
+    directions[: len(steps)] = steps
+    columns, rows, layers = (*counts, 1, 1)[:3]
+    return [np.array(at) @ directions for at in _walk(columns, rows, layers, order)]
+
+
+def _walk(columns: int, rows: int, layers: int, order: str) -> Iterator[tuple[int, int, int]]:
+    """Yield column, row and layer of each place, from 0."""
+    if order == "column":
+        yield from ((column, row, layer) for layer, column, row in _ranges(layers, columns, rows))
+    elif order == "row":
+        yield from ((column, row, layer) for layer, row, column in _ranges(layers, rows, columns))
+    else:
+        for layer, line, k in _ranges(layers, rows, columns):
+            is_back = (layer * rows + line) % 2 == 1
+            yield columns - 1 - k if is_back else k, rows - 1 - line if layer % 2 else line, layer
+
+
+def _ranges(*counts: int) -> Iterator[tuple[int, ...]]:
+    return product(*(range(count) for count in counts))
 
 
 def _items(table: TomlTable, key: str) -> list[object]:
-    """Return the two items of a list, or nothing."""
+    """Return the one to three items of a list, or nothing."""
     value = table.values.get(key, []) if key in table else []
     if not isinstance(value, list):
-        table.wrong_type((key,), value, "a list of two")
+        table.wrong_type((key,), value, "a list of one to three")
         return []
-    if len(value) == 2 or key not in table:
+    if 1 <= len(value) <= 3 or key not in table:
         return value
-    table.wrong_count((key,), value, "2")
+    table.wrong_count((key,), value, "1 to 3")
     return []

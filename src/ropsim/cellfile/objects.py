@@ -25,6 +25,9 @@ from ropsim.tomltext import (
 
 _MOST_PARTS = 10_000
 _SMALL_EDGE = 0.05  # [m], stands in while a wrong size is being reported
+_TINY = 1e-3
+"""A part without an edge of this length is most often one in metres [m]."""
+_METRES = 'are these metres? Then write millimetres, or `length = "m"` under `[units]`'
 
 
 @frozen_dataclass
@@ -126,6 +129,9 @@ def body_name(table: TomlTable) -> str:
 
 def _body(table: TomlTable, units: Units) -> tuple[Array, float]:
     size = table.numbers("size", 3, units.extent, (_SMALL_EDGE,) * 3)
+    if max(size) < _TINY:
+        edges = " x ".join(f"{edge * 1e3:g}" for edge in size)
+        table.findings.add(kinds.TINY_PART, table.value_span("size"), f"the part has {edges} mm", _METRES)
     return frozen(size), table.number("mass", MASS, 0.0)
 
 

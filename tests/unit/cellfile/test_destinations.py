@@ -73,6 +73,19 @@ def test_each_part_of_a_supply_has_its_place_in_a_grid() -> None:
     assert found == pytest.approx(np.array(expected), abs=LENGTH)
 
 
+def test_a_grid_goes_up_in_layers_and_may_be_a_row() -> None:
+    layers = "grid = { counts = [2, 1, 2], step = [[10, 0, 0], [0, 20, 0], [0, 0, 30]] }"
+    found = places(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {layers} }}\n"))
+    expected = [[0, 0, 0.04], [0.01, 0, 0.04], [0, 0, 0.07], [0.01, 0, 0.07]]
+    assert found == pytest.approx(np.array(expected), abs=LENGTH)
+    snake = layers.replace("2, 1, 2", "2, 2, 1").replace(" }", ', order = "snake" }')
+    found = places(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {snake} }}\n"))
+    expected = [[0, 0, 0.04], [0.01, 0, 0.04], [0.01, 0.02, 0.04], [0, 0.02, 0.04]]
+    assert found == pytest.approx(np.array(expected), abs=LENGTH)
+    row = "grid = { counts = [3], step = [[0, 20, 0]] }\n"
+    assert [part.X_WO.position[1] for part in parts_of(PART + row)] == pytest.approx([0.0, 0.02, 0.04])
+
+
 @pytest.mark.parametrize(
     ("text", "code", "words"),
     [

@@ -142,6 +142,27 @@ CASES = [
     pytest.param(
         ROBOT + BOX + "grid = { counts = [1, 2], step = [[1, 0, 0]] }\n", "X805", "[[1, 0, 0]]", "", id="step"
     ),
+    pytest.param(
+        ROBOT + BOX + "grid = { counts = [100, 100, 2], step = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }\n",
+        "X805",
+        "[100, 100, 2]",
+        "",
+        id="too many places",
+    ),
+    pytest.param(
+        ROBOT + BOX + "grid = { counts = [1, 2, 3, 4], step = [[1, 0, 0]] }\n",
+        "X805",
+        "[1, 2, 3, 4]",
+        "",
+        id="four directions",
+    ),
+    pytest.param(
+        ROBOT + BOX.replace("[60, 60, 40]", "[0.06, 0.06, 0.04]"),
+        "X913",
+        "[0.06, 0.06, 0.04]",
+        "metres",
+        id="metres",
+    ),
 ]
 
 
