@@ -51,6 +51,7 @@ thead th { border-bottom: 1.5px solid var(--line); color: var(--quiet); font-siz
 th:first-child, td.text, th.text { text-align: left; }
 td.wrap { text-align: left; white-space: normal; }
 td code { font-size: 13px; }
+code.source { display: block; max-width: 19ch; overflow: hidden; text-overflow: ellipsis; text-align: left; }
 table.words th, table.words td { text-align: left; white-space: normal; }
 .mark { font-weight: 700; color: var(--bad); } .near { font-weight: 700; color: var(--doubt); }
 code, pre { font-family: ui-monospace, "SF Mono", "Cascadia Mono", "DejaVu Sans Mono", monospace; }

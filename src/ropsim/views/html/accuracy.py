@@ -15,7 +15,8 @@ from ropsim.views.figures import (
     fixed,
     seconds,
 )
-from ropsim.views.markup import table, text
+from ropsim.views.html.source_cell import source_cell
+from ropsim.views.markup import table
 from ropsim.views.path_summary import PathLine, PathSummary
 from ropsim.views.station_summary import Figures
 
@@ -141,7 +142,7 @@ def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
         fixed(speeds.command if speeds else math.nan, MILLIMETRES_PER_SECOND, 0),
         fixed(speeds.accuracy if speeds else math.nan, PERCENT, 2),
         fixed(max(fluctuations, default=math.nan), MILLIMETRES_PER_SECOND, 2),
-        f"<code>{text(source.line(line.line).strip()[:60])}</code>" if source else UNKNOWN,
+        source_cell(source, line.line),
     )
 
 

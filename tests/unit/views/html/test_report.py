@@ -191,3 +191,14 @@ def test_several_stations_have_their_own_tables_and_the_cell_has_one_verdict() -
     assert text.count("<h2>Findings</h2>") == 1
     headings = [text.index(f">Station {name}<") for name in ("left", "right")]
     assert headings[0] < text.index("<h2>Joints of left</h2>") < headings[1]
+
+
+def test_parts_of_the_cycle_time_that_there_are_none_of_have_no_column() -> None:
+    text = page(pick_and_place(1))
+    assert "motion<br>[s]" in text
+    assert "gripper<br>[s]" in text
+    assert "partners<br>[s]" not in text
+
+
+def test_lines_of_the_program_are_shown_whole_where_they_are_pointed_at() -> None:
+    assert 'class="source" title="' in page(pick_and_place(1))
