@@ -13,11 +13,11 @@ MOST = 10000
 """Places of one grid."""
 
 ORDERS = ("row", "column", "snake")
-"""As in patterns of the task language: a row is filled first, a column is, or rows and layers in turn to and fro."""
+"""As in patterns of the task language: a row is filled first, a column is, or both are gone to and fro."""
 
 
 def read_grid(table: TomlTable, units: Units) -> list[Array]:
-    """Return the shifts in world axes [m], shape (3,) each, layer by layer in the order that the table says."""
+    """Return the shifts in world axes [m], shape (3,) each, layer by layer in the order of the table."""
     table.require("counts", "step")
     counts = [
         table.integer_at(("counts", k), one, 1, 100, 1) for k, one in enumerate(_items(table, "counts"))

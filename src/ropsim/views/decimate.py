@@ -55,17 +55,23 @@ def along_curve(x: Array, y: Array, tolerance: float, points: int, kept: Indices
         moved = np.flatnonzero(np.any(np.diff(cells, axis=1) != 0.0, axis=0)) + 1
         ends = np.unique(np.concatenate(([0, x.size - 1], kept)).astype(np.intp))
         near = np.unique(np.concatenate((moved, ends)))
-        bends = near[_bends(np.stack([x, y], axis=1)[near], (1.0 - 2.0 * _CELL) * tolerance, ends, near)]
-        if bends.size <= points + ends.size:
-            return np.asarray(bends, dtype=np.intp)
+        places, found = np.stack([x, y], axis=1)[near], np.searchsorted(near, ends)
+        bends = _bends(places, (1.0 - 2.0 * _CELL) * tolerance, found, points + ends.size)
+        if bends is not None:
+            return np.asarray(near[bends], dtype=np.intp)
         tolerance *= 2.0
 
 
-def _bends(places: Array, tolerance: float, ends: Indices, near: Indices) -> Indices:
-    """Return numbers of the places, (k, 2), between which the curve is as good as straight."""
-    found = np.searchsorted(near, ends).tolist()
+def _bends(places: Array, tolerance: float, ends: Indices, most: int) -> Indices | None:
+    """Return numbers of the places, (k, 2), between which the curve is as good as straight.
+
+    None where there are more than `most`: a curve that fills the plane is not followed to its end.
+    """
+    found = ends.tolist()
     spans = list(pairwise(found))
     while spans:
+        if len(found) > most:
+            return None
         first, last = spans.pop()
         if last - first < 2:
             continue
