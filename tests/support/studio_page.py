@@ -172,6 +172,7 @@ class StudioPage:
         self.page.keyboard.press("Control+k")
         self.page.get_by_label("Search for a command").fill(title)
         self.page.keyboard.press("Enter")
+        self.page.get_by_role("dialog", name="All commands").wait_for(state="detached")
 
     def panel(self, name: str) -> "Locator":
         """Bring a panel to the front and return it."""

@@ -18,7 +18,11 @@ export function Palette({ onClose }: { onClose: () => void }) {
     if (active) document.getElementById(`${id}${active.id}`)?.scrollIntoView({ block: 'nearest' })
   }, [active, id])
   // The dialog gives the focus back where it was; the command may then take it elsewhere.
-  const close = () => dialog.current?.close()
+  // Its event comes later: a key that opens the next palette may be faster.
+  const close = () => {
+    dialog.current?.close()
+    onClose()
+  }
   const run = (command: StudioCommand | undefined) => {
     if (!command || !commands.isEnabled(command)) return
     close()

@@ -101,7 +101,7 @@ Nothing is said in a cell without fixed objects, devices and positioners, or wit
 )
 
 TINY_PART = define(
-    "X913",
+    "X824",
     "tiny-part",
     Severity.WARNING,
     "a part of which no edge has a millimetre",

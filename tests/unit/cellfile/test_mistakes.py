@@ -158,7 +158,7 @@ CASES = [
     ),
     pytest.param(
         ROBOT + BOX.replace("[60, 60, 40]", "[0.06, 0.06, 0.04]"),
-        "X913",
+        "X824",
         "[0.06, 0.06, 0.04]",
         "metres",
         id="metres",
