@@ -35,8 +35,12 @@ ARMS = {name: published_arm(name) for name in TABLES}
 ROUNDED = {"kr6_r900_2", "kr210_r2700_2", "kr16_r1610_2", "kuka_kr5_arc", "kr10_r1100_2", "kr4_r600"}
 ROUNDED |= {"kr560_r3100_2", "lbr_iisy3_r760", "kr120_r2700_2", "motoman_gp180"}
 """Their files give right angles as 1.570796327 or 1.5708."""
-WITHOUT_CLOSED_FORM = {"ur10e_robot", "crx5ia", "kuka_lbr_iiwa_14_r820"}
-WRISTS = sorted(TABLES.keys() - WITHOUT_CLOSED_FORM)
+ROUNDED |= {"ur3e_robot", "ur5e_robot", "ur10e_robot"}
+CLASSES = dict.fromkeys(("ur3e_robot", "ur5e_robot", "ur10e_robot"), "three parallel axes")
+CLASSES |= dict.fromkeys(("crx5ia", "kuka_lbr_iiwa_14_r820"), "numeric")
+"""All others have a spherical wrist."""
+WRISTS = sorted(TABLES.keys() - CLASSES.keys())
+CLOSED = sorted(name for name in TABLES if CLASSES.get(name) != "numeric")
 
 
 def apart(q: Array, other: Array) -> Array:
@@ -61,10 +65,8 @@ def test_the_chain_is_that_of_the_file(name: str) -> None:
 @pytest.mark.parametrize("name", TABLES)
 def test_the_class_is_recognised_and_what_was_snapped_is_known(name: str) -> None:
     solver = solver_of(ARMS[name])
-    if name in WITHOUT_CLOSED_FORM:
-        assert (solver.name, solver.method) == ("numeric", Method.NUMERIC)
-        return
-    assert (solver.name, solver.method) == ("spherical wrist", Method.CLOSED_FORM)
+    assert solver.name == CLASSES.get(name, "spherical wrist")
+    assert solver.method is (Method.CLOSED_FORM if name in CLOSED else Method.NUMERIC)
     assert (solver.snapped_by != Snap()) == (name in ROUNDED)
 
 
@@ -74,7 +76,7 @@ def test_right_angles_written_as_1_5708_are_told_by_their_error() -> None:
     assert by.length < 1e-5
 
 
-@pytest.mark.parametrize("name", WRISTS)
+@pytest.mark.parametrize("name", CLOSED)
 def test_every_answer_reaches_the_pose_and_one_is_the_configuration_itself(name: str) -> None:
     robot = ARMS[name]
     Q = random_joints(robot, 300, seed=1)
@@ -104,7 +106,7 @@ def test_rows_are_named_by_their_postures_and_names_are_unique(name: str) -> Non
     assert seen > 300
 
 
-@pytest.mark.parametrize("name", WRISTS)
+@pytest.mark.parametrize("name", CLOSED)
 def test_many_poses_have_the_answers_of_single_ones(name: str) -> None:
     robot = ARMS[name]
     T = forward_batch(robot, random_joints(robot, 20, seed=3))
@@ -124,7 +126,7 @@ SINGULAR = {
 
 
 @pytest.mark.parametrize("kind", SINGULAR)
-@pytest.mark.parametrize("name", WRISTS)
+@pytest.mark.parametrize("name", CLOSED)
 def test_the_arm_may_stay_where_it_is_in_a_singular_pose(name: str, kind: str) -> None:
     robot = ARMS[name]
     Q = SINGULAR[kind](random_joints(robot, 60, seed=4))
@@ -169,7 +171,7 @@ def wrist_above_axis_1(robot: RobotModel, q: Array) -> Array | None:
     return found
 
 
-@pytest.mark.parametrize("name", WRISTS)
+@pytest.mark.parametrize("name", CLOSED)
 def test_a_path_through_a_straight_wrist_has_no_jumps(name: str) -> None:
     """Joint 5 passes through 0 while all others move a little; each pose is asked with the answer before."""
     robot = ARMS[name]
@@ -185,7 +187,7 @@ def test_a_path_through_a_straight_wrist_has_no_jumps(name: str) -> None:
         assert apart(q, path[-1]) < 1e-3
 
 
-@pytest.mark.parametrize("name", ["ur10e_robot", "crx5ia"])
+@pytest.mark.parametrize("name", ["crx5ia"])
 def test_arms_without_closed_form_find_the_configuration_itself(name: str) -> None:
     robot = ARMS[name]
     Q = random_joints(robot, 20, seed=7)

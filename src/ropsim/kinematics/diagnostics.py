@@ -12,8 +12,11 @@ Inverse kinematics is computed in closed form, with all its branches, for these 
 
 * **spherical wrist**: six revolute joints, axes 2 and 3 parallel and at right angles to axis 1, axes 4, 5
   and 6 meeting in one point at right angles; most six-axis industrial arms are built so;
+* **three parallel axes**: six revolute joints, axes 2, 3 and 4 parallel and at right angles to axis 1, axes
+  4, 5 and 6 at right angles, axes 5 and 6 meeting; most arms made to work beside people are built so;
 * **SCARA**: four joints with parallel axes, three that turn and one that slides;
-* **planar two-link**: two revolute joints with parallel axes.
+* **planar two-link**: two revolute joints with parallel axes;
+* **level wrist**: palletizers with four axes whose rods keep the flange level.
 
 A model may deviate from its class by 0.001 rad and 0.01 mm, as rounded files do; the answers are then
 polished on the model itself. `ropsim robot show NAME` says which class an arm is in, or which condition of

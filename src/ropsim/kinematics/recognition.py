@@ -4,12 +4,19 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from ropsim.kinematics.solver import InverseSolver
-from ropsim.kinematics.solvers import level_wrist, planar_two_link, scara, spherical_wrist
+from ropsim.kinematics.solvers import (
+    level_wrist,
+    planar_two_link,
+    scara,
+    spherical_wrist,
+    three_parallel,
+)
 from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.model import RobotModel, held_arm
 
 CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("spherical wrist", spherical_wrist.recognise),
+    ("three parallel axes", three_parallel.recognise),
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
     ("level wrist", level_wrist.recognise),

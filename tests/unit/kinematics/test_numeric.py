@@ -42,6 +42,7 @@ def test_the_solver_says_that_it_is_numeric_and_why() -> None:
     assert (solver.name, solver.method, solver.parts) == ("numeric", Method.NUMERIC, ())
     assert classes_missed(robot) == {
         "spherical wrist": "axis 2 is not perpendicular to axis 1",
+        "three parallel axes": "axis 2 is not perpendicular to axis 1",
         "SCARA": "it has 6 joints, the class has 4",
         "planar two-link": "it has 6 joints, the class has 2",
         "level wrist": "it has 6 axes, the class has 4",
