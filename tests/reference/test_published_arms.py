@@ -37,10 +37,12 @@ ROUNDED |= {"kr560_r3100_2", "lbr_iisy3_r760", "kr120_r2700_2", "motoman_gp180"}
 """Their files give right angles as 1.570796327 or 1.5708."""
 ROUNDED |= {"ur3e_robot", "ur5e_robot", "ur10e_robot"}
 CLASSES = dict.fromkeys(("ur3e_robot", "ur5e_robot", "ur10e_robot"), "three parallel axes")
-CLASSES |= dict.fromkeys(("crx5ia", "kuka_lbr_iiwa_14_r820"), "numeric")
+GENERAL = ("crx5ia", "crx10ia_l", "motoman_hc10", "fanuc_m430ia2p", "abb_crb15000_5_95")
+CLASSES |= dict.fromkeys(GENERAL, "general six-axis") | {"kuka_lbr_iiwa_14_r820": "numeric"}
 """All others have a spherical wrist."""
 WRISTS = sorted(TABLES.keys() - CLASSES.keys())
-CLOSED = sorted(name for name in TABLES if CLASSES.get(name) != "numeric")
+CLOSED = sorted({*WRISTS, "ur3e_robot", "ur5e_robot", "ur10e_robot"})
+METHODS = {"numeric": Method.NUMERIC, "general six-axis": Method.ALGEBRAIC}
 
 
 def apart(q: Array, other: Array) -> Array:
@@ -66,7 +68,7 @@ def test_the_chain_is_that_of_the_file(name: str) -> None:
 def test_the_class_is_recognised_and_what_was_snapped_is_known(name: str) -> None:
     solver = solver_of(ARMS[name])
     assert solver.name == CLASSES.get(name, "spherical wrist")
-    assert solver.method is (Method.CLOSED_FORM if name in CLOSED else Method.NUMERIC)
+    assert solver.method is METHODS.get(solver.name, Method.CLOSED_FORM)
     assert (solver.snapped_by != Snap()) == (name in ROUNDED)
 
 
@@ -185,21 +187,6 @@ def test_a_path_through_a_straight_wrist_has_no_jumps(name: str) -> None:
             assert apart(nearest, q) < 0.02
             q = nearest
         assert apart(q, path[-1]) < 1e-3
-
-
-@pytest.mark.parametrize("name", ["crx5ia"])
-def test_arms_without_closed_form_find_the_configuration_itself(name: str) -> None:
-    robot = ARMS[name]
-    Q = random_joints(robot, 20, seed=7)
-    found = 0
-    for q in Q:
-        answers = inverse(robot, forward(robot, q), IkOptions(Limits.IGNORE)).solutions
-        reached = forward_batch(robot, answers)
-        expected = np.tile(forward(robot, q).matrix(), (len(answers), 1, 1))
-        np.testing.assert_allclose(reached, expected, rtol=0.0, atol=POSE_TOLERANCE)
-        found += apart(answers, q).min() < OWN_TOLERANCE
-        assert own_among(robot, q + 0.05) < np.inf
-    assert found >= len(Q) - 2  # no promise of all branches
 
 
 def test_a_redundant_arm_stays_near_to_where_it_stands() -> None:

@@ -12,7 +12,9 @@ def solver_lines(robot: RobotModel) -> list[str]:
     if solver.method is Method.NUMERIC:
         missed = [f"not {name}: {reason}" for name, reason in classes_missed(robot).items()]
         return ["inverse kinematics: numeric; further branches than those found may exist", *missed]
-    line = f"inverse kinematics: {solver.name}, {solver.method.value}, {len(solver.postures)} branches"
+    count = len(solver.postures)
+    branches = f"{count} branches" if solver.parts else f"up to {count} branches without names"
+    line = f"inverse kinematics: {solver.name}, {solver.method.value}, {branches}"
     return [line, *remarks(robot)]
 
 

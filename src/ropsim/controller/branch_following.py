@@ -60,7 +60,7 @@ class BranchFollower:
     def follow_numerically(self, matrices: Array, q_start: Array, held: Array) -> Follow:
         """Return the joint coordinates that continue `q_start`, each found from the one before it.
 
-        For arms without closed form, whose branches have no names and may be missed.
+        For arms without closed form, whose branches have no names.
 
         Args:
             matrices: X_BM along the path, shape (k, 4, 4).

@@ -57,7 +57,7 @@ class StandardInverseTransform:
         follower = BranchFollower(self.robot, self._range.revolute)
         line = Line(move, setpoints, q_start, self.robot)
         held = line.held
-        if solver_of(self.robot).method is Method.NUMERIC:
+        if solver_of(self.robot).method is not Method.CLOSED_FORM:
             found = follower.follow_numerically(matrices, q_start, held)
         else:
             found = follower.follow(matrices, inverse_batch(self.robot, matrices, held), q_start, held)

@@ -183,9 +183,9 @@ def posture_for_later(
 
 
 def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return M550 for a move that an arm without closed form makes to a pose; at its first visit."""
+    """Return M550 for a move that an arm solved numerically makes to a pose; at its first visit."""
     posed = isinstance(move.target, Pose) or move.kind != MotionKind.PTP
-    if move.origin.visit > 1 or not posed or solver_of(robot).method is Method.CLOSED_FORM:
+    if move.origin.visit > 1 or not posed or solver_of(robot).method is not Method.NUMERIC:
         return ()
     finding = NO_CLOSED_FORM.at(
         move.origin.span,

@@ -22,6 +22,9 @@ A model may deviate from its class by 0.001 rad and 0.01 mm, as rounded files do
 polished on the model itself. `ropsim robot show NAME` says which class an arm is in, or which condition of
 each class it misses.
 
+Six revolute joints of any other geometry (**general six-axis**) are solved algebraically: the joint
+coordinates are eigenvalues of a matrix, all branches are found, and only names are missing.
+
 Any other arm is solved numerically from many starting points: each answer is checked like every other one,
 but there may be further ones that were not found, and they have no names such as `left-up-flip`. A move
 keeps to the answer nearest to where the arm stands.

@@ -5,6 +5,7 @@ from functools import lru_cache
 
 from ropsim.kinematics.solver import InverseSolver
 from ropsim.kinematics.solvers import (
+    general_six_axis,
     level_wrist,
     planar_two_link,
     scara,
@@ -20,8 +21,9 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
     ("level wrist", level_wrist.recognise),
+    ("general six-axis", general_six_axis.recognise),
 )
-"""The classes of arms with a closed form; each returns its solver, or the condition that an arm misses."""
+"""The classes of arms of which all branches are found; each returns its solver, or what an arm misses."""
 
 
 @lru_cache(maxsize=64)
@@ -40,7 +42,7 @@ def solver_of(robot: RobotModel) -> InverseSolver:
 
 
 def classes_missed(robot: RobotModel) -> dict[str, str]:
-    """Return for each class with a closed form that an arm is not in, the condition that it misses."""
+    """Return for each class that an arm is not in, the condition that it misses."""
     arm = held_arm(robot).arm if robot.external else robot
     found = {name: recognise(arm) for name, recognise in CLASSES}
     return {name: reason for name, reason in found.items() if isinstance(reason, str)}

@@ -14,6 +14,7 @@ class Method(Enum):
     """How the joint coordinates of a pose are found."""
 
     CLOSED_FORM = "closed form"
+    ALGEBRAIC = "algebraic"
     NUMERIC = "numeric"
 
 
@@ -46,7 +47,7 @@ class InverseSolver(Protocol):
 
     @property
     def method(self) -> Method:
-        """Return whether all branches are found in closed form, or some of them numerically."""
+        """Return whether all branches are found, in closed form or algebraically, or some numerically."""
 
     @property
     def parts(self) -> tuple[str, ...]:

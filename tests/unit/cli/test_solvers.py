@@ -12,7 +12,12 @@ from support.arms import random_arm
 from support.published_arms import published_arm
 from support.scara import scara
 
-ARMS = {"cobra": scara(), "free": random_arm(3, "RRRRRR"), "kr120": published_arm("kr120_r2700_2")}
+ARMS = {
+    "cobra": scara(),
+    "free": random_arm(3, "RRRRRRR"),
+    "askew": random_arm(3, "RRRRRR"),
+    "kr120": published_arm("kr120_r2700_2"),
+}
 
 
 @pytest.fixture(autouse=True)
@@ -50,13 +55,24 @@ def test_an_arm_off_its_class_says_by_how_much(capsys: pytest.CaptureFixture[str
 def test_an_arm_without_closed_form_says_so_and_why(capsys: pytest.CaptureFixture[str]) -> None:
     shown = said("robot show free", capsys)
     assert "inverse kinematics: numeric; further branches than those found may exist" in shown
-    assert "not spherical wrist: axis 2 is not perpendicular to axis 1" in shown
-    x, y, z = 1e3 * forward(ARMS["free"], [0.0] * 6).position
+    assert "not spherical wrist: it has 7 joints, the class has 6" in shown
+    x, y, z = 1e3 * forward(ARMS["free"], [0.0] * 7).position
     found = said(f"robot ik free {x} {y} {z} 0 0 0", capsys)
     assert "found numerically; further branches may exist" in found
     main(["robot", "ik", "free", "9000", "0", "0", "0", "0", "0", "--json"])
     answer = json.loads(capsys.readouterr().out)
     assert (answer["status"], answer["solver"]["method"]) == ("out of reach", "numeric")
+
+
+def test_an_arm_solved_algebraically_has_all_its_branches_without_names(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    shown = said("robot show askew", capsys)
+    assert "general six-axis, algebraic, up to 16 branches without names" in shown
+    assert "further branches" not in said("robot ik askew 9000 0 0 0 0 0", capsys)
+    main(["robot", "show", "askew", "--json"])
+    solver = json.loads(capsys.readouterr().out)["inverse_kinematics"]
+    assert (solver["method"], solver["postures"]) == ("algebraic", [])
 
 
 def test_sliding_joints_are_in_millimetres(capsys: pytest.CaptureFixture[str]) -> None:

@@ -189,8 +189,8 @@ def test_a_line_that_an_arm_of_two_joints_cannot_follow_is_refused_where_it_leav
     assert "of the way" in found.message
 
 
-def test_an_arm_without_closed_form_moves_to_poses_and_on_lines_with_a_hint() -> None:
-    arm = random_arm(3, "RRRRRR")
+def test_an_arm_solved_numerically_moves_to_poses_and_on_lines_with_a_hint() -> None:
+    arm = random_arm(3, "RRPRRR")
     chain = chain_of(one_station("free", arm, CELL.first.controller))
     q_start, goal = np.array([0.3, -0.4, 0.5, 0.2, -0.6, 0.1]), np.array([0.35, -0.3, 0.45, 0.3, -0.5, 0.0])
     for make in (ptp, lin):

@@ -53,11 +53,7 @@ class NumericSolver:
         See `InverseSolver.branches`. The search starts at `near` and at all `starts`.
         """
         found = polished(self.chain, T, self._begin(len(T), near), self.slack)
-        out = np.full((len(T), ROWS, len(near)), np.nan)
-        for row, answers in zip(out, found, strict=True):
-            kept = self._distinct(answers[~np.isnan(answers[:, 0])], near)
-            row[: len(kept)] = kept
-        return out
+        return distinct(found, near, self.chain.turning)
 
     def posture(self, q: Array) -> Posture:
         """Return the posture without words: numerical answers have no names."""
@@ -85,15 +81,30 @@ class NumericSolver:
         starts = np.concatenate((near[np.newaxis], self.starts))
         return np.tile(starts, (count, 1, 1))
 
-    def _distinct(self, answers: Array, near: Array) -> Array:
-        """Return each of the answers (s, n) once, the nearest first, shape (d, n)."""
-        turns = TURN * self.chain.turning
-        kept: list[Array] = []
-        apart = np.abs(_wrapped(answers - near, turns)).max(axis=1, initial=0.0)
-        for q in answers[np.argsort(apart, kind="stable")]:
-            if len(kept) < ROWS and all(np.abs(_wrapped(q - other, turns)).max() > SAME for other in kept):
-                kept.append(q)
-        return np.array(kept).reshape(-1, len(near))
+
+def distinct(answers: Array, near: Array, turning: Array) -> Array:
+    """Return each answer to a pose once, those nearest to `near` first.
+
+    Args:
+        answers: joint coordinates [rad | m], NaN where there is none, shape (k, s, n).
+        near: joint coordinates [rad | m], shape (n,).
+        turning: 1.0 for axes that turn, shape (n,).
+
+    Returns:
+        At most 16 answers for each pose, NaN rows behind them, shape (k, 16, n).
+    """
+    turns = TURN * turning
+    out = np.full((len(answers), ROWS, answers.shape[2]), np.nan)
+    for row, found in zip(out, answers, strict=True):
+        left = found[~np.isnan(found[:, 0])]
+        apart = np.abs(_wrapped(left - near, turns)).max(axis=1, initial=0.0)
+        left = left[np.argsort(apart, kind="stable")]
+        for place in range(ROWS):
+            if not len(left):
+                break
+            row[place] = left[0]
+            left = left[np.abs(_wrapped(left - left[0], turns)).max(axis=1) > SAME]
+    return out
 
 
 def numeric(robot: RobotModel) -> NumericSolver:

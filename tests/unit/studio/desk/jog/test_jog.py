@@ -163,7 +163,7 @@ def test_an_arm_of_two_links_is_jogged_to_poses_that_it_has_and_told_of_others()
 
 
 def test_an_arm_without_closed_form_is_jogged_and_told_that_it_was_solved_numerically() -> None:
-    robot = random_arm(3, "RRRRRR")
+    robot = random_arm(3, "RRPRRR")
     arm = JoggedArms.of(one_station("c", robot, CELL.first.controller))
     here, there = (0.3, -0.4, 0.5, 0.2, -0.6, 0.1), (0.32, -0.41, 0.52, 0.2, -0.58, 0.1)
     reply = arm.move(JogTcp(ROBOT, here, "", forward(robot, there).as_tuple()))

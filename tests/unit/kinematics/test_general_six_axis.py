@@ -1,0 +1,150 @@
+"""Six turning joints of any geometry: all branches, against closed forms, a search and a published arm."""
+
+from dataclasses import replace
+from math import pi, radians
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.kinematics import (
+    IkOptions,
+    IkStatus,
+    Limits,
+    Method,
+    classes_missed,
+    forward,
+    forward_batch,
+    inverse,
+    inverse_batch,
+    posture,
+    solver_of,
+)
+from ropsim.kinematics.solvers.general_six_axis import GeneralSixAxisSolver, recognise
+from ropsim.kinematics.solvers.numeric import numeric
+from ropsim.model import DhRow, RobotModel
+from ropsim.spatial import Array, Pose
+from support.arms import random_arm
+from support.published_arms import published_arm, random_joints
+from support.wrist_arms import arm, industrial
+
+REACHED = 1e-9  # m, entries of the rotation matrix: what is promised
+SAME = 1e-9  # rad
+NEAR_SINGULAR = 1e-5  # rad: rounding by 1e-16 moves joints by its square root
+
+NAMES = ("crx5ia", "crx10ia_l", "motoman_hc10", "fanuc_m430ia2p", "abb_crb15000_5_95")
+ARMS = {name: published_arm(name) for name in NAMES}
+ARMS |= {"random": random_arm(3, "RRRRRR"), "other": random_arm(4, "RRRRRR")}
+
+by_arm = pytest.mark.parametrize("robot", ARMS.values(), ids=ARMS.keys())
+
+
+def apart(q: Array, other: Array) -> Array:
+    return np.asarray(np.abs((q - other + pi) % (2.0 * pi) - pi).max(axis=-1))
+
+
+def present(branches: Array) -> Array:
+    return np.asarray(~np.isnan(branches[..., 0]))
+
+
+def assert_reaching(robot: RobotModel, T: Array, branches: Array) -> None:
+    reached = forward_batch(robot, branches[present(branches)])
+    expected = np.repeat(T, present(branches).sum(axis=1), axis=0)
+    np.testing.assert_allclose(reached, expected, rtol=0.0, atol=REACHED)
+
+
+@by_arm
+def test_every_answer_reaches_and_one_is_the_configuration_itself(robot: RobotModel) -> None:
+    assert (solver_of(robot).name, solver_of(robot).method) == ("general six-axis", Method.ALGEBRAIC)
+    Q = random_joints(robot, 100, seed=1)
+    T = forward_batch(robot, Q)
+    branches = inverse_batch(robot, T)
+    assert_reaching(robot, T, branches)
+    assert np.nanmin(apart(branches, Q[:, None]), axis=1).max() < SAME
+
+
+@by_arm
+def test_a_search_from_many_starts_finds_no_other_answer(robot: RobotModel) -> None:
+    T = forward_batch(robot, random_joints(robot, 10, seed=2))
+    searched, branches = numeric(robot).branches(T, np.zeros(6)), inverse_batch(robot, T)
+    for found, known in zip(searched, branches, strict=True):
+        for q in found[present(found)]:
+            assert np.nanmin(apart(known, q)) < NEAR_SINGULAR
+
+
+@pytest.mark.parametrize("robot", [published_arm("ur5e_robot"), robots.load("puma560"), industrial()])
+def test_it_has_the_answers_of_the_closed_forms(robot: RobotModel) -> None:
+    solver = recognise(robot)
+    assert isinstance(solver, GeneralSixAxisSolver)
+    T = forward_batch(robot, random_joints(robot, 30, seed=3))
+    for found, known in zip(solver.branches(T, np.zeros(6)), inverse_batch(robot, T), strict=True):
+        expected = known[present(known)]
+        assert present(found).sum() == len(expected)
+        assert max(np.nanmin(apart(found, q)) for q in expected) < NEAR_SINGULAR
+
+
+def test_all_sixteen_answers_of_the_arm_of_manseur_and_doty_are_found() -> None:
+    """A robot manipulator with 16 real inverse kinematic solution sets, 1989; the pose has six digits."""
+    a, d = (0.3, 1.0, 0.0, 1.5, 0.0, 0.0), (0.0, 0.0, 0.2, 0.0, 0.0, 0.0)
+    alpha = (90.0, 1.0, 90.0, 1.0, 90.0, 1.0)
+    robot = arm(tuple(DhRow(*one) for one in zip(a, map(radians, alpha), d, strict=True)))
+    R = np.array(
+        [[-0.760117, -0.641689, 0.102262], [0.133333, 0.0, 0.991071], [-0.635959, 0.766965, 0.085558]]
+    )
+    left, _, right = np.linalg.svd(R)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = left @ right, (-1.140175, 0.0, 0.0)
+    (branches,) = inverse_batch(robot, T[None])
+    assert present(branches).all()
+    assert_reaching(robot, T[None], branches[None])
+    assert min(apart(np.delete(branches, k, axis=0), q).min() for k, q in enumerate(branches)) > 0.01
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_poses_of_round_angles_are_solved_however_singular(name: str) -> None:
+    """All joints at multiples of 45°: stretched, folded, axes in line, motions that move no interface."""
+    robot = ARMS[name]
+    Q = np.round(random_joints(robot, 30, seed=4) / (pi / 4)) * (pi / 4)
+    T = forward_batch(robot, Q)
+    branches = inverse_batch(robot, T)
+    assert_reaching(robot, T, branches)
+    assert present(branches).any(axis=1).all()
+    for q in Q[:8]:
+        found = inverse(robot, forward(robot, q), IkOptions(Limits.IGNORE, near=q))
+        assert apart(found.solutions, q).min() < NEAR_SINGULAR
+
+
+def test_answers_come_in_the_order_of_their_distance_without_names() -> None:
+    robot = ARMS["crx5ia"]
+    (q,) = random_joints(robot, 1, seed=5)
+    found = inverse(robot, forward(robot, q), IkOptions(Limits.IGNORE, near=q))
+    away = apart(found.solutions, q)
+    assert away[0] < SAME
+    assert (np.diff(away) >= 0.0).all()
+    assert {str(one) for one in found.postures} == {"unnamed"} == {str(posture(robot, q))}
+
+
+def test_poses_that_are_none_and_poses_too_far_away_have_no_answers() -> None:
+    robot = ARMS["random"]
+    poses = np.tile(forward(robot, np.full(6, 0.3)).matrix(), (4, 1, 1))
+    poses[1, 0, 0] = np.nan
+    poses[2, :3, :3] *= -1.0
+    poses[3, :3, 3] += 20.0
+    assert present(inverse_batch(robot, poses)).any(axis=1).tolist() == [True, False, False, False]
+    far = inverse(robot, Pose(np.array([20.0, 0.0, 0.0])))
+    assert far.status is IkStatus.OUT_OF_REACH
+    assert far.shortfall is not None
+    assert far.shortfall.miss is not None
+    assert 10.0 < far.shortfall.miss.distance < 20.0
+
+
+def test_arms_with_other_joints_are_told_what_they_miss() -> None:
+    missed = {types: classes_missed(random_arm(1, types)) for types in ("RRRRRP", "RRRRRRR")}
+    assert missed["RRRRRP"]["general six-axis"] == "joint `6` is prismatic"
+    assert missed["RRRRRRR"]["general six-axis"] == "it has 7 joints, the class has 6"
+
+
+def test_axes_that_are_all_parallel_have_no_elimination() -> None:
+    flat = arm((DhRow(a=0.3, alpha=0.0, d=0.1),) * 6)
+    assert classes_missed(flat)["general six-axis"] == "its axes lie so that no elimination is regular"
+    assert solver_of(replace(flat, name="flat")).method is Method.NUMERIC
