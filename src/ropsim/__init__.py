@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ropsim import meshes as meshes
     from ropsim import model as model
     from ropsim import motion as motion
+    from ropsim import nirox as nirox
     from ropsim import part21 as part21
     from ropsim import program as program
     from ropsim import prolog as prolog
@@ -58,6 +59,7 @@ __all__ = [
     "meshes",
     "model",
     "motion",
+    "nirox",
     "open",
     "part21",
     "program",
