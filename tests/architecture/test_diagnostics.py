@@ -32,6 +32,7 @@ BANDS = {
     "meshes": {"X8"},
     "part21": {"X9"},
     "express": {"X9"},
+    "nirox": {"X9"},
     "userfiles": {"X8"},
     "lsp": {"U9"},
     "studio": {"U9"},

@@ -2,3 +2,4 @@
 
 from ropsim.nirox.schema_text import nirox_schema as nirox_schema
 from ropsim.nirox.schema_text import nirox_schema_text as nirox_schema_text
+from ropsim.nirox.writing import write_nirox as write_nirox
