@@ -1,5 +1,10 @@
 """NIROX: the neutral model of an arm as an exchange file of ISO 10303-21."""
 
+from ropsim.nirox.beside import Beside as Beside
+from ropsim.nirox.conformance import ConformanceClass as ConformanceClass
+from ropsim.nirox.reading import ReadNirox as ReadNirox
+from ropsim.nirox.reading import nirox_places as nirox_places
+from ropsim.nirox.reading import read_nirox as read_nirox
 from ropsim.nirox.schema_text import nirox_schema as nirox_schema
 from ropsim.nirox.schema_text import nirox_schema_text as nirox_schema_text
 from ropsim.nirox.writing import write_nirox as write_nirox

@@ -1,7 +1,7 @@
 """Orientations: two directions in files, where prismatic pairs slide along x; quaternions in the model."""
 
 from collections.abc import Sequence
-from math import sqrt
+from math import inf, nextafter, sqrt
 
 from ropsim.model import JointType
 from ropsim.spatial import Pose, quaternion
@@ -12,6 +12,7 @@ Columns = tuple[Vector, Vector, Vector]
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 _NEAR = 4e-16  # distance from -1, 0 and 1 that is rounding
+_SCALES = 400  # lengths that are tried, by a billionth each
 _SQUARE = 1e-12  # sine below which two directions are parallel
 
 
@@ -65,11 +66,17 @@ def columns_of_pose(pose: Pose) -> Columns:
 def exact_quaternion(pose: Pose) -> quaternion.Quaternion:
     """Return numbers from which the very bits of an orientation come out again when they are normalized."""
     w, x, y, z = pose.orientation.tolist()
-    for step in range(200):
+    for step in range(_SCALES):
         scale = 1.0 + step * 1e-9
         found = (w * scale, x * scale, y * scale, z * scale)
-        if quaternion.normalize(found) == (w, x, y, z):
-            return found
+        for moved in (found, *(_next(found, place) for place in range(4))):
+            if quaternion.normalize(moved) == (w, x, y, z):
+                return moved
+    return (w, x, y, z)
+
+
+def _next(q: quaternion.Quaternion, place: int) -> quaternion.Quaternion:
+    w, x, y, z = (nextafter(one, inf) if k == place else one for k, one in enumerate(q))
     return (w, x, y, z)
 
 

@@ -3,20 +3,18 @@
 from ropsim.core import Diagnostic
 from ropsim.express import Population, validate
 from ropsim.model import RobotModel, WrittenRobot, check_counts
-from ropsim.nirox.building import Building
-from ropsim.nirox.diagnostics import REFUSED
+from ropsim.nirox.beside import NOTHING, Beside
+from ropsim.nirox.built import built
+from ropsim.nirox.diagnostics import LOST, REFUSED
+from ropsim.nirox.rejoined import rejoined
 from ropsim.nirox.schema_text import NAME, nirox_schema
-from ropsim.nirox.written_arm import arm_losses, write_arm, write_origins
-from ropsim.nirox.written_bodies import body_losses, write_bodies
-from ropsim.nirox.written_drives import drive_losses, write_drives
-from ropsim.nirox.written_looks import write_looks
 from ropsim.part21 import ExchangeFile, Record, write_exchange
 from ropsim.version import __version__
 
 _HINT = "`ropsim robot audit` says more of the numbers of a robot"
 
 
-def write_nirox(robot: RobotModel) -> WrittenRobot:
+def write_nirox(robot: RobotModel, beside: Beside = NOTHING) -> WrittenRobot:
     """Return the NIROX file of a robot in its one canonical form.
 
     Read again it is the same robot, to the last bit, but for what is told as lost. What is written keeps to
@@ -24,19 +22,21 @@ def write_nirox(robot: RobotModel) -> WrittenRobot:
 
     Args:
         robot: to be written.
+        beside: what the file that it comes from said besides, which is written again.
 
     Raises:
         MechanismError: the robot cannot be.
     """
     check_counts(robot)
-    building = Building()
-    writing = write_arm(building, robot)
-    write_bodies(building, robot)
-    write_drives(building, robot)
-    write_looks(building, robot)
-    write_origins(building, robot)
-    losses = (*writing.losses(), *drive_losses(robot), *body_losses(robot), *arm_losses(robot))
-    return _written(ExchangeFile(_header(robot), building.instances()), losses)
+    frames = tuple(one for one in beside.frames if one.link < len(robot.joints))
+    made = built(robot, frames)
+    instances, gone = rejoined(made.building, beside)
+    losses = [*made.losses]
+    if gone:
+        names = ", ".join(f"#{one.number} {one.keyword[:60]}" for one in gone[:6])
+        words = f"{len(gone)} kept entities refer to what the robot no longer has: {names}"
+        losses.append(LOST.at(None, words))
+    return _written(ExchangeFile(_header(robot), instances), tuple(losses))
 
 
 def _header(robot: RobotModel) -> tuple[Record, ...]:

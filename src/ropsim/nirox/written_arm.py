@@ -7,6 +7,7 @@ from ropsim.core import Diagnostic
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.nirox.building import DERIVED, UNSET, Building, bounded, reals
 from ropsim.nirox.diagnostics import LOST
+from ropsim.nirox.further_frame import FurtherFrame
 from ropsim.nirox.written_mechanism import MechanismWriting
 from ropsim.nirox.written_places import write_placement
 from ropsim.part21 import Enumeration, Reference, Value
@@ -14,13 +15,15 @@ from ropsim.part21 import Enumeration, Reference, Value
 _VALUES = {JointType.PRISMATIC: "PRISMATIC_PAIR_VALUE", JointType.SCREW: "SCREW_PAIR_VALUE"}
 
 
-def write_arm(building: Building, robot: RobotModel, further: tuple[Value, ...] = ()) -> MechanismWriting:
+def write_arm(
+    building: Building, robot: RobotModel, further: tuple[FurtherFrame, ...] = ()
+) -> MechanismWriting:
     """Make the arm and everything that its mechanism consists of; masses, drives and looks come after it.
 
     Args:
         building: takes the instances.
         robot: to be written.
-        further: frames of other programs, listed behind that of the interface.
+        further: frames beside the mechanical interface.
     """
     writing = MechanismWriting(building, robot)
     for link in range(-1, len(robot.joints)):
@@ -31,13 +34,16 @@ def write_arm(building: Building, robot: RobotModel, further: tuple[Value, ...] 
     tip = building.at(("link", robot.tip))
     role = Enumeration("MECHANICAL_INTERFACE")
     flange = building.add(("flange",), "ROBOT_FRAME", "flange", role, tip, placement)
+    frames = [flange, *(_frame(building, writing, *one) for one in enumerate(further))]
     mechanism = writing.write()
     states = tuple(_state(building, robot, place) for place in range(robot.n))
     home = building.add(("home",), "MECHANISM_STATE_REPRESENTATION", "home", states, DERIVED, mechanism)
     axes = tuple(building.at(("pair", number)) for number in robot.axes)
-    base, frames = building.at(("link", -1)), (flange, *further)
+    base = building.at(("link", -1))
     words = (robot.name, "", robot.title)
-    building.add(("arm",), "ROBOT_ARM", *words, mechanism, base, axes, frames, reals(robot.gravity), home)
+    building.add(
+        ("arm",), "ROBOT_ARM", *words, mechanism, base, axes, tuple(frames), reals(robot.gravity), home
+    )
     for number, joint in enumerate(robot.joints):
         _coordinate(building, robot, number, joint)
     _couplings(building, robot)
@@ -48,6 +54,13 @@ def write_arm(building: Building, robot: RobotModel, further: tuple[Value, ...] 
         pair = building.at(("pair", number))
         building.add(("dh", number), "DENAVIT_HARTENBERG_ROW", pair, *values)
     return writing
+
+
+def _frame(building: Building, writing: MechanismWriting, place: int, frame: FurtherFrame) -> Reference:
+    placement = write_placement(building, ("frame", place, "place"), frame.X_LF)
+    writing.place_on(frame.link, placement)
+    role, link = Enumeration(frame.role.upper()), building.at(("link", frame.link))
+    return building.add(("frame", place), "ROBOT_FRAME", frame.name, role, link, placement)
 
 
 def write_origins(building: Building, robot: RobotModel) -> None:

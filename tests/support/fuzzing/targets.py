@@ -2,7 +2,17 @@
 
 from collections.abc import Mapping
 
-from support.fuzzing import binaries, meshes, part21_files, recordings, robot_files, server, texts, traces
+from support.fuzzing import (
+    binaries,
+    meshes,
+    nirox_files,
+    part21_files,
+    recordings,
+    robot_files,
+    server,
+    texts,
+    traces,
+)
 from support.fuzzing.target import Target
 
 TARGETS: Mapping[str, Target] = {
@@ -16,5 +26,6 @@ TARGETS: Mapping[str, Target] = {
         *server.TARGETS,
         *traces.TARGETS,
         *part21_files.TARGETS,
+        *nirox_files.TARGETS,
     )
 }

@@ -1,0 +1,103 @@
+"""What a file says beside what the model holds: kept, so that writing the robot again says it again."""
+
+from collections.abc import Mapping
+from dataclasses import field
+from types import MappingProxyType
+
+from ropsim.core import frozen_without_equality
+from ropsim.model import RobotModel
+from ropsim.nirox.building import UNSET, Key
+from ropsim.nirox.built import built
+from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.seen import Seen
+from ropsim.part21 import Instance, Record, Reference, Value, references
+
+_OWN: Mapping[str, tuple[int, ...]] = MappingProxyType(
+    {
+        "RIGID_LINK_MASS_PROPERTIES": (4,),
+        "DC_SERVO_MOTOR": (8, 9, 10),
+        "IDEAL_EFFORT_SOURCE": (2,),
+        "GEAR_TRANSMISSION": (2, 3),
+        "LINK_GEOMETRY": (2, 3),
+        "PARAMETER_ORIGIN": (2,),
+    }
+)
+"""Parameters that the model does not hold, beside all texts."""
+_REPLACED = frozenset(
+    ("STRIBECK_FRICTION", "LUGRE_FRICTION", "LOAD_DEPENDENT_FRICTION", "SCREW_TRANSMISSION")
+)
+"""Entities that the model holds in a part only, and that are written again as they were."""
+
+
+@frozen_without_equality
+class Beside:
+    """What a file says beside its robot.
+
+    Attributes:
+        instances: all of the file, by their numbers.
+        keys: what those that the model holds stand for.
+        numbers: of the instances that it does not hold, in the order of the file.
+        changes: of instances that it holds: parameters as they would be written, and as the file has them.
+        further: of lists in such instances: what else the file has in them, by key and parameter.
+        replaced: of instances that it holds in part: what would be written, and the number of the original.
+        frames: other frames than the mechanical interface.
+    """
+
+    instances: Mapping[int, Instance] = field(default_factory=dict)
+    keys: Mapping[int, Key] = field(default_factory=dict)
+    numbers: tuple[int, ...] = ()
+    changes: Mapping[tuple[Key, int], tuple[Value, Value]] = field(default_factory=dict)
+    further: Mapping[tuple[Key, int], tuple[int, ...]] = field(default_factory=dict)
+    replaced: Mapping[Key, tuple[tuple[Value, ...], int]] = field(default_factory=dict)
+    frames: tuple[FurtherFrame, ...] = ()
+
+
+NOTHING = Beside()
+
+
+def beside_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -> Beside:
+    """Return what a file says beside the robot that was read from it.
+
+    Args:
+        seen: the file after reading.
+        robot: that was read.
+        frames: of the file, but for the mechanical interface.
+    """
+    records = built(robot, frames).building.records
+    changes: dict[tuple[Key, int], tuple[Value, Value]] = {}
+    further: dict[tuple[Key, int], tuple[int, ...]] = {}
+    replaced: dict[Key, tuple[tuple[Value, ...], int]] = {}
+    unwritten: set[int] = set()
+    for number, key in seen.keys.items():
+        original = seen.population.instances[number].records[0]
+        own = records.get(key, (None,))[0]
+        if original.keyword in _REPLACED:
+            if own is None:
+                unwritten.add(number)
+            else:
+                replaced[key] = own.values, number
+        elif own is not None and (own.keyword, len(own.values)) == (original.keyword, len(original.values)):
+            _compare(seen, key, own, original, changes, further)
+    instances = seen.population.instances
+    numbers = tuple(one for one in instances if one not in seen.taken or one in unwritten)
+    return Beside(instances, dict(seen.keys), numbers, changes, further, replaced, frames)
+
+
+def _compare(
+    seen: Seen,
+    key: Key,
+    own: Record,
+    original: Record,
+    changes: dict[tuple[Key, int], tuple[Value, Value]],
+    further: dict[tuple[Key, int], tuple[int, ...]],
+) -> None:
+    """Note the parameters of an instance that the file has otherwise and that the model does not hold."""
+    for place, (ours, theirs) in enumerate(zip(own.values, original.values, strict=True)):
+        if isinstance(theirs, tuple):
+            others = tuple(one for one in references(theirs) if one not in seen.taken)
+            if others:
+                further[key, place] = others
+        elif ours != theirs and not isinstance(theirs, Reference):
+            is_text = isinstance(theirs, str) and (isinstance(ours, str) or ours is UNSET)
+            if is_text or place in _OWN.get(own.keyword, ()):
+                changes[key, place] = ours, theirs

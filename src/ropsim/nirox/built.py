@@ -1,0 +1,40 @@
+"""A robot as instances, and what of it these do not hold."""
+
+from ropsim.core import Diagnostic, frozen_without_equality
+from ropsim.model import RobotModel
+from ropsim.nirox.building import Building
+from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.written_arm import arm_losses, write_arm, write_origins
+from ropsim.nirox.written_bodies import body_losses, write_bodies
+from ropsim.nirox.written_drives import drive_losses, write_drives
+from ropsim.nirox.written_looks import write_looks
+
+
+@frozen_without_equality
+class Built:
+    """A robot as instances.
+
+    Attributes:
+        building: the instances.
+        losses: what they do not hold.
+    """
+
+    building: Building
+    losses: tuple[Diagnostic, ...]
+
+
+def built(robot: RobotModel, frames: tuple[FurtherFrame, ...] = ()) -> Built:
+    """Return the instances of a robot.
+
+    Args:
+        robot: to be written.
+        frames: on its links, beside the mechanical interface.
+    """
+    building = Building()
+    writing = write_arm(building, robot, frames)
+    write_bodies(building, robot)
+    write_drives(building, robot)
+    write_looks(building, robot)
+    write_origins(building, robot)
+    losses = (*writing.losses(), *drive_losses(robot), *body_losses(robot), *arm_losses(robot))
+    return Built(building, losses)

@@ -1,0 +1,183 @@
+"""The arm of a valid file: mechanism, axes, frames, rest position, couplings, origins."""
+
+import numpy as np
+
+from ropsim.model import (
+    Coupling,
+    DhRow,
+    JointType,
+    ParameterOrigin,
+    RobotModel,
+)
+from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.read_bodies import read_links
+from ropsim.nirox.read_cuts import read_cuts
+from ropsim.nirox.read_drives import read_drives
+from ropsim.nirox.read_joints import Joints
+from ropsim.nirox.read_mechanism import Mechanism
+from ropsim.nirox.seen import Seen
+from ropsim.spatial import Pose, frozen
+
+_KINDS = ("published", "derived", "estimated")
+_ROLE = "mechanical_interface"
+
+
+def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]:
+    """Return the robot of a file that keeps to the schema, and its other frames; what is wrong is noted.
+
+    Args:
+        seen: the file.
+        name: of the file, which is the source of estimates.
+
+    Raises:
+        ImpossibleError: the file cannot be followed further.
+    """
+    (arm,) = seen.extent("robot_arm")
+    seen.take(arm, "arm")
+    mechanism = Mechanism(seen, arm)
+    axes = _axes(seen, arm, mechanism)
+    joints = Joints(seen, mechanism, axes)
+    links, base_shapes = read_links(seen, mechanism)
+    cuts = read_cuts(seen, mechanism)
+    states = _states(seen, arm, mechanism)
+    tip, X_nM, frames = _frames(seen, arm, mechanism)
+    mechanism.take_representations()
+    pairs = [mechanism.moved[number].pair for number in axes]
+    words = [seen.text(arm, one).strip() for one in ("manufacturer", "model")]
+    label = seen.text(arm, "name").strip() or "robot"
+    robot = RobotModel(
+        name=label,
+        title=" ".join(one for one in words if one) or label,
+        joints=joints.joints,
+        links=links,
+        drives=read_drives(seen, pairs, axes),
+        home=frozen([joints.home(number, states) for number in axes]),
+        axes=tuple(axes),
+        couplings=_couplings(seen, mechanism),
+        cuts=cuts,
+        gravity=frozen(seen.reals(arm, "gravity")),
+        origins=(*_origins(seen), *_estimates(joints.estimated, name)),
+        base_shapes=base_shapes,
+        X_nM=X_nM,
+        tip=tip,
+        dh=_dh(seen, mechanism),
+        external=_external(seen, pairs),
+    )
+    return robot, frames
+
+
+def _axes(seen: Seen, arm: int, mechanism: Mechanism) -> list[int]:
+    found = []
+    for pair in seen.refs(arm, "axes"):
+        number = mechanism.pairs.get(pair)
+        if number is None:
+            raise seen.impossible(
+                pair, "an axis is a pair that is cut, or that no way from the base leads to"
+            )
+        if mechanism.moved[number].type.freedoms != 1:
+            raise seen.impossible(pair, "an axis has one freedom", "name revolute, prismatic and screw pairs")
+        found.append(number)
+    return found
+
+
+def _states(seen: Seen, arm: int, mechanism: Mechanism) -> dict[int, float]:
+    """Return the values of pairs in the rest position [rad | m]."""
+    home = seen.ref(arm, "home")
+    seen.take(home, "home")
+    found = {}
+    for value in seen.refs(home, "items"):
+        pair = seen.ref(value, "applies_to_pair")
+        number = mechanism.pairs.get(pair)
+        if number is None or mechanism.moved[number].type.freedoms != 1:
+            continue
+        seen.take(value, "state", number)
+        if mechanism.moved[number].type is JointType.PRISMATIC:
+            found[pair] = mechanism.units.length.si(seen.real(value, "actual_translation"))
+        else:
+            found[pair] = mechanism.units.angle.si(seen.real(value, "actual_rotation"))
+    return found
+
+
+def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> tuple[int, Pose, tuple[FurtherFrame, ...]]:
+    """Return link and pose of the mechanical interface, the last link if there is none, and other frames."""
+    flange: tuple[int, Pose] | None = None
+    others: list[FurtherFrame] = []
+    for frame in seen.refs(arm, "frames"):
+        link, role = seen.ref(frame, "link"), seen.text(frame, "role")
+        if link not in mechanism.links:
+            raise seen.impossible(frame, "its link does not belong to the mechanism")
+        is_flange = role == _ROLE and flange is None
+        key: tuple[str | int, ...] = ("flange place",) if is_flange else ("frame", len(others), "place")
+        pose = mechanism.frames[link] @ mechanism.places.pose(seen.ref(frame, "placement"), key)
+        if is_flange:
+            seen.take(frame, "flange")
+            flange = mechanism.links[link], pose
+        else:
+            seen.take(frame, *key[:2])
+            others.append(FurtherFrame(seen.text(frame, "name"), role, mechanism.links[link], pose))
+    tip, X_nM = flange or (len(mechanism.moved) - 1, Pose())
+    return tip, X_nM, tuple(others)
+
+
+def _couplings(seen: Seen, mechanism: Mechanism) -> tuple[Coupling, ...]:
+    first = np.concatenate([[0], np.cumsum([one.type.freedoms for one in mechanism.moved])]).tolist()
+
+    def coordinate(told: int, pair: int, place: int) -> int:
+        number = mechanism.pairs.get(pair)
+        if number is None or not 1 <= place <= mechanism.moved[number].type.freedoms:
+            raise seen.impossible(told, f"{seen.called(pair)} has no coordinate {place} in this mechanism")
+        return int(first[number]) + place - 1
+
+    found = []
+    for number, told in enumerate(seen.extent("joint_coupling")):
+        seen.take(told, "coupling", number)
+        places = zip(seen.refs(told, "followed"), seen.integers(told, "coordinates"), strict=True)
+        others = [coordinate(told, pair, place) for pair, place in places]
+        terms = tuple(zip(others, seen.reals(told, "factors"), strict=True))
+        dependent = coordinate(told, seen.ref(told, "pair"), seen.integer(told, "coordinate"))
+        found.append(Coupling(dependent, terms, seen.real(told, "constant_term")))
+    return tuple(found)
+
+
+def _dh(seen: Seen, mechanism: Mechanism) -> tuple[DhRow, ...]:
+    rows = []
+    for told in seen.extent("denavit_hartenberg_row"):
+        number = mechanism.pairs.get(seen.ref(told, "pair"))
+        type_ = mechanism.moved[number].type if number is not None else JointType.FIXED
+        if number is None or type_ not in (JointType.REVOLUTE, JointType.PRISMATIC):
+            raise seen.impossible(told, "a row of the table is of a pair that turns or slides")
+        seen.take(told, "dh", number)
+        a, alpha, d, theta = (seen.real(told, one) for one in ("a", "alpha", "d", "theta"))
+        rows.append(DhRow(a, alpha, d, theta, type_))
+    return tuple(rows)
+
+
+def _external(seen: Seen, pairs: list[int]) -> tuple[int, ...]:
+    found: list[int] = []
+    for told in seen.extent("external_axis"):
+        pair = seen.ref(told, "pair")
+        if pair not in pairs:
+            raise seen.impossible(told, "an external axis is one of the axes of the arm")
+        found.append(pairs.index(pair))
+        seen.take(told, "external", found[-1])
+    return tuple(found)
+
+
+def _origins(seen: Seen) -> list[ParameterOrigin]:
+    found: list[ParameterOrigin] = []
+    for told in seen.extent("parameter_origin"):
+        if not seen.is_a(seen.ref(told, "item"), "robot_arm"):
+            continue
+        seen.take(told, "origin", len(found))
+        kind, colon, source = seen.text(told, "method").partition(": ")
+        if not colon or kind not in _KINDS:
+            kind, source = "derived", seen.text(told, "method")
+        found.append(ParameterOrigin(seen.text(told, "attribute"), kind, source))
+    return found
+
+
+def _estimates(names: list[str], file: str) -> list[ParameterOrigin]:
+    if not names:
+        return []
+    words = f"not in {file}: joints {', '.join(names)}"
+    return [ParameterOrigin("limits of motion", "estimated", words)]

@@ -1,0 +1,156 @@
+"""A NIROX file to a robot."""
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass
+from ropsim.express import Population, validate
+from ropsim.model import Attribute, AuditPlace, PlaceOf, ReadRobot, RobotModel, audit
+from ropsim.nirox.beside import NOTHING, Beside, beside_of
+from ropsim.nirox.conformance import ConformanceClass, conformance_of
+from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
+from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.read_arm import read_arm
+from ropsim.nirox.schema_text import NAME, nirox_schema
+from ropsim.nirox.seen import MOST, ImpossibleError, Seen
+from ropsim.part21 import ExchangeFile, read_exchange
+
+_UNKNOWN_ENTITY = "X966"
+_NAMED = 6  # entities that a message names
+_WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
+    {
+        Attribute.LIMITS: ("coordinate",),
+        Attribute.MAX_SPEED: ("drive", "limits"),
+        Attribute.MAX_ACCELERATION: ("drive", "limits"),
+        Attribute.MAX_JERK: ("drive", "limits"),
+        Attribute.MAX_EFFORT: ("limits",),
+        Attribute.PLACEMENT: ("place",),
+        Attribute.MASS: ("mass", "link"),
+        Attribute.COM: ("mass", "link"),
+        Attribute.INERTIA: ("mass", "link"),
+        Attribute.HOME: ("state",),
+    }
+)
+"""Where the numbers of a joint, a link or an axis stand: the first of these that the file has."""
+_WITHOUT_EFFECT = (
+    "joint_friction", "drive_train", "motor_select", "transmission", "servo_valve", "hydraulic_supply",
+    "hydraulic_cylinder", "hydraulic_rotary_motor", "motion_coupling", "joint_sensor", "payload",
+    "joint_elasticity", "gear_pair", "dc_servo_motor", "ideal_effort_source", "electric_amplifier",
+)  # fmt: skip
+"""Entities that would change a simulation; that they are kept is told as a loss."""
+
+
+@frozen_dataclass
+class ReadNirox(ReadRobot):
+    """A robot read from a NIROX file, and what the file says beside it.
+
+    Attributes:
+        conformance: the class of the file; nothing where there is no robot.
+        beside: what the model does not hold; give it to `write_nirox` to write it again.
+    """
+
+    conformance: ConformanceClass | None = None
+    beside: Beside = NOTHING
+
+
+def read_nirox(source: SourceText) -> ReadNirox:
+    """Return the robot that a NIROX file describes, everything in SI units.
+
+    The file is checked against the schema first. Lengths and angles of the mechanism are converted from the
+    units that its contexts declare. Entities that the model does not hold are kept beside the robot.
+
+    Args:
+        source: content of the file; any text is allowed.
+    """
+    file, findings = read_exchange(source)
+    if any(one.is_error for one in findings):
+        return ReadNirox(None, findings)
+    if NAME not in file.schemas:
+        return ReadNirox(None, (_other_schema(file),))
+    seen = Seen(Population(nirox_schema(), file))
+    unknown, found = _sorted_out(seen, validate(seen.population))
+    if any(one.is_error for one in found):
+        return ReadNirox(None, found)
+    made = _robot(seen, source.name)
+    told = (*found, *seen.findings)
+    if made is None:
+        return ReadNirox(None, told)
+    robot, frames = made
+    beside = beside_of(seen, robot, frames)
+    return ReadNirox(robot, (*told, *_kept(seen, beside, unknown)), conformance_of(robot), beside)
+
+
+def nirox_places(source: SourceText) -> PlaceOf:
+    """Return where the numbers of the robot stand in a file that could be read."""
+    file, _ = read_exchange(source)
+    seen = Seen(Population(nirox_schema(), file))
+    made = _robot(seen, source.name)
+    return _place_of(seen, made[0].axes) if made else _nowhere
+
+
+def _other_schema(file: ExchangeFile) -> Diagnostic:
+    names = ", ".join(f"`{one[:60]}`" for one in file.schemas) or "none"
+    span = file.places.span(0) if file.places else None
+    message = f"the schema of the file is {names}, allowed is `{NAME}`"
+    return NOT_NIROX.at(span, message, hint="`ropsim robot export NAME FILE.stp` writes such files")
+
+
+def _robot(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]] | None:
+    """Return the robot of a valid file and its other frames; nothing where an error forbids one."""
+    try:
+        robot, frames = read_arm(seen, name)
+    except ImpossibleError as error:
+        seen.findings.append(error.finding)
+        return None
+    wrong = [one for one in audit(robot, _place_of(seen, robot.axes)) if one.is_error]
+    seen.findings += wrong[:MOST]
+    return None if any(one.is_error for one in seen.findings) else (robot, frames)
+
+
+def _place_of(seen: Seen, axes: tuple[int, ...]) -> PlaceOf:
+    file, places = seen.population.file, {key: number for number, key in seen.keys.items()}
+
+    def place(asked: AuditPlace) -> Span | None:
+        joint = axes[asked.number] if asked.attribute is Attribute.HOME else asked.number
+        for word in (*_WORDS[asked.attribute], "pair"):
+            number = places.get((word, joint))
+            if number is not None:
+                return file.span(seen.population.instances[number])
+        return None
+
+    return place
+
+
+def _nowhere(asked: AuditPlace) -> Span | None:
+    del asked
+    return None
+
+
+def _sorted_out(seen: Seen, found: tuple[Diagnostic, ...]) -> tuple[list[str], tuple[Diagnostic, ...]]:
+    """Return the names of unknown entities, and the findings but for those about them."""
+    schema = seen.population.schema
+    names = [
+        record.keyword
+        for instance in seen.population.file.instances
+        for record in instance.records
+        if record.keyword.lower() not in schema.entities
+    ]
+    return list(dict.fromkeys(names)), tuple(one for one in found if one.code != _UNKNOWN_ENTITY)
+
+
+def _kept(seen: Seen, beside: Beside, unknown: list[str]) -> Iterator[Diagnostic]:
+    """Yield what is kept beside the robot: entities that nobody knows, and those without an effect."""
+    if unknown:
+        shown = ", ".join(f"`{one[:60]}`" for one in unknown[:_NAMED])
+        more = f" and {len(unknown) - _NAMED} more" if len(unknown) > _NAMED else ""
+        yield KEPT.at(None, f"entities that say nothing here are kept: {shown}{more}")
+    held: dict[str, int] = {}
+    for number in beside.numbers:
+        lineage = seen.population.lineage(number)
+        if set(lineage) & set(_WITHOUT_EFFECT):
+            held.setdefault(lineage[-1], number)
+    told = {one.span for one in seen.findings}
+    for number in held.values():
+        span = seen.population.file.span(seen.population.instances[number])
+        if span not in told:
+            yield LOST.at(span, f"{seen.called(number)}: what it says has no effect here; it is kept")

@@ -1,0 +1,74 @@
+"""NIROX files, damaged: mostly in numbers, references and entities, so that most keep their syntax."""
+
+import re
+from random import Random
+
+import numpy as np
+
+from ropsim import robots
+from ropsim.core import SourceText
+from ropsim.kinematics import forward
+from ropsim.model import audit, mechanism_findings
+from ropsim.nirox import nirox_schema, read_nirox, write_nirox
+from ropsim.views import Style, diagnostics_text
+from support.fuzzing.mutation import TEXT, mutated, numeral, word
+from support.fuzzing.target import Target
+from support.nirox_texts import TEXT as HAND
+
+_TEXTS = [HAND.encode(), *(write_nirox(robots.load(name)).text.encode() for name in ("scara", "two_link"))]
+_ENTITIES = [name.upper().encode() for name in nirox_schema().entities]
+_REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
+_SHOWN = 5  # findings that are written out
+
+
+def _made(random: Random) -> bytes:
+    content = random.choice(_TEXTS)
+    for _ in range(random.choice((0, 1, 1, 2, 3))):
+        choice = random.random()
+        if choice < 0.3:
+            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, 140))
+        elif choice < 0.5:
+            content = _exchanged(random, content, _KEYWORD, random.choice(_ENTITIES))
+        elif choice < 0.8:
+            content = numeral(random, content)
+        elif choice < 0.9:
+            content = word(random, content)
+        else:
+            content = mutated(random, content, TEXT)
+    return content
+
+
+def _exchanged(random: Random, content: bytes, pattern: re.Pattern[bytes], new: bytes) -> bytes:
+    found = list(pattern.finditer(content))
+    if not found:
+        return content
+    one = random.choice(found)
+    return content[: one.start()] + new + content[one.end() :]
+
+
+def _take(content: bytes) -> str:
+    """Read a file; what was read can be looked over, moved, and written to a file that reads the same."""
+    source = SourceText("a.stp", content.decode("utf-8", "replace"))
+    found = read_nirox(source)
+    assert isinstance(diagnostics_text(found.findings[:_SHOWN], {source.name: source}, Style.PLAIN), str)
+    wrong = [one.code for one in found.findings if one.is_error]
+    assert (found.robot is None) == bool(wrong)
+    for one in found.findings:
+        if one.span is not None:
+            assert 1 <= one.span.line <= len(source.lines)
+    if found.robot is None:
+        return wrong[0]
+    assert not mechanism_findings(found.robot)
+    audit(found.robot)
+    assert np.isfinite(forward(found.robot, found.robot.home).matrix()).all()
+    written = write_nirox(found.robot, found.beside)
+    if not written.text:
+        assert {one.code for one in written.losses} == {"X956"}
+        return "refused"
+    again = read_nirox(SourceText("b.stp", written.text))
+    assert again.robot is not None, again.findings
+    assert write_nirox(again.robot, again.beside).text == written.text
+    return "read"
+
+
+TARGETS = (Target("nirox", _made, _take),)

@@ -1,0 +1,187 @@
+"""Robots through NIROX files and back are equal to the last bit, texts through robots the same bytes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ropsim import robots
+from ropsim.core import SourceText
+from ropsim.exchange import read_urdf, write_urdf
+from ropsim.kinematics import forward
+from ropsim.model import (
+    ALL_DIRECTIONS,
+    CurrentLimitedAmplifier,
+    DcMotor,
+    Direction,
+    Drive,
+    ElasticGear,
+    Friction,
+    Gear,
+    JointType,
+    LoopCut,
+    Material,
+    Mesh,
+    Polyline,
+    RobotModel,
+    Shape,
+    Sphere,
+    VoltageAmplifier,
+    beside,
+    on_track,
+)
+from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
+from ropsim.spatial import Pose
+from support.nirox_texts import TEXT
+from support.trees import random_tree
+
+PLACE = Pose(np.array([0.1, 0.2, 0.3]), np.array([0.4, 0.3, -0.2, 0.84]))
+
+
+def read(text: str) -> ReadNirox:
+    return read_nirox(SourceText("arm.stp", text))
+
+
+def again(robot: RobotModel) -> RobotModel:
+    """Return a robot that has gone through a file; its text is the same when it is written once more."""
+    written = write_nirox(robot)
+    assert written.losses == ()
+    found = read(written.text)
+    assert found.robot is not None, found.findings
+    assert not any(one.is_error for one in found.findings)
+    assert write_nirox(found.robot, found.beside).text == written.text
+    return found.robot
+
+
+@pytest.mark.parametrize("name", robots.names())
+def test_built_in_robots_come_back_to_the_last_bit(name: str) -> None:
+    assert again(robots.load(name)) == robots.load(name)
+
+
+def test_robots_on_a_track_and_beside_a_positioner_come_back() -> None:
+    arm = on_track(robots.load("puma560"), robots.linear_track(2.0), PLACE)
+    both = beside(arm, robots.tilting_turntable(0.4), PLACE)
+    assert both.external == (6, 7, 8)
+    assert again(both) == both
+
+
+def test_an_arm_on_a_gantry_comes_back() -> None:
+    robot = on_track(robots.load("scara"), robots.gantry(3.0, 2.0, 1.5))
+    assert again(robot) == robot
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_trees_of_joints_of_all_types_with_couplings_come_back(seed: int) -> None:
+    robot = random_tree(seed, 7).robot
+    found = again(robot)
+    assert found == _symmetric(robot)
+
+
+def _symmetric(robot: RobotModel) -> RobotModel:
+    """Return a robot with the upper halves of its inertias on both sides: products leave rounding in them."""
+    links = []
+    for link in robot.links:
+        upper = np.triu(link.inertia)
+        links.append(replace(link, inertia=upper + np.triu(link.inertia, 1).T))
+    return replace(robot, links=tuple(links))
+
+
+@pytest.mark.parametrize(
+    "free", [(), (2,), (5,), (2, 5), (3, 4, 5), (0,), (0, 1, 5), (4, 5), (3, 5), (0, 2, 4)]
+)
+def test_closed_chains_come_back_whatever_they_leave_free(free: tuple[int, ...]) -> None:
+    held = tuple(one for place, one in enumerate(ALL_DIRECTIONS) if place not in free)
+    robot = replace(random_tree(5, 4).robot, couplings=(), axes=(), home=np.zeros(0), tip=3)
+    robot = replace(robot, home=np.zeros(robot.n), links=_symmetric(robot).links)
+    cut = LoopCut(-1, PLACE, 3, PLACE.inverse(), held)
+    robot = replace(robot, cuts=(cut, replace(cut, first=1 if robot.joints[3].parent != 1 else 0)))
+    assert again(robot) == robot
+
+
+def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
+    robot = robots.load("two_link")
+    limited = Drive(
+        CurrentLimitedAmplifier(48.0, 9.0),
+        DcMotor(0.1, 0.11, 0.9, 1e-3, 2e-4),
+        ElasticGear(-80.0, 2e4, 0.0),
+        Friction(1e-4, 0.02, -0.03, 0.01),
+    )
+    plain = replace(limited, amplifier=VoltageAmplifier(48.0, 9.0), friction=Friction(1e-4, 0.02, -0.02))
+    shapes = (
+        Shape(Mesh("meshes/hand.stl", 0.001), PLACE, "#ff0000", 0.5, Material.STEEL),
+        Shape(Mesh("meshes/arm.stl")),
+        Shape(Sphere(0.1), PLACE),
+        Shape(Polyline(((0.0, 0.0, 0.0), (1.0, 0.0, 0.1)))),
+    )
+    links = (replace(robot.links[0], shapes=shapes), robot.links[1])
+    joints = (replace(robot.joints[0], offset=0.3, lower=-1e-3), robot.joints[1])
+    changed = replace(
+        robot, drives=(limited, plain), links=links, joints=joints, gravity=np.array([1.0, 0.0, -9.0])
+    )
+    assert again(changed) == changed
+
+
+def test_a_robot_without_drives_keeps_its_limits() -> None:
+    robot = replace(robots.load("scara"), drives=(), origins=())
+    assert again(robot) == robot
+    assert read(write_nirox(robot).text).conformance is ConformanceClass.CC2
+
+
+@pytest.mark.parametrize("name", ["scara", "two_link"])
+def test_urdf_to_nirox_and_back_has_the_same_poses(name: str) -> None:
+    urdf = read_urdf(SourceText("a.urdf", write_urdf(robots.load(name)).text)).robot
+    assert urdf is not None
+    found = again(urdf)
+    for q in np.random.default_rng(1).uniform(-0.5, 0.5, (5, urdf.n)):
+        assert forward(found, q) == forward(urdf, q)
+
+
+def test_the_classes_of_files() -> None:
+    robot = robots.load("two_link")
+    bare = replace(robot, links=tuple(replace(one, shapes=()) for one in robot.links))
+    weightless = replace(bare, links=tuple(replace(one, mass=0.0, com=np.zeros(3)) for one in bare.links))
+    rows = [
+        (robot, "CC5"),
+        (bare, "CC4"),
+        (replace(bare, drives=()), "CC2"),
+        (replace(weightless, drives=()), "CC1"),
+    ]
+    for one, name in rows:
+        found = read(write_nirox(one).text).conformance
+        assert found is not None
+        assert found.name == name
+
+
+def test_a_file_written_by_hand_reads_as_it_says_and_keeps_its_names() -> None:
+    found = read(TEXT)
+    assert found.findings == ()
+    robot = found.robot
+    assert robot is not None
+    assert (robot.name, robot.title, robot.n) == ("two_links", "Example Two links", 2)
+    assert robot.home.tolist() == [0.3, -0.6]
+    assert forward(robot, np.zeros(2)).position.tolist() == [0.8, 0.0, 0.0]
+    assert [joint.max_speed for joint in robot.joints] == [3.0, 4.0]
+    motor = DcMotor(0.1, 0.1, 1.0, 0.001, 0.0001)
+    assert robot.drives[0] == Drive(
+        VoltageAmplifier(48.0, 10.0), motor, Gear(100.0), Friction(1e-4, 0.02, -0.02)
+    )
+    text = write_nirox(robot, found.beside).text
+    for word in (
+        "'Example','Two links'",
+        "KINEMATIC_LINK('hand')",
+        ".CAD.",
+        "DRIVE_TRAIN('d1'",
+        "('two links',(",
+    ):
+        assert word in text
+    second = read(text)
+    assert second.robot == robot
+    assert write_nirox(robot, second.beside).text == text
+
+
+def test_joint_types_have_their_pairs() -> None:
+    text = "".join(write_nirox(random_tree(seed, 7).robot).text for seed in range(12))
+    for word in ("SPHERICAL", "UNIVERSAL", "CYLINDRICAL", "PLANAR", "FULLY_CONSTRAINED", "SCREW"):
+        assert f"={word}_PAIR" in text
+    assert len(JointType) == 8
+    assert Direction.X in ALL_DIRECTIONS
