@@ -87,9 +87,12 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "icr verify my_cell": {"ok", "id"} | found,
         "icr run my_cell": {"ok", "instructions", "steps"} | found,
         "robot list": {"robots", "files"},
-        "robot show puma560": {"name", "title", "joints", "following", "inverse_kinematics", "origins"},
+        "robot show puma560": {
+            *("name", "title", "conformance", "joints", "following", "inverse_kinematics", "origins"),
+        },
         "robot audit puma560": {"ok"} | found,
         "robot export scara my_arm.toml": {"ok", "path"} | found,
+        "robot import my_arm.toml --to my_arm.stp": {"ok", "path"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
         "robot ik puma560 500 100 400 180 0 30": {
             *("status", "solutions", "postures", "beyond_limits", "solver"),

@@ -5,7 +5,7 @@ import argparse
 from ropsim.cli.output import Output
 from ropsim.model import RobotModel
 from ropsim.records import diagnostic_document
-from ropsim.workbench import find_robot
+from ropsim.workbench import NamedRobot, find_robot
 
 
 def named_robot(options: argparse.Namespace, output: Output) -> RobotModel | None:
@@ -15,8 +15,13 @@ def named_robot(options: argparse.Namespace, output: Output) -> RobotModel | Non
         UnknownRobotError: X860, no built-in robot has this name.
         RobotFileError: the file cannot be read.
     """
+    return asked_robot(options, output).robot
+
+
+def asked_robot(options: argparse.Namespace, output: Output) -> NamedRobot:
+    """Return the robot of the argument `name` with what was read beside it; raises as `named_robot` does."""
     found = find_robot(options.name)
     output.findings(found.findings, {found.text.name: found.text} if found.text else {})
     if found.robot is None:
         output.document({"ok": False, **diagnostic_document(found.findings)})
-    return found.robot
+    return found

@@ -226,6 +226,13 @@ def _robot(commands: Commands) -> None:
     export = _command(actions, "export", "robot_export:export", "write a robot into a file")
     export.add_argument("name", metavar="NAME", help=_ROBOT)
     export.add_argument("file", metavar="FILE", help="its ending says the format: .toml is a robot file")
+    import_ = _command(
+        actions, "import", "robot_export:export", "take a robot of another format into a project"
+    )
+    import_.add_argument("name", metavar="FILE", help="the file, such as arm.urdf")
+    import_.add_argument(
+        "--to", metavar="FILE", dest="file", required=True, help="such as robots/arm.stp or robots/arm.toml"
+    )
     forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
     forward.add_argument("name", metavar="NAME", help=_ROBOT)
     forward.add_argument(

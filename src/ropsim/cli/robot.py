@@ -15,6 +15,7 @@ from ropsim.cli.solver_words import solver_document, solver_lines
 from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
+from ropsim.nirox import ConformanceClass, conformance_of
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
 from ropsim.workbench import find_robot, robots_in
@@ -27,6 +28,7 @@ WRONG_COUNT = define(
     "Give one number per joint: degrees for turning joints, millimetres for sliding ones.",
 )
 
+_NIROX = (".stp", ".step")
 COLUMNS = 80
 """Width to which sources are wrapped."""
 
@@ -55,7 +57,11 @@ def show(options: argparse.Namespace, output: Output) -> int:
     robot = named_robot(options, output)
     if robot is None:
         return 1
-    lines = [f"{robot.name}: {robot.title}, {robot.n} axes", "", *_joint_rows(robot), *_following(robot), ""]
+    class_ = conformance_of(robot)
+    lines = [f"{robot.name}: {robot.title}, {robot.n} axes"]
+    if Path(options.name).suffix.lower() in _NIROX:
+        lines.append(f"NIROX class {class_.name}: {', '.join(_demands(class_))}")
+    lines += ["", *_joint_rows(robot), *_following(robot), ""]
     for text in solver_lines(robot):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
@@ -66,6 +72,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
     output.document(
         {
             "name": robot.name,
+            "conformance": class_.name,
             "title": robot.title,
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
@@ -107,6 +114,11 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0
+
+
+def _demands(class_: ConformanceClass) -> list[str]:
+    """Return what a class asks for, with what those before it ask for."""
+    return [one.value for one in ConformanceClass if one.name <= class_.name]
 
 
 def _following(robot: RobotModel) -> list[str]:

@@ -4,7 +4,7 @@ import argparse
 import shlex
 from pathlib import Path
 
-from ropsim.cli.named_robot import named_robot
+from ropsim.cli.named_robot import asked_robot
 from ropsim.cli.output import Output, cannot_write
 from ropsim.core import replace_file
 from ropsim.records import diagnostic_document
@@ -13,10 +13,10 @@ from ropsim.workbench import RobotFileError, written_robot
 
 def export(options: argparse.Namespace, output: Output) -> int:
     """Write a robot in the format of the ending of the file."""
-    robot = named_robot(options, output)
-    if robot is None:
+    asked = asked_robot(options, output)
+    if asked.robot is None:
         return 1
-    written = written_robot(robot, options.file)
+    written = written_robot(asked.robot, options.file, asked.read)
     output.findings(written.losses, {})
     is_written = bool(written.text)
     if is_written:

@@ -6,13 +6,17 @@ from ropsim.model import RobotModel
 
 
 class ConformanceClass(StrEnum):
-    """The classes of NIROX files; each asks for what those before it ask for."""
+    """The classes of NIROX files; each asks for what those before it ask for.
+
+    Masses and geometry are those of all moving links, drives those of all axes; an arm without closed chains
+    needs no cuts.
+    """
 
     CC1 = "kinematics"
-    CC2 = "masses of all moving links"
-    CC3 = "drives of all axes"
-    CC4 = "closed chains, if there are any, with their cuts"
-    CC5 = "geometry of all moving links"
+    CC2 = "masses"
+    CC3 = "drives"
+    CC4 = "cuts of closed chains"
+    CC5 = "geometry"
 
 
 def conformance_of(robot: RobotModel) -> ConformanceClass:

@@ -5,7 +5,7 @@ from pathlib import Path
 from ropsim import robots
 from ropsim.cellfile import is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, Span, frozen_dataclass
-from ropsim.model import AuditPlace, PlaceOf, RobotModel, WrittenRobot
+from ropsim.model import AuditPlace, PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.userfiles import read_text_file
 from ropsim.workbench.robot_files import read_robot, unknown_format
 from ropsim.workbench.robot_formats import ROBOT_FORMATS
@@ -23,11 +23,13 @@ class NamedRobot:
         robot: the model; None where its file is wrong.
         findings: of reading the file.
         text: content of the file; None of a built-in robot.
+        read: everything that was read from it; None of a built-in robot.
     """
 
     robot: RobotModel | None
     findings: tuple[Diagnostic, ...] = ()
     text: SourceText | None = None
+    read: ReadRobot | None = None
 
     @property
     def place_of(self) -> PlaceOf:
@@ -55,7 +57,7 @@ def find_robot(name: str | Path) -> NamedRobot:
     if text is None:
         raise RobotFileError(findings[0])
     read = read_robot(text)
-    return NamedRobot(read.robot, read.findings, text)
+    return NamedRobot(read.robot, read.findings, text, read)
 
 
 def load_robot(name: str | Path) -> RobotModel:
@@ -74,12 +76,13 @@ def load_robot(name: str | Path) -> RobotModel:
     return found.robot
 
 
-def written_robot(robot: RobotModel, name: str | Path) -> WrittenRobot:
+def written_robot(robot: RobotModel, name: str | Path, read: ReadRobot | None = None) -> WrittenRobot:
     """Return a robot as the text of a file, and what of it is lost.
 
     Args:
         robot: to be written.
         name: of the file, whose ending says in which format.
+        read: from what it comes; what that said beside the robot is written again, where the format holds it.
 
     Raises:
         RobotFileError: X911, robots are not written into files of this ending.
@@ -87,6 +90,8 @@ def written_robot(robot: RobotModel, name: str | Path) -> WrittenRobot:
     format_ = ROBOT_FORMATS.get(Path(name).suffix.lower())
     if format_ is None or format_.write is None:
         raise RobotFileError(unknown_format(str(name)))
+    if read is not None and format_.write_again is not None:
+        return format_.write_again(robot, read)
     return format_.write(robot)
 
 

@@ -120,7 +120,8 @@ UNKNOWN_ROBOT_FORMAT = define(
     """
 How a robot file is read depends on the ending of its name. The message lists the endings that are known;
 `docs/reference/robot-file.md` describes files that end with `.toml`, `docs/reference/exchange-formats.md`
-those of other systems: URDF (`.urdf`, `.xacro`) and MJCF (`.xml`).
+those of other systems: URDF (`.urdf`, `.xacro`) and MJCF (`.xml`); `docs/reference/nirox.md` those that end
+with `.stp`.
 """,
 )
 

@@ -4,8 +4,9 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.exchange import read_mjcf, read_urdf, write_mjcf, write_urdf
+from ropsim.exchange import read_mjcf, read_nirox, read_urdf, write_mjcf, write_nirox, write_urdf
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
+from ropsim.nirox import ReadNirox, nirox_places
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
 
@@ -17,12 +18,21 @@ class RobotFormat:
         read: a text to a robot.
         places: where the numbers of the robot stand in a text that could be read; None where nobody can tell.
         write: a robot to a text; None where there is no writer.
+        write_again: the same of a robot that was read from a file, with what that said beside it; None where
+            nothing is kept beside robots.
     """
 
     read: Callable[[SourceText], ReadRobot]
     places: Callable[[SourceText], PlaceOf] | None = None
     write: Callable[[RobotModel], WrittenRobot] | None = None
+    write_again: Callable[[RobotModel, ReadRobot], WrittenRobot] | None = None
 
+
+def _nirox_again(robot: RobotModel, read: ReadRobot) -> WrittenRobot:
+    return write_nirox(robot, read.beside) if isinstance(read, ReadNirox) else write_nirox(robot)
+
+
+_NIROX = RobotFormat(read_nirox, nirox_places, write_nirox, _nirox_again)
 
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {
@@ -30,6 +40,8 @@ ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
         ".urdf": RobotFormat(read_urdf, write=write_urdf),
         ".xacro": RobotFormat(read_urdf),
         ".xml": RobotFormat(read_mjcf, write=write_mjcf),
+        ".stp": _NIROX,
+        ".step": _NIROX,
     }
 )
 """By the ending of the file name, in small letters."""
