@@ -15,7 +15,6 @@ from ropsim.cli.solver_words import solver_document, solver_lines
 from ropsim.core import RopsimError, Severity, define
 from ropsim.model import Joint, JointType, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
-from ropsim.nirox import ConformanceClass, conformance_of
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
 from ropsim.workbench import find_robot, robots_in
@@ -57,10 +56,13 @@ def show(options: argparse.Namespace, output: Output) -> int:
     robot = named_robot(options, output)
     if robot is None:
         return 1
+    from ropsim.nirox import ConformanceClass, conformance_of
+
     class_ = conformance_of(robot)
     lines = [f"{robot.name}: {robot.title}, {robot.n} axes"]
     if Path(options.name).suffix.lower() in _NIROX:
-        lines.append(f"NIROX class {class_.name}: {', '.join(_demands(class_))}")
+        demands = [one.value for one in ConformanceClass if one.name <= class_.name]
+        lines.append(f"NIROX class {class_.name}: {', '.join(demands)}")
     lines += ["", *_joint_rows(robot), *_following(robot), ""]
     for text in solver_lines(robot):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
@@ -114,11 +116,6 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     output.text(f"x {x:.3f}  y {y:.3f}  z {z:.3f} mm   roll {roll:.4f}  pitch {pitch:.4f}  yaw {yaw:.4f} deg")
     output.document({"position": pose.position.tolist(), "orientation": pose.orientation.tolist()})
     return 0
-
-
-def _demands(class_: ConformanceClass) -> list[str]:
-    """Return what a class asks for, with what those before it ask for."""
-    return [one.value for one in ConformanceClass if one.name <= class_.name]
 
 
 def _following(robot: RobotModel) -> list[str]:

@@ -1,14 +1,11 @@
-"""Robots in formats of others: URDF with xacro, MJCF; every way tells what does not go over.
-
-NIROX, the own format, is read and written by `ropsim.nirox`, which hands its two functions on here.
-"""
+"""Robots in formats of others: URDF with xacro, MJCF; every way tells what does not go over."""
 
 from ropsim.exchange.folder import RobotFolder as RobotFolder
+from ropsim.exchange.nirox_door import read_nirox as read_nirox
+from ropsim.exchange.nirox_door import write_nirox as write_nirox
 from ropsim.exchange.options import ReadOptions as ReadOptions
 from ropsim.exchange.read_mjcf import read_mjcf as read_mjcf
 from ropsim.exchange.read_urdf import read_urdf as read_urdf
 from ropsim.exchange.write_mjcf import write_mjcf as write_mjcf
 from ropsim.exchange.write_sdf import write_sdf as write_sdf
 from ropsim.exchange.write_urdf import write_urdf as write_urdf
-from ropsim.nirox import read_nirox as read_nirox
-from ropsim.nirox import write_nirox as write_nirox

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from types import MappingProxyType
 
-from ropsim.core import frozen_without_equality
+from ropsim.core import frozen_dataclass
 from ropsim.model import RobotModel
 from ropsim.nirox.building import UNSET, Key
 from ropsim.nirox.built import built
@@ -29,7 +29,7 @@ _REPLACED = frozenset(
 """Entities that the model holds in a part only, and that are written again as they were."""
 
 
-@frozen_without_equality
+@frozen_dataclass
 class Beside:
     """What a file says beside its robot.
 

@@ -6,7 +6,6 @@ from types import MappingProxyType
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.exchange import read_mjcf, read_nirox, read_urdf, write_mjcf, write_nirox, write_urdf
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
-from ropsim.nirox import ReadNirox, nirox_places
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
 
@@ -29,10 +28,18 @@ class RobotFormat:
 
 
 def _nirox_again(robot: RobotModel, read: ReadRobot) -> WrittenRobot:
+    from ropsim.nirox import ReadNirox
+
     return write_nirox(robot, read.beside) if isinstance(read, ReadNirox) else write_nirox(robot)
 
 
-_NIROX = RobotFormat(read_nirox, nirox_places, write_nirox, _nirox_again)
+def _nirox_places(source: SourceText) -> PlaceOf:
+    from ropsim.nirox import nirox_places
+
+    return nirox_places(source)
+
+
+_NIROX = RobotFormat(read_nirox, _nirox_places, write_nirox, _nirox_again)
 
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {

@@ -107,3 +107,8 @@ def test_changed_numbers_win_over_what_the_file_said() -> None:
     assert "STRIBECK" not in text
     assert "ROBOT_ARM('two_links','','Another'," in text
     assert robot_of(read(text)).drives[0].friction == drive.friction
+
+
+def test_what_was_read_is_compared_by_content() -> None:
+    assert read(WHOLE) == read(WHOLE.replace("/* units", "/* the units"))
+    assert read(WHOLE).beside != read(WHOLE.replace("LABEL('y')", "LABEL('z')")).beside
