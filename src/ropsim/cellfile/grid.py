@@ -13,7 +13,7 @@ MOST = 10000
 """Places of one grid."""
 
 ORDERS = ("row", "column", "snake")
-"""As in patterns of the task language: a row is filled first, a column is, or both are gone to and fro."""
+"""As in patterns of the task language: row by row, column by column, or rows in turn from either end."""
 
 
 def read_grid(table: TomlTable, units: Units) -> list[Array]:
