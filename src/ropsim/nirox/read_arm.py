@@ -1,15 +1,8 @@
 """The arm of a valid file: mechanism, axes, frames, rest position, couplings, origins."""
 
-import numpy as np
-
-from ropsim.model import (
-    Coupling,
-    DhRow,
-    JointType,
-    ParameterOrigin,
-    RobotModel,
-)
+from ropsim.model import JointType, ParameterOrigin, RobotModel
 from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.read_axes import read_couplings, read_dh_table, read_external
 from ropsim.nirox.read_bodies import read_links
 from ropsim.nirox.read_cuts import read_cuts
 from ropsim.nirox.read_drives import read_drives
@@ -53,15 +46,15 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         drives=read_drives(seen, pairs, axes),
         home=frozen([joints.home(number, states) for number in axes]),
         axes=tuple(axes),
-        couplings=_couplings(seen, mechanism),
+        couplings=read_couplings(seen, mechanism),
         cuts=cuts,
         gravity=frozen(seen.reals(arm, "gravity")),
         origins=(*_origins(seen), *_estimates(joints.estimated, name)),
         base_shapes=base_shapes,
         X_nM=X_nM,
         tip=tip,
-        dh=_dh(seen, mechanism),
-        external=_external(seen, pairs),
+        dh=read_dh_table(seen, mechanism),
+        external=read_external(seen, pairs),
     )
     return robot, frames
 
@@ -117,50 +110,6 @@ def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> tuple[int, Pose, tupl
             others.append(FurtherFrame(seen.text(frame, "name"), role, mechanism.links[link], pose))
     tip, X_nM = flange or (len(mechanism.moved) - 1, Pose())
     return tip, X_nM, tuple(others)
-
-
-def _couplings(seen: Seen, mechanism: Mechanism) -> tuple[Coupling, ...]:
-    first = np.concatenate([[0], np.cumsum([one.type.freedoms for one in mechanism.moved])]).tolist()
-
-    def coordinate(told: int, pair: int, place: int) -> int:
-        number = mechanism.pairs.get(pair)
-        if number is None or not 1 <= place <= mechanism.moved[number].type.freedoms:
-            raise seen.impossible(told, f"{seen.called(pair)} has no coordinate {place} in this mechanism")
-        return int(first[number]) + place - 1
-
-    found = []
-    for number, told in enumerate(seen.extent("joint_coupling")):
-        seen.take(told, "coupling", number)
-        places = zip(seen.refs(told, "followed"), seen.integers(told, "coordinates"), strict=True)
-        others = [coordinate(told, pair, place) for pair, place in places]
-        terms = tuple(zip(others, seen.reals(told, "factors"), strict=True))
-        dependent = coordinate(told, seen.ref(told, "pair"), seen.integer(told, "coordinate"))
-        found.append(Coupling(dependent, terms, seen.real(told, "constant_term")))
-    return tuple(found)
-
-
-def _dh(seen: Seen, mechanism: Mechanism) -> tuple[DhRow, ...]:
-    rows = []
-    for told in seen.extent("denavit_hartenberg_row"):
-        number = mechanism.pairs.get(seen.ref(told, "pair"))
-        type_ = mechanism.moved[number].type if number is not None else JointType.FIXED
-        if number is None or type_ not in (JointType.REVOLUTE, JointType.PRISMATIC):
-            raise seen.impossible(told, "a row of the table is of a pair that turns or slides")
-        seen.take(told, "dh", number)
-        a, alpha, d, theta = (seen.real(told, one) for one in ("a", "alpha", "d", "theta"))
-        rows.append(DhRow(a, alpha, d, theta, type_))
-    return tuple(rows)
-
-
-def _external(seen: Seen, pairs: list[int]) -> tuple[int, ...]:
-    found: list[int] = []
-    for told in seen.extent("external_axis"):
-        pair = seen.ref(told, "pair")
-        if pair not in pairs:
-            raise seen.impossible(told, "an external axis is one of the axes of the arm")
-        found.append(pairs.index(pair))
-        seen.take(told, "external", found[-1])
-    return tuple(found)
 
 
 def _origins(seen: Seen) -> list[ParameterOrigin]:

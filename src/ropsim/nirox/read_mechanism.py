@@ -1,7 +1,5 @@
 """Links, pairs and closed chains of a file: which joint moves which link, and where the cuts are."""
 
-from heapq import heappop, heappush
-
 from ropsim.core import frozen_dataclass
 from ropsim.model import BASE_LINK, JointType
 from ropsim.nirox.diagnostics import IMPOSSIBLE
@@ -9,6 +7,7 @@ from ropsim.nirox.pair_words import PAIRS
 from ropsim.nirox.read_places import Places
 from ropsim.nirox.seen import Seen
 from ropsim.nirox.units import Units, units_of
+from ropsim.nirox.ways import ways
 from ropsim.spatial import Pose
 
 MOST_JOINTS = 200
@@ -110,37 +109,18 @@ class Mechanism:
         return found
 
     def _tree(self, joints: list[int]) -> None:
-        """Find the way to each link; of the joints that can come next the first of the file does."""
+        """Move the links one after the other, along the ways that lead to them."""
         seen = self._seen
         ends = [(seen.ref(one, "edge_start"), seen.ref(one, "edge_end")) for one in joints]
-        at: dict[int, list[int]] = {}
-        for place, (start, end) in enumerate(ends):
-            at.setdefault(start, []).append(place)
-            at.setdefault(end, []).append(place)
-        ready: list[int] = []
-        for place in at.get(self.base, ()):
-            heappush(ready, place)
-        done: set[int] = set()
-        while ready:
-            place = heappop(ready)
-            if place in done:
-                continue
-            done.add(place)
-            start, end = ends[place]
-            if start in self.links and end in self.links:
-                words = "it closes a chain of joints that is not cut"
-                seen.note(IMPOSSIBLE, joints[place], words, "name the pair to cut in a LOOP_CUT")
-                continue
-            near, far = (start, end) if start in self.links else (end, start)
+        found = ways(self.base, ends)
+        for place, near, far in found.steps:
             self._move(joints[place], near, far)
-            for other in at[far]:
-                if other not in done:
-                    heappush(ready, other)
-        for place, joint in enumerate(joints):
-            if place not in done:
-                seen.note(
-                    IMPOSSIBLE, joint, "no way of joints leads from the base to it", "join it, or take it out"
-                )
+        for place in found.closing:
+            words = "it closes a chain of joints that is not cut"
+            seen.note(IMPOSSIBLE, joints[place], words, "name the pair to cut in a LOOP_CUT")
+        for place in found.apart:
+            words = "no way of joints leads from the base to it"
+            seen.note(IMPOSSIBLE, joints[place], words, "join it, or take it out")
 
     def _move(self, joint: int, near: int, far: int) -> None:
         """Add the joint that moves one link against another one, which is nearer to the base."""

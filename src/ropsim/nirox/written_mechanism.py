@@ -4,19 +4,13 @@ from collections.abc import Iterator
 from math import isfinite
 
 from ropsim.core import Diagnostic
-from ropsim.model import (
-    ALL_DIRECTIONS,
-    BASE_LINK,
-    Joint,
-    JointType,
-    LoopCut,
-    RobotModel,
-)
+from ropsim.model import BASE_LINK, Joint, JointType, RobotModel
 from ropsim.nirox.building import DERIVED, UNSET, Building
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.pair_words import PAIRS, pair_of
+from ropsim.nirox.pair_words import PAIRS
+from ropsim.nirox.written_cuts import write_cut
 from ropsim.nirox.written_places import write_placement
-from ropsim.part21 import FALSE, TRUE, Enumeration, Record, Reference, Value
+from ropsim.part21 import Enumeration, Record, Reference, Value
 from ropsim.spatial import Pose
 
 
@@ -49,7 +43,9 @@ class MechanismWriting:
             if (cut.first, cut.second) not in self._ends:
                 self._ends.add((cut.first, cut.second))
                 self._cuts.append(number)
-                self._cut(number, cut)
+                first, second = write_cut(building, robot, number)
+                self.place_on(cut.first, first)
+                self.place_on(cut.second, second)
         return self._mechanism()
 
     def losses(self) -> Iterator[Diagnostic]:
@@ -86,42 +82,6 @@ class MechanismWriting:
                 keyword += "_with_range"
                 values += [float(one) if isfinite(one) else UNSET for one in bounds]
         self._building.add(("pair", number), keyword.upper(), *values)
-
-    def _cut(self, number: int, cut: LoopCut) -> None:
-        building, name = self._building, f"cut {number + 1}"
-        ends = building.at(("link", cut.first)), building.at(("link", cut.second))
-        joint = building.add(("cut joint", number), "KINEMATIC_JOINT", name, *ends)
-        first = write_placement(building, ("cut place", number), cut.X_first)
-        second = write_placement(building, ("cut body", number), cut.X_second)
-        self.place_on(cut.first, first)
-        self.place_on(cut.second, second)
-        keyword = pair_of(cut.held)
-        free: list[Value] = [DERIVED] * 6
-        if keyword == "low_order_kinematic_pair":
-            free = [FALSE if one in cut.held else TRUE for one in ALL_DIRECTIONS]
-        if keyword == "universal_pair":
-            free.append(UNSET)
-        building.add(("cut pair", number), keyword.upper(), name, DERIVED, UNSET, first, second, joint, *free)
-        edges = [building.add(("loop edge", number, -1), "ORIENTED_JOINT", "", DERIVED, DERIVED, joint, TRUE)]
-        for moved, down in self._way(cut.second, cut.first):
-            key = ("loop edge", number, moved)
-            on = building.at(("joint", moved))
-            edges.append(building.add(key, "ORIENTED_JOINT", "", DERIVED, DERIVED, on, down))
-        building.add(("loop", number), "KINEMATIC_LOOP", name, tuple(edges))
-
-    def _way(self, start: int, end: int) -> list[tuple[int, Value]]:
-        """Return the joints on the way from one link to another, and whether they are passed as they lead."""
-        up, down = self._to_base(start), self._to_base(end)
-        common = set(up) & set(down)
-        rise: list[tuple[int, Value]] = [(one, FALSE) for one in up if one not in common]
-        return rise + [(one, TRUE) for one in reversed(down) if one not in common]
-
-    def _to_base(self, link: int) -> list[int]:
-        found = []
-        while link != BASE_LINK:
-            found.append(link)
-            link = self._robot.joints[link].parent
-        return found
 
     def _mechanism(self) -> Reference:
         building, name = self._building, self._robot.name
