@@ -78,7 +78,7 @@ def beside_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -
                 replaced[key] = own.values, number
         elif own is not None and (own.keyword, len(own.values)) == (original.keyword, len(original.values)):
             _compare(seen, key, own, original, changes, further)
-    instances = seen.population.instances
+    instances = seen.instances
     numbers = tuple(one for one in instances if one not in seen.taken or one in unwritten)
     return Beside(instances, dict(seen.keys), numbers, changes, further, replaced, frames)
 

@@ -36,11 +36,11 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     tip, X_nM, frames = _frames(seen, arm, mechanism)
     mechanism.take_representations()
     pairs = [mechanism.moved[number].pair for number in axes]
-    words = [seen.text(arm, one).strip() for one in ("manufacturer", "model")]
-    label = seen.text(arm, "name").strip() or "robot"
+    words = [one for one in (seen.text(arm, "manufacturer"), seen.text(arm, "model")) if one]
+    label = seen.text(arm, "name") or "robot"
     robot = RobotModel(
         name=label,
-        title=" ".join(one for one in words if one) or label,
+        title=" ".join(words) or label,
         joints=joints.joints,
         links=links,
         drives=read_drives(seen, pairs, axes),

@@ -54,7 +54,7 @@ class Joints:
 
     def _joint(self, number: int, moved: Moved) -> Joint:
         seen, pair = self._seen, moved.pair
-        name = seen.text(moved.joint, "name").strip() or str(number + 1)
+        name = seen.text(moved.joint, "name") or str(number + 1)
         offset, lower, upper = self._range(moved)
         limits = seen.user(pair, "joint_limits", "pair")
         if limits is not None:

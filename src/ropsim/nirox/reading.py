@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass
-from ropsim.express import Population, validate
+from ropsim.express import validate
 from ropsim.model import Attribute, AuditPlace, PlaceOf, ReadRobot, RobotModel, audit
 from ropsim.nirox.beside import NOTHING, Beside, beside_of
 from ropsim.nirox.conformance import ConformanceClass, conformance_of
@@ -15,7 +15,6 @@ from ropsim.nirox.schema_text import NAME, nirox_schema
 from ropsim.nirox.seen import MOST, ImpossibleError, Seen
 from ropsim.part21 import ExchangeFile, read_exchange
 
-_UNKNOWN_ENTITY = "X966"
 _NAMED = 6  # entities that a message names
 _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
     {
@@ -67,8 +66,8 @@ def read_nirox(source: SourceText) -> ReadNirox:
         return ReadNirox(None, findings)
     if NAME not in file.schemas:
         return ReadNirox(None, (_other_schema(file),))
-    seen = Seen(Population(nirox_schema(), file))
-    unknown, found = _sorted_out(seen, validate(seen.population))
+    seen = Seen(nirox_schema(), file)
+    found = validate(seen.population)
     if any(one.is_error for one in found):
         return ReadNirox(None, found)
     made = _robot(seen, source.name)
@@ -77,13 +76,13 @@ def read_nirox(source: SourceText) -> ReadNirox:
         return ReadNirox(None, told)
     robot, frames = made
     beside = beside_of(seen, robot, frames)
-    return ReadNirox(robot, (*told, *_kept(seen, beside, unknown)), conformance_of(robot), beside)
+    return ReadNirox(robot, (*told, *_kept(seen, beside)), conformance_of(robot), beside)
 
 
 def nirox_places(source: SourceText) -> PlaceOf:
     """Return where the numbers of the robot stand in a file that could be read."""
     file, _ = read_exchange(source)
-    seen = Seen(Population(nirox_schema(), file))
+    seen = Seen(nirox_schema(), file)
     made = _robot(seen, source.name)
     return _place_of(seen, made[0].axes) if made else _nowhere
 
@@ -126,23 +125,11 @@ def _nowhere(asked: AuditPlace) -> Span | None:
     return None
 
 
-def _sorted_out(seen: Seen, found: tuple[Diagnostic, ...]) -> tuple[list[str], tuple[Diagnostic, ...]]:
-    """Return the names of unknown entities, and the findings but for those about them."""
-    schema = seen.population.schema
-    names = [
-        record.keyword
-        for instance in seen.population.file.instances
-        for record in instance.records
-        if record.keyword.lower() not in schema.entities
-    ]
-    return list(dict.fromkeys(names)), tuple(one for one in found if one.code != _UNKNOWN_ENTITY)
-
-
-def _kept(seen: Seen, beside: Beside, unknown: list[str]) -> Iterator[Diagnostic]:
+def _kept(seen: Seen, beside: Beside) -> Iterator[Diagnostic]:
     """Yield what is kept beside the robot: entities that nobody knows, and those without an effect."""
-    if unknown:
-        shown = ", ".join(f"`{one[:60]}`" for one in unknown[:_NAMED])
-        more = f" and {len(unknown) - _NAMED} more" if len(unknown) > _NAMED else ""
+    if seen.unknown:
+        shown = ", ".join(f"`{one[:60]}`" for one in seen.unknown[:_NAMED])
+        more = f" and {len(seen.unknown) - _NAMED} more" if len(seen.unknown) > _NAMED else ""
         yield KEPT.at(None, f"entities that say nothing here are kept: {shown}{more}")
     held: dict[str, int] = {}
     for number in beside.numbers:

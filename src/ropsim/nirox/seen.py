@@ -1,12 +1,13 @@
 """The instances of a valid file as a reader asks for them, what it has taken, and what it has found."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from ropsim.core import Diagnostic, Kind
-from ropsim.express import Population, plain
+from ropsim.express import Population, Schema, plain
 from ropsim.nirox.building import Key
 from ropsim.nirox.diagnostics import IMPOSSIBLE
-from ropsim.part21 import Enumeration, Reference, Value
+from ropsim.part21 import Enumeration, ExchangeFile, Instance, Reference, Value
 
 LARGEST = 1e12
 """No number of a robot is larger, in whatever unit; products of such numbers stay finite."""
@@ -26,14 +27,26 @@ class Seen:
     """The instances of one file.
 
     Attributes:
-        population: the instances in terms of the schema.
+        population: the instances of entities that the schema has.
+        unknown: keywords of the entities that it does not have, in the order of the file.
+        instances: all of the file, by number.
         keys: what those that were taken stand for, under the keys of `Building`.
         taken: numbers of those that were taken, with a key or without.
         findings: so far.
     """
 
-    def __init__(self, population: Population) -> None:
-        self.population = population
+    def __init__(self, schema: Schema, file: ExchangeFile) -> None:
+        unknown = [
+            (instance.number, record.keyword)
+            for instance in file.instances
+            for record in instance.records
+            if record.keyword.lower() not in schema.entities
+        ]
+        strange = {number for number, _ in unknown}
+        known = tuple(one for one in file.instances if one.number not in strange)
+        self.population = Population(schema, replace(file, instances=known))
+        self.unknown = tuple(dict.fromkeys(keyword for _, keyword in unknown))
+        self.instances: Mapping[int, Instance] = {one.number: one for one in file.instances}
         self.keys: dict[int, Key] = {}
         self.taken: set[int] = set()
         self.findings: list[Diagnostic] = []

@@ -112,3 +112,10 @@ def test_changed_numbers_win_over_what_the_file_said() -> None:
 def test_what_was_read_is_compared_by_content() -> None:
     assert read(WHOLE) == read(WHOLE.replace("/* units", "/* the units"))
     assert read(WHOLE).beside != read(WHOLE.replace("LABEL('y')", "LABEL('z')")).beside
+
+
+def test_many_unknown_entities_hide_no_mistake() -> None:
+    many = "".join(f"#{number}=FUTURE_THING(#11);\n" for number in range(400, 500))
+    assert read(TEXT.replace("#110=", many + "#110=")).robot == read(TEXT).robot
+    found = read(TEXT.replace("#110=", many + "#110=").replace("#11,4.,", "#11,-4.,"))
+    assert [one.code for one in found.findings] == ["X970"]
