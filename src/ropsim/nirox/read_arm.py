@@ -75,6 +75,8 @@ def _axes(seen: Seen, arm: int, mechanism: Mechanism) -> list[int]:
 
 def _states(seen: Seen, arm: int, mechanism: Mechanism) -> dict[int, float]:
     """Return the values of pairs in the rest position [rad | m]."""
+    if not seen.has(arm, "home"):
+        return {}
     home = seen.ref(arm, "home")
     seen.take(home, "home")
     found = {}

@@ -10,11 +10,13 @@ from ropsim.nirox.beside import NOTHING, Beside, beside_of
 from ropsim.nirox.conformance import ConformanceClass, conformance_of
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
 from ropsim.nirox.further_frame import FurtherFrame
+from ropsim.nirox.plain_mechanism import SCHEMA, with_arm
 from ropsim.nirox.read_arm import read_arm
 from ropsim.nirox.schema_text import NAME, nirox_schema
 from ropsim.nirox.seen import MOST, ImpossibleError, Seen
 from ropsim.part21 import ExchangeFile, read_exchange
 
+_NO_INTERFACE = "`robot_arm.doubt1`"  # said of an arm that was made of a mechanism, it would say nothing
 _NAMED = 6  # entities that a message names
 _WORDS: Mapping[Attribute, tuple[str, ...]] = MappingProxyType(
     {
@@ -64,10 +66,13 @@ def read_nirox(source: SourceText) -> ReadNirox:
     file, findings = read_exchange(source)
     if any(one.is_error for one in findings):
         return ReadNirox(None, findings)
-    if NAME not in file.schemas:
+    arm = _with_arm(file)
+    if arm is None:
         return ReadNirox(None, (_other_schema(file),))
-    seen = Seen(nirox_schema(), file)
+    seen = Seen(nirox_schema(), arm)
     found = validate(seen.population)
+    if arm is not file:
+        found = tuple(one for one in found if _NO_INTERFACE not in one.message)
     if any(one.is_error for one in found):
         return ReadNirox(None, found)
     made = _robot(seen, source.name)
@@ -82,15 +87,22 @@ def read_nirox(source: SourceText) -> ReadNirox:
 def nirox_places(source: SourceText) -> PlaceOf:
     """Return where the numbers of the robot stand in a file that could be read."""
     file, _ = read_exchange(source)
-    seen = Seen(nirox_schema(), file)
+    seen = Seen(nirox_schema(), _with_arm(file) or file)
     made = _robot(seen, source.name)
     return _place_of(seen, made[0].axes) if made else _nowhere
+
+
+def _with_arm(file: ExchangeFile) -> ExchangeFile | None:
+    """Return a NIROX file, or one of AP242 with the arm that follows from its mechanism; else nothing."""
+    if NAME in file.schemas:
+        return file
+    return with_arm(file) if any(one.startswith(SCHEMA) for one in file.schemas) else None
 
 
 def _other_schema(file: ExchangeFile) -> Diagnostic:
     names = ", ".join(f"`{one[:60]}`" for one in file.schemas) or "none"
     span = file.places.span(0) if file.places else None
-    message = f"the schema of the file is {names}, allowed is `{NAME}`"
+    message = f"the schema of the file is {names}, allowed are `{NAME}`, and AP242 with a mechanism"
     return NOT_NIROX.at(span, message, hint="`ropsim robot export NAME FILE.stp` writes such files")
 
 
