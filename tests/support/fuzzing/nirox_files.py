@@ -1,6 +1,7 @@
 """NIROX files, damaged: mostly in numbers, references and entities, so that most keep their syntax."""
 
 import re
+from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -8,14 +9,23 @@ import numpy as np
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.kinematics import forward
-from ropsim.model import audit, mechanism_findings
+from ropsim.model import ALL_DIRECTIONS, LoopCut, audit, mechanism_findings
 from ropsim.nirox import nirox_schema, read_nirox, write_nirox
+from ropsim.spatial import Pose
 from ropsim.views import Style, diagnostics_text
+from support.exchange_laws import random_chain
 from support.fuzzing.mutation import TEXT, mutated, numeral, word
 from support.fuzzing.target import Target
+from support.nirox_texts import END
 from support.nirox_texts import TEXT as HAND
+from support.trees import random_tree
 
-_TEXTS = [HAND.encode(), *(write_nirox(robots.load(name)).text.encode() for name in ("scara", "two_link"))]
+_PLAIN = HAND.partition("/* what NIROX adds */")[0].replace("ROPSIM_NIROX_V1", "AP242_MIM_LF") + END
+_TREE = random_tree(2, 5).robot
+_CUT = LoopCut(-1, Pose(), 4, Pose(), ALL_DIRECTIONS[:5])
+_CHAIN = replace(random_chain(2), couplings=(), axes=(0,), home=np.zeros(1), cuts=(_CUT,))
+_WRITTEN = [robots.load("scara"), robots.load("two_link"), _TREE, _CHAIN]
+_TEXTS = [one.encode() for one in (HAND, _PLAIN, *(write_nirox(one).text for one in _WRITTEN))]
 _ENTITIES = [name.upper().encode() for name in nirox_schema().entities]
 _REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _SHOWN = 5  # findings that are written out
