@@ -38,11 +38,12 @@ ROUNDED |= {"kr560_r3100_2", "lbr_iisy3_r760", "kr120_r2700_2", "motoman_gp180"}
 ROUNDED |= {"ur3e_robot", "ur5e_robot", "ur10e_robot"}
 CLASSES = dict.fromkeys(("ur3e_robot", "ur5e_robot", "ur10e_robot"), "three parallel axes")
 GENERAL = ("crx5ia", "crx10ia_l", "motoman_hc10", "fanuc_m430ia2p", "abb_crb15000_5_95")
-CLASSES |= dict.fromkeys(GENERAL, "general six-axis") | {"kuka_lbr_iiwa_14_r820": "numeric"}
+CLASSES |= dict.fromkeys(GENERAL, "general six-axis") | {"motoman_sia20d": "S-R-S"}
+CLASSES |= dict.fromkeys(("kuka_lbr_iiwa_14_r820", "franka_panda"), "general seven-axis")
 """All others have a spherical wrist."""
 WRISTS = sorted(TABLES.keys() - CLASSES.keys())
 CLOSED = sorted({*WRISTS, "ur3e_robot", "ur5e_robot", "ur10e_robot"})
-METHODS = {"numeric": Method.NUMERIC, "general six-axis": Method.ALGEBRAIC}
+METHODS = dict.fromkeys(("general six-axis", "general seven-axis"), Method.ALGEBRAIC)
 
 
 def apart(q: Array, other: Array) -> Array:

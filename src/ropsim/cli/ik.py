@@ -10,7 +10,7 @@ from ropsim import kinematics
 from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
-from ropsim.cli.solver_words import remarks, solver_document
+from ropsim.cli.solver_words import free_line, remarks, solver_document
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
 from ropsim.model import RobotModel
@@ -43,6 +43,8 @@ def ik(options: argparse.Namespace, output: Output) -> int:
         output.text("\n".join(_table(robot, [*inside, *beyond])))
     if not inside:
         output.text(_why_none(result))
+    if result.free is not None:
+        output.text(free_line(result.free))
     for line in remarks(robot):
         output.text(line)
     output.document(
@@ -51,6 +53,7 @@ def ik(options: argparse.Namespace, output: Output) -> int:
             "solutions": result.solutions.tolist(),
             "postures": [str(one) for one in result.postures],
             "beyond_limits": [_entry(one) for one in beyond],
+            "free": result.free and {"name": result.free.name, "value": result.free.value},
             "solver": solver_document(robot),
         }
     )

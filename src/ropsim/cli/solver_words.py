@@ -2,7 +2,8 @@
 
 import math
 
-from ropsim.kinematics import Method, Snap, classes_missed, solver_of
+from ropsim.cli.numbers import shown
+from ropsim.kinematics import Free, Method, Snap, classes_missed, solver_of
 from ropsim.model import RobotModel
 
 
@@ -16,6 +17,11 @@ def solver_lines(robot: RobotModel) -> list[str]:
     branches = f"{count} branches" if solver.parts else f"up to {count} branches without names"
     line = f"inverse kinematics: {solver.name}, {solver.method.value}, {branches}"
     return [line, *remarks(robot)]
+
+
+def free_line(free: Free) -> str:
+    """Return what a pose leaves free, and where it was held."""
+    return f"with {free.name} {shown(math.degrees(free.value), 1):g}°, which the pose leaves free"
 
 
 def remarks(robot: RobotModel) -> list[str]:

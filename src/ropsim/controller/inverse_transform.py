@@ -10,7 +10,7 @@ from ropsim.controller.posture_choice import JointRange
 from ropsim.controller.work_frames import WorkFrames
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.kinematics import Method, inverse_batch, solver_of
+from ropsim.kinematics import Method, inverse_batch, redundant_solver_of, solver_of
 from ropsim.model import RobotModel, Tool
 from ropsim.spatial import Array, record
 
@@ -57,7 +57,8 @@ class StandardInverseTransform:
         follower = BranchFollower(self.robot, self._range.revolute)
         line = Line(move, setpoints, q_start, self.robot)
         held = line.held
-        if solver_of(self.robot).method is not Method.CLOSED_FORM:
+        named = solver_of(self.robot).method is Method.CLOSED_FORM and redundant_solver_of(self.robot) is None
+        if not named:
             found = follower.follow_numerically(matrices, q_start, held)
         else:
             found = follower.follow(matrices, inverse_batch(self.robot, matrices, held), q_start, held)

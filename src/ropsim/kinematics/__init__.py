@@ -32,7 +32,9 @@ from ropsim.kinematics.path import inverse_path as inverse_path
 from ropsim.kinematics.posture import Posture as Posture
 from ropsim.kinematics.rays import nearest_along as nearest_along
 from ropsim.kinematics.recognition import classes_missed as classes_missed
+from ropsim.kinematics.recognition import redundant_solver_of as redundant_solver_of
 from ropsim.kinematics.recognition import solver_of as solver_of
+from ropsim.kinematics.result import Free as Free
 from ropsim.kinematics.result import IkOptions as IkOptions
 from ropsim.kinematics.result import IkResult as IkResult
 from ropsim.kinematics.result import IkStatus as IkStatus
@@ -46,6 +48,7 @@ from ropsim.kinematics.singularity import SingularDistances as SingularDistances
 from ropsim.kinematics.singularity import singular_distances as singular_distances
 from ropsim.kinematics.solver import InverseSolver as InverseSolver
 from ropsim.kinematics.solver import Method as Method
+from ropsim.kinematics.solver import RedundantSolver as RedundantSolver
 from ropsim.kinematics.solver import Snap as Snap
 from ropsim.kinematics.supports import Standing as Standing
 from ropsim.kinematics.supports import height_above as height_above

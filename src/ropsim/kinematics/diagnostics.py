@@ -16,14 +16,17 @@ Inverse kinematics is computed in closed form, with all its branches, for these 
   4, 5 and 6 at right angles, axes 5 and 6 meeting; most arms made to work beside people are built so;
 * **SCARA**: four joints with parallel axes, three that turn and one that slides;
 * **planar two-link**: two revolute joints with parallel axes;
-* **level wrist**: palletizers with four axes whose rods keep the flange level.
+* **level wrist**: palletizers with four axes whose rods keep the flange level;
+* **S-R-S**: seven revolute joints, axes 1, 2 and 3 meeting in one point at right angles, axes 5, 6 and 7 in
+  another one; branches for each swivel angle, the turn of the elbow about the line from shoulder to wrist.
 
 A model may deviate from its class by 0.001 rad and 0.01 mm, as rounded files do; the answers are then
 polished on the model itself. `ropsim robot show NAME` says which class an arm is in, or which condition of
 each class it misses.
 
 Six revolute joints of any other geometry (**general six-axis**) are solved algebraically: the joint
-coordinates are eigenvalues of a matrix, all branches are found, and only names are missing.
+coordinates are eigenvalues of a matrix, all branches are found, and only names are missing. So are seven
+(**general seven-axis**), for each value of one joint that is held.
 
 Any other arm is solved numerically from many starting points: each answer is checked like every other one,
 but there may be further ones that were not found, and they have no names such as `left-up-flip`. A move

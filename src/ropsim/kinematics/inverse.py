@@ -16,10 +16,11 @@ from ropsim.kinematics.held import in_arm_base, of_robot, result_of_robot
 from ropsim.kinematics.limits import limit_violations
 from ropsim.kinematics.polish import polished
 from ropsim.kinematics.posture import Posture
-from ropsim.kinematics.recognition import solver_of
-from ropsim.kinematics.result import IkOptions, IkResult, IkStatus, Limits
+from ropsim.kinematics.recognition import redundant_solver_of, solver_of
+from ropsim.kinematics.redundancy import nearest_answer
+from ropsim.kinematics.result import Free, IkOptions, IkResult, IkStatus, Limits
 from ropsim.kinematics.selection_kernel import SAME, TURN_VARIANTS
-from ropsim.kinematics.solver import InverseSolver
+from ropsim.kinematics.solver import InverseSolver, RedundantSolver
 from ropsim.model import CoupledLimits, RobotModel, coupled_limits, held_arm
 from ropsim.spatial import Array, Pose, frozen
 
@@ -34,6 +35,7 @@ class _Desk:
 
     Attributes:
         solver: of the arm.
+        redundant: the same, where a pose leaves something free that it holds.
         names: of the branches, in the order of the rows.
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
         rest: zeros, shape (n,).
@@ -42,6 +44,7 @@ class _Desk:
     """
 
     solver: InverseSolver
+    redundant: RedundantSolver | None
     names: tuple[Posture, ...]
     limits: Array
     rest: Array
@@ -56,7 +59,8 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
         robot: arm with n axes.
         T: poses X_BM of the mechanical interface as homogeneous matrices, shape (k, 4, 4).
         held: coordinates of the axes [rad | m], shape (n,), or (k, n) with a row for each pose, at whose
-            external ones the arm is solved; None for those of the home position.
+            external ones the arm is solved, and at which a redundant one holds what a pose leaves free
+            (`RedundantSolver`); None for those of the home position.
 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, b, n); row i has the posture
@@ -69,8 +73,15 @@ def inverse_batch(robot: RobotModel, T: npt.ArrayLike, held: npt.ArrayLike | Non
     """
     if robot.external:
         whole, q = held_arm(robot), _held_rows(robot, held)
-        return of_robot(whole, q, inverse_batch(whole.arm, in_arm_base(robot, whole, q, pose_rows(T))))
-    return solver_of(robot).branches(pose_rows(T), np.zeros(robot.n))
+        own = np.ascontiguousarray(q[..., list(whole.axes)])
+        return of_robot(whole, q, inverse_batch(whole.arm, in_arm_base(robot, whole, q, pose_rows(T)), own))
+    redundant = redundant_solver_of(robot)
+    if redundant is None:
+        return solver_of(robot).branches(pose_rows(T), np.zeros(robot.n))
+    rows = np.atleast_2d(_held_rows(robot, held))
+    free = np.array([redundant.free(q).value for q in rows])
+    poses = pose_rows(T)
+    return redundant.branches_at(poses, rows[0], np.array(np.broadcast_to(free, len(poses))))
 
 
 def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> IkResult:
@@ -94,33 +105,15 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
         return _with_held_axes(robot, pose, options or IkOptions())
     desk = _desk(robot)
     near = desk.rest if options is None or options.near is None else joint_vector(robot, options.near)
-    respected = options is None or options.limits is Limits.RESPECT
     T = pose.matrix()
+    if desk.redundant is not None:
+        return _with_free_coordinate(robot, desk, desk.redundant, (T, near), options or IkOptions())
     branches = desk.solver.branches(T[np.newaxis], near)[0]
     if near is not desk.rest and desk.solver.may_stay(near):
-        _keep(robot, desk, T, near, branches)
-    names = desk.names
-    rows, n = branches.shape
-    found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
-    found[0] = 1.0 if respected else 0.0
-    desk.select(branches, found)
-    marks = found[: 2 * rows + 2].tolist()
-    present, listed = int(marks[0]), int(marks[1])
-    if listed:
-        counts = [int(count) for count in marks[3 : 3 + 2 * listed : 2]]
-        # copied, so that no view keeps all of `found`
-        variants = found[2 * rows + 2 : 2 * rows + 2 + (rows + sum(counts)) * n].copy().reshape(-1, n)
-        postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
-        turns = _turns(variants[rows:], counts)
-        result = IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
-        return _within(robot, desk.coupled, result) if respected and desk.coupled.joints else result
-    solutions = np.empty((0, n))
-    if not present:
-        if not np.isfinite(T).all():
-            raise NotFiniteError("pose")
-        shortfall = desk.solver.shortfall(T)
-        return IkResult(shortfall.status, solutions, (), (), branches, names, (), shortfall)
-    return _out_of_limits(robot, branches, names)
+        beside = _next_to(robot, desk, T, near)
+        if beside is not None:
+            _put(desk, beside, branches)
+    return _answer(robot, desk, T, branches, Limits.RESPECT if options is None else options.limits)
 
 
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
@@ -144,6 +137,50 @@ def branch(result: IkResult, posture: Posture) -> Array | None:
     """Return the joint coordinates [rad | m] of a posture, limits ignored, shape (n,); None if absent."""
     rows = [q for q, name in zip(result.branches, result.names, strict=True) if name == posture]
     return next((q for q in rows if q[0] == q[0]), None)
+
+
+def _with_free_coordinate(
+    robot: RobotModel, desk: _Desk, solver: RedundantSolver, asked: tuple[Array, Array], options: IkOptions
+) -> IkResult:
+    """Return the answer of a redundant arm to what is asked, pose (4, 4) and `near` (n,)."""
+    T, near = asked
+    beside = None if near is desk.rest or options.free is not None else _next_to(robot, desk, T, near)
+    free = solver.free(near if beside is None else beside)
+    if options.free is not None:
+        free = Free(free.name, options.free)
+    branches = solver.branches_at(T[np.newaxis], near, np.array([free.value]))[0]
+    if beside is not None:
+        _put(desk, beside, branches)
+    first = replace(_answer(robot, desk, T, branches, options.limits), free=free)
+    if first.status is IkStatus.FOUND or options.free is not None:
+        return first
+    return nearest_answer(solver, T, near, first, lambda rows: _answer(robot, desk, T, rows, options.limits))
+
+
+def _answer(robot: RobotModel, desk: _Desk, T: Array, branches: Array, limits: Limits) -> IkResult:
+    """Return the answer of which these are the branches (m, n)."""
+    names, respected = desk.names, limits is Limits.RESPECT
+    rows, n = branches.shape
+    found = np.empty(2 * rows + 2 + rows * TURN_VARIANTS * n)
+    found[0] = 1.0 if respected else 0.0
+    desk.select(branches, found)
+    marks = found[: 2 * rows + 2].tolist()
+    present, listed = int(marks[0]), int(marks[1])
+    if listed:
+        counts = [int(count) for count in marks[3 : 3 + 2 * listed : 2]]
+        # copied, so that no view keeps all of `found`
+        variants = found[2 * rows + 2 : 2 * rows + 2 + (rows + sum(counts)) * n].copy().reshape(-1, n)
+        postures = tuple([names[int(row)] for row in marks[2 : 2 + 2 * listed : 2]])
+        turns = _turns(variants[rows:], counts)
+        result = IkResult(IkStatus.FOUND, variants[:listed], postures, turns, branches, names)
+        return _within(robot, desk.coupled, result) if respected and desk.coupled.joints else result
+    solutions = np.empty((0, n))
+    if not present:
+        if not np.isfinite(T).all():
+            raise NotFiniteError("pose")
+        shortfall = desk.solver.shortfall(T)
+        return IkResult(shortfall.status, solutions, (), (), branches, names, (), shortfall)
+    return _out_of_limits(robot, branches, names)
 
 
 def _out_of_limits(robot: RobotModel, branches: Array, names: tuple[Posture, ...]) -> IkResult:
@@ -203,17 +240,20 @@ def _turns(variants: Array, counts: list[int]) -> tuple[Array, ...]:
     return tuple([variants[end - count : end] for end, count in zip(ends, counts, strict=True)])
 
 
-def _keep(robot: RobotModel, desk: _Desk, T: Array, near: Array, branches: Array) -> None:
-    """Put the answer next to `near` into its row, where a singular pose lets the arm stay there.
+def _next_to(robot: RobotModel, desk: _Desk, T: Array, near: Array) -> Array | None:
+    """Return the answer next to `near` (n,), found from there; None where the pose is no neighbour."""
+    if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
+        return None
+    start = near[np.newaxis, np.newaxis]
+    q: Array = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
+    return None if np.isnan(q[0]) else q
+
+
+def _put(desk: _Desk, q: Array, branches: Array) -> None:
+    """Put an answer q (n,) into its row, where a singular pose lets the arm have it.
 
     Away from singular poses it is one of the branches and nothing is done.
     """
-    if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
-        return
-    start = near[np.newaxis, np.newaxis]
-    q = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
-    if np.isnan(q[0]):
-        return
     apart = branches - q
     apart -= desk.limits[2] * (TURN * np.round(apart / TURN))
     if not (np.abs(apart).max(axis=1) <= SAME).any():  # false for NaN
@@ -226,4 +266,6 @@ def _desk(robot: RobotModel) -> _Desk:
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
     rest = frozen(np.zeros(robot.n))
     select = bound(selection_kernel.select, limits)
-    return _Desk(solver, solver.postures, limits, rest, select, coupled_limits(robot))
+    return _Desk(
+        solver, redundant_solver_of(robot), solver.postures, limits, rest, select, coupled_limits(robot)
+    )

@@ -3,13 +3,15 @@
 from collections.abc import Callable
 from functools import lru_cache
 
-from ropsim.kinematics.solver import InverseSolver
+from ropsim.kinematics.solver import InverseSolver, RedundantSolver
 from ropsim.kinematics.solvers import (
+    general_seven_axis,
     general_six_axis,
     level_wrist,
     planar_two_link,
     scara,
     spherical_wrist,
+    swivel,
     three_parallel,
 )
 from ropsim.kinematics.solvers.numeric import numeric
@@ -21,7 +23,9 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("SCARA", scara.recognise),
     ("planar two-link", planar_two_link.recognise),
     ("level wrist", level_wrist.recognise),
+    ("S-R-S", swivel.recognise),
     ("general six-axis", general_six_axis.recognise),
+    ("general seven-axis", general_seven_axis.recognise),
 )
 """The classes of arms of which all branches are found; each returns its solver, or what an arm misses."""
 
@@ -39,6 +43,13 @@ def solver_of(robot: RobotModel) -> InverseSolver:
         if not isinstance(found, str):
             return found
     return numeric(robot)
+
+
+@lru_cache(maxsize=64)
+def redundant_solver_of(robot: RobotModel) -> RedundantSolver | None:
+    """Return the solver of an arm of which a pose leaves something free that it holds, else None."""
+    solver = solver_of(robot)
+    return solver if isinstance(solver, RedundantSolver) else None
 
 
 def classes_missed(robot: RobotModel) -> dict[str, str]:

@@ -34,12 +34,16 @@ class IkOptions:
     Attributes:
         limits: whether solutions must lie within the joint limits.
         near: joint coordinates [rad | m], shape (n,), that a singular pose may keep: joints that it leaves
-            free stay there. Of a redundant arm the solution nearest to them comes first. None stands for
-            zeros.
+            free stay there. Where branches have no names, the one nearest to them comes first. None stands
+            for zeros.
+        free: of an arm whose solver is a `RedundantSolver`, where to hold what a pose leaves free [rad]. None
+            stands for where it is in the answer next to `near`, if the pose is a neighbour of that of `near`,
+            else for where it is at `near`, or as near to that as limits and reach allow.
     """
 
     limits: Limits = Limits.RESPECT
     near: Array | None = None
+    free: float | None = None
 
     def __post_init__(self) -> None:
         if self.near is not None:
@@ -108,6 +112,19 @@ class Miss:
 
 
 @frozen_dataclass
+class Free:
+    """What a pose leaves free of a redundant arm, and where it was held.
+
+    Attributes:
+        name: such as `swivel angle` or `joint 3`.
+        value: [rad].
+    """
+
+    name: str
+    value: float
+
+
+@frozen_dataclass
 class Shortfall:
     """Why no branch reaches a pose.
 
@@ -141,6 +158,7 @@ class IkResult:
         violations: with OUT_OF_LIMITS, the joints outside their limits in the branch that violates them
             least, worst first.
         shortfall: with OUT_OF_REACH and OUT_OF_TASK_SPACE, what is missing.
+        free: of an arm with a `RedundantSolver`, what the pose leaves free, and where it is in `branches`.
     """
 
     status: IkStatus
@@ -151,6 +169,7 @@ class IkResult:
     names: tuple[Posture, ...]
     violations: tuple[LimitViolation, ...] = ()
     shortfall: Shortfall | None = None
+    free: Free | None = None
 
     @property
     def reach(self) -> Reach | None:

@@ -2,11 +2,11 @@
 
 from enum import Enum
 from math import hypot
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics.posture import Posture
-from ropsim.kinematics.result import Shortfall
+from ropsim.kinematics.result import Free, Shortfall
 from ropsim.spatial import Array
 
 
@@ -88,3 +88,14 @@ class InverseSolver(Protocol):
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return why no branch reaches a pose, shape (4, 4)."""
+
+
+@runtime_checkable
+class RedundantSolver(InverseSolver, Protocol):
+    """Inverse kinematics of an arm of which a pose leaves something free: m branches for each value."""
+
+    def free(self, q: Array) -> Free:
+        """Return what is free, and its value at joint coordinates [rad | m], shape (n,)."""
+
+    def branches_at(self, T: Array, near: Array, free: Array) -> Array:
+        """Return all branches as `branches` does, with what is free at `free` for each pose [rad], (k,)."""

@@ -1,6 +1,7 @@
 """What `ropsim robot show` and `ropsim robot ik` say of arms that are solved in different ways."""
 
 import json
+import math
 
 import pytest
 
@@ -14,9 +15,10 @@ from support.scara import scara
 
 ARMS = {
     "cobra": scara(),
-    "free": random_arm(3, "RRRRRRR"),
+    "free": random_arm(3, "RRRRR"),
     "askew": random_arm(3, "RRRRRR"),
     "kr120": published_arm("kr120_r2700_2"),
+    "sia20": published_arm("motoman_sia20d"),
 }
 
 
@@ -55,8 +57,8 @@ def test_an_arm_off_its_class_says_by_how_much(capsys: pytest.CaptureFixture[str
 def test_an_arm_without_closed_form_says_so_and_why(capsys: pytest.CaptureFixture[str]) -> None:
     shown = said("robot show free", capsys)
     assert "inverse kinematics: numeric; further branches than those found may exist" in shown
-    assert "not spherical wrist: it has 7 joints, the class has 6" in shown
-    x, y, z = 1e3 * forward(ARMS["free"], [0.0] * 7).position
+    assert "not spherical wrist: it has 5 joints, the class has 6" in shown
+    x, y, z = 1e3 * forward(ARMS["free"], [0.0] * 5).position
     found = said(f"robot ik free {x} {y} {z} 0 0 0", capsys)
     assert "found numerically; further branches may exist" in found
     main(["robot", "ik", "free", "9000", "0", "0", "0", "0", "0", "--json"])
@@ -73,6 +75,20 @@ def test_an_arm_solved_algebraically_has_all_its_branches_without_names(
     main(["robot", "show", "askew", "--json"])
     solver = json.loads(capsys.readouterr().out)["inverse_kinematics"]
     assert (solver["method"], solver["postures"]) == ("algebraic", [])
+
+
+def test_what_a_pose_leaves_free_of_a_redundant_arm_is_told_with_its_value(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert "inverse kinematics: S-R-S, closed form, 8 branches" in said("robot show sia20", capsys)
+    found = said("robot ik sia20 400 100 600 180 0 0", capsys)
+    main([*["robot", "ik", "sia20", "400", "100", "600", "180", "0", "0", "--json"]])
+    free = json.loads(capsys.readouterr().out)["free"]
+    assert free["name"] == "swivel angle"
+    assert -math.pi < free["value"] < 0.0  # at 0 joints would be beyond their limits
+    assert (
+        f"with swivel angle {round(math.degrees(free['value']), 1):g}°, which the pose leaves free" in found
+    )
 
 
 def test_sliding_joints_are_in_millimetres(capsys: pytest.CaptureFixture[str]) -> None:

@@ -37,7 +37,7 @@ def middle(count: int, n: int, seed: int) -> Array:
 
 
 def test_the_solver_says_that_it_is_numeric_and_why() -> None:
-    robot = random_arm(3, "RRRRRRR")
+    robot = random_arm(3, "RRPRRRR")
     solver = solver_of(robot)
     assert (solver.name, solver.method, solver.parts) == ("numeric", Method.NUMERIC, ())
     assert classes_missed(robot) == {
@@ -46,7 +46,9 @@ def test_the_solver_says_that_it_is_numeric_and_why() -> None:
         "SCARA": "it has 7 joints, the class has 4",
         "planar two-link": "it has 7 joints, the class has 2",
         "level wrist": "it has 7 axes, the class has 4",
+        "S-R-S": "joint `3` is prismatic",
         "general six-axis": "it has 7 joints, the class has 6",
+        "general seven-axis": "joint `3` is prismatic",
     }
 
 

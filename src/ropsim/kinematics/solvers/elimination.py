@@ -15,6 +15,8 @@ are (A·x² + B·x + C)·v = 0 of order 12. Where the geometry makes that singul
 meeting axes often do, another cut does not.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropsim.kinematics.arrays import ChainArrays
@@ -56,26 +58,31 @@ class Elimination:
         return C
 
 
-def eliminations(chain: ChainArrays) -> tuple[Elimination, ...]:
-    """Return the six ways in which the pose is on the right side, so that the left one is computed once."""
-    C = np.zeros((7, 4, 4))
+WAYS = 6
+"""So many cuts have the pose on the right side, so that the left one is computed once."""
+
+
+def steps_of(chain: ChainArrays) -> Array:
+    """Return the steps between the joints of an arm and to its interface, offsets included, (n + 1, 4, 4)."""
+    C = np.zeros((chain.n + 1, 4, 4))
     C[:, 3, 3] = 1.0
-    C[:6, :3, :3], C[:6, :3, 3], C[6, :3] = chain.R, chain.p, chain.X_nM
-    for i in range(6):
-        C[i] = C[i] @ about_z(chain.offset[i : i + 1])[0]
+    C[:-1, :3, :3], C[:-1, :3, 3], C[-1, :3] = chain.R, chain.p, chain.X_nM
+    C[:-1] = C[:-1] @ about_z(chain.offset)
+    return C
+
+
+def eliminations(C: Array, wanted: Sequence[int]) -> tuple[Elimination, ...]:
+    """Return those of the six ways that are wanted, for steps C of `steps_of`, shape (7, 4, 4)."""
     forwards = [np.eye(4), *C[1:6]]
     backwards = [TURN @ inverse_pose(C[i]) @ TURN for i in (5, 4, 3, 2, 1)]
+    senses = (forwards, (0, 1, 2, 3, 4, 5)), ([np.eye(4), *backwards], (5, 4, 3, 2, 1, 0))
     ways = []
-    for sense, steps, joints in (
-        (1.0, forwards, (0, 1, 2, 3, 4, 5)),
-        (0.0, [np.eye(4), *backwards], (5, 4, 3, 2, 1, 0)),
-    ):
-        for posed in range(3):
-            shift = (6 - posed) % 6
-            turned = np.array([steps[(i + shift) % 6] for i in range(6)])
-            order = tuple(joints[(i + shift) % 6] for i in range(6))
-            left = _left_sides(turned)
-            ways.append(Elimination(order, sense, frozen(turned), posed, frozen(C[6]), frozen(C[0]), left))
+    for number in wanted:
+        (steps, joints), posed = senses[number // 3], number % 3
+        turned = np.array([steps[i - posed] for i in range(6)])
+        order = tuple(joints[i - posed] for i in range(6))
+        left, sense = _left_sides(turned), 1.0 if number < 3 else 0.0
+        ways.append(Elimination(order, sense, frozen(turned), posed, frozen(C[6]), frozen(C[0]), left))
     return tuple(ways)
 
 

@@ -1,0 +1,107 @@
+"""All answers of six turning joints to many poses, from the eliminations that are regular for them."""
+
+import numpy as np
+import numpy.typing as npt
+
+from ropsim.kinematics.arrays import ChainArrays
+from ropsim.kinematics.polish import polished
+from ropsim.kinematics.solvers.elimination import WAYS, Elimination, eliminations, steps_of
+from ropsim.kinematics.solvers.elimination_roots import starts
+from ropsim.kinematics.solvers.numeric import ROWS, distinct
+from ropsim.spatial import Array
+
+CLEAR = 1e-5
+"""Below this ratio of singular values another elimination is asked, too, and poses beside if none answers."""
+REGULAR = 1e-9
+"""Below this one poses beside the asked one are solved in any case."""
+BESIDE = (1e-6, 1e-4, -1e-4, 1e-3)
+"""How far beside [m, rad]."""
+FOUND = 1e-4
+"""An elimination finds a configuration where it comes so near to it [rad]."""
+TOUCHING = 1e-6
+"""Poses this far beyond all links in one line [m] are looked at."""
+AT_ONCE = 512
+"""Poses whose matrices are in memory together."""
+TURN = 2.0 * np.pi
+
+
+def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: Array) -> Array:
+    """Return all answers to many poses, those nearest to `near` first, shape (k, 16, 6).
+
+    For a pose whose eigenvalue problem is singular, because the arm can move in it without moving its
+    interface, poses a little beside it are solved, too; their answers are starts.
+
+    Args:
+        chain: of the arm.
+        ways: its eliminations, the best first.
+        T: poses X_BM, shape (k, 4, 4).
+        near: joint coordinates [rad], shape (6,).
+    """
+    out = np.full((len(T), ROWS, 6), np.nan)
+    for begin in range(0, len(T), AT_ONCE):
+        some = T[begin : begin + AT_ONCE]
+        asked = np.isfinite(some).all(axis=(1, 2)) & _within_reach(chain, some)
+        if asked.any():
+            out[begin : begin + AT_ONCE][asked] = _answers(chain, ways, some[asked], near)
+    return out
+
+
+def _within_reach(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
+    """Return which poses (k, 4, 4) are no farther from joint 1 than all links in one line, shape (k,)."""
+    links = np.linalg.norm(chain.p[1:], axis=1).sum() + np.linalg.norm(chain.X_nM[:, 3])
+    return np.asarray(np.linalg.norm(T[:, :3, 3] - chain.p[0], axis=1) <= links + TOUCHING)
+
+
+def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
+    """Return numbers of the best two eliminations that find most of configurations Q (k, 6) of poses T."""
+    qualities = []
+    for number, way in enumerate(eliminations(steps_of(chain), range(WAYS))):
+        found, regular = starts(way, T)
+        apart = found - Q[:, np.newaxis]
+        apart = np.abs(apart - TURN * np.round(apart / TURN)).max(axis=2)
+        own = np.where(np.isnan(apart), np.inf, apart).min(axis=1) < FOUND
+        if own.mean() > 0.5:
+            qualities.append((-int(own.sum()), -float(np.median(regular)), number))
+    return tuple(number for _, _, number in sorted(qualities)[:2])
+
+
+def _answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, near: Array) -> Array:
+    """Return `all_answers` to poses without NaN."""
+    rows, regular = starts(ways[0], T)
+    here = np.broadcast_to(near, (len(T), 1, 6))
+    found = polished(chain, T, np.concatenate((here, rows), axis=1))
+    for way in ways[1:]:
+        found = _more(chain, T, found, regular < CLEAR, ((way, 0.0),))
+    lost = np.isnan(found[:, :, 0]).all(axis=1)
+    everywhere = tuple((way, step) for way in ways for step in BESIDE)
+    found = _more(chain, T, found, (lost & (regular < CLEAR)) | (regular < REGULAR), everywhere)
+    return distinct(found, near, chain.turning)
+
+
+def _more(
+    chain: ChainArrays,
+    T: Array,
+    found: Array,
+    asked: npt.NDArray[np.bool_],
+    tries: tuple[tuple[Elimination, float], ...],
+) -> Array:
+    """Return answers with further ones to the poses for which `asked` is true, shape (k, more, 6)."""
+    if not asked.any():
+        return found
+    tried = [starts(way, _beside(T[asked], step))[0] for way, step in tries]
+    answers = polished(chain, T[asked], np.concatenate(tried, axis=1))
+    more = np.full((len(T), answers.shape[1], 6), np.nan)
+    more[asked] = answers
+    return np.concatenate((found, more), axis=1)
+
+
+def _beside(T: Array, step: float) -> Array:
+    """Return poses (k, 4, 4) moved and turned by `step` [m, rad] in no special direction."""
+    if step == 0.0:
+        return T
+    axis, way = np.array([0.48, -0.64, 0.6]), np.array([0.36, 0.48, -0.8])
+    W = np.cross(np.eye(3), -axis)
+    X = T.copy()
+    X[:, :3, :3] = (np.eye(3) + np.sin(step) * W + (1.0 - np.cos(step)) * W @ W) @ T[:, :3, :3]
+    X[:, :3, 3] += step * way
+    return X
