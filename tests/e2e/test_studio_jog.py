@@ -19,6 +19,8 @@ UNDRAWN = True
 
 #: Poses are drawn in single precision; the joint angles to begin with come from the pack [m, rad].
 SHOWN = 1e-4
+#: A taught pose is rounded to 0.01 mm and 0.001°, and the arm follows it with an error [m, rad].
+TAUGHT = 1e-3
 
 
 ESCAPE_BEYOND = """y => {
@@ -199,6 +201,25 @@ def test_jog_moves_are_undone_and_redone_one_by_one(
     for q in (one, two):
         tab.page.keyboard.press("Control+Shift+z")
         stands_at(tab, first_project, q)
+
+
+def test_a_jogged_pose_is_written_into_the_program_and_runs(
+    fresh: StudioPage, first_project: Project, start: Array
+) -> None:
+    panel = fresh.panel("Jog")
+    panel.get_by_role("button", name="Jog from here").click()
+    panel.get_by_role("heading", name="Joints").wait_for()
+    put(panel, "Joint 1", "30 deg")
+    stands_at(fresh, first_project, np.array([radians(30.0), *start[1:]]))
+    shown = fresh.state()["shown"]
+    fresh.write("program taught\nunits m, rad, s\nmov home\n# \nmov ")
+    panel.get_by_role("button", name="Teach", exact=True).click()
+    fresh.until(lambda: " mm; rpy " in fresh.text() and fresh.text().endswith(" in base"))
+    fresh.rerun(shown)
+    fresh.seek(1e9)
+    assert first_project.cell is not None
+    expected = body_poses(first_project.cell, np.array([radians(30.0), *start[1:]]))
+    fresh.until(lambda: max(worst_apart(fresh.poses(), expected)) < TAUGHT)
 
 
 def test_the_table_of_states_jogs_from_the_shown_time(

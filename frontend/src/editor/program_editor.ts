@@ -153,6 +153,17 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
+  /** Write a text at the cursor, in place of what is selected. */
+  write(text: string): void {
+    if (this.#isReadOnly || !this.#name) return
+    this.#view.dispatch({
+      ...this.#view.state.replaceSelection(text),
+      scrollIntoView: true,
+      userEvent: 'input.paste',
+    })
+    this.#view.focus()
+  }
+
   focus(): void {
     this.#view.focus()
   }

@@ -11,6 +11,7 @@ import { HoldButton } from './HoldButton'
 import { JogTcp } from './JogTcp'
 import { QuantityField } from './QuantityField'
 import { Scroll } from './Scroll'
+import { WritePose } from './WritePose'
 
 /** Greatest rates of a held button [rad/s, m/s]. */
 const FASTEST = { rad: Math.PI / 6, m: 0.25 } as const
@@ -58,7 +59,12 @@ export function JogPanel() {
         <button type="button" onClick={() => jog.stop()}>
           {words.jog.back}
         </button>
-        <button type="button" disabled={lost} onClick={() => studio.jogFromRun()}>
+        <button
+          type="button"
+          title={words.jog.restartTitle}
+          disabled={lost}
+          onClick={() => studio.jogFromRun()}
+        >
           {words.jog.restart}
         </button>
         <StationSelect
@@ -68,6 +74,7 @@ export function JogPanel() {
             studio.jogFromRun(name)
           }}
         />
+        <WritePose lost={lost} />
         <button type="button" disabled={!studio.undo.next} onClick={() => studio.undo.undo()}>
           {words.undo(studio.undo.next)}
         </button>

@@ -58,6 +58,7 @@ function useDocuments(editor: ProgramEditor | null): void {
     editor.open({ ...shown, text: studio.text(name) })
     goToWanted(editor, wanted)
   }, [studio, editor, documents, name])
+  useEffect(() => (editor ? studio.desk.onWrite(text => editor.write(text)) : undefined), [studio, editor])
   useEffect(() => editor?.setReadOnly(editing ? 'write' : 'read'), [editor, editing])
   useEffect(
     () =>

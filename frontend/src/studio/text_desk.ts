@@ -21,6 +21,7 @@ export class TextDesk {
   readonly #outbox: Outbox
   #wanted = ''
   readonly #places = new Set<(place: Place) => void>()
+  readonly #pens = new Set<(text: string) => void>()
 
   constructor(store: StudioStore, send: (command: Command) => boolean, warn: (text: string) => void) {
     this.#store = store
@@ -93,5 +94,16 @@ export class TextDesk {
   onGoTo(listener: (place: Place) => void): () => void {
     this.#places.add(listener)
     return () => this.#places.delete(listener)
+  }
+
+  /** Have a text written where the cursor of the editor is; false where no editor is open. */
+  write(text: string): boolean {
+    for (const pen of this.#pens) pen(text)
+    return this.#pens.size > 0
+  }
+
+  onWrite(pen: (text: string) => void): () => void {
+    this.#pens.add(pen)
+    return () => this.#pens.delete(pen)
   }
 }

@@ -238,6 +238,8 @@ export interface Jogged {
   readonly reached: boolean
   /** Worst first; empty when all is well. */
   readonly words: readonly JogWords[]
+  /** Pose of the TCP as programs write it; empty where there is none. */
+  readonly location: string
 }
 
 /** Something to tell the user. */

@@ -1,6 +1,7 @@
 """Values of space: poses and rotations; no robot, no time."""
 
 from ropsim.spatial import quaternion as quaternion
+from ropsim.spatial.angles import roll_pitch_yaw as roll_pitch_yaw
 from ropsim.spatial.diagnostics import PoseError as PoseError
 from ropsim.spatial.numbers import real_numbers as real_numbers
 from ropsim.spatial.pose import Array as Array

@@ -238,6 +238,7 @@ class JogReply:
 
     `q` is that of the request where the target cannot be reached. `bodies` are pairs of a body's index in
     the scene and its pose in W, `words` pairs of a level (`error`, `warning`, `info`) and a text.
+    `location` is the pose of the TCP as the task language writes it; empty where there is no arm.
     """
 
     q: tuple[float, ...]
@@ -245,6 +246,7 @@ class JogReply:
     bodies: tuple[tuple[int, PoseNumbers], ...]
     reached: bool
     words: tuple[tuple[Level, str], ...]
+    location: str = ""
 
 
 @frozen_dataclass

@@ -286,6 +286,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
         bodies: world poses of the bodies of the arm.
         reached: whether the arm stands where it was to.
         words: worst first; empty when all is well.
+        location: pose of the TCP as programs write it; empty where there is none.
     """
 
     id: int
@@ -294,6 +295,7 @@ class Jogged(Struct, frozen=True, tag_field="type", tag="jogged"):
     bodies: tuple[JogBody, ...]
     reached: bool
     words: tuple[JogWords, ...]
+    location: str = ""
 
 
 class Notice(Struct, frozen=True, tag_field="type", tag="notice"):

@@ -10,10 +10,9 @@ import pytest
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_urdf, write_urdf
-from ropsim.exchange.urdf.poses import roll_pitch_yaw
 from ropsim.kinematics import solver_of
 from ropsim.model import Coupling, LoopCut, Mesh, RobotModel, Shape, joint_tree
-from ropsim.spatial import Pose, frozen, quaternion
+from ropsim.spatial import Pose, frozen, quaternion, roll_pitch_yaw
 from support.exchange_laws import differences, random_chain
 
 SAME = 1e-12

@@ -3,11 +3,10 @@
 import numpy as np
 
 from ropsim.exchange.possible_inertia import possible_inertia
-from ropsim.exchange.urdf.poses import roll_pitch_yaw
 from ropsim.exchange.write_losses import can_write
 from ropsim.exchange.xml_text import Tag, number, numbers, tag, value
 from ropsim.model import Box, Cylinder, Link, Mesh, Shape, Sphere
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, roll_pitch_yaw
 
 LEAST = 1e-12
 """Mass [kg] and inertia [kg·m²] of links without any: one that says nothing has 1 kg and 1 kg·m² there."""

@@ -1,11 +1,10 @@
 """Elements of URDF as they are written."""
 
 from ropsim.exchange.joint_limits import WITHOUT_END
-from ropsim.exchange.urdf.poses import roll_pitch_yaw
 from ropsim.exchange.write_losses import can_write
 from ropsim.exchange.xml_text import Tag, number, numbers, tag
 from ropsim.model import Box, Cylinder, Joint, JointType, Link, Mesh, Shape, Sphere
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, roll_pitch_yaw
 
 MOMENTS = ((0, 0, "ixx"), (0, 1, "ixy"), (0, 2, "ixz"), (1, 1, "iyy"), (1, 2, "iyz"), (2, 2, "izz"))
 

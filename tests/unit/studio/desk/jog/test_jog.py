@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim import robots
+from ropsim import icr, robots
 from ropsim.kinematics import forward, posture, solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import ROBOT, Tool
@@ -16,6 +16,7 @@ from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp, PoseNumbers
 from support.arms import random_arm
 from support.cells import one_station
+from support.tasks import compiled
 
 PUMA = robots.load("puma560")
 TOOL = Tool("probe", Pose(frozen([0.0, 0.05, 0.12])))
@@ -51,6 +52,18 @@ def moved(target: PoseNumbers, dx: float, dy: float, dz: float) -> PoseNumbers:
     x, y, z, *turn = target
     w, a, b, c = turn
     return (x + dx, y + dy, z + dz, w, a, b, c)
+
+
+def test_the_location_is_that_of_the_tcp_in_the_base_frame() -> None:
+    text = "units m, rad, s\nframe there = (1, 2, 3; rz 1)\nwith frame there\nmov # \nendwith\n"
+    code = compiled(text.replace("#", joints(BENT).location)).icr
+    assert code is not None
+    (move,) = icr.run(code).moves
+    X_BT = forward(PUMA, BENT) @ TOOL.X_MT
+    assert isinstance(move.target, Pose)
+    assert move.target.position == pytest.approx(X_BT.position, abs=1e-5)
+    turned = (move.target.inverse() @ X_BT).rotation()
+    assert turned == pytest.approx(np.eye(3), abs=radians(2e-3))
 
 
 def test_the_tcp_is_that_of_the_forward_kinematics_in_the_world() -> None:
