@@ -119,3 +119,16 @@ def test_many_unknown_entities_hide_no_mistake() -> None:
     assert read(TEXT.replace("#110=", many + "#110=")).robot == read(TEXT).robot
     found = read(TEXT.replace("#110=", many + "#110=").replace("#11,4.,", "#11,-4.,"))
     assert [one.code for one in found.findings] == ["X970"]
+
+
+def test_friction_of_which_nothing_is_held_is_kept_all_the_same() -> None:
+    text = WHOLE.replace(".MOTOR_SIDE.,0.0001,0.02,0.03", ".MOTOR_SIDE.,0.,0.,0.03")
+    found = read(text)
+    assert robot_of(found).drives[0].friction == Friction()
+    assert write_nirox(robot_of(found), found.beside).text.count("=STRIBECK_FRICTION(#") == 1
+
+
+def test_the_first_mechanical_interface_is_the_flange_and_a_second_one_is_kept() -> None:
+    found = read(WHOLE.replace("('tcp',.TOOL.", "('tcp',.MECHANICAL_INTERFACE."))
+    assert robot_of(found).X_nM.position.tolist() == [0.3, 0.0, 0.0]
+    assert [(one.name, one.role) for one in found.beside.frames] == [("tcp", "mechanical_interface")]

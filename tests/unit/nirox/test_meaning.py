@@ -136,6 +136,15 @@ def test_amplifiers_limit_the_current_where_they_say_so_and_inertia_at_a_gear_is
     assert robot.joints[1].max_effort == 15.0
 
 
+def test_inertia_at_a_gear_turns_with_the_rotor_and_the_drive_says_the_speed() -> None:
+    robot = robot_of(
+        ("'g1',100.,1.,0.,$,$,0.", "'g1',100.,1.,0.,$,$,0.0002"),
+        ("#130=", "#129=JOINT_LIMITS(#60,9.,$,$,$);\n#130="),
+    )
+    assert robot.drives[0].motor.rotor_inertia == 0.0001 + 0.0002
+    assert robot.joints[0].max_speed == 3.0
+
+
 def test_links_look_as_the_file_says() -> None:
     robot = robot_of(
         ("#130=", "#124=BOX_ELEMENT(#12,#42,'#aabbcc',0.5,.STEEL.,(0.1,0.2,0.3));\n"
