@@ -13,7 +13,6 @@ from ropsim.model import (
     ALL_DIRECTIONS,
     CurrentLimitedAmplifier,
     DcMotor,
-    Direction,
     Drive,
     ElasticGear,
     Friction,
@@ -35,6 +34,16 @@ from ropsim.spatial import Pose
 from support.nirox_texts import TEXT
 from support.trees import random_tree
 
+PAIRS = {
+    JointType.REVOLUTE: "REVOLUTE",
+    JointType.PRISMATIC: "PRISMATIC",
+    JointType.SCREW: "SCREW",
+    JointType.CYLINDRICAL: "CYLINDRICAL",
+    JointType.UNIVERSAL: "UNIVERSAL",
+    JointType.SPHERICAL: "SPHERICAL",
+    JointType.PLANAR: "PLANAR",
+    JointType.FIXED: "FULLY_CONSTRAINED",
+}
 PLACE = Pose(np.array([0.1, 0.2, 0.3]), np.array([0.4, 0.3, -0.2, 0.84]))
 
 
@@ -70,7 +79,7 @@ def test_an_arm_on_a_gantry_comes_back() -> None:
     assert again(robot) == robot
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(8))
 def test_trees_of_joints_of_all_types_with_couplings_come_back(seed: int) -> None:
     robot = random_tree(seed, 7).robot
     found = again(robot)
@@ -180,8 +189,6 @@ def test_a_file_written_by_hand_reads_as_it_says_and_keeps_its_names() -> None:
 
 
 def test_joint_types_have_their_pairs() -> None:
-    text = "".join(write_nirox(random_tree(seed, 7).robot).text for seed in range(12))
-    for word in ("SPHERICAL", "UNIVERSAL", "CYLINDRICAL", "PLANAR", "FULLY_CONSTRAINED", "SCREW"):
-        assert f"={word}_PAIR" in text
-    assert len(JointType) == 8
-    assert Direction.X in ALL_DIRECTIONS
+    text = "".join(write_nirox(random_tree(seed, 7).robot).text for seed in range(3))
+    for type_, word in PAIRS.items():
+        assert f"={word}_PAIR" in text, type_
