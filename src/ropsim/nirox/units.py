@@ -57,6 +57,9 @@ def units_of(seen: Seen, context: int) -> Units:
             UNIT_UNKNOWN, context, "the context declares no units", "name a unit of length and one of angle"
         )
         return SI
+    if seen.is_a(context, "global_uncertainty_assigned_context"):
+        for number in seen.refs(context, "uncertainty"):
+            seen.take(number)
     found: dict[str, Unit] = {}
     for number in seen.refs(context, "units"):
         kind = next((one for one in ("length_unit", "plane_angle_unit") if seen.is_a(number, one)), "")

@@ -73,3 +73,26 @@ def test_files_without_a_mechanism_are_refused() -> None:
     )
     assert [one.code for one in read(shapes).findings] == ["X950"]
     assert [one.code for one in read(PLAIN.replace(SCHEMA, "AUTOMOTIVE_DESIGN")).findings] == ["X950"]
+
+
+def test_contexts_as_cad_systems_write_them_are_understood() -> None:
+    """Millimetres, with an uncertainty and a solid angle."""
+    context = (
+        "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#8))"
+        "GLOBAL_UNIT_ASSIGNED_CONTEXT((#1,#2,#9))REPRESENTATION_CONTEXT("
+    )
+    plain = "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#1,#2))REPRESENTATION_CONTEXT("
+    units = (
+        "#8=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-5),#1,'distance_accuracy_value','');\n"
+        "#9=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n#10=KIN"
+    )
+    assert plain in PLAIN
+    text = PLAIN.replace(plain, context).replace("#10=KIN", units).replace("($,.METRE.)", "(.MILLI.,.METRE.)")
+    found, same = (
+        read(text.replace("(0.5,0.,0.)", "(500.,0.,0.)").replace("(0.3,0.,0.)", "(300.,0.,0.)")),
+        read(PLAIN),
+    )
+    assert found.robot == same.robot
+    assert [one.code for one in found.findings] == HINTS
+    assert found.robot is not None
+    assert "UNCERTAINTY" not in write_nirox(found.robot, found.beside).text
