@@ -132,6 +132,7 @@ def test_every_seeded_fault_is_found_at_its_line(
         ),
         ("#101=ROBOT", "#102=ROBOT_ARM('b','','',#80,#10,(#60),(),(0.,0.,0.),#95);\n#101=ROBOT", "one_arm"),
         ("(#70,#71)", "(#70)", "axes_are_pairs"),
+        ("#111=RIGID", "#112=JOINT_LIMITS(#60,9.,$,$,$);\n#111=RIGID", "limits_are_told_once"),
         (
             "#111=RIGID_LINK_MASS_PROPERTIES(#12,2.,(0.15,0.,0.),(0.002,0.02,0.02,0.,0.,0.),.ESTIMATED.);\n",
             "",
