@@ -1,6 +1,9 @@
 """The arm of a valid file: mechanism, axes, frames, rest position, couplings, origins."""
 
-from ropsim.model import JointType, ParameterOrigin, RobotModel
+from functools import partial
+from typing import TypeAlias
+
+from ropsim.model import BASE_LINK, JointType, LoopCut, ParameterOrigin, RobotModel
 from ropsim.nirox.further_frame import FurtherFrame
 from ropsim.nirox.read_axes import read_couplings, read_dh_table, read_external
 from ropsim.nirox.read_bodies import read_links
@@ -13,10 +16,13 @@ from ropsim.spatial import Pose, frozen
 
 _KINDS = ("published", "derived", "estimated")
 _ROLE = "mechanical_interface"
+_Frames: TypeAlias = tuple[int, Pose, tuple[FurtherFrame, ...]]
 
 
 def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]:
     """Return the robot of a file that keeps to the schema, and its other frames; what is wrong is noted.
+
+    With an error among the findings the robot is none to be used.
 
     Args:
         seen: the file.
@@ -31,9 +37,10 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     axes = _axes(seen, arm, mechanism)
     joints = Joints(seen, mechanism, axes)
     links, base_shapes = read_links(seen, mechanism)
-    cuts = read_cuts(seen, mechanism)
-    states = _states(seen, arm, mechanism)
-    tip, X_nM, frames = _frames(seen, arm, mechanism)
+    cuts: tuple[LoopCut, ...] = seen.attempt(partial(read_cuts, seen, mechanism), ())
+    states = seen.attempt(partial(_states, seen, arm, mechanism), dict[int, float]())
+    nowhere: _Frames = (BASE_LINK, Pose(), ())
+    tip, X_nM, frames = seen.attempt(partial(_frames, seen, arm, mechanism), nowhere)
     mechanism.take_representations()
     pairs = [mechanism.moved[number].pair for number in axes]
     words = [one for one in (seen.text(arm, "manufacturer"), seen.text(arm, "model")) if one]
@@ -43,18 +50,18 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         title=" ".join(words) or label,
         joints=joints.joints,
         links=links,
-        drives=read_drives(seen, pairs, axes),
+        drives=seen.attempt(partial(read_drives, seen, pairs, axes), ()),
         home=frozen([joints.home(number, states) for number in axes]),
         axes=tuple(axes),
-        couplings=read_couplings(seen, mechanism),
+        couplings=seen.attempt(partial(read_couplings, seen, mechanism), ()),
         cuts=cuts,
         gravity=frozen(seen.reals(arm, "gravity")),
         origins=(*_origins(seen), *_estimates(joints.estimated, name)),
         base_shapes=base_shapes,
         X_nM=X_nM,
         tip=tip,
-        dh=read_dh_table(seen, mechanism),
-        external=read_external(seen, pairs),
+        dh=seen.attempt(partial(read_dh_table, seen, mechanism), ()),
+        external=seen.attempt(partial(read_external, seen, pairs), ()),
     )
     return robot, frames
 
@@ -93,7 +100,7 @@ def _states(seen: Seen, arm: int, mechanism: Mechanism) -> dict[int, float]:
     return found
 
 
-def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> tuple[int, Pose, tuple[FurtherFrame, ...]]:
+def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> _Frames:
     """Return link and pose of the mechanical interface, the last link if there is none, and other frames."""
     flange: tuple[int, Pose] | None = None
     others: list[FurtherFrame] = []

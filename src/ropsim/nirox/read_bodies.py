@@ -1,5 +1,7 @@
 """Masses and looks of the links of a file, in the frames of their joints."""
 
+from functools import partial
+
 import numpy as np
 
 from ropsim.model import (
@@ -19,7 +21,7 @@ from ropsim.model import (
 from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
 from ropsim.nirox.read_mechanism import Mechanism
 from ropsim.nirox.seen import Seen
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array
 
 _MASSES = ("rigid_link_mass_properties", "effective_link_inertia")
 _BELOW_ZERO = -1e-9
@@ -31,7 +33,8 @@ def read_links(seen: Seen, mechanism: Mechanism) -> tuple[tuple[Link, ...], tupl
     shapes = _shapes(seen, mechanism)
     links = []
     for number, moved in enumerate(mechanism.moved):
-        mass, com, inertia = _weight(seen, moved.link, number)
+        nothing = (0.0, np.zeros(3), np.zeros((3, 3)))
+        mass, com, inertia = seen.attempt(partial(_weight, seen, moved.link, number), nothing)
         X_JL = mechanism.frames[moved.link]
         if not X_JL.is_identity:
             R = X_JL.rotation()
@@ -72,13 +75,15 @@ def _shapes(seen: Seen, mechanism: Mechanism) -> dict[int, list[Shape]]:
             continue
         key = ("shape", mechanism.links[link], len(found.setdefault(link, [])))
         seen.take(element, *key)
-        X_LS = mechanism.places.pose(seen.ref(element, "placement"), (*key, "place"))
-        found[link].append(_shape(seen, element, key, mechanism.frames[link] @ X_LS))
+        shape = seen.attempt(partial(_shape, seen, mechanism, element, key), None)
+        found[link] += [shape] if shape else []
     return found
 
 
-def _shape(seen: Seen, element: int, key: tuple[str, int, int], pose: Pose) -> Shape:
+def _shape(seen: Seen, mechanism: Mechanism, element: int, key: tuple[str, int, int]) -> Shape:
     look: int | None = element
+    X_LS = mechanism.places.pose(seen.ref(element, "placement"), (*key, "place"))
+    pose = mechanism.frames[seen.ref(element, "link")] @ X_LS
     if seen.is_a(element, "link_geometry"):
         solid: Solid = Mesh(seen.text(element, "uri"), seen.real(element, "scale"))
         look = seen.user(element, "geometry_look", "geometry")

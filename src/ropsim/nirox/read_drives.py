@@ -16,8 +16,9 @@ from ropsim.model import (
     Transmission,
     VoltageAmplifier,
 )
+from ropsim.nirox.attributes import LARGEST
 from ropsim.nirox.diagnostics import LOST
-from ropsim.nirox.seen import LARGEST, Seen
+from ropsim.nirox.seen import Seen
 
 _SIMPLE = "coulomb_viscous_friction"
 

@@ -1,5 +1,7 @@
 """Links, pairs and closed chains of a file: which joint moves which link, and where the cuts are."""
 
+from functools import partial
+
 from ropsim.core import frozen_dataclass
 from ropsim.model import BASE_LINK, JointType
 from ropsim.nirox.diagnostics import IMPOSSIBLE
@@ -136,7 +138,10 @@ class Mechanism:
                 raise seen.impossible(
                     joint, "a joint of several freedoms starts at the link farther from the base"
                 )
-        X_LJ, X_FJ = (self.places.pose(item, key, type_) for item, key in zip(items, keys, strict=True))
+        X_LJ, X_FJ = (
+            seen.attempt(partial(self.places.pose, item, key, type_), Pose())
+            for item, key in zip(items, keys, strict=True)
+        )
         if turned and type_.freedoms:
             X_LJ, X_FJ = X_LJ @ _OVER, X_FJ @ _OVER
         seen.take(joint, "joint", number)

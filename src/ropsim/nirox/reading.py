@@ -6,6 +6,7 @@ from types import MappingProxyType
 from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass
 from ropsim.express import validate
 from ropsim.model import Attribute, AuditPlace, PlaceOf, ReadRobot, RobotModel, audit
+from ropsim.nirox.attributes import ImpossibleError
 from ropsim.nirox.beside import NOTHING, Beside, beside_of
 from ropsim.nirox.conformance import ConformanceClass, conformance_of
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
@@ -13,7 +14,7 @@ from ropsim.nirox.further_frame import FurtherFrame
 from ropsim.nirox.plain_mechanism import SCHEMA, with_arm
 from ropsim.nirox.read_arm import read_arm
 from ropsim.nirox.schema_text import NAME, nirox_schema
-from ropsim.nirox.seen import MOST, ImpossibleError, Seen
+from ropsim.nirox.seen import Seen
 from ropsim.part21 import ExchangeFile, read_exchange
 
 _NO_INTERFACE = "`robot_arm.doubt1`"  # said of an arm that was made of a mechanism, it would say nothing
@@ -111,11 +112,13 @@ def _robot(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]
     try:
         robot, frames = read_arm(seen, name)
     except ImpossibleError as error:
-        seen.findings.append(error.finding)
+        seen.add(error.finding)
         return None
-    wrong = [one for one in audit(robot, _place_of(seen, robot.axes)) if one.is_error]
-    seen.findings += wrong[:MOST]
-    return None if any(one.is_error for one in seen.findings) else (robot, frames)
+    if not seen.is_refused:
+        for one in audit(robot, _place_of(seen, robot.axes)):
+            if one.is_error:
+                seen.add(one)
+    return None if seen.is_refused else (robot, frames)
 
 
 def _place_of(seen: Seen, axes: tuple[int, ...]) -> PlaceOf:

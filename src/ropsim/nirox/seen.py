@@ -1,34 +1,26 @@
-"""The instances of a valid file as a reader asks for them, what it has taken, and what it has found."""
+"""What a reader sees in a valid file, what of it has been taken, and what has been found."""
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import TypeVar
 
 from ropsim.core import Diagnostic, Kind
-from ropsim.express import Population, Schema, plain
+from ropsim.express import Population, Schema
+from ropsim.nirox.attributes import Attributes, ImpossibleError
 from ropsim.nirox.building import Key
-from ropsim.nirox.diagnostics import IMPOSSIBLE
-from ropsim.part21 import Enumeration, ExchangeFile, Instance, Reference, Value
+from ropsim.part21 import ExchangeFile, Instance
 
-LARGEST = 1e12
-"""No number of a robot is larger, in whatever unit; products of such numbers stay finite."""
+T = TypeVar("T")
 MOST = 50
-"""Findings of one file that are told."""
+"""Errors of one file that are told, and as many others."""
 
 
-class ImpossibleError(Exception):
-    """What a file says cannot be; carries what is said of it."""
-
-    def __init__(self, finding: Diagnostic) -> None:
-        super().__init__(finding.message)
-        self.finding = finding
-
-
-class Seen:
-    """The instances of one file.
+class Seen(Attributes):
+    """The instances of one file while it is read.
 
     Attributes:
-        population: the instances of entities that the schema has.
-        unknown: keywords of the entities that it does not have, in the order of the file.
+        unknown: keywords of the entities that the schema does not have, in the order of the file.
         instances: all of the file, by number.
         keys: what those that were taken stand for, under the keys of `Building`.
         taken: numbers of those that were taken, with a key or without.
@@ -44,12 +36,18 @@ class Seen:
         ]
         strange = {number for number, _ in unknown}
         known = tuple(one for one in file.instances if one.number not in strange)
-        self.population = Population(schema, replace(file, instances=known))
+        super().__init__(Population(schema, replace(file, instances=known)))
         self.unknown = tuple(dict.fromkeys(keyword for _, keyword in unknown))
         self.instances: Mapping[int, Instance] = {one.number: one for one in file.instances}
         self.keys: dict[int, Key] = {}
         self.taken: set[int] = set()
         self.findings: list[Diagnostic] = []
+        self._counts: Counter[bool] = Counter()
+
+    @property
+    def is_refused(self) -> bool:
+        """Return whether an error has been found."""
+        return self._counts[True] > 0
 
     def take(self, number: int, *key: str | int | float) -> None:
         """Note that an instance is held by the model, and under which key."""
@@ -57,111 +55,20 @@ class Seen:
         if key:
             self.keys.setdefault(number, key)
 
-    def is_a(self, number: int, entity: str) -> bool:
-        """Return whether an instance is of an entity."""
-        return self.population.is_a(number, entity)
-
-    def extent(self, entity: str) -> list[int]:
-        """Return the instances of an entity in the order of the file."""
-        return self.population.extent(entity)
-
-    def users(self, number: int, entity: str, attribute: str) -> tuple[int, ...]:
-        """Return the instances of an entity that refer to one by an attribute."""
-        return self.population.users(number, entity, attribute)
-
-    def user(self, number: int, entity: str, attribute: str) -> int | None:
-        """Return the first instance of an entity that refers to one by an attribute."""
-        return next(iter(self.users(number, entity, attribute)), None)
-
-    def has(self, number: int, name: str) -> bool:
-        """Return whether an attribute has a value."""
-        return self.population.value(number, name) is not None
-
-    def text(self, number: int, name: str) -> str:
-        """Return a text, or the item of an enumeration in small letters."""
-        value = plain(self.population.value(number, name))
-        return value.name.lower() if isinstance(value, Enumeration) else str(value or "")
-
-    def flag(self, number: int, name: str) -> bool:
-        """Return whether a logical value is TRUE."""
-        return plain(self.population.value(number, name)) is True
-
-    def real(self, number: int, name: str, default: float | None = None) -> float:
-        """Return a number.
-
-        Args:
-            number: of the instance.
-            name: of the attribute.
-            default: where it has no value.
-
-        Raises:
-            ImpossibleError: it is larger than `LARGEST`, or has no value and no default.
-        """
-        value = plain(self.population.value(number, name))
-        if value is None and default is not None:
-            return default
-        return self._bounded(number, name, value)
-
-    def reals(self, number: int, name: str) -> tuple[float, ...]:
-        """Return the numbers of a list; raises `ImpossibleError` where one is larger than `LARGEST`."""
-        return tuple(self._bounded(number, name, plain(one)) for one in self._list(number, name))
-
-    def points(self, number: int, name: str) -> tuple[tuple[float, ...], ...]:
-        """Return the lists of numbers of a list; raises `ImpossibleError` as `reals` does."""
-        rows = [one if isinstance(one, tuple) else () for one in self._list(number, name)]
-        return tuple(tuple(self._bounded(number, name, plain(one)) for one in row) for row in rows)
-
-    def integer(self, number: int, name: str) -> int:
-        """Return a whole number; 0 where it has no value."""
-        value = plain(self.population.value(number, name))
-        return value if isinstance(value, int) else 0
-
-    def integers(self, number: int, name: str) -> tuple[int, ...]:
-        """Return the whole numbers of a list."""
-        return tuple(one for one in self._list(number, name) if isinstance(one, int))
-
-    def ref(self, number: int, name: str) -> int:
-        """Return the instance that an attribute refers to.
-
-        Raises:
-            ImpossibleError: it is of an entity that the schema does not have.
-        """
-        return self._known(number, name, plain(self.population.value(number, name)))
-
-    def refs(self, number: int, name: str) -> list[int]:
-        """Return the instances that a list refers to; raises `ImpossibleError` as `ref` does."""
-        return [self._known(number, name, plain(one)) for one in self._list(number, name)]
+    def attempt(self, read: Callable[[], T], otherwise: T) -> T:
+        """Return what is read; where it cannot be that is noted, and reading goes on with something else."""
+        try:
+            return read()
+        except ImpossibleError as error:
+            self.add(error.finding)
+            return otherwise
 
     def note(self, kind: Kind, number: int | None, message: str, hint: str = "") -> None:
-        """Note a finding at an instance, as long as there is room."""
-        if len(self.findings) < MOST:
-            self.findings.append(self._at(kind, number, message, hint))
+        """Note a finding at an instance."""
+        self.add(self.told(kind, number, message, hint))
 
-    def impossible(self, number: int, message: str, hint: str = "") -> ImpossibleError:
-        """Return what to raise where an instance cannot be as it is."""
-        return ImpossibleError(self._at(IMPOSSIBLE, number, message, hint))
-
-    def called(self, number: int) -> str:
-        """Return an instance in words, such as `#12 KINEMATIC_LINK`."""
-        return f"#{number} {self.population.instances[number].keyword[:60]}"
-
-    def _at(self, kind: Kind, number: int | None, message: str, hint: str) -> Diagnostic:
-        if number is None:
-            return kind.at(None, message, hint=hint)
-        span = self.population.file.span(self.population.instances[number])
-        return kind.at(span, f"{self.called(number)}: {message}", hint=hint)
-
-    def _list(self, number: int, name: str) -> Iterable[Value]:
-        value = self.population.value(number, name)
-        return value if isinstance(value, tuple) else ()
-
-    def _known(self, number: int, name: str, value: object) -> int:
-        if isinstance(value, Reference) and self.population.lineage(value.number):
-            return value.number
-        raise self.impossible(number, f"`{name}` is no instance that is known")
-
-    def _bounded(self, number: int, name: str, value: object) -> float:
-        if isinstance(value, float) and abs(value) <= LARGEST:
-            return value
-        shown = f"{value:g}" if isinstance(value, float) else "no number"
-        raise self.impossible(number, f"`{name}` is {shown}, allowed are numbers up to {LARGEST:g}")
+    def add(self, finding: Diagnostic) -> None:
+        """Note a finding, as long as there is room; errors have a room of their own."""
+        self._counts[finding.is_error] += 1
+        if self._counts[finding.is_error] <= MOST:
+            self.findings.append(finding)

@@ -8,7 +8,10 @@ import pytest
 from ropsim.core import Severity, SourceText
 from ropsim.kinematics import forward
 from ropsim.model import Attribute, AuditPlace, ElasticGear, Friction, Gear, JointType
-from ropsim.nirox import ReadNirox, nirox_places, read_nirox, write_nirox
+from ropsim.nirox import ReadNirox, nirox_places, nirox_schema, read_nirox, write_nirox
+from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
+from ropsim.nirox.seen import MOST, Seen
+from ropsim.part21 import read_exchange
 from support.nirox_texts import END, HEAD, TEXT, line_of
 
 ROUNDING = 1e-15
@@ -189,6 +192,17 @@ def test_each_mistake_is_told_at_its_line_and_entity(
         assert f"#{number}" in told.message or code.startswith("X8")
 
 
+def test_all_mistakes_of_a_file_are_told_at_once() -> None:
+    text = changed(
+        ("#31,$,$)", "#31,#33,#33)"),
+        ("(0.004,0.09,0.09,0.", "(0.004,0.09,0.09,0.05"),
+        ("'g1',100.", "'g1',1.E-300"),
+        ("#130=", "#128=EXTERNAL_AXIS(#61);\n#129=JOINT_COUPLING(#61,2,(),(),(),0.);\n#130="),
+    )
+    lines = [one.span.line if one.span else 0 for one in read(text).findings]
+    assert sorted(lines) == sorted(line_of(number, text) for number in (41, 110, 121, 129))
+
+
 def test_a_chain_that_is_not_cut_is_told() -> None:
     """The loop of a parallel joint: links 10 and 12 are joined once more, and nothing says where to cut."""
     text = changed(
@@ -225,3 +239,14 @@ def test_a_prismatic_pair_of_a_file_slides_along_its_x() -> None:
     at_rest, moved = (forward(robot, np.array([0.0, q])).position for q in (0.0, 0.2))
     assert moved - at_rest == pytest.approx([0.2, 0.0, 0.0], abs=ROUNDING)
     assert replace(robot) == robot
+
+
+def test_no_number_of_hints_hides_an_error() -> None:
+    file, _ = read_exchange(SourceText("arm.stp", TEXT))
+    seen = Seen(nirox_schema(), file)
+    for _ in range(2 * MOST):
+        seen.note(LOST, 110, "it has no effect")
+    assert not seen.is_refused
+    seen.note(IMPOSSIBLE, 111, "it cannot be")
+    assert seen.is_refused
+    assert [one.code for one in seen.findings] == ["X953"] * MOST + ["X951"]
