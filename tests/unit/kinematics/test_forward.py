@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.kinematics.forward_kernel import forward_rows
+from ropsim.kinematics.chain_kernel import forward_rows
 from support.arms import random_arm
 
 ROUNDING = 1e-14
@@ -38,8 +38,15 @@ def test_the_kernel_does_the_same_without_numba() -> None:
     from ropsim.kinematics.arrays import chain_arrays
 
     chain, out = chain_arrays(PUMA), np.empty((3, 4, 4))
-    plain(chain.R, chain.p, chain.slides, chain.offset, chain.X_nM, Q, out)
+    plain(chain.flat, Q, out)
     np.testing.assert_allclose(out, kinematics.forward_batch(PUMA, Q), atol=ROUNDING)
+
+
+def test_angles_of_many_turns_are_those_of_the_sine_and_cosine_of_numpy() -> None:
+    Q = np.random.default_rng(4).uniform(-1e5, 1e5, (200, 6))
+    Q[0], Q[1] = np.arange(6) * pi / 4, -np.arange(6) * pi / 2
+    frames = kinematics.frames_batch(PUMA, Q)
+    np.testing.assert_allclose(kinematics.forward_batch(PUMA, Q), frames[:, -1], rtol=0.0, atol=10 * ROUNDING)
 
 
 def test_frames_have_the_joint_axes_as_z() -> None:

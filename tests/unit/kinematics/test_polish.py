@@ -5,7 +5,9 @@ import pytest
 
 from ropsim.kinematics import forward_batch
 from ropsim.kinematics.arrays import chain_arrays
-from ropsim.kinematics.polish import POSE_SLACK, checked, continued, nearest_to, polished
+from ropsim.kinematics.chain_kernel import refine_rows
+from ropsim.kinematics.polish import POSE_SLACK, checked, continued, nearest_to, polished, refine
+from ropsim.spatial import Array
 from support.arms import random_arm
 
 ROUNDING = 1e-12
@@ -74,3 +76,44 @@ def test_the_kernel_does_the_same_without_numba(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(polish_kernel, "polish_rows", getattr(rows, "__wrapped__", rows))
     plain = polished(CHAIN, T[:3], (Q[:3] + 1e-3)[:, None])
     np.testing.assert_allclose(plain, compiled, rtol=0.0, atol=ROUNDING)
+
+
+TURNING = random_arm(24, "RRRRRR")
+
+
+def refined(poses: Array, starts: Array) -> tuple[Array, object]:
+    found = np.array(starts)
+    return found, refine(chain_arrays(TURNING), poses, found)
+
+
+def test_refining_ends_where_polishing_does() -> None:
+    poses = forward_batch(TURNING, Q)
+    starts = Q[:, None] + np.array([1e-9, 1e-6, 1e-3])[:, None] * np.cos(np.arange(6))
+    starts = np.concatenate((starts, np.full((30, 1, 6), np.nan), Q[:, None] + 0.1), axis=1)
+    found, lost = refined(poses, starts)
+    np.testing.assert_array_equal(np.isnan(found[:, 3]), True)
+    np.testing.assert_allclose(found[:, :3], np.tile(Q[:, None], (1, 3, 1)), rtol=0.0, atol=1e4 * ROUNDING)
+    expected = polished(chain_arrays(TURNING), poses, starts[:, 4:])
+    np.testing.assert_allclose(found[:, 4:], expected, rtol=0.0, atol=1e4 * ROUNDING)
+    assert (lost is not None) == bool(np.isnan(found[:, 4]).any())
+
+
+@pytest.mark.parametrize(
+    "shape", [np.diag([1.01] * 3), np.diag([-1.0] * 3), np.eye(3) + 0.01 * np.eye(3)[::-1]]
+)
+def test_refining_loses_matrices_that_are_no_poses(shape: Array) -> None:
+    poses = forward_batch(TURNING, Q[:4])
+    poses[2:, :3, :3] = shape @ poses[2:, :3, :3]
+    found, lost = refined(poses, Q[:4, None])
+    assert np.isnan(found[:, 0, 0]).tolist() == [False, False, True, True]
+    np.testing.assert_array_equal(lost, [[False], [False], [True], [True]])
+
+
+def test_refining_does_the_same_without_numba() -> None:
+    plain = getattr(refine_rows, "__wrapped__", refine_rows)
+    chain, poses = chain_arrays(TURNING), forward_batch(TURNING, Q[:2])
+    starts = Q[:2, None] + np.array([1e-7, 1e-5])[:, None] * np.sin(np.arange(6))
+    found, answers = np.array(starts), np.array(starts)
+    plain(chain.flat, poses, found, np.empty((3, 2)), np.empty((7, 12)), np.empty((7, 7)))
+    assert refine(chain, poses, answers) is None
+    np.testing.assert_allclose(found, answers, rtol=0.0, atol=ROUNDING)

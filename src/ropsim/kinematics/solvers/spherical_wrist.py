@@ -20,7 +20,7 @@ import numpy as np
 
 from ropsim.codegen import Compiled, bound
 from ropsim.kinematics.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.polish import POSE_SLACK, polished
+from ropsim.kinematics.polish import POSE_SLACK, polished, refine
 from ropsim.kinematics.posture import Posture
 from ropsim.kinematics.result import IkStatus, Reach, Shortfall
 from ropsim.kinematics.solver import Method, Snap
@@ -83,14 +83,14 @@ class SphericalWristSolver:
 
     def branches(self, T: Array, near: Array) -> Array:
         """Return all branches of many poses, shape (k, 8, 6); see `InverseSolver.branches`."""
-        starts = _rows(closed_form(self), T, near)
+        found = _rows(closed_form(self), T, near)
         if self.snapped_by == Snap():
-            return starts
-        found = polished(self.chain, T, starts)
-        lost = np.isnan(found) & ~np.isnan(starts)
-        if lost.any():
+            return found
+        lost = refine(self.chain, T, found)
+        if lost is not None:
             kept = _rows(bound(kernel.inverse_rows, self.keeping), T, near)
-            found = np.where(lost, polished(self.chain, T, np.where(lost, kept, np.nan)), found)
+            others = polished(self.chain, T, np.where(lost[:, :, np.newaxis], kept, np.nan))
+            found = np.where(lost[:, :, np.newaxis], others, found)
         return found
 
     def posture(self, q: Array) -> Posture:

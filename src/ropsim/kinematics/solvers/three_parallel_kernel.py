@@ -32,7 +32,7 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
     Args:
         arm: `ThreeParallelArm.flat`.
         room: joint coordinates [rad] of which q1 and q6 hold where the pose leaves them free (6 numbers), and
-            room to work in; shape (31,).
+            room to work in; shape (33,).
         T: poses.
         out: row 4·shoulder + 2·elbow + wrist holds that posture, angles in (-π, π].
     """
@@ -40,7 +40,8 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
     free1 = arm[SIGNS] * room[0] + arm[ZEROS]
     free6 = arm[SIGNS + 5] * room[5] + arm[ZEROS + 5]
     on_axis, beyond = arm[SLACKS + 1], arm[SLACKS + 3]
-    G, N, wrist, angles = room[6:15], room[15:24], room[24:25], room[25:31]
+    G, N, wrist, angles = room[6:15], room[15:24], room[24:27], room[27:33]
+    c_eta, s_eta = cos(arm[ETA]), sin(arm[ETA])
     for k in range(T.shape[0]):
         # P and M, turned by the constants, in frame J.
         X = T[k]
@@ -67,24 +68,29 @@ def inverse_rows(arm: Array, room: Array, T: Array, out: Array) -> None:
                 N[c] = c1 * G[c] + s1 * G[3 + c]
                 N[3 + c] = c1 * G[3 + c] - s1 * G[c]
                 N[6 + c] = G[6 + c]
-            for flip in range(2):
-                side = 1.0 if flip == 1 else -1.0
-                miss_wrist = miss + _wrist_angles(arm, N, side, free6, x - a, pz - h, wrist, angles)
-                _planar_rows(arm, x - a, pz - h, miss_wrist, wrist[0], angles, out[k], 4 * shoulder + flip)
+            miss += _wrist_angles(arm, N, free6, x - a, pz - h, wrist, angles)
+            aligned = angles[4] == 0.0 or angles[4] == pi
+            for flip in range(1, -1, -1):
+                if flip == 0 and not aligned:  # the other posture of the wrist has α + π, -β, C + π
+                    wrist[0], wrist[1], wrist[2] = wrist[0] + pi, -wrist[1], -wrist[2]
+                    angles[4], angles[5] = -angles[4], angles[5] + pi
+                wx = x - a - arm[LENGTHS + 5] * (c_eta * wrist[1] + s_eta * wrist[2])
+                wz = pz - h - arm[LENGTHS + 5] * (s_eta * wrist[1] - c_eta * wrist[2])
+                _planar_rows(arm, wx, wz, miss, wrist[0], angles, out[k], 4 * shoulder + flip)
 
 
 def _planar_rows(
-    arm: Array, x: float, z: float, miss: float, alpha: float, angles: Array, out: Array, row: int
+    arm: Array, wx: float, wz: float, miss: float, alpha: float, angles: Array, out: Array, row: int
 ) -> None:
-    """Write both postures of the elbow that bring P to (x, z) from axis 2, the wrist at α."""
-    upper, fore, end = arm[LENGTHS + 3], arm[LENGTHS + 4], arm[LENGTHS + 5]
+    """Write both postures of the elbow that bring axis 4 to (wx, wz) from axis 2, the wrist at α."""
+    upper, fore = arm[LENGTHS + 3], arm[LENGTHS + 4]
     accepted, beyond, least_bend = arm[SLACKS], arm[SLACKS + 3], arm[SLACKS + 4]
-    wx, wz = x - end * cos(arm[ETA] - alpha), z - end * sin(arm[ETA] - alpha)
     c_elbow = (wx * wx + wz * wz - upper * upper - fore * fore) / (2.0 * upper * fore)
     if not abs(c_elbow) <= 1.0 + beyond:
         return
     c_elbow = min(1.0 - least_bend, max(least_bend - 1.0, c_elbow))
     s_bend = sqrt((1.0 - c_elbow) * (1.0 + c_elbow))
+    bend = atan2(s_bend, c_elbow)
     for elbow in range(2):
         s_elbow = s_bend if elbow == row // 4 else -s_bend
         along, over = upper + fore * c_elbow, fore * s_elbow
@@ -92,16 +98,19 @@ def _planar_rows(
         c23, s23 = c2 * c_elbow - s2 * s_elbow, s2 * c_elbow + c2 * s_elbow
         if miss + abs(upper * c2 + fore * c23 - wx) + abs(upper * s2 + fore * s23 - wz) > accepted:
             continue
-        angles[1], angles[2] = atan2(s2, c2), atan2(s_elbow, c_elbow)
+        angles[1], angles[2] = atan2(s2, c2), (bend if elbow == row // 4 else -bend)
         angles[3] = -alpha - angles[1] - angles[2]
         for j in range(6):
             out[row + 2 * elbow, j] = _coordinate(arm[SIGNS + j], angles[j], arm[ZEROS + j])
 
 
 def _wrist_angles(
-    arm: Array, N: Array, side: float, free6: float, x: float, z: float, wrist: Array, angles: Array
+    arm: Array, N: Array, free6: float, x: float, z: float, wrist: Array, angles: Array
 ) -> float:
-    """Write α, and β and C with N = Ry(α)·Rz(β)·Ry(C), to `wrist` and angles 4 and 5; return the errors."""
+    """Write α and β >= 0 and C with N = Ry(α)·Rz(β)·Ry(C); return the sum of entry errors.
+
+    α, cos α and sin α go to `wrist`, the others to angles 4 and 5.
+    """
     sb = sqrt(N[3] * N[3] + N[5] * N[5])
     cb = N[4]
     aligned = sb < arm[SLACKS + 2]
@@ -115,12 +124,11 @@ def _wrist_angles(
             turned = free6 - shift * cb
             cC, sC = cos(turned), sin(turned)
     else:
+        cC, sC = N[3] / sb, N[5] / sb
         cb, sb = _direction(cb, sb, 0.0)
-        sb *= side
-        length = side * sqrt(N[3] * N[3] + N[5] * N[5])
-        cC, sC = N[3] / length, N[5] / length
     ca, sa = _first_angle(N, cC, sC)
-    wrist[0], angles[4], angles[5] = atan2(sa, ca), atan2(sb, cb), atan2(sC, cC)
+    wrist[0], wrist[1], wrist[2] = atan2(sa, ca), ca, sa
+    angles[4], angles[5] = atan2(sb, cb), atan2(sC, cC)
     error: float = (
         abs(ca * cb * cC - sa * sC - N[0])
         + abs(-ca * sb - N[1])
