@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ropsim import robots as robots
     from ropsim import simulation as simulation
     from ropsim import spatial as spatial
+    from ropsim import tasks as tasks
     from ropsim import tomltext as tomltext
     from ropsim import userfiles as userfiles
     from ropsim import views as views
@@ -69,6 +70,7 @@ __all__ = [
     "robots",
     "simulation",
     "spatial",
+    "tasks",
     "tomltext",
     "userfiles",
     "views",

@@ -38,6 +38,7 @@ BANDS = {
     "studio": {"U9"},
     "cli": {"U9"},
     "prolog": {"P1"},
+    "tasks": {"P1"},
 }
 
 

@@ -19,8 +19,12 @@ from ropsim.language.outline import outline as outline
 from ropsim.language.places import named_at as named_at
 from ropsim.language.prelude import goes_on as goes_on
 from ropsim.language.prelude import prelude as prelude
+from ropsim.language.syntax import nodes as nodes
+from ropsim.language.syntax import statements as statements
 from ropsim.language.task_form import ParameterForm as ParameterForm
 from ropsim.language.task_form import TaskForm as TaskForm
+from ropsim.language.text import Line as Line
+from ropsim.language.text import read as read
 from ropsim.language.uses import Act as Act
 from ropsim.language.uses import Meaning as Meaning
 from ropsim.language.uses import Space as Space

@@ -2,6 +2,8 @@
 
 from ropsim.prolog.answers import Answer as Answer
 from ropsim.prolog.answers import Answers as Answers
+from ropsim.prolog.clauses import Places as Places
+from ropsim.prolog.clauses import findings_of as findings_of
 from ropsim.prolog.engine import Engine as Engine
 from ropsim.prolog.errors import GoalError as GoalError
 from ropsim.prolog.limits import Limits as Limits

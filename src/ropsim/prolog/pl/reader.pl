@@ -3,7 +3,7 @@
 
     Places are numbers of characters from the begin of the text.
 */
-:- module(ropsim_reader, [check_text/3]).
+:- module(ropsim_reader, [check_text/3, syntax_item/2, single/6, ends/3, bare/2]).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(library(modules)).

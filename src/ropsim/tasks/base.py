@@ -1,0 +1,173 @@
+"""A knowledge base: what tasks there are, whether a call is possible, which tasks reach a goal."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from importlib.resources import files
+from pathlib import Path
+
+from ropsim.core import Diagnostic, SourceText, Span, read_bytes
+from ropsim.prolog import Atom, Places, Struct, Term, Var
+from ropsim.tasks.call_reading import call_of
+from ropsim.tasks.call_report import CallReport
+from ropsim.tasks.checking import checked
+from ropsim.tasks.folder import read_folder
+from ropsim.tasks.geometry import Anywhere, Geometry, RememberedGeometry
+from ropsim.tasks.host import Host, Progress
+from ropsim.tasks.known_task import KnownTask
+from ropsim.tasks.planning import PLAN_SECONDS, Plan, planned
+from ropsim.tasks.task_call import TaskCall
+from ropsim.tasks.task_reading import task_of
+from ropsim.tasks.world_state import WorldState
+
+NOWHERE = Anywhere()
+
+
+class KnowledgeBase:
+    """The tasks of some texts, with those of the library that comes with ropsim.
+
+    A text is read clause by clause; whatever is wrong with one is a finding, and all others are there.
+    One thread uses a knowledge base, only `cancel` may be called by others.
+
+    Attributes:
+        texts: of the project, by their names.
+        findings: what is wrong with the folder and the texts, in their order.
+    """
+
+    def __init__(
+        self,
+        texts: Iterable[SourceText],
+        geometry: Geometry = NOWHERE,
+        findings: Iterable[Diagnostic] = (),
+    ) -> None:
+        self._geometry = RememberedGeometry(geometry)
+        self._host = Host(self._geometry.predicates())
+        self.take(texts, findings)
+
+    def take(self, texts: Iterable[SourceText], findings: Iterable[Diagnostic] = ()) -> None:
+        """Read other texts in place of those that there are, in the same Prolog.
+
+        Args:
+            texts: of the project, in their order.
+            findings: what is wrong with the folder.
+        """
+        own, built_in = tuple(texts), library_texts()
+        self.texts: Mapping[str, SourceText] = {text.name: text for text in own}
+        numbered = {index - len(built_in): text for index, text in enumerate((*built_in, *own))}
+        self.findings: tuple[Diagnostic, ...] = (*findings, *self._host.read(numbered))
+        self._spans = self._located(numbered)
+        self._tasks: dict[str, KnownTask] = {}
+
+    @classmethod
+    def open(cls, path: str | Path, geometry: Geometry = NOWHERE) -> "KnowledgeBase":
+        """Return the knowledge base of a project, of a folder of texts or of one text.
+
+        Args:
+            path: a project with a folder `kb`, such a folder, or a .pl file.
+            geometry: what knows where the arm can go; without it geometry refuses nothing.
+
+        Raises:
+            TaskError: there is no such path.
+        """
+        texts, findings = read_folder(Path(path))
+        return cls(texts, geometry, findings)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names of all tasks, those of the library first."""
+        return tuple(self._spans)
+
+    @property
+    def asked(self) -> int:
+        """Return how many questions geometry has been asked."""
+        return self._geometry.asked
+
+    def tasks(self) -> tuple[KnownTask, ...]:
+        """Return all tasks, those of the library first."""
+        self._fetch([name for name in self._spans if name not in self._tasks])
+        return tuple(self._tasks[name] for name in self._spans)
+
+    def task(self, name: str) -> KnownTask | None:
+        """Return the task of a name, None where there is none."""
+        if name in self._spans and name not in self._tasks:
+            self._fetch([name])
+        return self._tasks.get(name)
+
+    def check(self, call: TaskCall | str, state: WorldState) -> CallReport:
+        """Return whether a call is possible in a state, and the state that it makes.
+
+        Args:
+            call: a task with its points and parameters, or its task text.
+            state: what is true before it.
+
+        Raises:
+            TaskError: the text is no call.
+            GoalError: a function of the geometry failed, or it takes longer than it may.
+        """
+        one = call_of(call) if isinstance(call, str) else call
+        return checked(one, self.task(one.name), self.names, self._host, state)
+
+    def check_all(self, calls: Sequence[TaskCall | str], state: WorldState) -> tuple[CallReport, ...]:
+        """Return the same for calls in a row, each in the state that the one before it has made.
+
+        A call that is not possible changes nothing, and those behind it are checked all the same.
+
+        Raises:
+            GoalError: as with `check`.
+        """
+        reports: list[CallReport] = []
+        for call in calls:
+            report = self.check(call, state)
+            reports.append(report)
+            state = report.state
+        return tuple(reports)
+
+    def plan(
+        self,
+        goal: Sequence[str | Term],
+        state: WorldState,
+        seconds: float = PLAN_SECONDS,
+        progress: Progress | None = None,
+    ) -> Plan:
+        """Return the fewest tasks that make all facts of a goal true, or why there are none.
+
+        Args:
+            goal: facts such as `at(bolt, s1)`.
+            state: what is true before.
+            seconds: after so much time planning is stopped [s].
+            progress: told now and then how many states have been looked at.
+
+        Raises:
+            TaskError: the goal is no list of facts.
+        """
+        return planned(self._host, self.task, goal, state, seconds, progress)
+
+    def cancel(self) -> None:
+        """Stop what is asked now; every thread may call this."""
+        self._host.cancel()
+
+    def close(self) -> None:
+        """End the Prolog behind it; it starts again when it is needed."""
+        self._host.close()
+
+    def _located(self, texts: Mapping[int, SourceText]) -> Mapping[str, tuple[Span, str]]:
+        places = {index: Places(text) for index, text in texts.items()}
+        return {
+            name: (places[index].span(start, end), "library" if index < 0 else "project")
+            for name, (index, start, end) in self._host.places().items()
+        }
+
+    def _fetch(self, names: Sequence[str]) -> None:
+        goal = Struct("tasks", (tuple(map(Atom, names)), Var("Found")))
+        found = self._host.ask("ropsim_kb", goal)
+        for told in found if isinstance(found, tuple) else ():
+            if isinstance(told, Struct) and isinstance(told.arguments[0], Atom):
+                name = told.arguments[0].name
+                task = task_of(told, *self._spans[name])
+                if task is not None:
+                    self._tasks[name] = task
+
+
+def library_texts() -> tuple[SourceText, ...]:
+    """Return the texts of the library that comes with ropsim."""
+    folder = files("ropsim.tasks").joinpath("library")
+    paths = sorted(Path(str(one)) for one in folder.iterdir() if one.name.endswith(".pl"))
+    return tuple(SourceText(f"library/{one.name}", read_bytes(one).decode()) for one in paths)

@@ -1,0 +1,112 @@
+"""The body of a task text as terms of a knowledge base: the way back of `body_text`."""
+
+from collections.abc import Iterator, Mapping
+
+from ropsim.language import nodes, statements
+from ropsim.prolog import Atom, Struct, Term
+from ropsim.tasks.expression_terms import NoTermError, arguments_of, term_of
+
+_CLOSERS = (statements.Closer, statements.Else)
+
+
+def body_terms(lines: Iterator[statements.Statement], names: Mapping[str, str]) -> tuple[Term, ...]:
+    """Return the statements up to the one that closes their block, and take that, too.
+
+    Args:
+        lines: the statements of a task behind its header.
+        names: the variable of each parameter by its name in the text.
+
+    Raises:
+        NoTermError: a statement has no term.
+    """
+    return _block(lines, names)[0]
+
+
+def _block(
+    lines: Iterator[statements.Statement], names: Mapping[str, str]
+) -> tuple[tuple[Term, ...], statements.Statement | None]:
+    """Return the statements of a block, and what ends it; None where the text ends before."""
+    found: list[Term] = []
+    for line in lines:
+        if isinstance(line, _CLOSERS):
+            return tuple(found), line
+        found.append(_statement(line, lines, names))
+    return tuple(found), None
+
+
+def _statement(
+    line: statements.Statement, lines: Iterator[statements.Statement], names: Mapping[str, str]
+) -> Term:
+    match line:
+        case statements.If(condition=condition, body=None):
+            then, end = _block(lines, names)
+            sides = (term_of(condition, names), then)
+            if isinstance(end, statements.Else):
+                return Struct("if", (*sides, _block(lines, names)[0]))
+            return Struct("if", sides)
+        case statements.If(condition=condition, body=one) if one is not None:
+            return Struct("if", (term_of(condition, names), (_statement(one, lines, names),)))
+        case statements.Repeat(count=count):
+            inner = _block(lines, names)[0]
+            return Struct("repeat", (inner,) if count is None else (term_of(count, names), inner))
+        case statements.While(condition=condition):
+            return Struct("while", (term_of(condition, names), _block(lines, names)[0]))
+        case statements.For(name=name, first=first, last=last, step=None):
+            bounds = term_of(first, names), term_of(last, names)
+            return Struct("for", (term_of(name, names), *bounds, _block(lines, names)[0]))
+        case statements.With(settings=settings):
+            modes = tuple(_setting(one, names) for one in settings)
+            return Struct("with", (modes, _block(lines, names)[0]))
+    return _simple(line, names)
+
+
+def _simple(line: statements.Statement, names: Mapping[str, str]) -> Term:  # noqa: PLR0911 - a case for each kind
+    match line:
+        case statements.Motion():
+            return _motion(line, names)
+        case statements.Gripper(word=word, tool=tool):
+            return Atom(word) if tool is None else Struct(word, (term_of(tool, names),))
+        case statements.WaitTime(duration=duration):
+            return Struct("wait", (term_of(duration, names),))
+        case statements.WaitCondition(condition=condition, timeout=timeout, otherwise=None):
+            more = () if timeout is None else (term_of(timeout, names),)
+            return Struct("wait_until", (term_of(condition, names), *more))
+        case statements.SetSignal(name=name, value=value):
+            return Struct("set", (term_of(name, names), term_of(value, names)))
+        case statements.SetMode(setting=setting):
+            return Struct("set", (_setting(setting, names),))
+        case statements.Load(names=targets, source=source):
+            return Struct("load", (tuple(term_of(one, names) for one in targets), term_of(source, names)))
+        case statements.Call(name=name, arguments=items):
+            arguments = arguments_of(name, items, names)
+            return Struct("call", (Struct(name.text, arguments) if arguments else Atom(name.text),))
+        case statements.Assign(name=name, member=member, value=value):
+            target = term_of(name, names)
+            if member is not None:
+                target = Struct("coordinate", (target, Atom(member.text)))
+            return Struct(":=", (target, term_of(value, names)))
+        case statements.Print(values=values):
+            return Struct("print", (tuple(term_of(one, names) for one in values),))
+        case statements.Stop(message=message):
+            return Atom("stop") if message is None else Struct("stop", (term_of(message, names),))
+        case statements.Jump(word=word):
+            return Atom(word)
+    raise NoTermError("a statement that terms have no form for")
+
+
+def _motion(line: statements.Motion, names: Mapping[str, str]) -> Term:
+    words = {"movj": "mov", "movl": "lin"}
+    word = words.get(line.word, line.word)
+    if word not in ("mov", "lin") or line.via:
+        raise NoTermError("a motion through points on its way")
+    if line.triggers or line.condition is not None or line.store is not None or line.tracking is not None:
+        raise NoTermError("a motion with `at`, `until`, `store` or `track`")
+    target = term_of(line.target, names)
+    if not line.modifiers:
+        return Struct(word, (target,))
+    return Struct(word, (target, tuple(_setting(one, names) for one in line.modifiers)))
+
+
+def _setting(setting: statements.Setting, names: Mapping[str, str]) -> Term:
+    value: nodes.Node | None = setting.value if setting.name is None else setting.name
+    return Atom(setting.word) if value is None else Struct(setting.word, (term_of(value, names),))

@@ -1,0 +1,164 @@
+"""Whether a call is possible: is there such a task, is it called rightly, can it be done now and here?"""
+
+from collections.abc import Iterator, Sequence
+
+from ropsim.core import Diagnostic, did_you_mean
+from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.tasks.call_report import CallReport
+from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, NOT_DEFINED, PRECONDITION, WRONG_CALL
+from ropsim.tasks.fact_words import fact_words, refusal_words
+from ropsim.tasks.host import Host
+from ropsim.tasks.kinds import LOCATION, UNITS
+from ropsim.tasks.known_task import KnownTask, Parameter
+from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
+from ropsim.tasks.task_reading import names_in, renamed
+from ropsim.tasks.world_state import WorldState, ordered
+
+OPEN = Atom("$open")
+"""What is given for a parameter that the state has to tell."""
+
+
+def checked(
+    call: TaskCall, task: KnownTask | None, names: Sequence[str], host: Host, state: WorldState
+) -> CallReport:
+    """Return what is said of a call.
+
+    Args:
+        call: of a task.
+        task: which it calls, None where there is none.
+        names: of all tasks.
+        host: asks Prolog.
+        state: in which it is called.
+
+    Raises:
+        GoalError: a function of the geometry failed, or it takes longer than it may.
+    """
+    if task is None:
+        hint = did_you_mean(call.name, names) or "see `ropsim task list`"
+        finding = NOT_DEFINED.at(None, f"Task not defined: `{call.name}`", hint=hint)
+        return _refused(call, state, (finding,), (Struct("fails", (Atom("task"), Atom(call.name))),))
+    wrong = tuple(_wrong(call, task))
+    if wrong:
+        fails = tuple(Struct("fails", (Atom("call"), one.message)) for one in wrong)
+        return _refused(call, state, wrong, fails)
+    goal = Struct("check_call", (Atom(task.name), tuple(_given(call, task)), state.facts, Var("Found")))
+    return _report(call, task, state, host.ask("ropsim_world", goal))
+
+
+def _report(call: TaskCall, task: KnownTask, state: WorldState, found: Term) -> CallReport:
+    """Return the report of what Prolog found."""
+    match found:
+        case Struct("done", (head, tuple(after))):
+            return CallReport(_told(call, task, head), (), (), (), WorldState(ordered(after)))
+        case Struct("refused", (_, tuple(conditions))):
+            findings = tuple(_geometry(task, one) for one in conditions)
+            return _refused(call, state, findings, _fails("geo", conditions))
+        case Struct("lacks", (_, tuple(missing), tuple(providers), names)):
+            variables = names_in(names)
+            lacking = tuple(renamed(one, variables) for one in missing)
+            by_index = [_provider(one) for one in providers]
+            findings = tuple(
+                _precondition(task, one, [name for index, name in by_index if index == number])
+                for number, one in enumerate(lacking)
+            )
+            able = tuple(dict.fromkeys(name for _, name in by_index))
+            return CallReport(call, findings, _fails("pre", lacking), able, state)
+        case Struct("nothing_for", (tuple(kinds),)):
+            words = ", ".join(one.name for one in kinds if isinstance(one, Atom))
+            message = f"`{task.name}` needs a thing that the state does not name: {words}"
+            hint = "state what there is, such as `part(bolt)`"
+            return _refused(call, state, (PRECONDITION.at(None, message, hint=hint),), _fails("pre", kinds))
+    raise ValueError(f"{found} is no report")
+
+
+def _refused(
+    call: TaskCall, state: WorldState, findings: tuple[Diagnostic, ...], fails: tuple[Term, ...]
+) -> CallReport:
+    return CallReport(call, findings, fails, (), state)
+
+
+def _fails(what: str, conditions: tuple[Term, ...]) -> tuple[Term, ...]:
+    return tuple(Struct("fails", (Atom(what), one)) for one in conditions)
+
+
+def _precondition(task: KnownTask, condition: Term, providers: list[str]) -> Diagnostic:
+    message = f"`{task.name}` is not possible now: {fact_words(condition)} is needed"
+    able = ", ".join(f"`{name}`" for name in dict.fromkeys(providers))
+    hint = f"{able} could provide it" if able else "no task provides it: state it, or change the cell"
+    return PRECONDITION.at(None, message, hint=hint)
+
+
+def _geometry(task: KnownTask, condition: Term) -> Diagnostic:
+    message = f"`{task.name}` is not possible here: {refusal_words(condition)}"
+    return GEOMETRY_REFUSES.at(None, message, hint="choose another location, or move it in the cell")
+
+
+def _provider(term: Term) -> tuple[int, str]:
+    match term:
+        case Struct("of", (int(index), Atom(name))):
+            return index, name
+    return -1, ""
+
+
+def _told(call: TaskCall, task: KnownTask, head: Term) -> TaskCall:
+    """Return a call with what the state has told."""
+    values = head.arguments if isinstance(head, Struct) else ()
+    told = tuple(
+        (parameter.name, value.name)
+        for parameter, value in zip(task.parameters, values, strict=True)
+        if parameter.is_symbolic and isinstance(value, Atom)
+    )
+    return TaskCall(call.name, call.points, call.parameters, told)
+
+
+def _given(call: TaskCall, task: KnownTask) -> Iterator[Term]:
+    """Yield the value of each parameter, `OPEN` where the state or a default tells it."""
+    points, values, objects = iter(call.points), iter(call.parameters), dict(call.objects)
+    for parameter in task.parameters:
+        if parameter.is_symbolic:
+            yield Atom(objects[parameter.name]) if parameter.name in objects else OPEN
+        elif parameter.kind == LOCATION:
+            point = next(points, None)
+            yield OPEN if point is None else term_of_point(point)
+        else:
+            value = next(values, None)
+            yield OPEN if value is None else term_of_value(value)
+
+
+def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the number and kinds of what a call gives."""
+    locations = [one for one in task.passed if one.kind == LOCATION]
+    others = [one for one in task.passed if one.kind != LOCATION]
+    for given, wanted, word in ((call.points, locations, "points"), (call.parameters, others, "parameters")):
+        least = sum(one.default is None for one in wanted)
+        if not least <= len(given) <= len(wanted):
+            allowed = f"{least}" if least == len(wanted) else f"{least} to {len(wanted)}"
+            words = ", ".join(map(str, wanted)) or f"it takes no {word}"
+            message = f"`{task.name}` takes {allowed} {word}, given: {len(given)}"
+            yield WRONG_CALL.at(None, message, hint=words)
+    for point in call.points:
+        if not isinstance(point, str) and len(point) not in (3, 5, 6):
+            message = f"a point has 3, 5 or 6 numbers, given: {len(point)}"
+            yield WRONG_CALL.at(None, message, hint="X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw")
+    for value, parameter in zip(call.parameters, others, strict=False):
+        wanted_words = _misfit(value, parameter)
+        if wanted_words:
+            message = f"`{parameter.name}` of `{task.name}` is {wanted_words}, given: {value}"
+            yield WRONG_CALL.at(None, message)
+
+
+def _misfit(value: Value, parameter: Parameter) -> str:
+    """Return what a parameter should be where a value does not fit; names fit everything."""
+    kind, units = parameter.kind, UNITS.get(parameter.kind, frozenset())
+    match value:
+        case str():
+            return ""
+        case bool():
+            return "" if kind == "bool" else f"a value of kind `{kind}`"
+        case Quantity(_, unit):
+            if unit in units:
+                return ""
+            return f"in {', '.join(sorted(units))}" if units else f"a value of kind `{kind}` without a unit"
+    if kind == "int" and not float(value).is_integer():
+        return "a whole number"
+    return f"a value of kind `{kind}`" if kind in ("bool", "str", "joints") else ""

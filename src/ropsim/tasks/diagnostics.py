@@ -1,0 +1,268 @@
+"""Findings about tasks of a knowledge base, calls of them and plans."""
+
+from ropsim.core import Severity, define
+
+TASK_FORM = define(
+    "P130",
+    "task-form",
+    Severity.ERROR,
+    "a task of a knowledge base does not have the form of one",
+    """
+A task is a fact `task(Head, [Properties])`. Its head is a name with variables that differ; its properties
+are `doc("…")` and the lists `params`, `pre`, `eff`, `geo` and `body`, each once at most. Such a task is
+left out, all others of the text stay.
+
+```prolog
+task(grip(P, L), [
+  doc("takes the part that lies at a location"),
+  params([P-part, L-location]),
+  pre([gripper(open), at(P, L)]),
+  eff([-gripper(open), -at(P, L), +held(P), +free(L)]),
+  geo([reachable(arm, L)]),
+  body([mov(L), close])]).
+```
+""",
+)
+
+UNTYPED = define(
+    "P131",
+    "untyped-parameter",
+    Severity.ERROR,
+    "a parameter of a task has no kind",
+    """
+Each variable of the head of a task stands in `params` as `Variable-kind`, or as `Variable-kind = value`
+where a call may leave it out; and nothing else stands there.
+""",
+)
+
+UNKNOWN_KIND = define(
+    "P132",
+    "unknown-kind",
+    Severity.ERROR,
+    "a parameter has a kind that there is not",
+    """
+What the state of the cell tells is a `part`, a `tool`, a `device` or a `thing`; what task text passes is
+a `location`, `num`, `int`, `bool`, `str`, `length`, `angle`, `time`, `speed`, `accel`, `force` or
+`joints`.
+""",
+)
+
+UNKNOWN_TASK = define(
+    "P133",
+    "unknown-task-in-body",
+    Severity.ERROR,
+    "the body of a task calls a task that nobody defines",
+    """
+`call(grip(L))` calls a task of the same knowledge base or of the library that comes with ropsim. Tasks do
+not call themselves.
+""",
+)
+
+WRONG_ARITY = define(
+    "P134",
+    "arguments-in-body",
+    Severity.ERROR,
+    "the body of a task calls another one with too many or too few arguments",
+    """
+A call in a body has the arguments that task text has: all parameters but those of the kinds `part`,
+`tool`, `device` and `thing`, which the state of the cell tells. `grip(P, L)` with a part P is called
+`call(grip(L))`.
+""",
+)
+
+NAME_CLASH = define(
+    "P135",
+    "task-name-clash",
+    Severity.ERROR,
+    "a name stands for two tasks, or for a task and a statement",
+    """
+Task text calls a task by its name alone, so a knowledge base has one task of a name, and none has the
+name of a statement such as `mov`. The first one stays. A task may have the name of one of the library: it
+takes its place.
+""",
+)
+
+EFFECT_NEVER_READ = define(
+    "P136",
+    "effect-never-read",
+    Severity.WARNING,
+    "a task makes a fact that no condition looks at",
+    """
+Nothing depends on the fact, neither a precondition nor a rule. Mostly it is a slip of the pen: `hold(P)`
+for `held(P)`, or an argument too many.
+""",
+)
+
+NOBODY_MAKES = define(
+    "P137",
+    "condition-nobody-makes",
+    Severity.WARNING,
+    "a precondition looks at a fact that nobody makes",
+    """
+No task has such an effect, no text states such a fact, no rule tells it, and it is none that cells have:
+`at/2`, `free/1`, `held/1`, `gripper/1`, `tool/1`, `part/1`, `location/1`, `device/1`. Where the state of
+the cell has it all the same, a fact or a rule in the knowledge base says so.
+""",
+)
+
+UNKNOWN_STATEMENT = define(
+    "P138",
+    "unknown-statement-in-body",
+    Severity.ERROR,
+    "the body of a task holds what is no statement",
+    """
+Statements are `mov(L)`, `lin(L)`, `mov(L, [speed(20*'%'), blend(5*mm)])`, `open`, `close`, `wait(T)`,
+`wait_until(C)`, `wait_until(C, T)`, `set(Signal, on)`, `set(speed(V))`, `load([x, y, z], L)`, `x := x +
+A`, `call(task(…))`, `repeat(N, […])`, `if(C, […], […])`, `while(C, […])`, `for(I, A, B, […])`,
+`with([tool(T)], […])`, `print([…])`, `stop`, `break`, `continue`. Goals of Prolog are none: a body is
+never run as Prolog.
+""",
+)
+
+NOT_USED = define(
+    "P139",
+    "clause-not-used",
+    Severity.WARNING,
+    "a clause of a knowledge base has no effect",
+    """
+A knowledge base is read as data: tasks, facts without variables and rules. Directives other than `:-
+module(Name, [])` are not run, grammar rules and facts with variables are not taken.
+""",
+)
+
+UNBOUND = define(
+    "P140",
+    "unbound-variable",
+    Severity.ERROR,
+    "an effect, a condition of geometry or a body has a variable that is no parameter",
+    """
+Nobody knows what the variable stands for when the task is called. A precondition can tell a parameter of
+the kind `part`, `tool`, `device` or `thing`; own variables of a body are names with small letters.
+""",
+)
+
+UNKNOWN_GEOMETRY = define(
+    "P141",
+    "unknown-geometry",
+    Severity.ERROR,
+    "a condition of geometry is none that can be asked",
+    """
+Conditions of geometry are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`.
+""",
+)
+
+TOO_DEEP = define(
+    "P142",
+    "clause-too-deep",
+    Severity.ERROR,
+    "a clause of a knowledge base is nested too deep",
+    "The terms of a clause are nested 60 deep at most.",
+)
+
+MANIFEST = define(
+    "P143",
+    "knowledge-base-manifest",
+    Severity.ERROR,
+    "the manifest of a knowledge base is wrong",
+    """
+`kb/manifest.toml` tells in which order the texts are read: `order = ["grip.pl", "release.pl"]`. Each is a
+file of the folder; those that are not named come behind, by their names.
+""",
+)
+
+UNREADABLE_BASE = define(
+    "P144",
+    "knowledge-base-unreadable",
+    Severity.ERROR,
+    "a knowledge base cannot be read",
+    """
+The path is a project with a folder `kb`, such a folder, or one `.pl` file. At most 5000 files with 8 MB
+in all are read; they are UTF-8.
+""",
+)
+
+NO_TERM = define(
+    "P145",
+    "task-without-term",
+    Severity.ERROR,
+    "a task text cannot be kept in a knowledge base, or a task not be written as text",
+    """
+Terms have forms for `mov`, `lin`, `open`, `close`, `wait`, `set`, `load`, `call`, assignments, `print`,
+`stop`, `repeat`, `while`, `if` and `for`, and for most expressions. What else a task does is kept in a
+program.
+""",
+)
+
+HIDES = define(
+    "P146",
+    "hides-library-task",
+    Severity.HINT,
+    "a task takes the place of one of the library",
+    "It has the name of a task that comes with ropsim. All calls mean the one of the project.",
+)
+
+NOT_DEFINED = define(
+    "P150",
+    "task-not-defined",
+    Severity.ERROR,
+    "a call names a task that the knowledge base does not have",
+    "`ropsim task list` shows the tasks that there are.",
+)
+
+WRONG_CALL = define(
+    "P151",
+    "task-call",
+    Severity.ERROR,
+    "a task is called with too many or too few points or parameters, or with one of another kind",
+    """
+`ropsim task show` says what a task takes. Points go to its locations, parameters to all else that task
+text passes, each in the order of the head. A parameter with a dimension has a number with a unit of it,
+or a bare number in the units of the program.
+""",
+)
+
+PRECONDITION = define(
+    "P152",
+    "task-precondition",
+    Severity.ERROR,
+    "a task is called where its preconditions do not hold",
+    """
+The state that the calls before have made lacks a fact that the task needs. Where a task could make it,
+the hint names it.
+""",
+)
+
+GEOMETRY_REFUSES = define(
+    "P153",
+    "task-geometry",
+    Severity.ERROR,
+    "the robot cannot do a task where it is called",
+    "A location is out of reach, or the way there is not free of collisions.",
+)
+
+NO_PLAN = define(
+    "P154",
+    "no-plan",
+    Severity.ERROR,
+    "no sequence of tasks reaches a goal",
+    """
+Either a fact of the goal, or one that it takes to make it, is made by no task; or geometry refuses what
+would make it; or each fact can be made, but not all of them together. The message says which.
+""",
+)
+
+PLAN_STOPPED = define(
+    "P155",
+    "plan-stopped",
+    Severity.ERROR,
+    "planning was stopped before it had a plan",
+    "Its time was over, somebody cancelled it, or a function that it asks failed.",
+)
+
+WRONG_FACT = define(
+    "P156",
+    "no-fact",
+    Severity.ERROR,
+    "what should be a fact or a call is none",
+    "Facts are terms without variables: `at(bolt, s1)`. Calls are task text: `Palletize s1, s2, 0.1, 6`.",
+)

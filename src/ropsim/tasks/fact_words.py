@@ -1,0 +1,47 @@
+"""Facts and refusals in words for an operator."""
+
+from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.tasks.expression_text import shown
+
+
+def fact_words(fact: Term) -> str:
+    """Return a fact as people say it, behind which it stands as a term where the words are ours."""
+    match fact:
+        case Struct("gripper", (Atom(state),)):
+            return f"the gripper {state}"
+        case Struct("at", (Var(), place)):
+            return f"a part at `{_name(place)}`"
+        case Struct("at", (part, place)):
+            return f"`{_name(part)}` at `{_name(place)}`"
+        case Struct("held", (Var(),)):
+            return "a part in the gripper"
+        case Struct("held", (part,)):
+            return f"`{_name(part)}` in the gripper"
+        case Struct("free", (place,)):
+            return f"nothing at `{_name(place)}`"
+        case Struct("tool", (tool,)):
+            return f"the tool `{_name(tool)}`"
+    return f"`{_name(fact)}`"
+
+
+def refusal_words(condition: Term) -> str:
+    """Return why a condition of geometry does not hold."""
+    match condition:
+        case Struct("reachable", (_, place)):
+            return f"`{_name(place)}` is out of reach"
+        case Struct("collision_free", (_, part, place)):
+            return f"the way of `{_name(part)}` to `{_name(place)}` is not free"
+    return f"`{_name(condition)}` does not hold"
+
+
+def _name(term: Term) -> str:
+    match term:
+        case Atom(name) | Var(name):
+            return name
+        case Struct("p", numbers):
+            return f"({', '.join(_name(one) for one in numbers)})"
+        case int() | float():
+            return f"{term:g}"
+        case Struct(name, arguments):
+            return f"{name}({', '.join(_name(one) for one in arguments)})"
+    return shown(term)

@@ -1,0 +1,82 @@
+"""The texts of a knowledge base on disk: `kb/*.pl` in the order of `kb/manifest.toml`."""
+
+import tomllib
+from pathlib import Path
+
+from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
+from ropsim.tasks.diagnostics import MANIFEST, UNREADABLE_BASE
+from ropsim.tasks.errors import TaskError
+
+FOLDER, NAME = "kb", "manifest.toml"
+MOST_FILES, MOST_BYTES = 5000, 8_000_000
+
+
+def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
+    """Return the texts of a project, a folder or one file in their order, and what is wrong with the folder.
+
+    A project without a folder `kb` has none.
+
+    Raises:
+        TaskError: there is no such path.
+    """
+    if path.is_file() and path.suffix == ".pl":
+        return _read([path], path.parent)
+    if path.is_file():
+        path = path.parent
+    if not path.is_dir():
+        hint = "name a project, its folder `kb`, or a .pl file"
+        raise TaskError(UNREADABLE_BASE.at(None, f"there is no `{path}`", hint=hint))
+    is_folder = path.name == FOLDER or not ((path / FOLDER).is_dir() or (path / "cell.toml").is_file())
+    folder = path if is_folder else path / FOLDER
+    root = folder.parent
+    files = sorted(one for one in folder.glob("*.pl") if one.is_file()) if folder.is_dir() else []
+    order, findings = _manifest(folder / NAME, root, [one.name for one in files])
+    places = {name: place for place, name in enumerate(order)}
+    files.sort(key=lambda one: (places.get(one.name, len(order)), one.name))
+    texts, more = _read(files, root)
+    return texts, (*findings, *more)
+
+
+def _read(files: list[Path], root: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
+    texts: list[SourceText] = []
+    findings: list[Diagnostic] = []
+    left = MOST_BYTES
+    for path in files[:MOST_FILES]:
+        name = path.relative_to(root).as_posix()
+        try:
+            if path.stat().st_size > left:
+                findings.append(
+                    UNREADABLE_BASE.at(None, f"`{name}` is left out: more than {MOST_BYTES} bytes in all")
+                )
+                continue
+            content = read_bytes(path)
+            left -= len(content)
+            texts.append(SourceText(name, content.decode("utf-8-sig")))
+        except OSError as error:
+            findings.append(UNREADABLE_BASE.at(None, f"`{name}` cannot be read: {error.strerror or error}"))
+        except UnicodeDecodeError as error:
+            findings.append(UNREADABLE_BASE.at(None, f"`{name}` is not UTF-8 at byte {error.start}"))
+    if len(files) > MOST_FILES:
+        findings.append(UNREADABLE_BASE.at(None, f"{len(files)} files; at most {MOST_FILES} are read"))
+    return tuple(texts), tuple(findings)
+
+
+def _manifest(path: Path, root: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
+    """Return the order that a manifest tells; none where there is none."""
+    if not path.is_file():
+        return [], []
+    name = path.relative_to(root).as_posix()
+    hint = 'write `order = ["first.pl", "second.pl"]`'
+    try:
+        table = tomllib.loads(read_bytes(path).decode("utf-8-sig"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
+        return [], [MANIFEST.at(None, f"`{name}` cannot be read: {error}", hint=hint)]
+    found = [MANIFEST.at(None, f"`{name}` has no key `{key}`", hint=hint) for key in table if key != "order"]
+    order = table.get("order", [])
+    if not isinstance(order, list) or not all(isinstance(one, str) for one in order):
+        return [], [*found, MANIFEST.at(None, f"`order` in `{name}` is no list of names of files", hint=hint)]
+    for one in dict.fromkeys(order):
+        if one not in files:
+            hint = did_you_mean(one, files) or "the files of the folder itself can be named"
+            found.append(MANIFEST.at(None, f"`{name}` names `{one}`, which is not there", hint=hint))
+    return list(dict.fromkeys(order)), found

@@ -1,0 +1,132 @@
+"""The engine of one knowledge base: our Prolog, the texts as data, and questions about them."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from importlib.resources import files
+from pathlib import Path
+
+from ropsim.core import Diagnostic, SourceText, Span, read_bytes
+from ropsim.prolog import Atom, Engine, GoalError, Limits, Predicate, Sort, Struct, Term, Trust, Var, question
+from ropsim.tasks.diagnostics import TOO_DEEP
+from ropsim.tasks.findings import Wording
+
+SOURCES = ("kb", "world", "planner")
+TEXTS = "ropsim_kb_texts"
+LIMITS = Limits(seconds=10.0)
+
+_SPLIT = "split terms that are nested deep into facts"
+
+Progress = Callable[[int], None]
+"""Told now and then how many states a planner has looked at."""
+
+
+class Host:
+    """Asks Prolog; texts are given to it as strings and never loaded, so nothing of them is ever run."""
+
+    def __init__(self, predicates: Iterable[Predicate]) -> None:
+        self._texts: Mapping[int, SourceText] = {}
+        self._engine = Engine(LIMITS)
+        self._progress: Progress | None = None
+        for predicate in (*predicates, question("plan_progress", (Sort.INTEGER,), self._told)):
+            self._engine.register(predicate)
+        for name in SOURCES:
+            path = Path(str(files("ropsim.tasks").joinpath("pl", f"{name}.pl")))
+            text = SourceText(f"ropsim_tasks/{name}.pl", read_bytes(path).decode())
+            self._engine.consult(text, Trust.OWN)
+
+    def read(self, texts: Mapping[int, SourceText]) -> tuple[Diagnostic, ...]:
+        """Read these texts only; return what is wrong with them. One that ends Prolog is left out."""
+        self._texts = texts
+        try:
+            self._give(self._texts)
+            return self._read()
+        except GoalError:
+            given_up = tuple(self._given_up())
+            bad = {one.span.source for one in given_up if one.span}
+            self._give({index: text for index, text in self._texts.items() if text.name not in bad})
+            return (*given_up, *self._read())
+
+    def _given_up(self) -> Iterator[Diagnostic]:
+        """Yield a finding for each text of the project that cannot be read alone."""
+        for index, text in self._texts.items():
+            if index < 0:
+                continue
+            try:
+                self._give({index: text})
+                self._read()
+            except GoalError as error:
+                span = Span.whole_line(text.name, 1)
+                message = f"`{text.name}` is left out: it takes more time or memory to read than it may"
+                yield TOO_DEEP.at(span, message, notes=(error.diagnostic.message,), hint=_SPLIT)
+
+    def _give(self, texts: Mapping[int, SourceText]) -> None:
+        self._engine.put_facts(
+            TEXTS, (Struct("text", (index, _readable(text.text))) for index, text in texts.items())
+        )
+
+    def _read(self) -> tuple[Diagnostic, ...]:
+        answer = self._asked("ropsim_kb", Struct("read_base", (Var("Replies"), Var("Findings"))), LIMITS)
+        replies, findings = answer["Replies"], answer["Findings"]
+        wording = Wording(self._texts, lambda: tuple(self.places()))
+        words: list[Diagnostic] = []
+        for one in replies if isinstance(replies, tuple) else ():
+            words += wording.of_reader(one)
+        worded = map(wording.of_base, findings if isinstance(findings, tuple) else ())
+        words += [one for one in worded if one is not None]
+        return tuple(sorted(words, key=self._place))
+
+    def places(self) -> dict[str, tuple[int, int, int]]:
+        """Return text, begin and end of each task, in their order."""
+        found = self.ask("ropsim_kb", Struct("heads", (Var("Found"),)))
+        places: dict[str, tuple[int, int, int]] = {}
+        for one in found if isinstance(found, tuple) else ():
+            match one:
+                case Struct("h", (Atom(name), int(text), int(start), int(end))):
+                    places[name] = text, start, end
+        return places
+
+    def ask(self, module: str, goal: Struct, seconds: float = LIMITS.seconds) -> Term:
+        """Return what a goal says of its variable `Found`.
+
+        Raises:
+            GoalError: it takes longer than it may, was cancelled, or a function that it asks failed.
+        """
+        ready = Struct(":", (Atom("ropsim_kb"), Atom("ready")))
+        return self._asked(module, Struct(",", (ready, goal)), Limits(seconds))["Found"]
+
+    def ask_told(self, module: str, goal: Struct, seconds: float, progress: Progress | None) -> Term:
+        """Return the same, telling how it goes on.
+
+        Raises:
+            GoalError: as with `ask`.
+        """
+        self._progress = progress
+        try:
+            return self.ask(module, goal, seconds)
+        finally:
+            self._progress = None
+
+    def cancel(self) -> None:
+        """Stop what is asked now; every thread may call this."""
+        self._engine.cancel()
+
+    def close(self) -> None:
+        """End Prolog; it starts again when it is asked."""
+        self._engine.close()
+
+    def _asked(self, module: str, goal: Struct, limits: Limits) -> Mapping[str, Term]:
+        return self._engine.once(goal, module=module, limits=limits) or {"Found": Atom("fail")}
+
+    def _told(self, count: int) -> bool:
+        if self._progress is not None:
+            self._progress(count)
+        return True
+
+    def _place(self, finding: Diagnostic) -> tuple[int, int, int]:
+        order = {text.name: index for index, text in self._texts.items()}
+        span = finding.span
+        return (order.get(span.source, 0), span.line, span.column) if span else (0, 0, 0)
+
+
+def _readable(text: str) -> str:
+    """Return a text without characters that Prolog has none for; places stay where they are."""
+    return text.encode(errors="replace").decode()

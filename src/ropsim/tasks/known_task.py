@@ -1,0 +1,86 @@
+"""Tasks of a knowledge base as records."""
+
+from ropsim.core import Span, frozen_dataclass
+from ropsim.prolog import Struct, Term
+from ropsim.tasks.kinds import SYMBOLIC
+
+
+@frozen_dataclass
+class Parameter:
+    """One parameter of a task.
+
+    Attributes:
+        name: its variable, such as `L`.
+        kind: what it is, a word of `KINDS`.
+        default: its value where a call does not tell it, None where it must.
+    """
+
+    name: str
+    kind: str
+    default: Term | None = None
+
+    @property
+    def is_symbolic(self) -> bool:
+        """Return whether the state of the cell tells it instead of task text."""
+        return self.kind in SYMBOLIC
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.kind}"
+
+
+@frozen_dataclass
+class KnownTask:
+    """A task of a knowledge base; in its terms variables have the names that the text gives them.
+
+    Attributes:
+        name: how it is called.
+        parameters: in the order of its head.
+        doc: what it is for, in words.
+        needs: conditions that hold before it (`pre`).
+        adds: facts that are true after it.
+        removes: facts that are not true any more after it.
+        geometry: conditions that only geometry can tell (`geo`).
+        body: statements as terms.
+        span: where it is defined, whose source is the file.
+        is_built_in: whether it is of the library that comes with ropsim.
+    """
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    doc: str
+    needs: tuple[Term, ...]
+    adds: tuple[Term, ...]
+    removes: tuple[Term, ...]
+    geometry: tuple[Term, ...]
+    body: tuple[Term, ...]
+    span: Span
+    is_built_in: bool
+
+    @property
+    def passed(self) -> tuple[Parameter, ...]:
+        """Return the parameters that task text passes."""
+        return tuple(one for one in self.parameters if not one.is_symbolic)
+
+    @property
+    def called(self) -> frozenset[str]:
+        """Return the names of the tasks that its body calls."""
+        return frozenset(_called(self.body))
+
+    def __str__(self) -> str:
+        return f"{self.name}({', '.join(map(str, self.parameters))})"
+
+
+def _called(body: tuple[Term, ...]) -> tuple[str, ...]:
+    found: list[str] = []
+    left: list[Term] = list(body)
+    while left:
+        match left.pop():
+            case Struct("call", (Struct(name, _),)):
+                found.append(name)
+            case Struct("call", (one,)) if name := getattr(one, "name", ""):
+                found.append(name)
+            case Struct(_, arguments):
+                left += arguments
+            case tuple() as several:
+                left += several
+    return tuple(found)

@@ -1,0 +1,98 @@
+/*  States of a cell as ordered sets of facts: what holds in them, what a task makes of them, what a call lacks.
+    Conditions and rules are interpreted here and never called.
+*/
+:- module(ropsim_world, []).
+:- use_module(library(lists)).
+:- use_module(library(ordsets)).
+:- use_module(library(solution_sequences)).
+
+most_ways(200).                % so many ways to fill in what is not told are tried
+deepest_rule(40).              % rules may lean on each other so deep
+
+%   state(+Facts, -State): with what always holds.
+state(Facts, State) :-
+    findall(Fact, ropsim_kb:standing(Fact), Standing),
+    append(Facts, Standing, All),
+    sort(All, State).
+
+all_hold([], _).
+all_hold([One|More], State) :- holds(One, State), all_hold(More, State).
+
+%   holds(+Condition, +State): a condition over facts, with its variables bound in every way.
+holds(Condition, State) :- deepest_rule(D), holds(Condition, State, D).
+
+holds(Condition, _, _) :- var(Condition), !, fail.
+holds((A, B), State, D) :- !, holds(A, State, D), holds(B, State, D).
+holds((A ; B), State, D) :- !, ( holds(A, State, D) ; holds(B, State, D) ).
+holds(\+ A, State, D) :- !, \+ holds(A, State, D).
+holds(A = B, _, _) :- !, A = B.
+holds(A \= B, _, _) :- !, A \= B.
+holds(A == B, _, _) :- !, A == B.
+holds(A \== B, _, _) :- !, A \== B.
+holds(true, _, _) :- !.
+holds(Fact, State, D) :-
+    (   ground(Fact), ord_memberchk(Fact, State)
+    ->  true
+    ;   member(Fact, State)
+    ;   ropsim_kb:rule(Fact, Body), D > 0, D1 is D - 1, holds(Body, State, D1)
+    ).
+
+%   applied(+Effects, +State, -After): what no longer holds goes first.
+applied(Effects, State, After) :-
+    findall(Fact, member(- Fact, Effects), Gone0), sort(Gone0, Gone),
+    findall(Fact, member(+ Fact, Effects), New0), sort(New0, New),
+    ord_subtract(State, Gone, Kept),
+    ord_union(Kept, New, After).
+
+%   chosen(+Parameters, +State): what preconditions have left open is one of its kind, or the value where none is told.
+chosen([], _).
+chosen([p(Value, Kind, Default)|More], State) :-
+    (   nonvar(Value) -> true
+    ;   Default \== none -> Value = Default
+    ;   functor(Fact, Kind, 1), arg(1, Fact, Value), member(Fact, State)
+    ),
+    chosen(More, State).
+
+%   looked(+Geometry): what refuses, by the functions of the host.
+looked(reachable(R, L)) :- ropsim_door:reachable(R, L).
+looked(collision_free(R, P, L)) :- ropsim_door:collision_free(R, P, L).
+
+refusal(Geo, One) :- member(One, Geo), \+ looked(One).
+
+%   check_call(+Name, +Given, +Facts, -Report): Given are the values of all parameters, `_` where they are not told.
+%   Report is done(Call, After) | refused(Call, Geometry) | lacks(Call, Conditions, Providers) | nothing_for(Kinds).
+check_call(Name, Given, Facts, Report) :-
+    ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, Names)),
+    state(Facts, State),
+    given(Parameters, Given),
+    most_ways(Most),
+    (   limit(Most, ( all_hold(Pre, State), chosen(Parameters, State) )), \+ refusal(Geo, _)
+    ->  applied(Eff, State, After), Report = done(Head, After)
+    ;   all_hold(Pre, State), chosen(Parameters, State)
+    ->  findall(One, refusal(Geo, One), Refusals), Report = refused(Head, Refusals)
+    ;   fewest(Pre, State, Most, Head-Names, Missing), Missing \== []
+    ->  findall(of(Index, Provider), ( nth0(Index, Missing, One), provider(One, Provider) ), Providers),
+        Report = lacks(Head, Missing, Providers, Names)
+    ;   findall(Kind, ( member(p(Value, Kind, none), Parameters), var(Value) ), Kinds),
+        Report = nothing_for(Kinds)
+    ).
+
+given([], []).
+given([p(Value, _, _)|More], [One|Others]) :-
+    ( One == '$open' -> true ; Value = One ),
+    given(More, Others).
+
+%   fewest(+Pre, +State, +Most, ?Kept, -Missing): filled in so that the fewest conditions are missing.
+fewest(Pre, State, Most, Kept, Missing) :-
+    findall(N-way(Kept, M), limit(Most, ( missing(Pre, State, M), length(M, N) )), Ways),
+    keysort(Ways, [_-way(Kept, Missing)|_]).
+
+missing([], _, []).
+missing([One|More], State, Missing) :-
+    (   holds(One, State) *-> Missing = Rest ; Missing = [One|Rest] ),
+    missing(More, State, Rest).
+
+provider(Fact, Name) :-
+    callable(Fact),
+    ropsim_kb:known(Name, _, task(_, _, _, _, Eff, _, _, _)),
+    \+ \+ memberchk(+ Fact, Eff).

@@ -1,0 +1,131 @@
+"""Which tasks reach a goal: asks the planner in Prolog and says why there is no plan."""
+
+from collections.abc import Callable, Sequence
+
+from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.prolog import Atom, GoalError, Struct, Term, Var
+from ropsim.tasks.diagnostics import NO_PLAN, PLAN_STOPPED
+from ropsim.tasks.expression_text import unit_of
+from ropsim.tasks.fact_words import fact_words, refusal_words
+from ropsim.tasks.host import Host, Progress
+from ropsim.tasks.kinds import LOCATION
+from ropsim.tasks.known_task import KnownTask
+from ropsim.tasks.task_call import Point, Quantity, TaskCall, Value, point_of_term
+from ropsim.tasks.world_state import WorldState, fact_of, ordered
+
+PLAN_SECONDS = 10.0
+"""So long planning may take where nothing is said [s]."""
+
+
+@frozen_dataclass
+class Plan:
+    """What planning has come to.
+
+    Attributes:
+        calls: tasks in their order; empty where there is no plan, or nothing to do.
+        findings: why there is no plan; empty where there is one.
+        looked_at: states that were looked at.
+    """
+
+    calls: tuple[TaskCall, ...]
+    findings: tuple[Diagnostic, ...]
+    looked_at: int
+
+    @property
+    def ok(self) -> bool:
+        """Return whether the calls reach the goal."""
+        return not self.findings
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.calls))
+
+
+def planned(
+    host: Host,
+    task: Callable[[str], KnownTask | None],
+    goal: Sequence[str | Term],
+    state: WorldState,
+    seconds: float,
+    progress: Progress | None,
+) -> Plan:
+    """Return the fewest tasks that reach a goal, or why there are none.
+
+    Args:
+        host: asks Prolog.
+        task: the task of a name.
+        goal: facts.
+        state: what is true before.
+        seconds: after so much time it is stopped [s].
+        progress: told how many states have been looked at.
+
+    Raises:
+        TaskError: the goal is no list of facts.
+    """
+    wanted = ordered(map(fact_of, goal))
+    asked = Struct("plan", (state.facts, wanted, Var("Found")))
+    try:
+        found = host.ask_told("ropsim_planner", asked, seconds, progress)
+    except GoalError as error:
+        return Plan((), (_stopped(error, seconds),), 0)
+    match found:
+        case Struct("plan", (tuple(heads), int(looked_at))):
+            return Plan(tuple(_call(head, task) for head in heads), (), looked_at)
+        case Struct("none", (why, int(looked_at))):
+            return Plan((), (_nothing(why),), looked_at)
+    raise ValueError(f"{found} is no plan")
+
+
+def _stopped(error: GoalError, seconds: float) -> Diagnostic:
+    cause = error.diagnostic
+    if cause.code == "P113":
+        hint = "give it more time, or a goal with fewer facts"
+        return PLAN_STOPPED.at(None, f"no plan within {seconds:g} s", hint=hint)
+    return PLAN_STOPPED.at(None, f"planning was stopped: {cause.message}", hint=cause.hint)
+
+
+def _nothing(why: Term) -> Diagnostic:
+    match why:
+        case Struct("nobody", (fact,)):
+            message = f"no plan: no task can make {fact_words(fact)}"
+            hint = "a task with such an effect is missing, or a fact of the state"
+            return NO_PLAN.at(None, message, hint=hint)
+        case Struct("refused", (fact, tuple(conditions))):
+            words = ", and ".join(refusal_words(one) for one in conditions[:3])
+            more = f", and {len(conditions) - 3} more" if len(conditions) > 3 else ""
+            message = f"no plan: geometry refuses what would make {fact_words(fact)}: {words}{more}"
+            return NO_PLAN.at(None, message, hint="choose other locations, or move them in the cell")
+    message = "no plan: each fact of the goal can be made, but not all of them together"
+    return NO_PLAN.at(None, message, hint="look for facts that exclude each other, or a place too few")
+
+
+def _call(head: Term, task: Callable[[str], KnownTask | None]) -> TaskCall:
+    """Return a call from the head of a task with its values."""
+    name, values = (
+        (head.name, head.arguments) if isinstance(head, Struct) else (getattr(head, "name", ""), ())
+    )
+    known = task(name)
+    points: list[Point] = []
+    parameters: list[Value] = []
+    objects: list[tuple[str, str]] = []
+    for parameter, value in zip(known.parameters if known else (), values, strict=True):
+        if parameter.is_symbolic:
+            objects.append((parameter.name, value.name if isinstance(value, Atom) else str(value)))
+        elif parameter.kind == LOCATION:
+            point = point_of_term(value)
+            points.append(str(value) if point is None else point)
+        else:
+            parameters.append(_value(value))
+    return TaskCall(name, tuple(points), tuple(parameters), tuple(objects))
+
+
+def _value(term: Term) -> Value:
+    match term:
+        case int() | float() | str():
+            return term
+        case Atom("true" | "false" as word):
+            return word == "true"
+        case Atom(name):
+            return name
+        case Struct() if (quantity := unit_of(term)) is not None:
+            return Quantity(*quantity)
+    return str(term)

@@ -1,0 +1,60 @@
+"""A control program from calls: the tasks that they need, and the calls in their order."""
+
+from collections.abc import Callable, Iterable, Sequence
+
+from ropsim.tasks.diagnostics import NO_TERM, NOT_DEFINED
+from ropsim.tasks.errors import TaskError
+from ropsim.tasks.expression_text import NotTextError
+from ropsim.tasks.known_task import KnownTask
+from ropsim.tasks.task_call import TaskCall
+from ropsim.tasks.task_text import task_text
+
+UNITS = "mm, deg, s"
+
+
+def program_text(
+    task: Callable[[str], KnownTask | None], calls: Sequence[TaskCall], name: str, units: str = UNITS
+) -> str:
+    """Return a task text that is complete: it has every task that is called, also by others.
+
+    Args:
+        task: the task of a name.
+        calls: in their order.
+        name: of the program.
+        units: of the numbers of the calls.
+
+    Raises:
+        TaskError: a task is not defined, or has a body that is no task text.
+    """
+    parts = [f"program {name}\nunits {units}"]
+    for known in needed(task, (call.name for call in calls)):
+        try:
+            parts.append(task_text(known))
+        except NotTextError as error:
+            raise TaskError(
+                NO_TERM.at(known.span, f"`{known.name}` cannot be written as text: {error}")
+            ) from error
+    parts.append("\n".join(map(str, calls)))
+    return "\n\n".join(parts) + "\n"
+
+
+def needed(task: Callable[[str], KnownTask | None], names: Iterable[str]) -> tuple[KnownTask, ...]:
+    """Return the tasks of these names and all that they call, each once.
+
+    Raises:
+        TaskError: one is not defined.
+    """
+    found: dict[str, KnownTask] = {}
+    left = list(dict.fromkeys(names))
+    while left:
+        name = left.pop(0)
+        if name in found:
+            continue
+        known = task(name)
+        if known is None:
+            raise TaskError(
+                NOT_DEFINED.at(None, f"Task not defined: `{name}`", hint="see `ropsim task list`")
+            )
+        found[name] = known
+        left += sorted(known.called)
+    return tuple(found.values())

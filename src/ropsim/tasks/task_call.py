@@ -1,0 +1,89 @@
+"""A task with what it is called with, as an operator picks it: a list of points and a list of parameters."""
+
+from ropsim.core import frozen_dataclass
+from ropsim.prolog import Atom, Struct, Term
+
+
+@frozen_dataclass
+class Quantity:
+    """A number with a unit of the task language.
+
+    Attributes:
+        value: the number.
+        unit: such as `mm` or `mm/s`.
+    """
+
+    value: float
+    unit: str
+
+    def __str__(self) -> str:
+        return f"{self.value:g} {self.unit}"
+
+
+Point = str | tuple[float, ...]
+"""Name of a location, or X Y Z [Pitch Roll] or X Y Z Roll Pitch Yaw in the units of the program."""
+Value = bool | int | float | str | Quantity
+"""A parameter; a text is the name of something, such as a variable."""
+
+
+@frozen_dataclass
+class TaskCall:
+    """A task and what it is given.
+
+    Attributes:
+        name: of the task.
+        points: locations, in the order of its parameters.
+        parameters: all else that task text passes, in their order.
+        objects: parameters that the state tells, by name, where they are known.
+    """
+
+    name: str
+    points: tuple[Point, ...] = ()
+    parameters: tuple[Value, ...] = ()
+    objects: tuple[tuple[str, str], ...] = ()
+
+    def __str__(self) -> str:
+        points = [
+            one if isinstance(one, str) else f"({', '.join(f'{c:g}' for c in one)})" for one in self.points
+        ]
+        given = [str(one).lower() if isinstance(one, bool) else str(one) for one in self.parameters]
+        return f"{self.name} {', '.join((*points, *given))}".rstrip()
+
+
+def term_of_point(point: Point) -> Term:
+    """Return a point as it stands in facts: a name, or `p(X,Y,Z)`."""
+    return Atom(point) if isinstance(point, str) else Struct("p", tuple(map(_number, point)))
+
+
+def term_of_value(value: Value) -> Term:
+    """Return a parameter as it stands in terms; a quantity is `50*mm` or `5*mm/s`."""
+    match value:
+        case bool():
+            return Atom("true" if value else "false")
+        case Quantity(number, unit):
+            return quantity_term(_number(number), unit)
+        case str():
+            return Atom(value)
+        case _:
+            return value
+
+
+def quantity_term(number: Term, unit: str) -> Term:
+    """Return a number with its unit as a term."""
+    first, slash, second = unit.partition("/")
+    product = Struct("*", (number, Atom(first)))
+    return Struct("/", (product, Atom(second))) if slash else product
+
+
+def _number(number: float) -> Term:
+    return int(number) if float(number).is_integer() and isinstance(number, int) else float(number)
+
+
+def point_of_term(term: Term) -> Point | None:
+    """Return the point of a term, None where it is none."""
+    match term:
+        case Atom(name):
+            return name
+        case Struct("p", numbers) if all(isinstance(one, int | float) for one in numbers):
+            return tuple(float(one) for one in numbers if isinstance(one, int | float))
+    return None

@@ -1,0 +1,69 @@
+"""Tasks as records, from the terms that Prolog tells."""
+
+from collections.abc import Mapping
+
+from ropsim.core import Span
+from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.tasks.known_task import KnownTask, Parameter
+
+
+def task_of(told: Term, place: Span, origin: str) -> KnownTask | None:
+    """Return the task of `told(Name, Arity, Task)`, None where it is none.
+
+    Args:
+        told: the reply.
+        place: where the task is defined.
+        origin: `library` or `project`.
+    """
+    match told:
+        case Struct("told", (Atom(name), int(), Struct("task", parts))):
+            names = names_in(parts[7])
+            parameters, pre, eff, geo, body = (_list(renamed(part, names)) for part in parts[2:7])
+            return KnownTask(
+                name,
+                tuple(map(_parameter, parameters)),
+                parts[1] if isinstance(parts[1], str) else getattr(parts[1], "name", ""),
+                pre,
+                tuple(one.arguments[0] for one in eff if isinstance(one, Struct) and one.name == "+"),
+                tuple(one.arguments[0] for one in eff if isinstance(one, Struct) and one.name == "-"),
+                geo,
+                body,
+                place,
+                origin == "library",
+            )
+    return None
+
+
+def renamed(term: Term, names: Mapping[str, str]) -> Term:
+    """Return a term whose variables have the names of the text."""
+    match term:
+        case Var(name):
+            return Var(names.get(name, name))
+        case Struct(name, arguments):
+            return Struct(name, tuple(renamed(one, names) for one in arguments))
+        case tuple():
+            return tuple(renamed(one, names) for one in term)
+    return term
+
+
+def names_in(told: Term) -> Mapping[str, str]:
+    """Return the name in the text of each variable of a reply."""
+    return {variable.name: word for word, variable in map(_name, _list(told)) if variable}
+
+
+def _parameter(term: Term) -> Parameter:
+    match term:
+        case Struct("p", (Var(name), Atom(kind), default)):
+            return Parameter(name, kind, None if default == Atom("none") else default)
+    raise ValueError(f"{term} is no parameter")
+
+
+def _name(pair: Term) -> tuple[str, Var | None]:
+    match pair:
+        case Struct("=", (Atom(word), Var() as variable)):
+            return word, variable
+    return "", None
+
+
+def _list(term: Term) -> tuple[Term, ...]:
+    return term if isinstance(term, tuple) else ()

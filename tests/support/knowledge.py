@@ -1,0 +1,62 @@
+"""Knowledge bases for tests: one Prolog for each test process, whose texts are exchanged."""
+
+from functools import cache
+
+from ropsim.core import SourceText
+from ropsim.language import Environment
+from ropsim.program import SignalUse, ValueType
+from ropsim.tasks import KnowledgeBase, Point
+
+STANDING = (0.4, 0.0, 0.2, 0.0, 1.0, 0.0, 0.0)
+"""A pose with the tool straight down [m, quaternion w x y z]."""
+INPUTS = ("machine_ready", "screwed_home")
+OUTPUTS = ("glue", "spindle", "chuck", "tool_lock")
+CELL = Environment(
+    signals={name: SignalUse(name, name in INPUTS, ValueType.BOOL) for name in (*INPUTS, *OUTPUTS)},
+    locations={"s1": STANDING, "s2": STANDING},
+)
+"""A cell with all signals that tasks of the library name."""
+
+
+class Refusing:
+    """Geometry that refuses some conditions and counts what it is asked."""
+
+    def __init__(self) -> None:
+        self.revision = 0
+        self.refused: set[tuple[str, ...]] = set()
+        self.asked: list[tuple[str, ...]] = []
+
+    def refuse(self, *refused: tuple[str, ...]) -> None:
+        """Refuse these and nothing else, as a cell that has changed."""
+        self.revision += 1
+        self.refused = set(refused)
+        self.asked = []
+
+    def reachable(self, robot: str, location: Point) -> bool:
+        """Return whether `(robot, location)` is not refused."""
+        return self._answer((robot, str(location)))
+
+    def collision_free(self, robot: str, part: str, location: Point) -> bool:
+        """Return whether `(robot, part, location)` is not refused."""
+        return self._answer((robot, part, str(location)))
+
+    def _answer(self, asked: tuple[str, ...]) -> bool:
+        self.asked.append(asked)
+        return asked not in self.refused
+
+
+GEOMETRY = Refusing()
+
+
+@cache
+def last() -> KnowledgeBase:
+    """Return the knowledge base as it is, with the texts that it was given last."""
+    return KnowledgeBase((), GEOMETRY)
+
+
+def base(*texts: str) -> KnowledgeBase:
+    """Return the knowledge base of these texts, `kb/t0.pl` and so on, with geometry that refuses nothing."""
+    GEOMETRY.refuse()
+    found = last()
+    found.take(SourceText(f"kb/t{index}.pl", text) for index, text in enumerate(texts))
+    return found

@@ -1,0 +1,69 @@
+"""Texts of strangers: nothing of them is run, and none takes the others or the engine with it."""
+
+import pytest
+
+from ropsim.tasks import WorldState
+from support.knowledge import base
+
+BEHIND = "task(behind(L), [params([L-location]), body([lin(L)])]).\n"
+STATE = WorldState.of("gripper(open)", "at(bolt, s1)")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "task(X, Y) :- assertz(ropsim_kb:standing(owned)), X = Y.",
+        ":- initialization(assertz(ropsim_kb:standing(owned))).",
+        ":- assertz(ropsim_kb:standing(owned)).",
+        "ropsim_kb:holds(_, _).",
+        "ropsim_world:holds(X, Y) :- X = Y.",
+        "user:term_expansion(X, [X, owned]) :- true.",
+        "shape(anything, 1, []) :- a.\nkind(any, text) :- a.\ngeometry(any, 1) :- a.\nknown(a, 0, b) :- a.",
+        ":- op(1200, xfx, ':-'). :- op(0, xfx, ':-').",
+        ":- set_prolog_flag(double_quotes, codes).",
+        "task(a, [body([call(assertz(ropsim_kb:standing(owned)))])]).",
+        "task(a, [pre([assertz(ropsim_kb:standing(owned))])]).\nowned :- assertz(ropsim_kb:standing(owned)).",
+        "task(a, [geo([call(shell(id))])]).",
+        "task(a, [params('$VAR'(1)), pre(X), eff(X), body(X)]).",
+        "task(a, [body([mov('\\n  open\\n')])]).",
+    ],
+)
+def test_nothing_of_a_text_is_run_or_redefines_what_is_ours(text: str) -> None:
+    known = base(text, BEHIND)
+    assert "behind" in known.names
+    assert known.check("behind s1", STATE).ok
+    assert known.plan(["owned"], STATE).findings[0].code == "P154"
+    assert known.check("grip s1", STATE).state == WorldState.of("held(bolt)", "free(s1)", "gripper(closed)")
+    assert base(BEHIND).findings == ()
+
+
+DEEP = (
+    f"f({'g(' * 300_000}a{')' * 300_000}).",
+    f"{'[' * 200_000}a{']' * 200_000}.",
+    f"f({'1 + ' * 200_000}1).",
+)
+ODD = (
+    f"task(a, [body([mov({'above(' * 500}s1{', 1)' * 500})])]).",
+    "f(" + "X" * 1_000_000 + ").",
+    "'" * 100_001,
+    "task(" * 1000,
+    "\x00\ud800 \u202e task(a).",
+)
+
+
+@pytest.mark.parametrize("texts", [DEEP, ODD], ids=["deep", "odd"])
+def test_monstrous_texts_are_left_out_and_all_others_stay(texts: tuple[str, ...]) -> None:
+    known = base(*texts, BEHIND)
+    wrong = {one.span.source for one in known.findings if one.span and one.is_error}
+    assert wrong <= {f"kb/t{index}.pl" for index in range(len(texts))}
+    assert len(wrong) >= 2
+    assert "behind" in known.names
+    assert known.check("behind s1", STATE).ok
+
+
+def test_a_rule_that_never_ends_is_stopped() -> None:
+    known = base(
+        "p(X) :- p(s(X)), p(X).\nq(X) :- q(X), q(X) ; q(X).\ntask(a, [pre([p(0)])]).\ntask(b, [pre([q(0)])])."
+    )
+    assert not known.check("a", STATE).ok
+    assert known.check("grip s1", STATE).ok

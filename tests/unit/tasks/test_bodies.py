@@ -1,0 +1,210 @@
+"""Bodies as terms and as task text: each way back gives what was there, and the language reads all of it."""
+
+import random
+
+import pytest
+
+from ropsim.core import SourceText
+from ropsim.flow import GripAction
+from ropsim.icr import run
+from ropsim.language import LineCache, compile, read, statements
+from ropsim.prolog import Atom, Struct, Term, Var
+from ropsim.spatial import Pose
+from ropsim.tasks import TaskCall, program_text, stored_clause, task_text
+from ropsim.tasks.body_terms import body_terms
+from ropsim.tasks.body_text import body_lines
+from ropsim.tasks.expression_text import NotTextError
+from support.knowledge import CELL, base
+
+NAMES = {"L": "l", "D": "d"}
+BACK = {text: name for name, text in NAMES.items()}
+
+
+def terms(text: str) -> tuple[Term, ...]:
+    """Return the body of a text of statements."""
+    lines = [line.statement for line in read(SourceText("", text), LineCache()) if line.statement is not None]
+    return body_terms(iter(lines), BACK)
+
+
+class Bodies:
+    """Random bodies in the form that texts have: negative numbers are numbers, nothing is denied twice."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+
+    def body(self, depth: int) -> tuple[Term, ...]:
+        return tuple(self.statement(depth) for _ in range(self.random.randint(1, 4)))
+
+    def statement(self, depth: int) -> Term:
+        pick = self.random.choice
+        simple: list[Term] = [
+            Atom(pick(("open", "close", "stop", "break"))),
+            Struct(pick(("mov", "lin")), (self.location(2),)),
+            Struct("lin", (self.location(1), (Atom("fine"), Struct("speed", (self.quantity("mm/s"),))))),
+            Struct("wait", (self.quantity("s"),)),
+            Struct("wait_until", (self.condition(2), self.quantity("s"))),
+            Struct("set", (Atom("glue"), Atom(pick(("on", "off"))))),
+            Struct("set", (Struct("blend", (self.quantity("mm"),)),)),
+            Struct("load", ((Atom("u"), Atom("v"), Atom("w")), self.location(1))),
+            Struct("call", (Struct("grip", (self.location(2),)),)),
+            Struct("call", (Struct("f", (self.number(2), Struct("=", (Atom("n"), self.number(1))))),)),
+            Struct(":=", (Struct("coordinate", (Atom("q"), Atom("x"))), self.number(3))),
+            Struct("print", ((self.number(2), 'a "b" \\ c'),)),
+        ]
+        if depth == 0:
+            return self.random.choice(simple)
+        inner = self.body(depth - 1)
+        blocks: list[Term] = [
+            Struct("repeat", (self.number(1), inner)),
+            Struct("repeat", (inner,)),
+            Struct("if", (self.condition(2), inner)),
+            Struct("if", (self.condition(2), inner, self.body(depth - 1))),
+            Struct("while", (self.condition(1), inner)),
+            Struct("for", (Atom("i"), 1, self.number(1), inner)),
+            Struct("with", ((Struct("tool", (Atom("jaws"),)),), inner)),
+        ]
+        return self.random.choice([*simple, *blocks])
+
+    def number(self, depth: int) -> Term:
+        pick = self.random.choice
+        if depth == 0 or self.random.random() < 0.3:
+            return pick(
+                (3, -2, 0.5, -1.25, 2e-07, Atom("a"), Var("D"), Struct("coordinate", (Atom("q"), Atom("z"))))
+            )
+        one, two = self.number(depth - 1), self.number(depth - 1)
+        if self.random.random() < 0.2:
+            return Struct("-", (one,)) if not isinstance(one, int | float) else Struct("sqrt", (one,))
+        return Struct(pick(("+", "-", "*", "/", "mod")), (one, two))
+
+    def quantity(self, unit: str) -> Term:
+        first, slash, second = unit.partition("/")
+        product = Struct("*", (self.random.choice((5, 2.5, -3)), Atom(first)))
+        return Struct("/", (product, Atom(second))) if slash else product
+
+    def location(self, depth: int) -> Term:
+        pick = self.random.choice
+        point = Struct("p", (self.number(1), 2, self.quantity("mm")))
+        turned = Struct("p", (1, 2, 3, (Atom("down"), Struct("rz", (45,)))))
+        if depth == 0 or self.random.random() < 0.3:
+            return pick((Var("L"), Atom("infeed"), Atom("here"), point, turned))
+        inner = self.location(depth - 1)
+        return pick(
+            (
+                Struct("above", (inner, self.quantity("mm"))),
+                Struct("offset", (inner, point)),
+                Struct("in", (inner, Atom("pallet"))),
+            )
+        )
+
+    def condition(self, depth: int) -> Term:
+        pick = self.random.choice
+        if depth == 0 or self.random.random() < 0.3:
+            level = Struct("is", (Atom("ready"), Atom(pick(("on", "off", "true")))))
+            return pick(
+                (
+                    Atom("ready"),
+                    level,
+                    Struct(pick(("<", ">=", "\\=", "==")), (self.number(1), self.number(1))),
+                )
+            )
+        one, two = self.condition(depth - 1), self.condition(depth - 1)
+        denied = Atom("ready") if isinstance(one, Struct) and one.name == "not" else one
+        return pick((Struct("and", (one, two)), Struct("or", (one, two)), Struct("not", (denied,))))
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_body_that_is_written_as_text_is_read_as_the_same_body(seed: int) -> None:
+    body = Bodies(seed).body(2)
+    assert terms("\n".join(body_lines(body, NAMES))) == body
+
+
+def test_the_text_of_a_body_is_read_as_people_write_it() -> None:
+    moves = "mov l above d + 2 * 3\nlin (1, 2, -3; down, rz 45 deg) speed 5 cm/s fine\n"
+    written = body_lines(terms(f"{moves}set x = 2 < 3 and not (a = b)"), NAMES, 0)
+    assert "\n".join(written) == f"{moves}set x = 2 < 3 and not a == b"
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        Atom("opn"), Struct("mov", (Atom("if"),)), Struct("mov", (Atom("mm"),)),
+        Struct("mov", (Atom("a b"),)), Struct("mov", (Var("X"),)), Struct("print", ((),)),
+        Struct("set", (Atom("a"), Struct("f", (1,)))),
+        Struct("lin", (Atom("a"), (Struct("sped", (1,)),))), Struct("mov", (Struct("p", (1, 2)),)), 3, (),
+    ],
+)  # fmt: skip
+def test_what_is_no_task_text_is_refused(wrong: Term) -> None:
+    with pytest.raises(NotTextError):
+        body_lines((wrong,), NAMES)
+
+
+def test_a_task_text_is_kept_as_a_clause_that_means_the_same() -> None:
+    text = """\
+program p
+units mm, deg, s
+task Visit(at_: loc, clear: length = 60 mm, n: int)
+  needs gripper open
+  repeat n
+    mov at_ above clear
+    lin at_ offset (0, 0, -3)
+    close
+  endr
+endp
+Visit s1, n = 2
+Visit s2, 5 cm, 1
+"""
+    clause, findings = stored_clause(SourceText("a.task", text), CELL)
+    assert clause is not None
+    assert findings == ()
+    known = base(clause)
+    assert known.findings == ()
+    task = known.task("Visit")
+    assert task is not None
+    assert task.needs == (Struct("gripper", (Atom("open"),)),)
+    again = text[: text.index("task")] + task_text(task) + "\n" + text[text.index("Visit s1") :]
+    first, second = compile(text, CELL).icr, compile(again, CELL).icr
+    assert first is not None
+    assert second is not None
+    assert [one.target for one in run(first).moves] == [one.target for one in run(second).moves]
+    assert len(run(first).moves) == 6
+
+
+def test_a_classic_task_is_kept_with_the_parameters_that_the_compiler_finds() -> None:
+    text = '1. Task "grip"\n  Assumes gripper open at start\n  mov l\n  close\n  x := x + a\n  endp\n'
+    clause, _ = stored_clause(SourceText("a.task", text), CELL)
+    assert clause is not None
+    task = base(clause).task("grip")
+    assert task is not None
+    assert [one.kind for one in task.parameters][:1] == ["location"]
+    assert task.adds == (Struct("gripper", (Atom("closed"),)),)
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [("lin l at 4 mm before end do set glue on", "P145"), ("circ via l to l", "P145"), ("mvo l", "L101")],
+)
+def test_what_terms_have_no_form_for_is_told(line: str, code: str) -> None:
+    clause, findings = stored_clause(SourceText("a.task", f"program p\ntask T(l: loc)\n{line}\nendp"), CELL)
+    assert clause is None
+    assert code in [one.code for one in findings] or code == "L101"
+
+
+def test_palletize_of_the_library_makes_the_moves_of_the_paper() -> None:
+    calls = [TaskCall("palletize", ((13.0, 5.0, 8.0), (6.0, 3.0, 2.0)), (0.1, 6))]
+    code = compile(program_text(base().task, calls, "main", "cm, deg, s"), CELL).icr
+    assert code is not None
+    trace = run(code)
+    places = [
+        tuple(round(100 * c, 6) for c in one.target.position)
+        for one in trace.moves
+        if isinstance(one.target, Pose)
+    ]
+    grips = [(13 + 0.1 * column, 5 + 0.1 * row, 8.0) for row in range(6) for column in range(6)]
+    assert places[0::2] == [tuple(round(c, 6) for c in one) for one in grips]
+    assert set(places[1::2]) == {(6.0, 3.0, 2.0)}
+    assert [one.action for one in trace.grips] == [GripAction.CLOSE, GripAction.OPEN] * 36
+
+
+def test_headers_are_statements_of_the_language() -> None:
+    lines = list(read(SourceText("", task_text(base().tasks()[0])), LineCache()))
+    assert sum(isinstance(one.statement, statements.TaskHeader) for one in lines) == 1

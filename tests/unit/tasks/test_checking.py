@@ -1,0 +1,138 @@
+"""Calls against a state: there, called rightly, possible, within reach; and what an operator is told."""
+
+import pytest
+
+from ropsim.prolog import Atom, Struct, Var
+from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
+from support.knowledge import GEOMETRY, base
+
+CELL = WorldState.of("gripper(open)", "at(bolt, s1)", "at(nut, s2)", "free(s3)")
+
+
+def test_calls_in_a_row_carry_the_state() -> None:
+    reports = base().check_all(["grip s1", "grip s2", "release s3", "grip s2", "release s1"], CELL)
+    assert [one.ok for one in reports] == [True, False, True, True, True]
+    assert reports[0].call.objects == (("P", "bolt"),)
+    assert reports[1].state == reports[0].state
+    assert reports[-1].state == WorldState.of("at(bolt, s3)", "at(nut, s1)", "free(s2)", "gripper(open)")
+
+
+def test_a_task_that_is_not_there_is_told_with_a_near_one() -> None:
+    report = base().check("palletise s1, s2, 0.1, 6", CELL)
+    assert [(one.code, one.message) for one in report.findings] == [("P150", "Task not defined: `palletise`")]
+    assert report.findings[0].hint == "did you mean `palletize`?"
+    assert report.fails == (Struct("fails", (Atom("task"), Atom("palletise"))),)
+    assert report.message == "Task not defined: `palletise`"
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        ("grip", "`grip` takes 1 points, given: 0"),
+        ("grip s1, s2", "`grip` takes 1 points, given: 2"),
+        ("grip s1, 3", "`grip` takes 0 parameters, given: 1"),
+        ("grip (1, 2, 3, 4, 5, 6)", None),
+        (TaskCall("grip", ((1.0, 2.0),)), "a point has 3, 5 or 6 numbers, given: 2"),
+        ("pick s1, 3 s", "`Clear` of `pick` is in cm, inch, m, mm, given: 3 s"),
+        ("palletize s1, s2, 10 mm, 2.5", "`B` of `palletize` is a whole number, given: 2.5"),
+        (
+            "palletize s1, s2, 10 mm, 2 mm",
+            "`B` of `palletize` is a value of kind `int` without a unit, given: 2 mm",
+        ),
+        ("palletize s1, s2, true, 2", "`A` of `palletize` is a value of kind `length`, given: True"),
+        (TaskCall("palletize", ("s1", "s2"), (Quantity(1, "cm"), 2)), None),
+    ],
+)
+def test_points_and_parameters_are_counted_and_have_kinds(call: TaskCall | str, words: str | None) -> None:
+    report = base().check(call, CELL)
+    wrong = [one for one in report.findings if one.code == "P151"]
+    assert [one.message for one in wrong] == ([] if words is None else [words])
+    if words is not None:
+        assert report.fails == (Struct("fails", (Atom("call"), words)),)
+
+
+def test_what_is_missing_is_told_with_the_tasks_that_could_provide_it() -> None:
+    report = base().check("release s3", CELL)
+    assert [one.message for one in report.findings] == [
+        "`release` is not possible now: the gripper closed is needed",
+        "`release` is not possible now: a part in the gripper is needed",
+    ]
+    assert report.fails[1] == Struct("fails", (Atom("pre"), Struct("held", (Var("P"),))))
+    assert report.providers[:2] == ("grip", "unload_machine")
+    assert "`grip`" in report.findings[1].hint
+    assert not report.ok
+
+
+def test_what_nobody_provides_is_told_too() -> None:
+    known = base("task(a(P), [params([P-part]), pre([blessed(P)])]).")
+    (finding,) = known.check("a", CELL).findings
+    assert finding.message == "`a` is not possible now: `blessed(P)` is needed"
+    assert finding.hint == "no task provides it: state it, or change the cell"
+
+
+def test_a_thing_that_nobody_names_is_asked_for() -> None:
+    known = base("task(a(D), [params([D-device])]).")
+    (finding,) = known.check("a", CELL).findings
+    assert "device" in finding.message
+    assert known.check("a", WorldState.of("device(oven)")).call.objects == (("D", "oven"),)
+
+
+def test_geometry_is_asked_last_and_once_per_revision() -> None:
+    known = base()
+    GEOMETRY.refuse(("arm", "s1"))
+    assert known.check("grip s3", CELL).findings[0].code == "P152"
+    assert GEOMETRY.asked == []
+    report = known.check("grip s1", CELL)
+    assert [(one.code, one.message) for one in report.findings] == [
+        ("P153", "`grip` is not possible here: `s1` is out of reach")
+    ]
+    assert report.fails == (Struct("fails", (Atom("geo"), Struct("reachable", (Atom("arm"), Atom("s1"))))),)
+    known.check("grip s1", CELL)
+    assert GEOMETRY.asked == [("arm", "s1")]
+    GEOMETRY.refuse()
+    assert known.check("grip s1", CELL).ok
+    assert GEOMETRY.asked == [("arm", "s1")]
+
+
+def test_of_two_parts_the_one_is_taken_that_geometry_allows() -> None:
+    known = base()
+    GEOMETRY.refuse(("arm", "bolt", "s3"))
+    state = WorldState.of("gripper(closed)", "held(bolt)", "held(nut)", "free(s3)")
+    assert known.check("release s3", state).call.objects == (("P", "nut"),)
+
+
+def test_rules_are_conditions_over_the_state() -> None:
+    text = """\
+clear(L) :- location(L), \\+ at(_, L).
+above(X, Y) :- on(X, Y).
+above(X, Z) :- on(X, Y), above(Y, Z).
+loop(X) :- loop(X).
+location(s1). location(s3). on(a, b). on(b, c).
+task(go(L), [params([L-location]), pre([clear(L), above(a, c), \\+ above(c, _)])]).
+task(never(L), [params([L-location]), pre([loop(L)])]).
+"""
+    known = base(text)
+    assert known.findings == ()
+    assert known.check("go s3", CELL).ok
+    assert known.check("go s1", CELL).message == "`go` is not possible now: `clear(s1)` is needed"
+    assert not known.check("never s1", CELL).ok
+
+
+def test_points_are_compared_by_their_numbers() -> None:
+    state = WorldState.of("gripper(open)", "at(bolt, p(13.0,5.0,8.0))")
+    assert base().check(TaskCall("grip", ((13.0, 5.0, 8.0),)), state).ok
+    assert not base().check(TaskCall("grip", ((13.0, 5.0, 9.0),)), state).ok
+
+
+@pytest.mark.parametrize(
+    "text", ["", "mov s1", "grip s1\ngrip s2", "grip (1 +", "grip s1 above 3", "grip external"]
+)
+def test_what_is_no_call_is_refused(text: str) -> None:
+    with pytest.raises(TaskError, match="P156"):
+        base().check(text if text != "grip external" else "grip s1 external (1)", CELL)
+
+
+@pytest.mark.parametrize("fact", ["at(X, s1)", "", "at(bolt", "at(bolt) at(nut)", "3", "[a]"])
+def test_what_is_no_fact_is_refused(fact: str) -> None:
+    with pytest.raises(TaskError, match="P156"):
+        WorldState.of(fact)
