@@ -1,0 +1,72 @@
+"""Knowledge bases of tasks: a thousand of them are read, calls are checked, goals are planned for."""
+
+from typing import Any
+
+import pytest
+from measuring import Measure, processor_seconds
+
+from ropsim.core import SourceText
+from ropsim.tasks import KnowledgeBase, WorldState
+
+MANY = 1000
+TASK = """\
+task(grip_{0}(P, L), [doc("takes a part"), params([P-part, L-location]), pre([gripper(open), at(P, L)]),
+  eff([-gripper(open), -at(P, L), +held(P), +free(L)]), geo([reachable(arm, L)]), body([mov(L), close])]).
+"""
+TEXTS = [SourceText(f"kb/grip_{number}.pl", TASK.format(number)) for number in range(MANY)]
+STATE = WorldState.of("gripper(open)", "at(bolt, s1)")
+
+
+@pytest.fixture(scope="module")
+def known() -> KnowledgeBase:
+    return KnowledgeBase(())
+
+
+def row(parts: int) -> tuple[list[str], WorldState]:
+    """Return goal and state: parts go from feeders to seats."""
+    lying = [f"at(p{k}, f{k})" for k in range(parts)]
+    free = [f"free(s{k})" for k in range(parts)]
+    return [f"at(p{k}, s{k})" for k in range(parts)], WorldState.of(*lying, *free, "free(b)", "gripper(open)")
+
+
+def circle(parts: int) -> tuple[list[str], WorldState]:
+    """Return goal and state: each part goes where another one lies; two places are free."""
+    lying = [f"at(p{k}, s{k})" for k in range(parts)]
+    goal = [f"at(p{k}, s{(k + 1) % parts})" for k in range(parts)]
+    return goal, WorldState.of(*lying, "free(b1)", "free(b2)", "gripper(open)")
+
+
+def test_reading(known: KnowledgeBase, benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    measure(lambda: known.take(TEXTS))
+    load, opened = processor_seconds(lambda: known.take(TEXTS), lambda: KnowledgeBase(()))
+    measure.figure("reading and checking a clause of a task [ms]", load / MANY * 1e3, most=1.0)
+    measure.figure("a base of a thousand tasks, a file each, is read and checked [s]", load, most=0.5)
+    measure.figure("a base opens: an engine, our Prolog, the library [s]", opened, most=1.0)
+    (records,) = processor_seconds(lambda: (known.take(TEXTS), known.tasks()))
+    measure.figure("the same with all of its tasks as records [s]", records, most=1.0)
+
+
+def test_calls(known: KnowledgeBase, benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    known.take(TEXTS)
+    measure(lambda: known.check("grip_500 s1", STATE))
+    good, bad = processor_seconds(
+        lambda: known.check("grip_500 s1", STATE), lambda: known.check("grip_500 s2", STATE)
+    )
+    measure.figure("a call is checked among a thousand tasks [ms]", good * 1e3, most=5.0)
+    measure.figure("a call is refused, with the tasks that could help [ms]", bad * 1e3, most=20.0)
+
+
+def test_plans(known: KnowledgeBase, benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    known.take(())
+    assert len(known.plan(*row(8)).calls) == 16
+    assert len(known.plan(*circle(8)).calls) == 18
+    measure(lambda: known.plan(*row(4)))
+    four, eight, blocked = processor_seconds(
+        lambda: known.plan(*row(4)), lambda: known.plan(*row(8)), lambda: known.plan(*circle(8))
+    )
+    measure.figure("a plan for four parts [s]", four, most=1.0)
+    measure.figure("a plan for eight parts [s]", eight, most=10.0)
+    measure.figure("a plan for eight parts that stand in each other's way [s]", blocked, most=10.0)
