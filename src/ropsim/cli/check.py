@@ -7,7 +7,7 @@ from ropsim.cli.watch import watch
 from ropsim.records import diagnostic_document
 from ropsim.userfiles import kept_by_user
 from ropsim.views import count_text
-from ropsim.workbench import Workspace, open_project
+from ropsim.workbench import Workspace, has_knowledge, knowledge_of, open_project
 
 
 def check(options: argparse.Namespace, output: Output) -> int:
@@ -16,13 +16,14 @@ def check(options: argparse.Namespace, output: Output) -> int:
         return watch(options, output)
     project = open_project(options.path, Workspace(kept_by_user()))
     compiled = project.compile()
-    code = output.findings(compiled.diagnostics, project.texts)
+    known = knowledge_of(project) if has_knowledge(project) else None
+    found = (*compiled.diagnostics, *(known.findings if known else ()))
+    code = output.findings(found, known.texts if known else project.texts)
     if code == 0:
         names = ", ".join(sorted(compiled.programs)) or "no program"
-        others = f", {count_text(compiled.diagnostics)}" if compiled.diagnostics else ""
-        output.text(f"checked {names}: no errors{others}")
-    output.document(
-        {"ok": code == 0, "programs": sorted(compiled.programs), **diagnostic_document(compiled.diagnostics)}
-    )
+        tasks = f", {len(known.base.texts)} texts of tasks" if known else ""
+        others = f", {count_text(found)}" if found else ""
+        output.text(f"checked {names}{tasks}: no errors{others}")
+    output.document({"ok": code == 0, "programs": sorted(compiled.programs), **diagnostic_document(found)})
     project.workspace.keep()
     return code

@@ -24,6 +24,9 @@ _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
 _PROGRAM = "a .task, .icr or .icb file, or a project: its program"
 _ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
 
+_BASE = "project folder, a folder of .pl files, or one of them"
+_STATE = "a fact that is true before, may stand several times (default: what the cell tells)"
+
 
 class _Parser(argparse.ArgumentParser):
     """Names the words that are near to one it does not know."""
@@ -52,6 +55,7 @@ def build_parser() -> argparse.ArgumentParser:
     _calibrate(commands)
     _icr(commands)
     _robot(commands)
+    _task(commands)
     _explain(commands)
     _studio(commands)
     _trust(commands)
@@ -246,6 +250,46 @@ def _robot(commands: Commands) -> None:
         inverse.add_argument(
             name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
         )
+
+
+def _seconds(text: str) -> float:
+    """Return a time for which something may work [s]."""
+    value = float(text)
+    if not 0.0 < value < 1e6:
+        raise argparse.ArgumentTypeError(f"{text} is no time above 0 and below 1000000 s")
+    return value
+
+
+def _task(commands: Commands) -> None:
+    group = commands.add_parser(
+        "task",
+        help="show the tasks of a knowledge base, check calls of them, plan for a goal",
+        description="Tasks of a knowledge base: what there is, what is possible, what reaches a goal.",
+    )
+    actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    list_ = _command(actions, "list", "task:list_", "list the tasks of a project and of the library")
+    list_.add_argument("path", metavar="PATH", nargs="?", default=".", help=_BASE)
+    show = _command(actions, "show", "task:show", "print a task: what it needs, does and is in task text")
+    show.add_argument("path", metavar="PATH", help=_BASE)
+    show.add_argument("name", metavar="NAME", help="name of the task")
+    check = _command(
+        actions,
+        "check",
+        "task:check",
+        "say whether calls are possible, one after the other",
+        "Each is checked in the state that the ones before it have made.",
+    )
+    check.add_argument("path", metavar="PATH", help=_BASE)
+    check.add_argument("calls", metavar="CALL", nargs="+", help='task text, such as "grip s1"')
+    check.add_argument("--state", metavar="FACT", action="append", help=_STATE)
+    plan = _command(actions, "plan", "task:plan", "find the fewest tasks that reach a goal")
+    plan.add_argument("path", metavar="PATH", help=_BASE)
+    plan.add_argument("goal", metavar="FACT", nargs="+", help='what is to be true, such as "at(bolt, s1)"')
+    plan.add_argument("--state", metavar="FACT", action="append", help=_STATE)
+    plan.add_argument(
+        "--seconds", metavar="S", type=_seconds, default=10.0, help="stop after so long (default: 10)"
+    )
+    plan.add_argument("--program", action="store_true", help="print a whole control program")
 
 
 def _explain(commands: Commands) -> None:

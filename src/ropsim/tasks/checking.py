@@ -2,14 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from ropsim.core import Diagnostic, did_you_mean
+from ropsim.core import Diagnostic
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.call_report import CallReport
-from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, NOT_DEFINED, PRECONDITION, WRONG_CALL
+from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, PRECONDITION, WRONG_CALL
 from ropsim.tasks.fact_words import fact_words, refusal_words
 from ropsim.tasks.host import Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
+from ropsim.tasks.not_defined import not_defined
 from ropsim.tasks.task_call import Quantity, TaskCall, Value, term_of_point, term_of_value
 from ropsim.tasks.task_reading import names_in, renamed
 from ropsim.tasks.world_state import WorldState, ordered
@@ -34,8 +35,7 @@ def checked(
         GoalError: a function of the geometry failed, or it takes longer than it may.
     """
     if task is None:
-        hint = did_you_mean(call.name, names) or "see `ropsim task list`"
-        finding = NOT_DEFINED.at(None, f"Task not defined: `{call.name}`", hint=hint)
+        finding = not_defined(call.name, names)
         return _refused(call, state, (finding,), (Struct("fails", (Atom("task"), Atom(call.name))),))
     wrong = tuple(_wrong(call, task))
     if wrong:

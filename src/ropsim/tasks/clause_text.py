@@ -13,12 +13,12 @@ def clause_text(task: Term) -> str:
     """Return the text of a clause; a `task(Head, [Properties])` has a line for each property."""
     match task:
         case Struct("task", (head, tuple(properties))) if properties:
-            lines = ",\n  ".join(_text(one, _LOOSEST) for one in properties)
-            return f"task({_text(head, _LOOSEST)}, [\n  {lines}]).\n"
-    return f"{_text(task, _LOOSEST)}.\n"
+            lines = ",\n  ".join(term_text(one) for one in properties)
+            return f"task({term_text(head)}, [\n  {lines}]).\n"
+    return f"{term_text(task)}.\n"
 
 
-def _text(term: Term, most: int) -> str:
+def term_text(term: Term, most: int = _LOOSEST) -> str:
     """Return the text of a term, in parentheses where its operator is looser than `most`."""
     match term:
         case Var(name):
@@ -26,18 +26,16 @@ def _text(term: Term, most: int) -> str:
         case Struct(name, (left, right)) if name in _OPERATORS:
             level = _OPERATORS[name]
             is_left = level in (400, 500)
-            words = f"{_text(left, level if is_left else level - 1)}", f"{_text(right, level - 1)}"
+            words = f"{term_text(left, level if is_left else level - 1)}", f"{term_text(right, level - 1)}"
             is_tight = name in ("*", "/") or (name == "-" and isinstance(right, Atom))
             space = "" if is_tight and not words[1].startswith("-") else " "
             text = f"{words[0]}{space}{name}{space}{words[1]}"
             return text if level <= most else f"({text})"
         case Struct("+" | "-" as name, (one,)) if not isinstance(one, int | float):
-            text = f"{name} {_text(one, 199)}" if most < 200 else f"{name}{_text(one, 199)}"
+            text = f"{name} {term_text(one, 199)}" if most < 200 else f"{name}{term_text(one, 199)}"
             return text if most >= 200 else f"({text})"
         case Struct(name, arguments) if name != "[|]":
-            return (
-                f"{write_term(Struct(name, ()))[:-2]}({', '.join(_text(one, _LOOSEST) for one in arguments)})"
-            )
+            return f"{write_term(Struct(name, ()))[:-2]}({', '.join(term_text(one) for one in arguments)})"
         case tuple():
-            return f"[{', '.join(_text(one, _LOOSEST) for one in term)}]"
+            return f"[{', '.join(term_text(one) for one in term)}]"
     return write_term(term)

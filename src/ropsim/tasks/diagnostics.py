@@ -201,6 +201,17 @@ HIDES = define(
     "It has the name of a task that comes with ropsim. All calls mean the one of the project.",
 )
 
+NO_COMPILING = define(
+    "P147",
+    "body-does-not-compile",
+    Severity.ERROR,
+    "the body of a task does not compile in the cell",
+    """
+The terms of the body are statements, but what they say is wrong: a name that neither task nor cell has, a
+length for a time. The message is that of the compiler of the task language, the note its line.
+""",
+)
+
 NOT_DEFINED = define(
     "P150",
     "task-not-defined",

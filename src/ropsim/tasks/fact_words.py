@@ -8,7 +8,7 @@ def fact_words(fact: Term) -> str:
     """Return a fact as people say it, behind which it stands as a term where the words are ours."""
     match fact:
         case Struct("gripper", (Atom(state),)):
-            return f"the gripper {state}"
+            return f"{'an' if state.startswith('o') else 'a'} {state} gripper"
         case Struct("at", (Var(), place)):
             return f"a part at `{_name(place)}`"
         case Struct("at", (part, place)):
@@ -18,7 +18,7 @@ def fact_words(fact: Term) -> str:
         case Struct("held", (part,)):
             return f"`{_name(part)}` in the gripper"
         case Struct("free", (place,)):
-            return f"nothing at `{_name(place)}`"
+            return f"an empty place `{_name(place)}`"
         case Struct("tool", (tool,)):
             return f"the tool `{_name(tool)}`"
     return f"`{_name(fact)}`"
@@ -28,7 +28,7 @@ def refusal_words(condition: Term) -> str:
     """Return why a condition of geometry does not hold."""
     match condition:
         case Struct("reachable", (_, place)):
-            return f"`{_name(place)}` is out of reach"
+            return f"`{_name(place)}` cannot be reached"
         case Struct("collision_free", (_, part, place)):
             return f"the way of `{_name(part)}` to `{_name(place)}` is not free"
     return f"`{_name(condition)}` does not hold"

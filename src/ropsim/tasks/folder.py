@@ -20,7 +20,7 @@ def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, .
         TaskError: there is no such path.
     """
     if path.is_file() and path.suffix == ".pl":
-        return _read([path], path.parent)
+        return _read([path])
     if path.is_file():
         path = path.parent
     if not path.is_dir():
@@ -28,21 +28,20 @@ def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, .
         raise TaskError(UNREADABLE_BASE.at(None, f"there is no `{path}`", hint=hint))
     is_folder = path.name == FOLDER or not ((path / FOLDER).is_dir() or (path / "cell.toml").is_file())
     folder = path if is_folder else path / FOLDER
-    root = folder.parent
     files = sorted(one for one in folder.glob("*.pl") if one.is_file()) if folder.is_dir() else []
-    order, findings = _manifest(folder / NAME, root, [one.name for one in files])
+    order, findings = _manifest(folder / NAME, [one.name for one in files])
     places = {name: place for place, name in enumerate(order)}
     files.sort(key=lambda one: (places.get(one.name, len(order)), one.name))
-    texts, more = _read(files, root)
+    texts, more = _read(files)
     return texts, (*findings, *more)
 
 
-def _read(files: list[Path], root: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
+def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]:
     texts: list[SourceText] = []
     findings: list[Diagnostic] = []
     left = MOST_BYTES
     for path in files[:MOST_FILES]:
-        name = path.relative_to(root).as_posix()
+        name = path.as_posix()
         try:
             if path.stat().st_size > left:
                 findings.append(
@@ -61,11 +60,11 @@ def _read(files: list[Path], root: Path) -> tuple[tuple[SourceText, ...], tuple[
     return tuple(texts), tuple(findings)
 
 
-def _manifest(path: Path, root: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
+def _manifest(path: Path, files: list[str]) -> tuple[list[str], list[Diagnostic]]:
     """Return the order that a manifest tells; none where there is none."""
     if not path.is_file():
         return [], []
-    name = path.relative_to(root).as_posix()
+    name = path.as_posix()
     hint = 'write `order = ["first.pl", "second.pl"]`'
     try:
         table = tomllib.loads(read_bytes(path).decode("utf-8-sig"))

@@ -5,7 +5,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, read_bytes
-from ropsim.prolog import Atom, Engine, GoalError, Limits, Predicate, Sort, Struct, Term, Trust, Var, question
+from ropsim.prolog import Atom, Engine, GoalError, Limits, Predicate, Sort, Struct, Term, Var, question
 from ropsim.tasks.diagnostics import TOO_DEEP
 from ropsim.tasks.findings import Wording
 
@@ -31,7 +31,7 @@ class Host:
         for name in SOURCES:
             path = Path(str(files("ropsim.tasks").joinpath("pl", f"{name}.pl")))
             text = SourceText(f"ropsim_tasks/{name}.pl", read_bytes(path).decode())
-            self._engine.consult(text, Trust.OWN)
+            self._engine.load_source(text)
 
     def read(self, texts: Mapping[int, SourceText]) -> tuple[Diagnostic, ...]:
         """Read these texts only; return what is wrong with them. One that ends Prolog is left out."""

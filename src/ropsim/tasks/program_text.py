@@ -2,10 +2,9 @@
 
 from collections.abc import Callable, Iterable, Sequence
 
-from ropsim.tasks.diagnostics import NO_TERM, NOT_DEFINED
 from ropsim.tasks.errors import TaskError
-from ropsim.tasks.expression_text import NotTextError
 from ropsim.tasks.known_task import KnownTask
+from ropsim.tasks.not_defined import not_defined
 from ropsim.tasks.task_call import TaskCall
 from ropsim.tasks.task_text import task_text
 
@@ -27,13 +26,7 @@ def program_text(
         TaskError: a task is not defined, or has a body that is no task text.
     """
     parts = [f"program {name}\nunits {units}"]
-    for known in needed(task, (call.name for call in calls)):
-        try:
-            parts.append(task_text(known))
-        except NotTextError as error:
-            raise TaskError(
-                NO_TERM.at(known.span, f"`{known.name}` cannot be written as text: {error}")
-            ) from error
+    parts += map(task_text, needed(task, (call.name for call in calls)))
     parts.append("\n".join(map(str, calls)))
     return "\n\n".join(parts) + "\n"
 
@@ -52,9 +45,7 @@ def needed(task: Callable[[str], KnownTask | None], names: Iterable[str]) -> tup
             continue
         known = task(name)
         if known is None:
-            raise TaskError(
-                NOT_DEFINED.at(None, f"Task not defined: `{name}`", hint="see `ropsim task list`")
-            )
+            raise TaskError(not_defined(name, found))
         found[name] = known
         left += sorted(known.called)
     return tuple(found.values())

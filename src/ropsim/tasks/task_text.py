@@ -11,8 +11,9 @@ from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
 from ropsim.tasks.clause_text import clause_text
 from ropsim.tasks.diagnostics import NO_TERM
+from ropsim.tasks.errors import TaskError
 from ropsim.tasks.expression_terms import NoTermError, term_of
-from ropsim.tasks.expression_text import expression, is_reserved
+from ropsim.tasks.expression_text import NotTextError, expression, is_reserved
 from ropsim.tasks.kinds import TYPES, kind_of_type
 from ropsim.tasks.known_task import KnownTask, Parameter
 
@@ -23,9 +24,16 @@ def task_text(task: KnownTask) -> str:
     """Return a task as `task … endp`, with the parameters that task text passes.
 
     Raises:
-        NotTextError: its body has a term that is no statement.
+        TaskError: its body has a term that is no statement.
     """
-    names = text_names(task)
+    try:
+        return _text(task, text_names(task))
+    except NotTextError as error:
+        message = f"the body of `{task.name}` is no task text: {error}"
+        raise TaskError(NO_TERM.at(task.span, message, hint="see `ropsim explain P138`")) from error
+
+
+def _text(task: KnownTask, names: Mapping[str, str]) -> str:
     header = f"task {task.name}({', '.join(_parameter(one, names) for one in task.passed)})"
     doc = [f"# {line}" for line in task.doc.splitlines()]
     return "\n".join([*doc, header, *body_lines(task.body, names), "endp"])

@@ -1,11 +1,14 @@
 """Which files of a project folder are code that a trusted project may run."""
 
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
 CODE_ENDINGS = frozenset({".py", ".pyc", ".fmu", ".so", ".dll", ".dylib", ".pyd", ".pl", ".pro", ".qlf"})
 """Python, FMUs, native libraries, Prolog for the native engine."""
+
+_KNOWLEDGE = re.compile(r"kb/[^/]+\.pl")
 
 SKIPPED = frozenset({"out", "node_modules", "__pycache__"})
 """Folders that are not part of a project's content; hidden ones are not either."""
@@ -15,8 +18,15 @@ MOST_ENTRIES = 20_000
 
 
 def code_in(folder: Path) -> tuple[str, ...]:
-    """Return the names of code files below a project folder, with `/`; links are not followed."""
-    names = (name for name in _names(folder) if PurePosixPath(name).suffix.lower() in CODE_ENDINGS)
+    """Return the names of code files below a project folder, with `/`; links are not followed.
+
+    The knowledge base `kb/*.pl` is none: it is read as data and never run, in a trusted folder neither.
+    """
+    names = (
+        name
+        for name in _names(folder)
+        if PurePosixPath(name).suffix.lower() in CODE_ENDINGS and not _KNOWLEDGE.fullmatch(name)
+    )
     return tuple(sorted(names))
 
 

@@ -3,6 +3,7 @@
 from ropsim.workbench.at_station import NOWHERE as NOWHERE
 from ropsim.workbench.at_station import AtStation as AtStation
 from ropsim.workbench.calibrated_project import CalibratedProject as CalibratedProject
+from ropsim.workbench.cell_geometry import CellGeometry as CellGeometry
 from ropsim.workbench.checked_text import CheckedText as CheckedText
 from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
@@ -13,6 +14,11 @@ from ropsim.workbench.example_projects import example_names as example_names
 from ropsim.workbench.example_projects import example_summary as example_summary
 from ropsim.workbench.example_projects import new_project as new_project
 from ropsim.workbench.example_projects import new_robot_project as new_robot_project
+from ropsim.workbench.knowledge import Knowledge as Knowledge
+from ropsim.workbench.knowledge import has_knowledge as has_knowledge
+from ropsim.workbench.knowledge import knowledge_of as knowledge_of
+from ropsim.workbench.knowledge import open_knowledge as open_knowledge
+from ropsim.workbench.knowledge import world_state as world_state
 from ropsim.workbench.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.named_robot import RobotFileError as RobotFileError
 from ropsim.workbench.named_robot import find_robot as find_robot

@@ -54,7 +54,7 @@ def test_points_and_parameters_are_counted_and_have_kinds(call: TaskCall | str, 
 def test_what_is_missing_is_told_with_the_tasks_that_could_provide_it() -> None:
     report = base().check("release s3", CELL)
     assert [one.message for one in report.findings] == [
-        "`release` is not possible now: the gripper closed is needed",
+        "`release` is not possible now: a closed gripper is needed",
         "`release` is not possible now: a part in the gripper is needed",
     ]
     assert report.fails[1] == Struct("fails", (Atom("pre"), Struct("held", (Var("P"),))))
@@ -84,7 +84,7 @@ def test_geometry_is_asked_last_and_once_per_revision() -> None:
     assert GEOMETRY.asked == []
     report = known.check("grip s1", CELL)
     assert [(one.code, one.message) for one in report.findings] == [
-        ("P153", "`grip` is not possible here: `s1` is out of reach")
+        ("P153", "`grip` is not possible here: `s1` cannot be reached")
     ]
     assert report.fails == (Struct("fails", (Atom("geo"), Struct("reachable", (Atom("arm"), Atom("s1"))))),)
     known.check("grip s1", CELL)

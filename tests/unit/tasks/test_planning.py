@@ -51,7 +51,7 @@ def state_of(now: Places, places: list[str]) -> WorldState:
     return WorldState.of(*facts, *free, *held, f"gripper({'closed' if held else 'open'})")
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(25))
 def test_plans_are_as_short_as_those_of_a_breadth_first_search(seed: int) -> None:
     chance = random.Random(seed)
     known = base()
@@ -103,12 +103,12 @@ def test_geometry_is_asked_only_for_what_a_plan_would_use() -> None:
         (
             "at(p0, s1)",
             (("arm", "s1"),),
-            "geometry refuses what would make `p0` at `s1`: `s1` is out of reach",
+            "geometry refuses what would make `p0` at `s1`: `s1` cannot be reached",
         ),
         (
             "at(p0, s1)",
             (("arm", "s0"),),
-            "geometry refuses what would make `p0` in the gripper: `s0` is out of reach",
+            "geometry refuses what would make `p0` in the gripper: `s0` cannot be reached",
         ),
         ("at(p0, s1)", (("arm", "p0", "s1"),), "the way of `p0` to `s1` is not free"),
     ],

@@ -349,11 +349,20 @@ refuses(Fact, One) :-
     could_all(Pre), could_choose(Parameters),
     member(One, Geo), looked(One, no).
 
+%   lacking(+Fact, -Need): what a maker of a fact needs and cannot have; rather about the same thing.
 lacking(Fact, Need) :-
-    (   template(t(_, _, Pre, Eff, _)), member(+ Fact, Eff), first_lacking(Pre, Need)
-    ;   ropsim_kb:rule(Fact, Body), first_lacking([Body], Need)
-    ),
-    !.
+    findall(One, needed(Fact, One), Needs),
+    (   member(Need, Needs), shared(Fact, Need) -> true
+    ;   Needs = [Need|_]
+    ).
+
+needed(Fact, Need) :-
+    (   template(t(_, _, Pre, Eff, _)), member(+ Fact, Eff) ; ropsim_kb:rule(Fact, Body), Pre = [Body] ),
+    (   member(Need, Pre), \+ could(Need, 20)
+    ;   \+ ( member(One, Pre), \+ could(One, 20) ), first_lacking(Pre, Need)
+    ).
+
+shared(Fact, Need) :- compound(Fact), arg(_, Fact, Constant), atomic(Constant), within(Need, Constant), !.
 
 first_lacking([One|More], Need) :-
     (   could(One, 20) -> first_lacking(More, Need) ; Need = One ).

@@ -1,0 +1,179 @@
+"""`ropsim task`: the knowledge base of a project on the command line."""
+
+import argparse
+import math
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+
+from ropsim.cli.output import Output
+from ropsim.cli.progress import Progress
+from ropsim.core import Diagnostic
+from ropsim.records import diagnostic_document
+from ropsim.tasks import (
+    CallReport,
+    KnownTask,
+    TaskCall,
+    WorldState,
+    not_defined,
+    program_text,
+    task_text,
+    term_text,
+)
+from ropsim.workbench import Knowledge, open_knowledge
+
+COLUMNS = 80
+"""Width to which descriptions are wrapped."""
+
+
+def list_(options: argparse.Namespace, output: Output) -> int:
+    """List the tasks of a project and of the library."""
+    known = open_knowledge(options.path)
+    tasks = known.base.tasks()
+    code = output.findings(known.findings, known.texts)
+    width = max(len(_head(one)) for one in tasks)
+    for one in tasks:
+        output.text(f"{_head(one):{width}}  {'library' if one.is_built_in else one.span}")
+    output.document(
+        {"ok": code == 0, "tasks": [_entry(one) for one in tasks], **diagnostic_document(known.findings)}
+    )
+    return code
+
+
+def show(options: argparse.Namespace, output: Output) -> int:
+    """Print a task."""
+    known = open_knowledge(options.path)
+    task = known.base.task(options.name)
+    if task is None:
+        found = (*known.findings, not_defined(options.name, known.base.names))
+        code = output.findings(found, known.texts)
+        output.document({"ok": False, **diagnostic_document(found)})
+        return code
+    text = task_text(task)
+    lines = [_head(task), *textwrap.wrap(task.doc, COLUMNS), ""]
+    for word, terms in (("needs", task.needs), ("adds", task.adds), ("removes", task.removes)):
+        lines += [f"{word:8} {term_text(one)}" for one in terms]
+    lines += [f"{'geometry':8} {term_text(one)}" for one in task.geometry]
+    body = [line for line in text.splitlines() if not line.startswith("#")]
+    output.text("\n".join([*lines, "", *body]))
+    output.document({**_entry(task), "text": text})
+    return 0
+
+
+def check(options: argparse.Namespace, output: Output) -> int:
+    """Say of each call whether it is possible."""
+    known = open_knowledge(options.path)
+    reports = known.base.check_all(options.calls, _state(options, known))
+    width = max(len(str(one.call)) for one in reports)
+    for one in reports:
+        output.text("\n".join(_answer(one, width)))
+    found = tuple(finding for one in reports for finding in one.findings)
+    output.findings((one for one in known.findings if one.is_error), known.texts)
+    is_good = all(one.ok for one in reports)
+    output.document(
+        {
+            "ok": is_good,
+            "calls": [_report(one) for one in reports],
+            "state": [term_text(fact) for fact in reports[-1].state.facts],
+            **diagnostic_document((*known.findings, *found)),
+        }
+    )
+    return 0 if is_good else 1
+
+
+def plan(options: argparse.Namespace, output: Output) -> int:
+    """Print the fewest tasks that reach a goal."""
+    known = open_knowledge(options.path)
+    state = _state(options, known)
+    with Progress("planning") as progress:
+        found = known.base.plan(
+            options.goal,
+            state,
+            options.seconds,
+            lambda count: progress(math.nan, f"{count} states looked at"),
+        )
+    output.findings((one for one in known.findings if one.is_error), known.texts)
+    code = output.findings(found.findings, {})
+    program = program_text(known.base.task, found.calls, "plan") if found.ok else ""
+    output.text(program.rstrip("\n") if options.program else _steps(found.calls) if found.ok else "no plan")
+    output.document(
+        {
+            "ok": found.ok,
+            "calls": [_call(one) for one in found.calls],
+            "looked_at": found.looked_at,
+            "program": program,
+            **diagnostic_document((*known.findings, *found.findings)),
+        }
+    )
+    return code
+
+
+def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
+    return WorldState.of(*options.state) if options.state else known.state
+
+
+def _head(task: KnownTask) -> str:
+    """Return name and parameters, with defaults."""
+    inside = (
+        f"{one}{'' if one.default is None else f' = {term_text(one.default)}'}" for one in task.parameters
+    )
+    return f"{task.name}({', '.join(inside)})"
+
+
+def _steps(calls: Sequence[TaskCall]) -> str:
+    if not calls:
+        return "nothing to do: the goal holds"
+    width = max(len(str(one)) for one in calls)
+    return "\n".join(
+        f"{number:3}  {one!s:{width}}  {_objects(one)}".rstrip() for number, one in enumerate(calls, 1)
+    )
+
+
+def _objects(call: TaskCall) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in call.objects)
+
+
+def _answer(report: CallReport, width: int) -> Iterator[str]:
+    """Yield the lines of one call: what was asked, what is said, and what to do."""
+    words = ", ".join(filter(None, (report.message, _objects(report.call)))) if report.ok else ""
+    first: Sequence[Diagnostic] = report.findings
+    yield f"{report.call!s:{width}}  {words or first[0].message}"
+    for number, one in enumerate(first):
+        if number:
+            yield f"{'':{width}}  {one.message}"
+        if one.hint:
+            yield f"{'':{width}}    = {one.hint}"
+
+
+def _call(call: TaskCall) -> Mapping[str, object]:
+    return {"call": str(call), "task": call.name, "objects": dict(call.objects)}
+
+
+def _report(report: CallReport) -> Mapping[str, object]:
+    return {
+        **_call(report.call),
+        "ok": report.ok,
+        "message": report.message,
+        "fails": [term_text(one) for one in report.fails],
+        "providers": list(report.providers),
+    }
+
+
+def _entry(task: KnownTask) -> Mapping[str, object]:
+    parameters = [
+        {
+            "name": one.name,
+            "kind": one.kind,
+            "default": None if one.default is None else term_text(one.default),
+        }
+        for one in task.parameters
+    ]
+    terms = {"needs": task.needs, "adds": task.adds, "removes": task.removes, "geometry": task.geometry}
+    return {
+        "name": task.name,
+        "doc": task.doc,
+        "parameters": parameters,
+        **{word: [term_text(one) for one in some] for word, some in terms.items()},
+        "library": task.is_built_in,
+        "source": task.span.source,
+        "line": task.span.line,
+    }

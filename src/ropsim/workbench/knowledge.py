@@ -1,0 +1,99 @@
+"""The knowledge base of a project with its cell: what is true at the start, and where the arm can go."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
+from ropsim.model import Cell
+from ropsim.prolog import Atom, Struct, Term
+from ropsim.tasks import KnowledgeBase, WorldState, body_findings
+from ropsim.workbench.cell_geometry import CellGeometry
+from ropsim.workbench.environment import environment_of
+from ropsim.workbench.opening import open_project
+from ropsim.workbench.project import Project
+
+CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
+NEAR = 0.005
+"""A part whose grasp point is so near to a location lies there [m]; a gripper captures it from as far."""
+
+
+@frozen_dataclass
+class Knowledge:
+    """A knowledge base and the cell for which it is asked.
+
+    Attributes:
+        base: the tasks.
+        state: what is true at the start; empty where there is no cell.
+        findings: what is wrong with the cell and the texts.
+        texts: of both, by the names that spans use.
+    """
+
+    base: KnowledgeBase
+    state: WorldState
+    findings: tuple[Diagnostic, ...]
+    texts: Mapping[str, SourceText]
+
+
+def open_knowledge(path: str | Path) -> Knowledge:
+    """Return the knowledge base of a project, or of a folder or a text without a cell.
+
+    Raises:
+        TaskError: there is no such path.
+        ProjectError: the project may not be read.
+    """
+    place = Path(path)
+    folder = place.parent if place.name == CELL_FILE else place
+    if (folder / CELL_FILE).is_file():
+        return knowledge_of(open_project(folder))
+    base = KnowledgeBase.open(place)
+    return Knowledge(base, WorldState(), base.findings, base.texts)
+
+
+def knowledge_of(project: Project) -> Knowledge:
+    """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
+    cell = project.cell
+    if cell is None:
+        base = KnowledgeBase.open(project.folder)
+        found = (*project.diagnostics, *base.findings)
+        return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
+    base = KnowledgeBase.open(project.folder, CellGeometry(cell))
+    found = (*base.findings, *body_findings(base, environment_of(cell)))
+    return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
+
+
+def has_knowledge(project: Project) -> bool:
+    """Return whether a project has a knowledge base of its own."""
+    return project.cell is not None and (project.folder / KNOWLEDGE).is_dir()
+
+
+def world_state(cell: Cell) -> WorldState:
+    """Return what is true in a cell at the start of a run.
+
+    `part(P)`, `location(L)`, `device(D)` and `tool(T)` name what there is, `at(P, L)` and `free(L)` say
+    where parts lie, and the gripper is open. Parts of a supply that are not there yet are left out; of a
+    location in a frame that moves nobody knows whether it is free.
+    """
+    return WorldState.of(*_facts(cell))
+
+
+def _facts(cell: Cell) -> Iterator[Term]:
+    yield Struct("gripper", (Atom("open"),))
+    taken: set[str] = set()
+    for part in cell.parts:
+        if part.turn == 0:
+            yield Struct("part", (Atom(part.name),))
+            for name, X_WT in cell.locations.items():
+                distance = float(np.linalg.norm(X_WT.position - part.X_WO.position))
+                if name not in cell.located and name not in taken and distance <= NEAR:
+                    taken.add(name)
+                    yield Struct("at", (Atom(part.name), Atom(name)))
+                    break
+    for name in cell.locations:
+        yield Struct("location", (Atom(name),))
+        if name not in taken and name not in cell.located:
+            yield Struct("free", (Atom(name),))
+    yield from (Struct("device", (Atom(name),)) for name in cell.devices)
+    if cell.first.default_tool:
+        yield Struct("tool", (Atom(cell.first.default_tool),))

@@ -1,0 +1,34 @@
+"""The manual of knowledge bases: its examples have the findings that their comments name, and no others."""
+
+import re
+
+import pytest
+
+from ropsim.tasks.kinds import KINDS
+from support.knowledge import base
+from support.manual import DOCS, Block, blocks
+
+PAGE = DOCS / "reference" / "knowledge-base.md"
+NAMED = re.compile(r"% (error|warning): (P\d{3}(?:, P\d{3})*)$")
+
+
+@pytest.mark.parametrize("block", blocks(PAGE, "prolog"), ids=str)
+def test_an_example_has_the_findings_that_its_comments_name(block: Block) -> None:
+    wanted = [
+        (number, code, match[1])
+        for number, line in enumerate(block.lines, 1)
+        if (match := NAMED.search(line))
+        for code in match[2].split(", ")
+    ]
+    found = [(one.span.line, one.code, one.severity.value) for one in base(block.text).findings if one.span]
+    assert sorted(found) == sorted(wanted)
+
+
+@pytest.mark.parametrize("block", blocks(PAGE, "python"), ids=str)
+def test_the_python_of_the_manual_runs(block: Block) -> None:
+    exec(block.text, {})
+
+
+def test_the_manual_names_every_kind_and_every_task_of_the_library() -> None:
+    text = PAGE.read_text("utf-8")
+    assert [name for name in (*KINDS, *base().names) if f"`{name}`" not in text] == []

@@ -1,0 +1,114 @@
+"""The knowledge base of a project: what its cell says is true, what its arm reaches, what is wrong."""
+
+from pathlib import Path
+
+import pytest
+
+from ropsim.tasks import KnowledgeBase
+from ropsim.workbench import Knowledge, has_knowledge, new_project, open_knowledge, open_project
+
+TASKS = """\
+task(stack(P, L, H), [params([P-part, L-location, H-length]), pre([held(P)]), eff([-held(P), +at(P, L)]),
+  geo([reachable(arm, L)]), body([mov(above(L, H)), set(nosuch, on), wait(H)])]).
+task(two(L), [params([L-location]), body([mov('a b')])]).
+task(three(L), [params([L-location]), body([call(two(L)), open])]).
+"""
+CELL = """\
+[cell]
+name = "small"
+[units]
+length = "mm"
+angle = "deg"
+[robot]
+model = "puma560"
+tool = "jaws"
+[tools.jaws]
+position = [0, 0, 145]
+gripper = {}
+[locations]
+s1 = { position = [400, 100, -200], rpy = [180, 0, 0] }
+s2 = { position = [400, -100, -200], rpy = [180, 0, 0] }
+far = { position = [4000, 0, 0], rpy = [180, 0, 0] }
+rest = { position = [300, 0, 300], rpy = [180, 0, 0] }
+[signals.glue]
+output = 1
+[[parts]]
+name = "bolt"
+size = [20, 20, 20]
+mass = 0.1
+position = [401, 100, -200]
+[[parts]]
+name = "nut"
+size = [20, 20, 20]
+mass = 0.1
+position = [0, 400, -200]
+"""
+
+
+@pytest.fixture(scope="module")
+def known(tmp_path_factory: pytest.TempPathFactory) -> Knowledge:
+    folder = tmp_path_factory.mktemp("project")
+    (folder / "cell.toml").write_text(CELL)
+    (folder / "programs").mkdir()
+    (folder / "kb").mkdir()
+    (folder / "kb" / "own.pl").write_text(TASKS)
+    return open_knowledge(folder)
+
+
+def test_a_cell_says_what_is_true_at_the_start(known: Knowledge) -> None:
+    true = ("at(bolt, s1)", "free(s2)", "gripper(open)", "tool(jaws)", "part(nut)", "location(far)")
+    assert [one for one in true if not known.state.holds(one)] == []
+    assert not any(known.state.holds(one) for one in ("free(s1)", "at(nut, s1)", "free(nut)"))
+
+
+def test_bodies_are_compiled_in_the_cell_and_mistakes_stand_at_their_clauses(known: Knowledge) -> None:
+    places = [(one.code, Path(one.span.source).name, one.span.line) for one in known.findings if one.span]
+    assert places == [("P145", "own.pl", 3), ("P147", "own.pl", 1), ("P147", "own.pl", 1)]
+    assert "there is no output `nosuch`" in known.findings[1].message
+    assert known.findings[2].notes == ("its text there: wait h",)
+    assert {Path(name).name for name in known.texts} == {"own.pl", "cell.toml"}
+
+
+def test_the_arm_of_the_cell_tells_what_it_can_reach(known: Knowledge) -> None:
+    calls = [
+        "grip s1",
+        "release far",
+        "release s2",
+        "park (400, 0, 100)",
+        "park (4000, 0, 0)",
+        "park nowhere",
+    ]
+    said = [one.message for one in known.base.check_all(calls, known.state)]
+    assert said == [
+        "accepted",
+        "`release` is not possible here: `far` cannot be reached",
+        "accepted",
+        "accepted",
+        "`park` is not possible here: `(4000, 0, 0)` cannot be reached",
+        "`park` is not possible here: `nowhere` cannot be reached",
+    ]
+
+
+def test_a_plan_for_the_cell_avoids_what_is_out_of_reach(known: Knowledge) -> None:
+    plan = known.base.plan(["at(bolt, s2)"], known.state)
+    assert [str(one) for one in plan.calls] == ["grip s1", "release s2"]
+    refused = known.base.plan(["at(bolt, far)"], known.state)
+    assert "`far` cannot be reached" in refused.findings[0].message
+
+
+def test_texts_of_a_knowledge_base_need_no_trust(tmp_path: Path) -> None:
+    folder = new_project(tmp_path / "cell", "first_cell")
+    (folder / "kb").mkdir()
+    (folder / "kb" / "own.pl").write_text("part(bolt).")
+    project = open_project(folder)
+    assert has_knowledge(project)
+    assert "X890" not in [one.code for one in project.diagnostics]
+    (folder / "run.pl").write_text("part(bolt).")
+    assert "X890" in [one.code for one in open_project(folder).diagnostics]
+
+
+def test_the_surface_of_the_api_is_as_promised(tmp_path: Path) -> None:
+    (tmp_path / "kb").mkdir()
+    (tmp_path / "kb" / "a.pl").write_text("task(wave, [body([open, close])]).")
+    known = KnowledgeBase.open(tmp_path)
+    assert [one.name for one in known.tasks() if not one.is_built_in] == ["wave"]
