@@ -1,13 +1,16 @@
 """What the geometry of a cell tells about tasks: where its arms can go."""
 
 from collections.abc import Hashable
+from typing import TYPE_CHECKING
 
 from ropsim import icr, language
 from ropsim.kinematics import IkOptions, inverse
 from ropsim.model import Cell, Station
 from ropsim.spatial import Pose
-from ropsim.tasks import Point, TaskCall
 from ropsim.workbench.environment import environment_of
+
+if TYPE_CHECKING:  # knowledge bases and their engine are loaded by who asks one
+    from ropsim.tasks import Point
 
 ARM = "arm"
 """How tasks call the first robot of a cell; others have the names of their stations."""
@@ -20,7 +23,7 @@ class CellGeometry:
         self._cell = cell
         self.revision: Hashable = id(cell)
 
-    def reachable(self, robot: str, location: Point) -> bool:
+    def reachable(self, robot: str, location: "Point") -> bool:
         """Return whether a robot has joint coordinates inside its limits for a location.
 
         Args:
@@ -28,6 +31,8 @@ class CellGeometry:
             location: name of the cell, or numbers in millimetres and degrees, read as task text reads
                 them. One that has joint values, or lies in a frame that moves, is taken to be in reach.
         """
+        from ropsim.tasks import TaskCall
+
         station = self._cell.first if robot == ARM else self._cell.stations.get(robot)
         if station is None:
             return False
@@ -43,7 +48,7 @@ class CellGeometry:
         X_BM = move.modal.X_BK @ move.target @ X_MT.inverse()
         return len(inverse(station.robot, X_BM, _near(station, move.external)).solutions) > 0
 
-    def collision_free(self, robot: str, part: str, location: Point) -> bool:  # noqa: ARG002 - protocol
+    def collision_free(self, robot: str, part: str, location: "Point") -> bool:  # noqa: ARG002 - protocol
         """Return True: nothing looks for collisions yet."""
         return True
 

@@ -2,17 +2,20 @@
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import Cell
-from ropsim.prolog import Atom, Struct, Term
-from ropsim.tasks import KnowledgeBase, WorldState, body_findings
 from ropsim.workbench.cell_geometry import CellGeometry
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.opening import open_project
 from ropsim.workbench.project import Project
+
+if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are loaded by who asks one
+    from ropsim.prolog import Term
+    from ropsim.tasks import KnowledgeBase, WorldState
 
 CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
 NEAR = 0.005
@@ -30,8 +33,8 @@ class Knowledge:
         texts: of both, by the names that spans use.
     """
 
-    base: KnowledgeBase
-    state: WorldState
+    base: "KnowledgeBase"
+    state: "WorldState"
     findings: tuple[Diagnostic, ...]
     texts: Mapping[str, SourceText]
 
@@ -43,6 +46,8 @@ def open_knowledge(path: str | Path) -> Knowledge:
         TaskError: there is no such path.
         ProjectError: the project may not be read.
     """
+    from ropsim.tasks import KnowledgeBase, WorldState
+
     place = Path(path)
     folder = place.parent if place.name == CELL_FILE else place
     if (folder / CELL_FILE).is_file():
@@ -53,6 +58,8 @@ def open_knowledge(path: str | Path) -> Knowledge:
 
 def knowledge_of(project: Project) -> Knowledge:
     """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
+    from ropsim.tasks import KnowledgeBase, WorldState, body_findings
+
     cell = project.cell
     if cell is None:
         base = KnowledgeBase.open(project.folder)
@@ -68,17 +75,21 @@ def has_knowledge(project: Project) -> bool:
     return project.cell is not None and (project.folder / KNOWLEDGE).is_dir()
 
 
-def world_state(cell: Cell) -> WorldState:
+def world_state(cell: Cell) -> "WorldState":
     """Return what is true in a cell at the start of a run.
 
     `part(P)`, `location(L)`, `device(D)` and `tool(T)` name what there is, `at(P, L)` and `free(L)` say
     where parts lie, and the gripper is open. Parts of a supply that are not there yet are left out; of a
     location in a frame that moves nobody knows whether it is free.
     """
+    from ropsim.tasks import WorldState
+
     return WorldState.of(*_facts(cell))
 
 
-def _facts(cell: Cell) -> Iterator[Term]:
+def _facts(cell: Cell) -> Iterator["Term"]:
+    from ropsim.prolog import Atom, Struct
+
     yield Struct("gripper", (Atom("open"),))
     taken: set[str] = set()
     for part in cell.parts:
