@@ -56,6 +56,7 @@ def build_parser() -> argparse.ArgumentParser:
     _icr(commands)
     _robot(commands)
     _task(commands)
+    _generate(commands)
     _explain(commands)
     _studio(commands)
     _trust(commands)
@@ -290,6 +291,34 @@ def _task(commands: Commands) -> None:
         "--seconds", metavar="S", type=_seconds, default=10.0, help="stop after so long (default: 10)"
     )
     plan.add_argument("--program", action="store_true", help="print a whole control program")
+
+
+def _program_name(text: str) -> str:
+    """Return a name that a program can have."""
+    if not re.fullmatch(r"[A-Za-z]\w*", text, re.ASCII):
+        raise argparse.ArgumentTypeError(f"`{text}` is no name: a letter, then letters, digits, `_`")
+    return text
+
+
+def _generate(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "generate",
+        help="make a control program of tasks, points and parameters, asked for one by one",
+        description="Make a control program of tasks, points and parameters, asked for one by one. Each task "
+        "is answered at once: accepted, or why not.",
+    )
+    parser.add_argument(
+        "path", metavar="PATH", nargs="?", default=".", help="project folder (default: this folder)"
+    )
+    parser.add_argument(
+        "--name", metavar="NAME", type=_program_name, default="generated", help="of the program"
+    )
+    parser.add_argument(
+        "--write",
+        action="store_true",
+        help="write programs/NAME.task and points/NAME.csv, where they are not",
+    )
+    parser.set_defaults(command=_lazy("generate:generate"), json=False)
 
 
 def _explain(commands: Commands) -> None:

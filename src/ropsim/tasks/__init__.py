@@ -1,15 +1,24 @@
 """Knowledge bases of tasks: what a robot can do, whether it can now, and what it has to do for a goal."""
 
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
+from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
 from ropsim.tasks.clause_text import term_text as term_text
 from ropsim.tasks.compiling import body_findings as body_findings
+from ropsim.tasks.draft import Draft as Draft
+from ropsim.tasks.draft import added as added
+from ropsim.tasks.draft import draft_points as draft_points
+from ropsim.tasks.draft import draft_text as draft_text
+from ropsim.tasks.draft import listed as listed
+from ropsim.tasks.draft import taken_back as taken_back
 from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.known_task import KnownTask as KnownTask
 from ropsim.tasks.known_task import Parameter as Parameter
 from ropsim.tasks.not_defined import not_defined as not_defined
 from ropsim.tasks.planning import Plan as Plan
+from ropsim.tasks.point_list import PointList as PointList
+from ropsim.tasks.point_list import read_point_list as read_point_list
 from ropsim.tasks.program_text import program_text as program_text
 from ropsim.tasks.task_call import Point as Point
 from ropsim.tasks.task_call import Quantity as Quantity

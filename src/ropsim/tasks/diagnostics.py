@@ -212,6 +212,24 @@ length for a time. The message is that of the compiler of the task language, the
 """,
 )
 
+POINT_LIST = define(
+    "P148",
+    "point-list",
+    Severity.ERROR,
+    "a list of points cannot be read",
+    """
+A file `points/NAME.csv` has the names of its columns, their units, and a point on each further line; pitch
+and roll may be empty or left out. Lengths are in mm, cm, m or inch, angles in deg or rad.
+
+```text
+name,x,y,z,pitch,roll
+,cm,cm,cm,deg,deg
+feeder,3.1,4.2,8.6,0,0
+seat,7.6,13,5
+```
+""",
+)
+
 NOT_DEFINED = define(
     "P150",
     "task-not-defined",

@@ -20,8 +20,10 @@ class Quantity:
         return f"{self.value:g} {self.unit}"
 
 
-Point = str | tuple[float, ...]
-"""Name of a location, or X Y Z [Pitch Roll] or X Y Z Roll Pitch Yaw in the units of the program."""
+Numbers = tuple[float, ...]
+"""X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw in the units of the program."""
+Point = str | Numbers
+"""Name of a location, or its numbers."""
 Value = bool | int | float | str | Quantity
 """A parameter; a text is the name of something, such as a variable."""
 

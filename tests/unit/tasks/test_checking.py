@@ -124,6 +124,13 @@ def test_points_are_compared_by_their_numbers() -> None:
     assert not base().check(TaskCall("grip", ((13.0, 5.0, 9.0),)), state).ok
 
 
+def test_a_place_given_by_numbers_is_free_where_nothing_lies() -> None:
+    there, other = ((1.0, 2.0, 3.0),), ((4.0, 5.0, 6.0),)
+    calls = [TaskCall("grip", ("s1",)), TaskCall("release", there), TaskCall("grip", ("s2",))]
+    reports = base().check_all([*calls, TaskCall("release", there), TaskCall("release", other)], CELL)
+    assert [one.ok for one in reports] == [True, True, True, False, True]
+
+
 @pytest.mark.parametrize(
     "text", ["", "mov s1", "grip s1\ngrip s2", "grip (1 +", "grip s1 above 3", "grip external"]
 )

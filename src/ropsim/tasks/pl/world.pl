@@ -63,7 +63,8 @@ refusal(Geo, One) :- member(One, Geo), \+ looked(One).
 %   Report is done(Call, After) | refused(Call, Geometry) | lacks(Call, Conditions, Providers) | nothing_for(Kinds).
 check_call(Name, Given, Facts, Report) :-
     ropsim_kb:known(Name, _, task(Head, _, Parameters, Pre, Eff, Geo, _, Names)),
-    state(Facts, State),
+    with_places(Given, Facts, Facts1),
+    state(Facts1, State),
     given(Parameters, Given),
     most_ways(Most),
     (   limit(Most, ( all_hold(Pre, State), chosen(Parameters, State) )), \+ refusal(Geo, _)
@@ -75,6 +76,14 @@ check_call(Name, Given, Facts, Report) :-
         Report = lacks(Head, Missing, Providers, Names)
     ;   findall(Kind, ( member(p(Value, Kind, none), Parameters), var(Value) ), Kinds),
         Report = nothing_for(Kinds)
+    ).
+
+%   with_places(+Given, +Facts0, -Facts): a place that is given by numbers is free where nothing is known to lie there.
+with_places([], Facts, Facts).
+with_places([One|More], Facts0, Facts) :-
+    (   nonvar(One), functor(One, p, _), \+ memberchk(at(_, One), Facts0)
+    ->  with_places(More, [free(One)|Facts0], Facts)
+    ;   with_places(More, Facts0, Facts)
     ).
 
 given([], []).

@@ -1,0 +1,151 @@
+"""`ropsim generate`: a control program of tasks, points and parameters that are asked for one by one."""
+
+import argparse
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from errno import EEXIST
+from pathlib import Path
+
+from ropsim.cli.output import Output, cannot_write
+from ropsim.core import RopsimError, replace_file
+from ropsim.tasks import (
+    Draft,
+    KnowledgeBase,
+    KnownTask,
+    Point,
+    PointList,
+    TaskCall,
+    TaskError,
+    Value,
+    added,
+    call_of,
+    draft_points,
+    draft_text,
+    listed,
+    not_defined,
+    read_point_list,
+    taken_back,
+)
+from ropsim.workbench import open_knowledge
+
+END, BACK = "end", "undo"
+HEAD = "Type the tasks to be included in this program, `end` to terminate, `undo` to take the last one back."
+
+
+@dataclass(slots=True)
+class _Desk:
+    """What the dialogue is about: the tasks, lists of points by name, and what has been chosen."""
+
+    base: KnowledgeBase
+    lists: Mapping[str, PointList]
+    draft: Draft
+    output: Output
+
+
+def generate(options: argparse.Namespace, output: Output) -> int:
+    """Ask for tasks until `end`, then print or write the program; return the exit code."""
+    known = open_knowledge(options.path)
+    folder = Path(options.path)
+    output.findings((one for one in known.findings if one.is_error), known.texts)
+    desk = _Desk(known.base, _lists(folder, output), Draft(known.state), output)
+    output.text(HEAD)
+    while (name := _asked("TASK NAME")) not in (None, END):
+        if name == BACK:
+            desk.draft = taken_back(desk.draft)
+        elif name:
+            _choose(desk, name)
+        _show(desk)
+    if not desk.draft.calls:
+        output.text("no task was accepted: there is no program")
+        return 1
+    text = draft_text(desk.draft, desk.base, options.name)
+    output.text(f"\n{text.rstrip()}")
+    return _written(folder, options.name, text, draft_points(desk.draft), output) if options.write else 0
+
+
+def _choose(desk: _Desk, name: str) -> None:
+    """Ask for points and parameters of one task and say at once whether it is possible."""
+    task = desk.base.task(name)
+    if task is None:
+        desk.output.failure(not_defined(name, desk.base.names))
+        return
+    try:
+        call = TaskCall(name, _points(desk, task), _parameters(task))
+        desk.draft = added(desk.draft, desk.base, call)
+    except RopsimError as error:
+        desk.output.failure(error.diagnostic)
+
+
+def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:
+    """Return the points that are typed: names of locations or lists, or X Y Z, or X Y Z Pitch Roll."""
+    wanted = [one.name for one in task.passed if one.kind == "location"]
+    found: list[Point] = []
+    while len(found) < len(wanted):
+        line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll] in mm and deg")
+        if not line:
+            break
+        try:
+            found.append(tuple(float(word) for word in line.replace(",", " ").split()))
+        except ValueError:
+            found += listed((line,), desk.lists)
+    return tuple(found)
+
+
+def _parameters(task: KnownTask) -> tuple[Value, ...]:
+    """Return the parameters that are typed; an empty line leaves the rest to their defaults.
+
+    Raises:
+        TaskError: what was typed is no value.
+    """
+    found: list[Value] = []
+    for one in (one for one in task.passed if one.kind != "location"):
+        line = _asked(f"PARAMETER {one}")
+        if not line:
+            break
+        found += call_of(f"{task.name} {line}").parameters
+    return tuple(found)
+
+
+def _show(desk: _Desk) -> None:
+    """Print the state for each task."""
+    rows = [(str(one.call), one.message) for one in desk.draft.entries]
+    width = max((len(call) for call, _ in rows), default=0)
+    desk.output.text("\n".join(f"  {call:{width}}  {message}" for call, message in rows))
+
+
+def _asked(prompt: str) -> str | None:
+    """Return what is typed behind a prompt, None at the end of the input."""
+    print(f"{prompt}: ", end="", flush=True)
+    line = sys.stdin.readline()
+    return line.strip() if line else None
+
+
+def _lists(folder: Path, output: Output) -> dict[str, PointList]:
+    """Return the lists of points of a project; what is wrong with them is told."""
+    found: dict[str, PointList] = {}
+    for path in sorted((folder / "points").glob("*.csv")):
+        points, findings = read_point_list(path)
+        output.findings(findings, {})
+        if points is not None:
+            found[points.name] = points
+    return found
+
+
+def _written(folder: Path, name: str, text: str, points: str, output: Output) -> int:
+    """Write program and points into the project and return the exit code.
+
+    Raises:
+        TaskError: one of the files is there already, or cannot be written.
+    """
+    files = {folder / "programs" / f"{name}.task": text, folder / "points" / f"{name}.csv": points}
+    for path in files:
+        if path.exists():
+            raise TaskError(cannot_write(str(path), FileExistsError(EEXIST, "it is there already")))
+    for path, content in files.items():
+        try:
+            replace_file(path, content.encode())
+        except OSError as error:
+            raise TaskError(cannot_write(str(path), error)) from error
+        output.text(f"wrote {path}")
+    return 0

@@ -1,0 +1,55 @@
+"""`ropsim generate`: what is typed becomes a program; every task is answered at once."""
+
+import io
+from pathlib import Path
+
+import pytest
+
+from ropsim.cli.main import main
+
+CELL = """\
+[cell]
+name = "small"
+[units]
+length = "mm"
+angle = "deg"
+[robot]
+model = "puma560"
+tool = "jaws"
+[tools.jaws]
+position = [0, 0, 145]
+gripper = {}
+[locations]
+s1 = { position = [400, 100, -200], rpy = [180, 0, 0] }
+[[parts]]
+name = "bolt"
+size = [20, 20, 20]
+mass = 0.1
+position = [400, 100, -200]
+"""
+
+
+def test_a_dialogue_makes_a_program_that_compiles(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "points").mkdir()
+    (tmp_path / "cell.toml").write_text(CELL)
+    (tmp_path / "points" / "table.csv").write_text("name,x,y,z\n,mm,mm,mm\na,400,0,100\n")
+    typed = ["grip", "s1", "xyz", "grip", "s1", "undo", "move_over", "400 0 50", "", "pick", "s1", "x mm",
+             "place", "table", "20 mm", "place", "table", "end"]  # fmt: skip
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed)))
+    assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 0
+    said = capsys.readouterr()
+    assert "grip s1  accepted" in said.out
+    assert "`grip` is not possible now" in said.out
+    assert "Task not defined: `xyz`" in said.err
+    text = (tmp_path / "programs" / "shift.task").read_text()
+    calls = [line for line in text.splitlines() if line.split(" ")[0] in ("grip", "move_over", "place")]
+    assert calls == ["grip s1", "move_over point_1", "place point_2, 20 mm"]
+    assert (tmp_path / "points" / "shift.csv").read_text().splitlines()[2:] == [
+        "point_1,400,0,50,,", "point_2,400,0,100,,"]  # fmt: skip
+    assert main(["check", str(tmp_path)]) == 0
+    monkeypatch.setattr("sys.stdin", io.StringIO("grip\ns1\n"))
+    assert main(["generate", str(tmp_path), "--name", "shift", "--write"]) == 2
+    assert (tmp_path / "programs" / "shift.task").read_text() == text

@@ -1,0 +1,75 @@
+"""Programs put together task by task, and the lists of points for them."""
+
+from pathlib import Path
+
+import pytest
+
+from ropsim.core import SourceText
+from ropsim.icr import run
+from ropsim.language import compile
+from ropsim.tasks import Draft, TaskCall, WorldState, added, draft_points, draft_text, listed, taken_back
+from ropsim.tasks.point_list import PointList, points_of, read_point_list
+from support.knowledge import CELL, base
+
+BEGIN = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)")
+CORNERS = ((31.0, 42.0, 86.0), (830.0, 220.0, 150.0, 20.0, 30.0))
+
+
+def test_what_is_accepted_becomes_a_program_and_what_is_refused_changes_nothing() -> None:
+    known, draft = base(), Draft(BEGIN)
+    for call in (
+        TaskCall("grip", ("s1",)),
+        TaskCall("grip", ("s2",)),
+        TaskCall("xyz", ("s2",)),
+        TaskCall("move_over", (CORNERS[0],)),
+        TaskCall("release", ("s2",)),
+        TaskCall("park", (CORNERS[1],)),
+        TaskCall("move_over", (CORNERS[0],)),
+    ):
+        draft = added(draft, known, call)
+    assert [one.ok for one in draft.entries] == [True, False, False, True, True, True, True]
+    assert draft.entries[2].message == "Task not defined: `xyz`"
+    assert draft.state.holds("at(bolt, s2)")
+    assert taken_back(draft).calls == draft.calls[:-1]
+    text = draft_text(draft, known, "shift")
+    compiled = compile(text, CELL)
+    assert compiled.diagnostics == ()
+    assert compiled.icr is not None
+    assert len(run(compiled.icr).moves) == 5
+    assert "loc point_2 = (830, 220, 150, 20, 30)" in text
+    assert [line for line in text.splitlines() if line.startswith("move_over")] == ["move_over point_1"] * 2
+    found, findings = points_of(SourceText("p.csv", draft_points(draft)), "p")
+    assert findings == ()
+    assert found == PointList("p", (("point_1", CORNERS[0]), ("point_2", CORNERS[1])))
+
+
+def test_a_list_of_points_has_units_and_stands_for_its_points() -> None:
+    text = "name,x,y,z,pitch,roll\n,cm,cm,cm,deg,rad\na, 3.1, 4.2, 8.6, 0, 1\nb,7.6,13,5,,\n"
+    found, findings = points_of(SourceText("p.csv", text), "table")
+    assert findings == ()
+    assert found is not None
+    assert [name for name, _ in found.points] == ["a", "b"]
+    assert found.points[0][1] == pytest.approx((31, 42, 86, 0, 57.29577951))
+    assert found.points[1][1] == pytest.approx((76, 130, 50))
+    assert listed(("s1", "table"), {"table": found}) == ("s1", found.points[0][1], found.points[1][1])
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("", [1]),
+        ("name,x,y\n,mm,mm\n", [1]),
+        ("name,x,y,z\n,mm,mm,foot\n", [1]),
+        ("name,x,y,z\n,mm,mm,mm\na,1,2\nb,1,2,3\n,1,2,3\nc,1,2,x\nd,1,2,nan\n\n", [3, 5, 6, 7]),
+        ('name,x,y,z\n,mm,mm,mm\n"a,1\n', [3]),
+    ],
+)
+def test_wrong_lines_of_a_list_are_told(text: str, lines: list[int]) -> None:
+    found, findings = points_of(SourceText("p.csv", text), "p")
+    assert [one.span and one.span.line for one in findings] == lines
+    assert (found is None) == (lines == [1])
+
+
+def test_a_list_that_is_no_text_is_told(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_bytes(b"\xff\xfe")
+    assert [one.code for one in read_point_list(tmp_path / "a.csv")[1]] == ["P148"]
