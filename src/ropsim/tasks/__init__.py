@@ -5,6 +5,7 @@ from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
 from ropsim.tasks.clause_text import term_text as term_text
 from ropsim.tasks.compiling import body_findings as body_findings
+from ropsim.tasks.compiling import signatures as signatures
 from ropsim.tasks.draft import Draft as Draft
 from ropsim.tasks.draft import added as added
 from ropsim.tasks.draft import draft_points as draft_points

@@ -7,7 +7,7 @@ from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.call_report import CallReport
 from ropsim.tasks.diagnostics import GEOMETRY_REFUSES, PRECONDITION, WRONG_CALL
 from ropsim.tasks.fact_words import fact_words, refusal_words
-from ropsim.tasks.host import Host
+from ropsim.tasks.host import CHECK_SECONDS, Host
 from ropsim.tasks.kinds import LOCATION, UNITS
 from ropsim.tasks.known_task import KnownTask, Parameter
 from ropsim.tasks.not_defined import not_defined
@@ -42,7 +42,7 @@ def checked(
         fails = tuple(Struct("fails", (Atom("call"), one.message)) for one in wrong)
         return _refused(call, state, wrong, fails)
     goal = Struct("check_call", (Atom(task.name), tuple(_given(call, task)), state.facts, Var("Found")))
-    return _report(call, task, state, host.ask("ropsim_world", goal))
+    return _report(call, task, state, host.ask("ropsim_world", goal, CHECK_SECONDS))
 
 
 def _report(call: TaskCall, task: KnownTask, state: WorldState, found: Term) -> CallReport:

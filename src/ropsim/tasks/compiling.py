@@ -1,12 +1,13 @@
 """Whether the bodies of a knowledge base compile in a cell: what the language says, at their clauses."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ropsim.core import Diagnostic, Span
-from ropsim.language import Environment, compile
+from ropsim.language import Environment, TaskForm, TaskSignature, compile
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.diagnostics import NO_COMPILING
 from ropsim.tasks.errors import TaskError
+from ropsim.tasks.kinds import UNITS as UNITS_OF
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.program_text import UNITS, needed
 from ropsim.tasks.task_text import task_text
@@ -40,6 +41,32 @@ def body_findings(base: KnowledgeBase, environment: Environment) -> tuple[Diagno
             notes = (f"its text there: {lines[line].strip()}",)
             findings.append(NO_COMPILING.at(_begin(task_there), message, notes=notes, hint=found.hint))
     return tuple(findings)
+
+
+def signatures(base: KnowledgeBase, environment: Environment) -> Mapping[str, TaskSignature]:
+    """Return all tasks that compile in a cell, as `Environment.tasks` has them: programs call them by name.
+
+    Args:
+        base: of the project.
+        environment: the cell for which the bodies are compiled.
+    """
+    found: dict[str, TaskSignature] = {}
+    for name in base.names:
+        try:
+            reached = needed(base.task, [name])
+            text = "\n\n".join([f"program bodies\nunits {UNITS}", *map(task_text, reached)])
+        except TaskError:
+            continue
+        compiled = compile(text, environment)
+        if compiled.ok and compiled.program is not None:
+            made = {task.name: task for task in compiled.program.tasks}
+            found[name] = TaskSignature(made[name], _dimensions(compiled.tasks[name]))
+    return found
+
+
+def _dimensions(form: TaskForm) -> Mapping[str, str]:
+    """Return what a bare number means for each parameter that has a dimension."""
+    return {one.name: one.type for one in form.parameters if one.type in UNITS_OF}
 
 
 def _begin(task: KnownTask) -> Span:

@@ -12,6 +12,12 @@ from ropsim.tasks.findings import Wording
 SOURCES = ("kb", "world", "planner")
 TEXTS = "ropsim_kb_texts"
 LIMITS = Limits(seconds=10.0)
+ALONE = Limits(seconds=2.0)
+"""For one text, where all together could not be read."""
+MOST_GIVEN_UP = 10
+"""Where so many texts cannot be read those behind them are not tried."""
+CHECK_SECONDS = 2.0
+"""So long one call may be checked, whatever rules a text has [s]."""
 
 _SPLIT = "split terms that are nested deep into facts"
 
@@ -47,24 +53,31 @@ class Host:
 
     def _given_up(self) -> Iterator[Diagnostic]:
         """Yield a finding for each text of the project that cannot be read alone."""
+        count = 0
         for index, text in self._texts.items():
-            if index < 0:
-                continue
-            try:
-                self._give({index: text})
-                self._read()
-            except GoalError as error:
+            why = "" if index < 0 else self._hindrance(index, text) if count < MOST_GIVEN_UP else "not tried"
+            if why:
+                count += 1
                 span = Span.whole_line(text.name, 1)
                 message = f"`{text.name}` is left out: it takes more time or memory to read than it may"
-                yield TOO_DEEP.at(span, message, notes=(error.diagnostic.message,), hint=_SPLIT)
+                yield TOO_DEEP.at(span, message, notes=(why,), hint=_SPLIT)
+
+    def _hindrance(self, index: int, text: SourceText) -> str:
+        """Return why a text cannot be read alone; empty where it can."""
+        try:
+            self._give({index: text})
+            self._read(ALONE)
+        except GoalError as error:
+            return error.diagnostic.message
+        return ""
 
     def _give(self, texts: Mapping[int, SourceText]) -> None:
         self._engine.put_facts(
             TEXTS, (Struct("text", (index, _readable(text.text))) for index, text in texts.items())
         )
 
-    def _read(self) -> tuple[Diagnostic, ...]:
-        answer = self._asked("ropsim_kb", Struct("read_base", (Var("Replies"), Var("Findings"))), LIMITS)
+    def _read(self, limits: Limits = LIMITS) -> tuple[Diagnostic, ...]:
+        answer = self._asked("ropsim_kb", Struct("read_base", (Var("Replies"), Var("Findings"))), limits)
         replies, findings = answer["Replies"], answer["Findings"]
         wording = Wording(self._texts, lambda: tuple(self.places()))
         words: list[Diagnostic] = []

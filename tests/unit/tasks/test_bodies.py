@@ -1,6 +1,7 @@
 """Bodies as terms and as task text: each way back gives what was there, and the language reads all of it."""
 
 import random
+from dataclasses import replace
 
 import pytest
 
@@ -10,7 +11,7 @@ from ropsim.icr import run
 from ropsim.language import LineCache, compile, read, statements
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.spatial import Pose
-from ropsim.tasks import TaskCall, program_text, stored_clause, task_text
+from ropsim.tasks import TaskCall, program_text, signatures, stored_clause, task_text
 from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
 from ropsim.tasks.expression_text import NotTextError
@@ -203,6 +204,32 @@ def test_palletize_of_the_library_makes_the_moves_of_the_paper() -> None:
     assert places[0::2] == [tuple(round(c, 6) for c in one) for one in grips]
     assert set(places[1::2]) == {(6.0, 3.0, 2.0)}
     assert [one.action for one in trace.grips] == [GripAction.CLOSE, GripAction.OPEN] * 36
+
+
+def test_a_classic_program_calls_tasks_of_the_knowledge_base_by_name() -> None:
+    known = base("task(wave(L, T), [params([L-location, T-time]), body([mov(L), wait(T)])]).")
+    environment = replace(CELL, tasks=signatures(known, CELL))
+    assert set(environment.tasks) == set(known.names)
+    text = """\
+Task "both"
+  Needs two reference locations.
+  call grip l
+  call release 2
+  wave l, 3
+  endp
+
+both s1, (6, 3, 2)
+palletize (13,5,8), (6,3,2), 0.1, 6.
+"""
+    code = compile(text, environment).icr
+    assert code is not None
+    trace = run(code)
+    assert len(trace.moves) == 3 + 72
+    places = [one.target.position for one in trace.moves if isinstance(one.target, Pose)]
+    assert places[5].tolist() == pytest.approx([0.131, 0.05, 0.08])  # bare lengths are centimetres there
+    wrong = compile("pallettize s1, s2, 0.1, 6", environment).diagnostics
+    assert [one.code for one in wrong] == ["N201"]
+    assert "palletize" in wrong[0].hint
 
 
 def test_headers_are_statements_of_the_language() -> None:
