@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from ropsim.model import WORLD, Frame
 from ropsim.spatial import Pose, quaternion
-from ropsim.tomltext import TomlTable, Units, pose_of, read_orientation, read_pose
+from ropsim.tomltext import TomlTable, Units, note_metres, pose_of, read_orientation, read_pose
 
 TOOL_DOWN: quaternion.Quaternion = (0.0, 1.0, 0.0, 0.0)
 """Rx(π): the z axis of the tool points against the z axis of the frame, the x axes agree."""
@@ -33,6 +33,7 @@ def read_locations(
 def _location(table: TomlTable, frames: Mapping[str, Frame], units: Units) -> tuple[Pose, str]:
     table.require("position")
     frame = table.reference("frame", frames, "frame")
+    note_metres(table, "position", units)
     down = TOOL_DOWN if table.flag("down", default=True) else quaternion.IDENTITY
     local = pose_of(table, units, read_orientation(table, units, down, ("rpy", "quaternion", "down")))
     table.finish()

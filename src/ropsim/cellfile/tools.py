@@ -13,6 +13,7 @@ from ropsim.tomltext import (
     Look,
     TomlTable,
     Units,
+    note_metres,
     read_inertia,
     read_look,
     read_pose,
@@ -31,6 +32,7 @@ def read_tools(tables: Mapping[str, TomlTable], units: Units) -> dict[str, Tool]
     for name, table in tables.items():
         pose = read_pose(table, units)
         mass = table.number("mass", MASS, 0.0)
+        note_metres(table, "com", units)
         com = frozen(table.numbers("com", 3, units.position, ORIGIN))
         inertia = read_inertia(table, mass)
         gripper = _gripper(table.table("gripper"), pose, units) if "gripper" in table else None
@@ -46,6 +48,7 @@ def _part(table: TomlTable, units: Units) -> ToolPart:
     table.require("name")
     name, pose = table.text("name", ""), read_pose(table, units)
     mass = table.number("mass", MASS, 0.0)
+    note_metres(table, "com", units)
     com = frozen(table.numbers("com", 3, units.position, ORIGIN))
     load = Payload(mass, com, read_inertia(table, mass))
     shapes = read_shapes(table, units, read_look(table, Look()))

@@ -16,7 +16,7 @@ from ropsim.model import (
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.spatial import Pose
-from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units, float_of
+from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Units, note_radians
 
 MOST_JOINTS = 32
 
@@ -28,7 +28,6 @@ RISE = 10.0
 """Estimated jerk over acceleration [1/s]."""
 
 _EFFORT = MOMENT.within(1e-6, 1e7)
-_RADIANS = 1e-4  # difference [deg] at which the digits of a right angle are recognised
 
 
 @frozen_dataclass
@@ -95,7 +94,7 @@ def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) ->
 def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRow, JointLimits]:
     type_ = JointType(table.choice("type", ("revolute", "prismatic"), "revolute"))
     for key in ("alpha", "theta"):
-        _note_radians(table, key, units)
+        note_radians(table, key, units)
     a, d = (table.number(key, units.position, 0.0) for key in ("a", "d"))
     alpha, theta = (table.number(key, units.turn, 0.0) for key in ("alpha", "theta"))
     return DhRow(a, alpha, d, theta, type_), _limits(table, type_, units, guessed)
@@ -140,15 +139,3 @@ def _names(tables: tuple[TomlTable, ...]) -> list[str]:
             table.findings.add(kinds.JOINT_NAME_TWICE, span, message, "give each a name of its own")
         names.append(name)
     return names
-
-
-def _note_radians(table: TomlTable, key: str, units: Units) -> None:
-    """Note an angle in degrees that has the digits of a quarter or half a turn in radians."""
-    value = table.values.get(key)
-    if units.angle != "deg" or isinstance(value, bool) or not isinstance(value, int | float):
-        return
-    for turn, degrees in ((pi / 2.0, 90), (pi, 180)):
-        if abs(abs(float_of(value)) - turn) < _RADIANS:
-            message = f"`{table.name_of(key)}` is {value:g}°, the digits of {degrees}° in radians"
-            hint = f'write {degrees if value > 0 else -degrees}, or `units = {{ angle = "rad" }}`'
-            table.findings.add(kinds.LOOKS_LIKE_RADIANS, table.value_span(key), message, hint)

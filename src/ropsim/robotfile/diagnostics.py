@@ -60,21 +60,6 @@ their masses, or `mass`, the mass of all moving links together; or leave `drives
 """,
 )
 
-LOOKS_LIKE_RADIANS = define(
-    "X904",
-    "looks-like-radians",
-    Severity.WARNING,
-    "an angle in degrees has the digits of a right angle in radians",
-    """
-`1.5708` and `3.1416` are a quarter and half a turn in radians; as degrees they make an arm whose axes are
-nearly parallel. Angles are in degrees unless the file says otherwise:
-
-```toml
-units = { angle = "rad" }
-```
-""",
-)
-
 WRONG_RATIO = define(
     "X905",
     "ratio-of-nought",

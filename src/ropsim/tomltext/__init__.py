@@ -11,6 +11,8 @@ from ropsim.tomltext.diagnostics import VALUE_OUT_OF_RANGE as VALUE_OUT_OF_RANGE
 from ropsim.tomltext.diagnostics import WRONG_VALUE_COUNT as WRONG_VALUE_COUNT
 from ropsim.tomltext.document import document_values as document_values
 from ropsim.tomltext.document import read_document as read_document
+from ropsim.tomltext.doubts import note_metres as note_metres
+from ropsim.tomltext.doubts import note_radians as note_radians
 from ropsim.tomltext.inertia import read_inertia as read_inertia
 from ropsim.tomltext.inertia import read_tensor as read_tensor
 from ropsim.tomltext.kind import read_kind as read_kind

@@ -193,3 +193,38 @@ on with letters, digits and `_`; blanks, dots and hyphens would be read as somet
 ```
 """,
 )
+
+LOOKS_LIKE_RADIANS = define(
+    "X822",
+    "looks-like-radians",
+    Severity.WARNING,
+    "an angle in degrees has the digits of a right angle in radians",
+    """
+`1.5708` and `3.1416` are a quarter and half a turn in radians; as degrees they turn next to nothing. Angles
+are in degrees unless the file says otherwise: `angle = "rad"` under `[units]`, in a robot file
+
+```toml
+units = { angle = "rad" }
+```
+""",
+)
+
+LOOKS_LIKE_METRES = define(
+    "X823",
+    "looks-like-metres",
+    Severity.WARNING,
+    "a place in millimetres that is nearly where it is counted from",
+    """
+Lengths are in millimetres unless the file says otherwise. A position of less than two millimetres that is no
+whole number of them is most often written in metres.
+
+```toml
+[locations.pick_up]
+position = [0.5, 0.3, 0.56]    # half a millimetre: wrong where half a metre is meant
+position = [500, 300, 560]     # right
+```
+
+A file that is written in metres throughout says so: `length = "m"` under `[units]`. Nothing else hangs on
+this warning.
+""",
+)

@@ -5,6 +5,7 @@ import math
 from ropsim.spatial import Pose, quaternion
 from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext.checks import TomlTable
+from ropsim.tomltext.doubts import note_metres, note_radians
 from ropsim.tomltext.quantity import NUMBER, Units
 
 ORIGIN = (0.0, 0.0, 0.0)
@@ -13,7 +14,11 @@ _UNIT_LENGTH_TOLERANCE = 0.01  # lets three written decimals pass, refuses a mis
 
 
 def read_pose(table: TomlTable, units: Units) -> Pose:
-    """Return the pose that `position` and `rpy` or `quaternion` give; each is optional."""
+    """Return the pose that `position` and `rpy` or `quaternion` give; each is optional.
+
+    A position that seems to be in metres is noted.
+    """
+    note_metres(table, "position", units)
     return pose_of(table, units, read_orientation(table, units, quaternion.IDENTITY, ("rpy", "quaternion")))
 
 
@@ -39,6 +44,7 @@ def read_orientation(
         message = f"{' and '.join(f'`{key}`' for key in given)} both give the orientation"
         table.findings.add(kinds.CONFLICTING_KEYS, table.key_span(given[1]), message, "keep one of them")
     if "rpy" in given:
+        note_radians(table, "rpy", units)
         roll, pitch, yaw = table.numbers("rpy", 3, units.turn, ORIGIN)
         return quaternion.from_zyx(yaw, pitch, roll)
     if "quaternion" in given:

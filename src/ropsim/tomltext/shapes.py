@@ -23,11 +23,11 @@ from ropsim.model import (
     circle,
     polygon,
 )
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, quaternion
 from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext.checks import TomlTable
 from ropsim.tomltext.outlines import read_outline, read_points, read_profile
-from ropsim.tomltext.poses import read_pose
+from ropsim.tomltext.poses import pose_of, read_orientation
 from ropsim.tomltext.quantity import NUMBER, Quantity, Units
 from ropsim.tomltext.shape_diagnostics import UNFIT_COLOUR, UNFIT_SHAPE
 from ropsim.tomltext.words import cut
@@ -85,7 +85,9 @@ def read_shapes(table: TomlTable, units: Units, look: Look) -> tuple[Shape, ...]
 def _shape(table: TomlTable, units: Units, default: Look) -> Shape | None:
     if not table.present:
         return None
-    pose, look = read_pose(table, units), read_look(table, default)
+    # A shape may well be half a millimetre away.
+    turned = read_orientation(table, units, quaternion.IDENTITY, ("rpy", "quaternion"))
+    pose, look = pose_of(table, units, turned), read_look(table, default)
     given = [element for element in _ELEMENTS if element in table]
     solid = _ELEMENTS[given[0]](table, units) if given else None
     if len(given) > 1:

@@ -5,9 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from ropsim import icr
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Destination, Part
+from ropsim.spatial import Pose
+from support.tasks import compiled
 
 ROBOT = '[robot]\nmodel = "puma560"\n[locations.there]\nposition = [100, 200, 300]\n'
 PART = '[[parts]]\nname = "box"\nsize = [60, 60, 40]\nmass = 0.5\nposition = [500, 0, 40]\n'
@@ -78,12 +81,37 @@ def test_a_grid_goes_up_in_layers_and_may_be_a_row() -> None:
     found = places(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {layers} }}\n"))
     expected = [[0, 0, 0.04], [0.01, 0, 0.04], [0, 0, 0.07], [0.01, 0, 0.07]]
     assert found == pytest.approx(np.array(expected), abs=LENGTH)
-    snake = layers.replace("2, 1, 2", "2, 2, 1").replace(" }", ', order = "snake" }')
-    found = places(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {snake} }}\n"))
+    flat = layers.replace("2, 1, 2", "2, 2, 1")
+    found = places(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {turned(flat, 'snake')} }}\n"))
     expected = [[0, 0, 0.04], [0.01, 0, 0.04], [0.01, 0.02, 0.04], [0, 0.02, 0.04]]
+    assert found == pytest.approx(np.array(expected), abs=LENGTH)
+    found = places(
+        parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {turned(layers, 'snake')} }}\n")
+    )
+    expected = [[0, 0, 0.04], [0.01, 0, 0.04], [0.01, 0, 0.07], [0, 0, 0.07]]
     assert found == pytest.approx(np.array(expected), abs=LENGTH)
     row = "grid = { counts = [3], step = [[0, 20, 0]] }\n"
     assert [part.X_WO.position[1] for part in parts_of(PART + row)] == pytest.approx([0.0, 0.02, 0.04])
+
+
+def turned(grid: str, order: str) -> str:
+    return grid.replace(" }", f', order = "{order}" }}')
+
+
+@pytest.mark.parametrize("order", ["row", "column", "snake"])
+def test_the_places_of_a_grid_are_those_of_a_pattern_in_the_same_order(order: str) -> None:
+    supply = SUPPLY.replace("count = 4", "count = 18")
+    grid = "grid = { counts = [2, 3, 3], step = [[10, 0, 0], [0, 20, 0], [0, 0, 30]] }"
+    found = places(parts_of(supply + f"destination = {{ position = [0, 0, 40], {turned(grid, order)} }}\n"))
+    steps = "(10, 0, 0), (0, 20, 0), (0, 0, 30)"
+    pattern = f"units mm\npattern g = grid 2 x 3 x 3 from (0, 0, 40) step {steps} order {order}\n"
+    code = compiled(pattern + "for each q in g\nlin q\nendf\n").icr
+    assert code is not None
+    targets = [move.target for move in icr.run(code).moves]
+    assert found == pytest.approx(
+        np.array([one.position for one in targets if isinstance(one, Pose)]), abs=LENGTH
+    )
+    assert len(targets) == 18
 
 
 @pytest.mark.parametrize(
@@ -106,6 +134,11 @@ def test_a_wrong_destination_is_answered_at_its_line(text: str, code: str, words
     assert words in found.message
     assert found.span is not None
     assert found.span.line == 10
+
+
+def test_a_grid_may_have_ten_thousand_places() -> None:
+    grid = "grid = { counts = [100, 100], step = [[10, 0, 0], [0, 20, 0]] }"
+    assert len(parts_of(SUPPLY + f"destination = {{ position = [0, 0, 40], {grid} }}\n")) == 4
 
 
 def test_too_few_places_are_answered() -> None:

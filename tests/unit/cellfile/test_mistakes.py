@@ -150,12 +150,26 @@ CASES = [
         id="too many places",
     ),
     pytest.param(
+        ROBOT + BOX + "grid = { counts = [101], step = [[100, 0, 0]] }\n", "X806", "101", "", id="long row"
+    ),
+    pytest.param(
         ROBOT + BOX + "grid = { counts = [1, 2, 3, 4], step = [[1, 0, 0]] }\n",
         "X805",
         "[1, 2, 3, 4]",
         "",
         id="four directions",
     ),
+    pytest.param(
+        ROBOT + "[locations.a]\nposition = [0.5, 0.3, 0.56]\n",
+        "X823",
+        "[0.5, 0.3, 0.56]",
+        "metres",
+        id="place",
+    ),
+    pytest.param(
+        ROBOT + TOOL + "com = [0, 0, 0.095]\n", "X823", "[0, 0, 0.095]", "metres", id="centre of mass"
+    ),
+    pytest.param(ROBOT + TOOL + "rpy = [0, 0, 3.14159]\n", "X822", "[0, 0, 3.14159]", "180", id="radians"),
     pytest.param(
         ROBOT + BOX.replace("[60, 60, 40]", "[0.06, 0.06, 0.04]"),
         "X824",
@@ -219,3 +233,17 @@ def test_a_number_with_thousands_of_digits_is_an_error_and_no_crash() -> None:
     found = one("a = " + "9" * 10_000)
     assert found.code == "X801"
     assert "sys." not in found.message
+
+
+def test_small_offsets_in_millimetres_and_files_in_metres_are_not_doubted() -> None:
+    shapes = "shapes = [{ box = [10, 10, 10], position = [0, 0, 0.5] }]\n"
+    assert findings_of(ROBOT + TOOL + shapes) == ()
+    assert (
+        findings_of(ROBOT + "[locations.a]\nposition = [1, 0, 2]\n[locations.b]\nposition = [0, 0, 0]\n")
+        == ()
+    )
+    metres = '[units]\nlength = "m"\nangle = "rad"\n'
+    assert (
+        findings_of(metres + ROBOT + "[locations.a]\nposition = [0.5, 0.3, 0.56]\nrpy = [0, 0, 3.14159]\n")
+        == ()
+    )

@@ -80,7 +80,7 @@ def test_a_file_that_is_no_toml_is_told_so() -> None:
 @pytest.mark.parametrize(("written", "meant"), [("1.5708", "90"), ("-1.570796", "-90"), ("3.14159", "180")])
 def test_angles_that_look_like_radians_are_doubted(written: str, meant: str) -> None:
     (found,) = found_in(TWO_JOINTS.replace("alpha = 180", f"alpha = {written}"))
-    assert found.code == "X904"
+    assert found.code == "X822"
     assert f"write {meant}," in found.hint
     radians = TWO_JOINTS.replace("alpha = 180", f"alpha = {written}").replace("170", "3").replace("150", "2")
     assert found_in('units = { angle = "rad" }\n' + radians.replace("speed = 1", "acceleration = 1")) == ()

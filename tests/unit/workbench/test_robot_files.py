@@ -139,7 +139,7 @@ def test_two_stations_share_a_file_and_its_findings_are_told_once(tmp_path: Path
     cell = "".join(f'[stations.{name}]\nrobot = "robots/arm.toml"\nprogram = ""\n' for name in "ab")
     doubtful = TWO_JOINTS.replace("alpha = 180", "alpha = 3.1416")
     made = project(tmp_path / "c", cell, arm=doubtful)
-    assert codes(made) == ["X904"]
+    assert codes(made) == ["X822"]
     assert made.cell is not None
     one, other = made.cell.stations.values()
     assert one.robot == other.robot
