@@ -15,10 +15,10 @@ Where an arm has a *wrist*, its position decides, not that of the tool: a long t
 brings the wrist closer, one pointing away moves it out.
 
 **How to mend it.** Move the target or its task frame, turn the tool, or move the base of the robot. Look at
-the units first: `x = 700` in a file that is read in centimetres is seven metres.
+the units first: `0.7` under `units mm` is less than a millimetre, `700` under `units m` seven hundred metres.
 
-```
-mov (2000, 0, 500)      -- M501 for an arm that reaches 0.9 m
+```task
+mov (2000, 0, 500)      # M501 for an arm that reaches 0.9 m
 ```
 """,
 )

@@ -75,6 +75,9 @@ def test_what_a_way_leads_to_is_reached(text: str) -> None:
         ("lin infeed speed 0.5", "write the unit: `speed 0.5 m/s`, or for joints `speed 50 %`"),
         ("with acc 0.9\n open\nendwith", "write the unit: `acc 0.9 m/s2`, or for joints `acc 90 %`"),
         ("units m\nset speed 200", "write the unit: `speed 200 mm/s`"),
+        ("lin infeed speed 150 m/s", "write `speed 150 mm/s`, or the speed of a robot"),
+        ("mov joints(0, 1.3, -3.14, 0, -1.3, 0)", "write degrees, or `rad` behind each number"),
+        ("mov joints(1.5708, 0, 0, 0, 0, 0)", "write degrees, or `rad` behind each number"),
     ],
 )
 def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint: str) -> None:
@@ -83,7 +86,18 @@ def test_a_bare_number_that_looks_like_another_unit_is_a_warning(text: str, hint
 
 
 @pytest.mark.parametrize(
-    "line", ["wait 99", "wait 500 s", "set speed 0.2 mm/s", "set speed 200", "set acc 1"]
+    "line",
+    [
+        "wait 99",
+        "wait 500 s",
+        "set speed 0.2 mm/s",
+        "set speed 200",
+        "set speed 45 m/s",
+        "set acc 1",
+        "mov joints(0, 45, -3.14, 0, 0, 0)",
+        "mov joints(0, 1, 3, 0, 0, 0)",
+        "mov joints(0, 1.57 rad, 0, 0, 0, 0)",
+    ],
 )
 def test_usual_numbers_and_those_with_a_unit_are_believed(line: str) -> None:
     assert codes(f"units mm\n{line}") == []

@@ -1,7 +1,7 @@
 """Every kind of expression: syntax to a typed value in SI units."""
 
 from ropsim.icr import MAX_AXES
-from ropsim.language.check import arithmetic, components, convert, fold, functions, poses, values
+from ropsim.language.check import arithmetic, components, convert, fold, functions, plausible, poses, values
 from ropsim.language.check.body import Body, Expressions
 from ropsim.language.check.types import (
     ANGLE,
@@ -24,7 +24,7 @@ from ropsim.language.check.world import Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
-from ropsim.program import Constant, MakeJoints, ValueType
+from ropsim.program import Constant, Expression, MakeJoints, ValueType
 from ropsim.program import Variable as VariableExpression
 
 _MEASURED = {unit: Type(ValueType.REAL, dimension) for unit, (dimension, _) in UNITS.items()}
@@ -88,12 +88,16 @@ def _state(body: Body, node: nodes.State) -> Value:
 
 def _joints(body: Body, node: nodes.Joints) -> Value:
     _check_count(body, node)
-    expressions = []
+    expressions: list[Expression] = []
+    angles = []
     axes = body.world.environment.axes
     for k, item in enumerate(node.values):
         value = values.check(body, item)
         is_length = axes[k] == "length" if k < len(axes) else known(value.type) == LENGTH
         expressions.append(convert.to(body, value, LENGTH if is_length else ANGLE, item, f"joint {k + 1}"))
+        if not is_length:
+            angles.append(value)
+    plausible.check_joints(body, angles, node)
     numbers = tuple(float(n) for n in map(fold.number_of, expressions) if n is not None)
     if len(numbers) < len(expressions):
         return Value(MakeJoints(tuple(expressions)), JOINTS)

@@ -201,11 +201,14 @@ OTHER_UNIT = define(
     "T338",
     "number-looks-like-another-unit",
     Severity.WARNING,
-    "a number without unit that seems to be meant in another unit",
+    "a number that seems to be meant in another unit",
     """
 A number without unit counts in the unit of `units` for its dimension, times in seconds. `wait 500` then takes
 more than eight minutes, where other controllers wait 500 ms; `speed 0.2` under `units mm` is 0.2 mm/s, where
 0.2 m/s or a fifth of what the joints can do was meant. Write the unit behind the number, and nothing is said.
+
+A speed of more than 50 m/s is doubted with its unit, too, since no arm makes it, and so are joint coordinates
+in degrees of which one has the digits of a right angle in radians, 1.57 or 3.14.
 """,
 )
 NO_TYPE = define(

@@ -3,8 +3,8 @@
 import re
 from collections.abc import Mapping
 
-_LIN = "did you mean `lin`?"
-_MOV = "did you mean `mov`?"
+_LIN = "did you mean `lin`? speed and zone stand behind the target: `lin p speed 500 mm/s blend 10 mm`"
+_MOV = "did you mean `mov`? speed and zone stand behind the target: `mov p speed 50 % blend 10 mm`"
 _JOINTS = "joint coordinates are a target of `mov`: write `mov joints(…)`"
 _CIRCLE = "a circular move names its point on the way first: write `circ via a to b`"
 _TRIGGER = "outputs are set on the way of a motion: write `lin p at 3 mm after start do set NAME on`"
