@@ -7,7 +7,7 @@ from ropsim.cli.watch import watch
 from ropsim.records import diagnostic_document
 from ropsim.userfiles import kept_by_user
 from ropsim.views import count_text
-from ropsim.workbench import Workspace, has_knowledge, knowledge_of, open_project
+from ropsim.workbench import Workspace, open_project, task_findings
 
 
 def check(options: argparse.Namespace, output: Output) -> int:
@@ -16,12 +16,12 @@ def check(options: argparse.Namespace, output: Output) -> int:
         return watch(options, output)
     project = open_project(options.path, Workspace(kept_by_user()))
     compiled = project.compile()
-    known = knowledge_of(project) if has_knowledge(project) else None
-    found = (*compiled.diagnostics, *(known.findings if known else ()))
-    code = output.findings(found, known.texts if known else project.texts)
+    more, texts = task_findings(project)
+    found = (*compiled.diagnostics, *more)
+    code = output.findings(found, {**project.texts, **texts})
     if code == 0:
         names = ", ".join(sorted(compiled.programs)) or "no program"
-        tasks = f", {len(known.base.texts)} texts of tasks" if known else ""
+        tasks = f", {len(texts)} of tasks" if texts else ""
         others = f", {count_text(found)}" if found else ""
         output.text(f"checked {names}{tasks}: no errors{others}")
     output.document({"ok": code == 0, "programs": sorted(compiled.programs), **diagnostic_document(found)})

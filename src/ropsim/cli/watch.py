@@ -11,7 +11,7 @@ from ropsim.cli.stamps import contents, stamps
 from ropsim.core import Diagnostic, RopsimError, Severity, SourceText, frozen_dataclass
 from ropsim.records import diagnostic_document
 from ropsim.views import count_text
-from ropsim.workbench import Workspace, open_project
+from ropsim.workbench import Workspace, open_project, task_findings
 
 PERIOD = 0.3
 """Time between two looks at the files [s]."""
@@ -78,8 +78,10 @@ def _again(path: str, workspace: Workspace, before: Checked, output: Output) -> 
 def _checked(path: str, workspace: Workspace) -> Checked:
     project = open_project(path, workspace)
     compiled = project.compile()
-    is_wrong = any(one.severity is Severity.ERROR for one in compiled.diagnostics)
-    return Checked(tuple(sorted(compiled.programs)), compiled.diagnostics, project.texts, int(is_wrong))
+    more, texts = task_findings(project)
+    found = (*compiled.diagnostics, *more)
+    is_wrong = any(one.severity is Severity.ERROR for one in found)
+    return Checked(tuple(sorted(compiled.programs)), found, {**project.texts, **texts}, int(is_wrong))
 
 
 def _tell(before: Checked | None, checked: Checked, output: Output) -> None:

@@ -134,7 +134,8 @@ def _wrong(call: TaskCall, task: KnownTask) -> Iterator[Diagnostic]:
         if not least <= len(given) <= len(wanted):
             allowed = f"{least}" if least == len(wanted) else f"{least} to {len(wanted)}"
             words = ", ".join(map(str, wanted)) or f"it takes no {word}"
-            message = f"`{task.name}` takes {allowed} {word}, given: {len(given)}"
+            counted = word.removesuffix("s") if allowed == "1" else word
+            message = f"`{task.name}` takes {allowed} {counted}, given: {len(given)}"
             yield WRONG_CALL.at(None, message, hint=words)
     for point in call.points:
         if not isinstance(point, str) and len(point) not in (3, 5, 6):

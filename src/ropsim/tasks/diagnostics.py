@@ -147,7 +147,8 @@ UNKNOWN_GEOMETRY = define(
     Severity.ERROR,
     "a condition of geometry is none that can be asked",
     """
-Conditions of geometry are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`.
+Conditions of geometry are `reachable(Robot, Location)` and `collision_free(Robot, Part, Location)`; Robot is
+a name, such as `arm`.
 """,
 )
 

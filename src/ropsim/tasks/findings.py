@@ -137,7 +137,7 @@ class Wording:
                 return (
                     kinds.WRONG_ARITY,
                     f"`{first}` takes {wanted} arguments of task text, given: {given}",
-                    ("parts, tools and devices are not passed"),
+                    "parts, tools and devices are not passed",
                 )
             case "nobody_makes":
                 hint = "state it as a fact, or let a task make it"

@@ -18,6 +18,7 @@ from ropsim.workbench.knowledge import Knowledge as Knowledge
 from ropsim.workbench.knowledge import has_knowledge as has_knowledge
 from ropsim.workbench.knowledge import knowledge_of as knowledge_of
 from ropsim.workbench.knowledge import open_knowledge as open_knowledge
+from ropsim.workbench.knowledge import task_findings as task_findings
 from ropsim.workbench.knowledge import world_state as world_state
 from ropsim.workbench.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.named_robot import RobotFileError as RobotFileError

@@ -75,6 +75,14 @@ def has_knowledge(project: Project) -> bool:
     return project.cell is not None and (project.folder / KNOWLEDGE).is_dir()
 
 
+def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str, SourceText]]:
+    """Return what is wrong with the knowledge base of a project, and its texts; nothing where it has none."""
+    if not has_knowledge(project):
+        return (), {}
+    known = knowledge_of(project)
+    return known.findings, known.base.texts
+
+
 def world_state(cell: Cell) -> "WorldState":
     """Return what is true in a cell at the start of a run.
 

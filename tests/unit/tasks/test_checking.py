@@ -28,8 +28,8 @@ def test_a_task_that_is_not_there_is_told_with_a_near_one() -> None:
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        ("grip", "`grip` takes 1 points, given: 0"),
-        ("grip s1, s2", "`grip` takes 1 points, given: 2"),
+        ("grip", "`grip` takes 1 point, given: 0"),
+        ("grip s1, s2", "`grip` takes 1 point, given: 2"),
         ("grip s1, 3", "`grip` takes 0 parameters, given: 1"),
         ("grip (1, 2, 3, 4, 5, 6)", None),
         (TaskCall("grip", ((1.0, 2.0),)), "a point has 3, 5 or 6 numbers, given: 2"),

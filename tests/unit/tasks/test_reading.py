@@ -59,6 +59,8 @@ def found(text: str) -> list[tuple[str, int, str]]:
         (":- dynamic part/1.", ("P139", 1, ":- dynamic part/1")),
         ("task(a, [eff([-held(_P)])]).", ("P140", 1, "-held(_P)")),
         ("task(a(L), [params([L-location]), geo([near(L)])]).", ("P141", 1, "near(L)")),
+        ("task(a(L), [params([L-location]), geo([reachable(f(1), L)])]).", ("P141", 1, "reachable(f(1), L)")),
+        ("task(a, [geo([reachable(arm, 3)])]).", ("P141", 1, "reachable(arm, 3)")),
         (f"part({'f(' * 70}a{')' * 70}).", ("P142", 1, f"part({'f(' * 70}a{')' * 70})")),
         (OWN_GRIP, ("P146", 1, "grip(P, L)")),
         ("part(bolt nut).", ("P101", 1, " ")),

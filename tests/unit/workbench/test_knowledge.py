@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from ropsim.cli.main import main
 from ropsim.tasks import KnowledgeBase
 from ropsim.workbench import Knowledge, has_knowledge, new_project, open_knowledge, open_project
 
@@ -105,6 +106,16 @@ def test_texts_of_a_knowledge_base_need_no_trust(tmp_path: Path) -> None:
     assert "X890" not in [one.code for one in project.diagnostics]
     (folder / "run.pl").write_text("part(bolt).")
     assert "X890" in [one.code for one in open_project(folder).diagnostics]
+
+
+def test_a_check_of_the_project_tells_what_is_wrong_with_its_tasks(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = new_project(tmp_path / "cell", "first_cell")
+    (folder / "kb").mkdir()
+    (folder / "kb" / "own.pl").write_text("task(wave, [body([open, clos])]).\n")
+    assert main(["check", str(folder)]) == 1
+    assert "own.pl:1:25" in capsys.readouterr().err
 
 
 def test_the_surface_of_the_api_is_as_promised(tmp_path: Path) -> None:

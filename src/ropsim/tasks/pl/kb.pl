@@ -268,12 +268,19 @@ effect(+ Fact, +, Fact) :- nonvar(Fact).
 effect(- Fact, -, Fact) :- nonvar(Fact).
 
 geo_read(Known, Text, One, P) :-
-    (   callable(One), functor(One, Name, Arity), geometry(Name, Arity)
+    (   callable(One), functor(One, Name, Arity), geometry(Name, Arity), asks_of_places(One, Arity)
     ->  bound(One, Known, Text, P)
     ;   callable(One)
     ->  functor(One, Name, Arity), wrong(Text, P, geometry, [Name/Arity])
     ;   wrong(Text, P, geometry, ['?'/0])
     ).
+
+%   asks_of_places(+Condition, +Arity): its first argument is the name of a robot, its last can be a location.
+asks_of_places(Condition, Arity) :-
+    arg(1, Condition, Robot), atom(Robot),
+    arg(Arity, Condition, Location),
+    ( var(Location) ; atom(Location) ; functor(Location, p, _) ),
+    !.
 
 geometry(reachable, 2).
 geometry(collision_free, 3).
