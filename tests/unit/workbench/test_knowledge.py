@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from ropsim.cli.main import main
-from ropsim.tasks import KnowledgeBase
 from ropsim.workbench import Knowledge, has_knowledge, new_project, open_knowledge, open_project
 
 TASKS = """\
@@ -116,10 +115,3 @@ def test_a_check_of_the_project_tells_what_is_wrong_with_its_tasks(
     (folder / "kb" / "own.pl").write_text("task(wave, [body([open, clos])]).\n")
     assert main(["check", str(folder)]) == 1
     assert "own.pl:1:25" in capsys.readouterr().err
-
-
-def test_the_surface_of_the_api_is_as_promised(tmp_path: Path) -> None:
-    (tmp_path / "kb").mkdir()
-    (tmp_path / "kb" / "a.pl").write_text("task(wave, [body([open, close])]).")
-    known = KnowledgeBase.open(tmp_path)
-    assert [one.name for one in known.tasks() if not one.is_built_in] == ["wave"]
