@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic, SourceText, did_you_mean, read_bytes
 from ropsim.tasks.diagnostics import MANIFEST, UNREADABLE_BASE
 from ropsim.tasks.errors import TaskError
 
-FOLDER, NAME = "kb", "manifest.toml"
+FOLDER, NAME, CELL = "kb", "manifest.toml", "cell.toml"
 MOST_FILES, MOST_BYTES = 5000, 8_000_000
 
 
@@ -21,12 +21,12 @@ def read_folder(path: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, .
     """
     if path.is_file() and path.suffix == ".pl":
         return _read([path])
-    if path.is_file():
+    if path.is_file() and path.name == CELL:
         path = path.parent
     if not path.is_dir():
         hint = "name a project, its folder `kb`, or a .pl file"
-        raise TaskError(UNREADABLE_BASE.at(None, f"there is no `{path}`", hint=hint))
-    is_folder = path.name == FOLDER or not ((path / FOLDER).is_dir() or (path / "cell.toml").is_file())
+        raise TaskError(UNREADABLE_BASE.at(None, f"`{path}` is no folder and no .pl file", hint=hint))
+    is_folder = path.name == FOLDER or not ((path / FOLDER).is_dir() or (path / CELL).is_file())
     folder = path if is_folder else path / FOLDER
     files = sorted(one for one in folder.glob("*.pl") if one.is_file()) if folder.is_dir() else []
     order, findings = _manifest(folder / NAME, [one.name for one in files])
@@ -43,6 +43,11 @@ def _read(files: list[Path]) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, 
     for path in files[:MOST_FILES]:
         name = path.as_posix()
         try:
+            if not path.resolve().is_relative_to(path.parent.resolve()):
+                findings.append(
+                    UNREADABLE_BASE.at(None, f"`{name}` is left out: it is a link out of its folder")
+                )
+                continue
             if path.stat().st_size > left:
                 findings.append(
                     UNREADABLE_BASE.at(None, f"`{name}` is left out: more than {MOST_BYTES} bytes in all")

@@ -135,5 +135,17 @@ def test_what_is_no_text_is_a_finding_and_no_folder_an_error(tmp_path: Path) -> 
     (tmp_path / "kb" / "a.pl").write_bytes(b"part(\xff).")
     texts, findings = read_folder(tmp_path)
     assert (texts, [one.code for one in findings]) == ((), ["P144"])
-    with pytest.raises(TaskError, match="P144"):
-        KnowledgeBase.open(tmp_path / "none")
+    (tmp_path / "notes.txt").write_text("part(bolt).")
+    for name in ("none", "notes.txt"):
+        with pytest.raises(TaskError, match="P144"):
+            KnowledgeBase.open(tmp_path / name)
+
+
+def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
+    (tmp_path / "kb").mkdir()
+    (tmp_path / "outside.pl").write_text("part(bolt).")
+    (tmp_path / "kb" / "a.pl").symlink_to(tmp_path / "outside.pl")
+    (tmp_path / "kb" / "b.pl").write_text("part(nut).")
+    texts, findings = read_folder(tmp_path)
+    assert [Path(one.name).name for one in texts] == ["b.pl"]
+    assert [one.code for one in findings] == ["P144"]
