@@ -95,7 +95,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "robot import my_arm.toml --to my_arm.stp": {"ok", "path"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
         "robot ik puma560 500 100 400 180 0 30": {
-            *("status", "solutions", "postures", "beyond_limits", "free", "solver"),
+            *("status", "solutions", "postures", "beyond_limits", "nearest", "free", "solver"),
         },
         "task plan my_cell 'gripper(open)'": {"ok", "calls", "looked_at", "program"} | found,
         "explain": {"codes"},

@@ -12,7 +12,7 @@ from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import free_line, remarks, solver_document
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Posture
+from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Nearest, Posture
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 
@@ -43,6 +43,9 @@ def ik(options: argparse.Namespace, output: Output) -> int:
         output.text("\n".join(_table(robot, [*inside, *beyond])))
     if not inside:
         output.text(_why_none(result))
+    beside = kinematics.nearest(robot, pose) if result.shortfall is not None else None
+    if beside is not None:
+        output.text(_nearest_line(beside))
     if result.free is not None:
         output.text(free_line(result.free))
     for line in remarks(robot):
@@ -53,6 +56,7 @@ def ik(options: argparse.Namespace, output: Output) -> int:
             "solutions": result.solutions.tolist(),
             "postures": [str(one) for one in result.postures],
             "beyond_limits": [_entry(one) for one in beyond],
+            "nearest": beside and _nearest_entry(beside),
             "free": result.free and {"name": result.free.name, "value": result.free.value},
             "solver": solver_document(robot),
         }
@@ -100,6 +104,25 @@ def _why_none(result: IkResult) -> str:
     allowed = f"at least {least}" if math.isinf(reach.longest) else f"{least} to {most}"
     distance = f"{reach.distance * 1e3:.1f} mm from axis {reach.axis}"
     return f"no solution: out of reach; the {reach.point} would be {distance}, possible is {allowed}"
+
+
+def _nearest_line(beside: Nearest) -> str:
+    """Return the pose that comes nearest and how far it is away, for people."""
+    x, y, z = (shown(1e3 * value, 1) for value in beside.pose.position)
+    w, i, j, k = beside.pose.orientation
+    yaw, pitch, roll = (shown(math.degrees(angle), 1) for angle in quaternion.to_zyx((w, i, j, k)))
+    place = f"x {x:.1f}  y {y:.1f}  z {z:.1f} mm   roll {roll:.1f}  pitch {pitch:.1f}  yaw {yaw:.1f} deg"
+    return f"nearest: {place}, {beside.distance * 1e3:.1f} mm and {math.degrees(beside.angle):.1f}° away"
+
+
+def _nearest_entry(beside: Nearest) -> dict[str, object]:
+    return {
+        "q": beside.q.tolist(),
+        "position": beside.pose.position.tolist(),
+        "orientation": beside.pose.orientation.tolist(),
+        "distance": beside.distance,
+        "angle": beside.angle,
+    }
 
 
 def _entry(branch: _Branch) -> dict[str, object]:
