@@ -126,11 +126,13 @@ def test_answers_come_in_the_order_of_their_distance_without_names() -> None:
 
 def test_poses_that_are_none_and_poses_too_far_away_have_no_answers() -> None:
     robot = ARMS["random"]
-    poses = np.tile(forward(robot, np.full(6, 0.3)).matrix(), (4, 1, 1))
+    poses = np.tile(forward(robot, np.full(6, 0.3)).matrix(), (6, 1, 1))
     poses[1, 0, 0] = np.nan
     poses[2, :3, :3] *= -1.0
     poses[3, :3, 3] += 20.0
-    assert present(inverse_batch(robot, poses)).any(axis=1).tolist() == [True, False, False, False]
+    poses[4, :3, :3] *= 1e200
+    poses[5] = 0.0
+    assert present(inverse_batch(robot, poses)).any(axis=1).tolist() == [True] + [False] * 5
     far = inverse(robot, Pose(np.array([20.0, 0.0, 0.0])))
     assert far.status is IkStatus.OUT_OF_REACH
     assert far.shortfall is not None
@@ -144,7 +146,10 @@ def test_arms_with_other_joints_are_told_what_they_miss() -> None:
     assert missed["RRRRRRR"]["general six-axis"] == "it has 7 joints, the class has 6"
 
 
-def test_axes_that_are_all_parallel_have_no_elimination() -> None:
-    flat = arm((DhRow(a=0.3, alpha=0.0, d=0.1),) * 6)
-    assert classes_missed(flat)["general six-axis"] == "its axes lie so that no elimination is regular"
-    assert solver_of(replace(flat, name="flat")).method is Method.NUMERIC
+@pytest.mark.parametrize("row", [DhRow(a=0.3, alpha=0.0, d=0.1), DhRow(a=0.0, alpha=pi / 2, d=0.0)])
+@pytest.mark.parametrize("count", [6, 7])
+def test_axes_that_are_all_parallel_or_meet_in_one_point_have_no_elimination(row: DhRow, count: int) -> None:
+    crooked = arm((row,) * count)
+    name = {6: "general six-axis", 7: "general seven-axis"}[count]
+    assert classes_missed(crooked)[name] == "its axes lie so that no elimination is regular"
+    assert solver_of(replace(crooked, name="crooked")).method is Method.NUMERIC

@@ -42,7 +42,7 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
     (A, B, D), right = pencils(way, C)
     out = np.full((len(T), 2 * ROOTS, 6), np.nan)
     values = np.linalg.svd(A, compute_uv=False)
-    regular = values[:, -1] / values[:, 0]
+    regular = np.divide(values[:, -1], values[:, 0], out=np.zeros(len(T)), where=values[:, 0] > 0.0)
     x = np.full((len(T), ROOTS), np.nan, dtype=complex)
     solvable = regular > SINGULAR
     x[solvable] = _roots(A[solvable], B[solvable], D[solvable])

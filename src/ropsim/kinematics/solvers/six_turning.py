@@ -19,7 +19,7 @@ BESIDE = (1e-6, 1e-4, -1e-4, 1e-3)
 FOUND = 1e-4
 """An elimination finds a configuration where it comes so near to it [rad]."""
 TOUCHING = 1e-6
-"""Poses this far beyond all links in one line [m] are looked at."""
+"""Poses this far beyond all links in one line [m], and entries of rotations beyond 1, are rounding."""
 AT_ONCE = 512
 """Poses whose matrices are in memory together."""
 TURN = 2.0 * np.pi
@@ -40,16 +40,19 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     out = np.full((len(T), ROWS, 6), np.nan)
     for begin in range(0, len(T), AT_ONCE):
         some = T[begin : begin + AT_ONCE]
-        asked = np.isfinite(some).all(axis=(1, 2)) & _within_reach(chain, some)
+        asked = _possible(chain, some)
         if asked.any():
             out[begin : begin + AT_ONCE][asked] = _answers(chain, ways, some[asked], near)
     return out
 
 
-def _within_reach(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
-    """Return which poses (k, 4, 4) are no farther from joint 1 than all links in one line, shape (k,)."""
-    links = np.linalg.norm(chain.p[1:], axis=1).sum() + np.linalg.norm(chain.X_nM[:, 3])
-    return np.asarray(np.linalg.norm(T[:, :3, 3] - chain.p[0], axis=1) <= links + TOUCHING)
+def _possible(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
+    """Return which of T (k, 4, 4) may be poses, no farther from joint 1 than all links in one line, (k,)."""
+    links = np.linalg.norm(chain.p[1:], axis=1).sum() + np.linalg.norm(chain.X_nM[:, 3]) + TOUCHING
+    near = (np.abs(T[:, :3, 3] - chain.p[0]) <= links).all(axis=1)  # false for NaN
+    near &= (np.abs(T[:, :3, :3]) <= 1.0 + TOUCHING).all(axis=(1, 2))
+    near[near] = np.linalg.norm(T[near][:, :3, 3] - chain.p[0], axis=1) <= links
+    return np.asarray(near)
 
 
 def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
