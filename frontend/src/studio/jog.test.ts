@@ -35,6 +35,7 @@ function bench() {
       bodies: [],
       reached: true,
       words: [],
+      location: '',
     })
   }
   return { jog, sent, shown, undo, answer }
@@ -141,6 +142,7 @@ test('another station is asked for with its own tool and does not hear what the 
     bodies: [],
     reached: true,
     words: [],
+    location: '',
   })
   expect(jog.answer).toBeNull()
   answer()

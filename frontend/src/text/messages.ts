@@ -176,7 +176,8 @@ export const words = {
     restartTitle: 'Start again from where the run is at its time',
     write: 'Teach',
     writeTitle: 'Writes where the TCP stands at the cursor of the program',
-    notWritten: 'The pose was not written: open the Program panel first, and put its cursor where the pose belongs.',
+    notWritten:
+      'The pose was not written: open the Program panel first, and put its cursor where the pose belongs.',
     joints: 'Joints',
     tcp: 'Tool centre point',
     frame: 'Directions of',
