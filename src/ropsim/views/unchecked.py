@@ -8,7 +8,7 @@ from ropsim.views.characters import clean
 from ropsim.views.figures import percent
 from ropsim.views.findings import plural
 
-LOOKED_AT_IF_SAID = ("collisions",)
+LOOKED_AT_IF_SAID = ("collisions", "rated payload")
 """What a run has looked at only where its recording says so."""
 
 WITHOUT_DYNAMICS = ("torques", "drives", "servo")

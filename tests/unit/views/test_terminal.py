@@ -128,7 +128,7 @@ def test_what_was_not_looked_at_breaks_between_its_parts_only() -> None:
     origins = estimates("p" * 30, "q" * 30)
     about = facts(fidelity=Fidelity.KINEMATIC, stations=(station(origins=origins),))
     lines = report(facts=about).splitlines()
-    start = lines.index("not checked: collisions, torques, drives, servo ·")
+    start = lines.index("not checked: collisions, rated payload, torques, drives, servo ·")
     assert lines[start + 1] == "  estimated: 2 groups of parameters"
 
 

@@ -35,16 +35,16 @@ def zoned(*places: tuple[int, float]) -> Recording:
 
 
 def test_a_run_that_does_not_say_so_has_not_looked_at_collisions() -> None:
-    assert line_of(with_facts()) == "not checked: collisions"
+    assert line_of(with_facts()) == "not checked: collisions, rated payload"
 
 
 def test_what_a_run_has_looked_at_is_not_called_unchecked() -> None:
-    text = line_of(with_facts(fidelity=Fidelity.KINEMATIC, checked=("collisions",)))
+    text = line_of(with_facts(fidelity=Fidelity.KINEMATIC, checked=("collisions", "rated payload")))
     assert text == "not checked: torques, drives, servo"
 
 
 def test_a_run_that_leaves_nothing_open_has_no_such_line() -> None:
-    recording = with_facts(checked=("collisions",))
+    recording = with_facts(checked=("collisions", "rated payload"))
     assert line_of(recording) == ""
     page = html_report(recording, summarize(recording), {})
     assert 'class="unchecked"' not in page
@@ -52,13 +52,13 @@ def test_a_run_that_leaves_nothing_open_has_no_such_line() -> None:
 
 
 def test_estimates_are_told_where_everything_was_looked_at() -> None:
-    text = line_of(with_facts("motor constants", checked=("collisions",)))
+    text = line_of(with_facts("motor constants", checked=("collisions", "rated payload")))
     assert text == "estimated: motor constants"
 
 
 def test_a_kinematic_run_has_not_looked_at_torques_drives_and_servo() -> None:
     text = line_of(with_facts(fidelity=Fidelity.KINEMATIC))
-    assert text == "not checked: collisions, torques, drives, servo"
+    assert text == "not checked: collisions, rated payload, torques, drives, servo"
 
 
 def test_few_estimates_are_named() -> None:
@@ -97,7 +97,7 @@ def test_terminal_and_page_say_it_right_after_the_verdict() -> None:
 
 def test_what_was_done_by_hand_stands_first() -> None:
     about = replace(
-        facts(checked=("collisions",)),
+        facts(checked=("collisions", "rated payload")),
         inputs=(InputChange(1.0, "start", 1.0), InputChange(2.0, "start", 0.0)),
         overrides=(OverrideChange(1.5, 0.5), OverrideChange(2.5, 1.0)),
         stopped=3.25,
