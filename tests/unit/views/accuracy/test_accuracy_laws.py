@@ -8,7 +8,7 @@ import pytest
 from ropsim.spatial import Array
 from ropsim.views.accuracy import BAND, largest_angle, path_repeatability, speed_figures
 from ropsim.views.accuracy.corners import cornering
-from ropsim.views.accuracy.polyline import nearest
+from ropsim.views.accuracy.polyline import at, nearest
 from ropsim.views.accuracy.stops import stopping
 
 CHORD = 1e-6
@@ -37,6 +37,22 @@ def test_a_turned_tool_is_an_error_of_orientation_and_a_late_one_is_not(delay: i
     assert largest_angle(time, command, attained) == pytest.approx(math.radians(1.0), abs=1e-9)
 
 
+def test_an_arm_may_be_most_of_a_fifth_of_a_second_behind_its_command() -> None:
+    hz, turned = 500, about_z(TURN)  # 2 rows are 4 ms: once round takes 4 s
+    late = np.maximum(np.arange(len(TURN)) - round(0.19 * hz), 0)
+    assert largest_angle(np.arange(len(TURN)) / hz, (CIRCLE, turned), (CIRCLE[late], turned[late])) < ROUNDING
+
+
+def test_a_quaternion_and_its_negative_are_one_command() -> None:
+    flips = np.where(np.arange(len(TURN)) % 2, -1.0, 1.0)[:, None]
+    late = np.interp(np.arange(len(TURN)) - 0.5, np.arange(len(TURN)), TURN)  # between two rows
+    places = 0.1 * np.column_stack([np.cos(late), np.sin(late), 0.0 * late])
+    attained = places, about_z(late + math.radians(1.0))
+    plain = largest_angle(TURN, (CIRCLE, about_z(TURN)), attained)
+    assert plain == pytest.approx(math.radians(1.0), abs=1e-6)  # a chord of a row is that far from its arc
+    assert largest_angle(TURN, (CIRCLE, flips * about_z(TURN)), attained) == pytest.approx(plain, abs=1e-9)
+
+
 def test_a_tool_that_only_turns_has_no_place_to_be_compared_at() -> None:
     still = np.zeros((10, 3))
     turned = about_z(np.linspace(0.0, 1.0, 10))
@@ -60,6 +76,17 @@ def test_repeatability_is_mean_and_three_deviations_about_the_barycentre(offsets
 def test_passes_of_one_path_at_different_speeds_and_delays_repeat_it() -> None:
     late = np.maximum(np.arange(len(TURN)) - 40, 0)
     assert path_repeatability([(CIRCLE, CIRCLE), (CIRCLE[::2], CIRCLE[late][::2])]) < CHORD
+
+
+def test_legs_side_by_side_are_each_repeated_on_their_own() -> None:
+    """There and back and there again: planes across the third leg cut the first one in the same direction."""
+    corners = np.array(
+        [[0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.3, 0.05, 0.0], [0.0, 0.05, 0.0], [0.0, 0.1, 0.0]]
+    )
+    way = at(np.vstack([corners, [[0.3, 0.1, 0.0]]]), np.linspace(0.0, 5.0, 1001))
+    rows = np.arange(1001)
+    third = np.outer((rows > 820) & (rows < 980), [0.0, 0.0, 1e-4])
+    assert path_repeatability([(way, way + third), (way, way - third)]) == pytest.approx(1e-4, abs=ROUNDING)
 
 
 def test_one_pass_and_passes_of_different_paths_have_no_repeatability() -> None:
