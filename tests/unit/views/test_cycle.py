@@ -60,6 +60,16 @@ def test_a_move_is_motion_zones_and_settling() -> None:
     assert ticks(cycle(move(0.0, 9, 0.7, 0.1, 0.2)).whole) == [800, 500, 200, 100, 0, 0, 0, 0, 0]
 
 
+def test_a_move_cannot_spend_more_time_in_zones_than_it_takes() -> None:
+    assert ticks(cycle(move(0.0, 9, 0.2, 0.1, 0.5)).whole) == [300, 0, 200, 100, 0, 0, 0, 0, 0]
+
+
+@pytest.mark.parametrize("flown", [(0.01, 0.05), (0.05, 0.01), (0.0, 0.05)])
+def test_the_zone_of_a_line_is_the_largest_that_was_flown(flown: tuple[float, float]) -> None:
+    moves = [replace(move(float(k), 9, 1.0), flown=zone) for k, zone in enumerate(flown)]
+    assert cycle(*moves).lines[0].zone == 0.05
+
+
 def test_waits_are_for_a_time_for_signals_or_for_partners() -> None:
     events = (
         WaitEvent(0.0, 0.1, "robot", origin(2), pause=0.1),

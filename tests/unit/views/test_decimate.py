@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from ropsim.views.decimate import along_curve, min_max
 
@@ -16,6 +17,13 @@ def test_extremes_and_ends_are_kept() -> None:
     (piece,) = min_max(values, 100)
     assert {0, 1234, 8765, 10_006} <= set(piece.tolist())
     assert piece.size <= 104
+
+
+@pytest.mark.parametrize("n", [1000, 1001, 1499, 1999, 2001, 9_999])
+def test_a_trace_keeps_to_its_number_of_points_and_two_ends(n: int) -> None:
+    zigzag = np.arange(n) * np.where(np.arange(n) % 2, -1.0, 1.0)
+    (piece,) = min_max(zigzag, 1000)
+    assert piece.size <= 1002
 
 
 def test_gaps_split_the_trace() -> None:
@@ -42,6 +50,19 @@ def test_curve_drops_samples_that_do_not_move_and_those_on_the_way() -> None:
 def test_curve_keeps_to_its_number_of_points() -> None:
     angle = np.linspace(0.0, 40.0, 5000)
     assert along_curve(np.cos(angle), np.sin(angle), 1e-6, 300, NONE).size <= 302
+
+
+def test_a_curve_has_as_many_corners_as_it_may_but_not_one_more() -> None:
+    x = np.arange(22.0)
+    y = x % 2
+    assert along_curve(x, y, 0.1, 20, NONE).tolist() == list(range(22))
+    assert along_curve(x, y, 0.1, 19, NONE).size < 21
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_curve_beyond_its_end_or_before_its_begin_is_drawn_to_its_farthest_place(sign: float) -> None:
+    x = np.concatenate([np.linspace(0.0, 12.0, 50), np.linspace(12.0, 10.0, 21)[1:]])[:: int(sign)]
+    assert 12.0 in x[along_curve(x, 0.0 * x, 0.1, 1000, NONE)]
 
 
 def test_a_drawn_curve_is_nowhere_off_by_more_than_the_tolerance_and_keeps_its_corners() -> None:
