@@ -91,6 +91,15 @@ def test_the_depth_is_how_much_higher_a_part_would_be_free() -> None:
     assert found.depth == pytest.approx(0.012, abs=ROUNDING)
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_part_is_inside_what_it_is_the_deepest_in(order: int) -> None:
+    deep = thing(Box((0.1, 0.1, 0.1)), at(-0.05, 0.0, 0.65), "deep")
+    shallow = thing(Box((0.1, 0.1, 0.096)), at(0.05, 0.0, 0.648), "shallow")  # 4 mm lower
+    found = one(part(at(0.0, 0.0, 0.735)), stacked([deep, shallow][::order]))
+    assert found.inside == "deep"
+    assert found.depth == pytest.approx(0.005, abs=ROUNDING)
+
+
 def test_parts_that_touch_at_their_sides_are_not_in_each_other() -> None:
     rows = [part(at(0.06 * k, 0.0, 0.74), f"p{k}") for k in range(4)]
     assert {found.inside for found in standings(stacked(rows), stacked([TABLE, *rows]), GAP)} == {""}
