@@ -10,6 +10,7 @@ from ropsim import icr, robots
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
+from ropsim.simulation.settle import SPEED_TIME
 from ropsim.workbench import environment_of
 from support.cells import one_station, with_station
 
@@ -114,3 +115,41 @@ def test_a_move_ends_when_every_joint_is_in_position(cell: Cell) -> None:
     assert last.settle > 0.0
     row = np.searchsorted(recording.time, last.end - 1e-9)
     assert (abs(recording.channels["q_error"].values[row]) <= window).all()
+
+
+@pytest.fixture(scope="module")
+def passing(cell: Cell) -> tuple[Cell, icr.Program]:
+    """A cell whose first joint is near enough when its reference ends, but passes by too fast, and a move."""
+    wide = replace(cell.first.controller, settle_time=0.0, in_position=np.ones(6))
+    loose = with_station(cell, controller=wide)
+    program = code(loose, "mov joints (60, 60, -150, 0, -60, 0)")
+    recording = run(loose, {"robot": program}, RunOptions(record_hz=1000))
+    row = np.searchsorted(recording.time, recording.events_of(MoveEvent)[-1].end - 1e-9)
+    error, speed = (abs(recording.channels[name].values[row, 0]) for name in ("q_error", "qd"))
+    assert error < 0.9 * SPEED_TIME * speed
+    window = np.array([0.5 * (error + SPEED_TIME * speed), 1.0, 1.0, 1.0, 1.0, 1.0])
+    return with_station(cell, controller=replace(wide, in_position=window)), program
+
+
+def test_a_move_does_not_end_while_a_joint_passes_its_target_too_fast(
+    passing: tuple[Cell, icr.Program],
+) -> None:
+    cell, program = passing
+    recording = run(cell, {"robot": program}, RunOptions(record_hz=1000))
+    last = recording.events_of(MoveEvent)[-1]
+    row = np.searchsorted(recording.time, last.end - 1e-9)
+    most = cell.first.controller.in_position / SPEED_TIME
+    assert last.settle > 0.0
+    assert (abs(recording.channels["qd"].values[row]) <= most).all()
+
+
+def test_a_joint_that_is_near_but_does_not_rest_is_told_with_its_speed(
+    passing: tuple[Cell, icr.Program],
+) -> None:
+    cell, program = passing
+    hasty = with_station(cell, controller=replace(cell.first.controller, settle_timeout=0.0))
+    (found,) = run(hasty, {"robot": program}, RunOptions()).findings
+    most = np.degrees(cell.first.controller.in_position[0] / SPEED_TIME)
+    assert (found.code, found.data["joint"]) == ("S720", 1)
+    assert "joint `1` still moves at" in found.message
+    assert found.message.endswith(f"in position means not faster than {most:.4g}°/s")

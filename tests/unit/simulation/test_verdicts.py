@@ -1,3 +1,4 @@
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +16,8 @@ from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array
 
 ROBOT = robots.load("puma560")
+SCARA = robots.load("scara")
+"""Its third joint slides."""
 HZ, TICKS = 250, 100
 
 
@@ -97,6 +100,41 @@ def test_a_servo_may_overshoot_the_speed_limit_by_two_per_cent() -> None:
     assert found_in(rows) == ()
     rows["qd"][10, 0] = 1.021 * ROBOT.max_speeds[0]
     assert [found.code for found in found_in(rows)] == ["S732"]
+
+
+@pytest.mark.parametrize(("error", "codes"), [(0.0999, []), (-0.0999, []), (0.1001, ["S735"])])
+def test_a_following_error_is_a_finding_beyond_a_tenth_of_a_radian(error: float, codes: list[str]) -> None:
+    rows = quiet()
+    rows["q_error"][10, 0] = error
+    assert [found.code for found in found_in(rows)] == codes
+
+
+@pytest.mark.parametrize(("ticks", "codes"), [(12, []), (13, ["S734"])])
+def test_full_voltage_may_last_for_fifty_milliseconds(ticks: int, codes: list[str]) -> None:
+    rows = quiet()  # 12 ticks of 4 ms are 48 ms
+    rows["voltage"][20 : 20 + ticks, 3] = 40.0
+    assert [found.code for found in found_in(rows)] == codes
+
+
+@pytest.mark.parametrize(
+    ("quantity", "joint", "value", "told"),
+    [
+        ("qd", 0, math.radians(1000.0), "speed of joint `1` reached 1000 °/s"),
+        ("qd", 2, 2.5, "speed of joint `3` reached 2500 mm/s"),
+        ("overrun", 0, math.radians(3.0), "overrun of joint `1` reached 3 °"),
+        ("overrun", 2, 0.25, "overrun of joint `3` reached 250 mm"),
+        ("q_error", 2, 0.125, "following error of joint `3` reached 125 mm, the limit is 100 mm"),
+        ("tau", 0, 5000.0, "torque of joint `1` reached 5000 N·m"),
+        ("tau", 2, 5000.0, "torque of joint `3` reached 5000 N,"),
+    ],
+)
+def test_joints_that_turn_are_told_in_degrees_and_those_that_slide_in_millimetres(
+    quantity: str, joint: int, value: float, told: str
+) -> None:
+    rows = quiet(SCARA)
+    rows[quantity][10, joint] = value
+    (found,) = found_in(rows, SCARA)
+    assert told in found.message
 
 
 def test_full_voltage_counts_only_when_it_lasts() -> None:
