@@ -21,7 +21,7 @@ def test_extremes_and_ends_are_kept() -> None:
 
 @pytest.mark.parametrize("n", [1000, 1001, 1499, 1999, 2001, 9_999])
 def test_a_trace_keeps_to_its_number_of_points_and_two_ends(n: int) -> None:
-    zigzag = np.arange(n) * np.where(np.arange(n) % 2, -1.0, 1.0)
+    zigzag = np.arange(float(n)) * np.where(np.arange(n) % 2, -1.0, 1.0)
     (piece,) = min_max(zigzag, 1000)
     assert piece.size <= 1002
 
