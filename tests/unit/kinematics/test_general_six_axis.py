@@ -20,6 +20,9 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
+from ropsim.kinematics.arrays import chain_arrays
+from ropsim.kinematics.solvers.elimination import eliminations, steps_of
+from ropsim.kinematics.solvers.elimination_roots import starts
 from ropsim.kinematics.solvers.general_six_axis import GeneralSixAxisSolver, recognise
 from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.model import DhRow, RobotModel
@@ -112,6 +115,32 @@ def test_poses_of_round_angles_are_solved_however_singular(name: str) -> None:
     for q in Q[:8]:
         found = inverse(robot, forward(robot, q), IkOptions(Limits.IGNORE, near=q))
         assert apart(found.solutions, q).min() < NEAR_SINGULAR
+
+
+def test_answers_that_share_the_unknown_of_an_elimination_are_told_apart() -> None:
+    """Both turns of a wrist have one joint 2, the unknown of this cut: each of its roots is a double one."""
+    robot = industrial()
+    (way,) = eliminations(steps_of(chain_arrays(robot)), (1,))
+    assert way.order[2] == 1
+    T = forward_batch(robot, random_joints(robot, 20, seed=3))
+    found, known = starts(way, T)[0], inverse_batch(robot, T)
+    near = [
+        bool((apart(rows, q) < 1e-3).any())
+        for rows, answers in zip(found, known, strict=True)
+        for q in answers[present(answers)]
+    ]
+    assert np.mean(near) > 0.5  # the rule by which an elimination is good for an arm
+
+
+@pytest.mark.parametrize("bend", [0.02, 0.06])
+def test_a_nearly_stretched_arm_of_links_in_one_line_is_answered(bend: float) -> None:
+    rows = zip((0.0, 0.5, 0.4, 0.3, 0.2, 0.1), (pi / 2, 0.3, pi / 2, -1.0, 1.2, 0.0), strict=True)
+    robot, q = arm(tuple(DhRow(*one, 0.0) for one in rows)), bend * np.array([1.0, 1.0, -1.0, 1.0, 1.0, 1.0])
+    T = forward_batch(robot, q[None])
+    assert 1.49 < np.linalg.norm(T[0, :3, 3]) < 1.5  # less than a hundredth from the sum of its links
+    branches = inverse_batch(robot, T)
+    assert_reaching(robot, T, branches)
+    assert np.nanmin(apart(branches, q)) < NEAR_SINGULAR
 
 
 def test_answers_come_in_the_order_of_their_distance_without_names() -> None:
