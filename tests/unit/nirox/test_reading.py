@@ -155,6 +155,22 @@ def test_numbers_of_a_robot_know_their_lines() -> None:
         assert span.line == line_of(instance)
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_exact_orientation_of_a_half_turn_may_have_either_sign(sign: float) -> None:
+    """A unit quaternion and its negative are one rotation; without a real part neither is the usual one."""
+    turned = (
+        "#41=AXIS2_PLACEMENT_3D('',#31,$,$);",
+        "#35=DIRECTION('',(0.,0.,-1.));\n#41=AXIS2_PLACEMENT_3D('',#31,#35,$);",
+    )
+    exact = ("#20=", f"#19=PLACEMENT_ORIENTATION(#41,(0.,{sign},0.,0.));\n#20=")
+    found, plain = read(changed(turned, exact)).robot, read(changed(turned)).robot
+    assert found is not None
+    assert plain is not None
+    q = np.array([0.3, -0.6])
+    expected = forward(plain, q).matrix()
+    np.testing.assert_allclose(forward(found, q).matrix(), expected, rtol=0.0, atol=ROUNDING)
+
+
 @pytest.mark.parametrize(
     ("pairs", "code", "number", "word"),
     [

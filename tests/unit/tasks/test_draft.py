@@ -55,6 +55,16 @@ def test_a_list_of_points_has_units_and_stands_for_its_points() -> None:
 
 
 @pytest.mark.parametrize(
+    ("unit", "millimetres"),
+    [("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("inch", 25.4)],  # the international inch of 1959
+)
+def test_lengths_of_a_list_are_taken_in_their_unit(unit: str, millimetres: float) -> None:
+    found, findings = points_of(SourceText("p.csv", f"name,x,y,z\n,mm,{unit},mm\na,1,2,3\n"), "p")
+    assert findings == ()
+    assert found == PointList("p", (("a", (1.0, 2.0 * millimetres, 3.0)),))
+
+
+@pytest.mark.parametrize(
     ("text", "lines"),
     [
         ("", [1]),

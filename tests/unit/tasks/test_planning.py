@@ -121,6 +121,16 @@ def test_it_is_said_why_there_is_no_plan(goal: str, refused: tuple[tuple[str, ..
     assert words in finding.message
 
 
+@pytest.mark.parametrize(
+    ("count", "end"), [(3, "`s2` cannot be reached"), (5, "`s2` cannot be reached, and 2 more")]
+)
+def test_of_many_refusals_three_are_named_and_the_others_counted(count: int, end: str) -> None:
+    known, places = base(), [f"s{index}" for index in range(count)]
+    GEOMETRY.refuse(*(("arm", place) for place in places))
+    (finding,) = known.plan(["gripper(open)"], state_of(("hand",), places)).findings
+    assert finding.message.endswith(end)
+
+
 def test_goals_that_exclude_each_other_are_told_as_that() -> None:
     (finding,) = base().plan(["at(p0, s1)", "held(p0)"], state_of(("s0",), ["s0", "s1"])).findings
     assert "not all of them together" in finding.message
