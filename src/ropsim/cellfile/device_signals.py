@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from ropsim.cellfile.device_diagnostics import DEVICES_IN_A_CIRCLE, INPUT_SET_TWICE
-from ropsim.model import BeltDrive, Device, IndexDrive, Signal, SwitchDrive
+from ropsim.model import BeltDrive, Device, DeviceDrive, IndexDrive, Signal, SwitchDrive
 from ropsim.tomltext import TomlTable, cut
 
 Place = tuple[str, ...]
@@ -50,21 +50,28 @@ def _note_twice(table: TomlTable, place: Place, signal: str, why: str) -> None:
 
 def _told(device: Device) -> Iterator[tuple[Place, str]]:
     """Yield the inputs that a device sets, with the places where they are named."""
-    places: tuple[tuple[Place, str], ...]
-    match device.drive:
+    return ((place, signal) for place, signal in _places(device.drive) if signal)
+
+
+def _places(drive: DeviceDrive) -> tuple[tuple[Place, str], ...]:
+    """Return the places where a drive can name inputs that it sets, with those; empty for none."""
+    match drive:
         case BeltDrive(barrier=barrier):
-            places = ((("stop", "signal"), barrier.signal if barrier else ""),)
+            return ((("stop", "signal"), barrier.signal if barrier else ""),)
         case SwitchDrive(is_off=off, is_on=on):
-            places = ((("is_off",), off), (("is_on",), on))
+            return (("is_off",), off), (("is_on",), on)
         case IndexDrive(in_place=in_place):
-            places = ((("in_place",), in_place),)
-    return ((place, signal) for place, signal in places if signal)
+            return ((("in_place",), in_place),)
 
 
 def _listened(device: Device) -> tuple[str, str]:
     """Return key and name of the signal that a device follows."""
     (signal,) = device.listens
-    return ("run" if isinstance(device.drive, BeltDrive) else "signal"), signal
+    match device.drive:
+        case BeltDrive():
+            return "run", signal
+        case SwitchDrive() | IndexDrive():
+            return "signal", signal
 
 
 def _ring(followed: Mapping[str, list[str]]) -> tuple[str, ...]:

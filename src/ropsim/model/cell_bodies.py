@@ -6,7 +6,7 @@ from ropsim.flow import ROBOT, prefix_of
 from ropsim.model.body import WORLD, Body, BodyKind, Mover
 from ropsim.model.body_tree import BodyTree
 from ropsim.model.cell import Cell
-from ropsim.model.device import BeltDrive, Device
+from ropsim.model.device import Device
 from ropsim.model.geometry import Box, Shape
 from ropsim.model.mechanism import Mechanism
 from ropsim.model.part import Part
@@ -62,7 +62,7 @@ def mount_of(device: Device) -> tuple[str, Pose]:
 
     That is its moving body, with the base frame at coordinate 0; of a belt its base, with the base frame.
     """
-    if isinstance(device.drive, BeltDrive):
+    if device.is_belt:
         return link_name(0, device.name), Pose()
     return link_name(1, device.name), device.mechanism.joints[0].placement.inverse()
 

@@ -103,7 +103,20 @@ class Device:
     @property
     def q_start(self) -> float:
         """Return the coordinate at time 0 [rad | m]."""
-        return self.drive.off if isinstance(self.drive, SwitchDrive) else 0.0
+        match self.drive:
+            case SwitchDrive(off=off):
+                return off
+            case BeltDrive() | IndexDrive():
+                return 0.0
+
+    @property
+    def is_belt(self) -> bool:
+        """Return whether parts lie on its base and move along it, while nothing of it seems to move."""
+        match self.drive:
+            case BeltDrive():
+                return True
+            case SwitchDrive() | IndexDrive():
+                return False
 
     @property
     def listens(self) -> tuple[str, ...]:

@@ -4,7 +4,6 @@ from ropsim.model.body import WORLD, BodyKind
 from ropsim.model.body_tree import BodyTree
 from ropsim.model.cell import Cell
 from ropsim.model.cell_bodies import body_tree
-from ropsim.model.device import BeltDrive
 from ropsim.model.held_arm import carrying_links
 from ropsim.model.robot import RobotModel
 from ropsim.model.surroundings import SupportLimits
@@ -23,7 +22,7 @@ def spoken_body(cell: Cell, name: str) -> str:
     body = tree.by_name()[name]
     if body.kind is BodyKind.DEVICE:
         device = cell.devices[name.rpartition("/")[0]]
-        return f"the belt `{device.name}`" if isinstance(device.drive, BeltDrive) else f"`{device.name}`"
+        return f"the belt `{device.name}`" if device.is_belt else f"`{device.name}`"
     if body.kind is BodyKind.LINK and body.mover:
         return _spoken_axis(tree, body.mover.mechanism, body.mover.joint, cell)
     return f"`{name}`"

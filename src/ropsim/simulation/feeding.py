@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.kinematics import Blocks, part_blocks
-from ropsim.model import WORLD, BeltDrive, Cell, Part
+from ropsim.model import WORLD, Cell, Part
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.placements import Seat
@@ -47,7 +47,7 @@ def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
         time: from which on [s].
     """
     found = math.inf
-    if not isinstance(device.device.drive, BeltDrive):
+    if not device.device.is_belt:
         return found
     for part in _expected(run):
         poses, (q, _) = device.poses(time), device.course.at(time)
@@ -105,9 +105,7 @@ def _poses(run: CellRun, time: float) -> Mapping[str, Pose]:
 def _turns(run: CellRun, body: str, time: float) -> bool:
     """Return whether a body is one of a device that moves and is not made to be loaded then."""
     return any(
-        body in device.bodies
-        and not isinstance(device.device.drive, BeltDrive)
-        and device.course.at(time)[1] != 0.0
+        body in device.bodies and not device.device.is_belt and device.course.at(time)[1] != 0.0
         for device in run.devices.values()
     )
 

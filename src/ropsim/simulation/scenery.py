@@ -8,7 +8,6 @@ from ropsim.core import frozen_dataclass
 from ropsim.kinematics import NO_BLOCKS, Blocks, Ground, ground_of, shape_blocks
 from ropsim.model import (
     WORLD,
-    BeltDrive,
     BodyKind,
     BodyTree,
     Cell,
@@ -91,9 +90,7 @@ def scenery_of(cell: Cell) -> Scenery:
 def _belts(cell: Cell) -> dict[str, str]:
     """Return what moves the parts on each conveyor: its belt stands still to look at."""
     devices = cell.devices.values()
-    return {
-        link_name(0, one.name): link_name(1, one.name) for one in devices if isinstance(one.drive, BeltDrive)
-    }
+    return {link_name(0, one.name): link_name(1, one.name) for one in devices if one.is_belt}
 
 
 def _within(tree: BodyTree, name: str, rides: str) -> Pose:

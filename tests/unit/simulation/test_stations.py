@@ -357,6 +357,20 @@ def test_a_device_that_follows_a_scripted_input_moves_at_the_tick_of_the_change(
     assert up.times[1] == pytest.approx(2.007 + 0.5 / 0.5 + 0.5 / 2.0, abs=1e-9)
 
 
+def test_a_device_starts_at_its_position_of_off_and_goes_to_on_from_there() -> None:
+    drive = SwitchDrive("go", 0.2, 0.5, 0.5, 2.0, "", "up")
+    door = Device("door", robots.slide(()), drive, Pose(np.array([2.0, 2.0, 0.0])))
+    signals = {"go": switch("go"), "up": switch("up", is_input=True)}
+    made = cell(station("left"), signals=signals, devices={"door": door})
+    recording = ran(made, left=("wait 0.5 s", "set go on", "wait 2 s"))
+    q = recording.channels["door/q"].values[:, 0]
+    assert q[recording.time <= 0.5].tolist() == [0.2] * int((recording.time <= 0.5).sum())
+    assert q[-1] == pytest.approx(0.5, abs=1e-12)
+    up = recording.channels["signal.up"]
+    assert up.times is not None
+    assert up.times[1] == pytest.approx(0.5 + (0.5 - 0.2) / 0.5 + 0.5 / 2.0, abs=1e-9)
+
+
 def test_a_device_that_follows_what_it_tells_itself_lets_time_pass() -> None:
     drive = SwitchDrive("closed", 0.0, 0.1, 0.5, 2.0, "closed", "")
     door = Device("door", robots.slide(()), drive, Pose(np.array([2.0, 2.0, 0.0])))

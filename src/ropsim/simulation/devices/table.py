@@ -1,4 +1,7 @@
-"""The kinds of drives of devices: a new kind is one file and one entry here."""
+"""What moves the drives of devices: a file and an entry here for each kind.
+
+A new kind is a member of `DeviceDrive`, too; mypy then names each `match` that has to say what it does.
+"""
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
