@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import MESH_ENDINGS, read_mesh
+from ropsim.meshes.reading import MESH_FORMATS, read_mesh
 from ropsim.meshes.triangles import shaded
 from ropsim.model import Mesh
 from support.meshes import cube_soup, obj, ply, stl, stl_text
 
-ENDINGS = sorted(MESH_ENDINGS)
+ENDINGS = sorted(MESH_FORMATS)
 SEEDS = (
     ("a.stl", stl(cube_soup())),
     ("a.stl", stl_text(cube_soup())),

@@ -5,10 +5,7 @@ from ropsim.exchange.diagnostics import MESH_MISSING
 from ropsim.exchange.folder import RobotFolder
 from ropsim.exchange.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.notes import Notes, shown
-from ropsim.model import Mesh
-
-DRAWN = (".stl", ".obj", ".ply", ".glb")
-"""Endings of the meshes that are drawn."""
+from ropsim.model import MESH_ENDINGS, Mesh
 
 
 def mesh_of(
@@ -28,8 +25,8 @@ def mesh_of(
         words = f"the mesh `{shown(name)}` is not inside of the given folders"
         notes.add(MESH_MISSING, span, words, "give the folder of its package")
         return None
-    if not path.lower().endswith(DRAWN):
-        words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(DRAWN)}"
+    if not path.lower().endswith(MESH_ENDINGS):
+        words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(MESH_ENDINGS)}"
         notes.add(LOST_DESCRIPTION, span, words, "convert it to one of these")
         return None
     if len(set(scale)) > 1 or scale[0] <= 0.0:

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Mapping
 from pathlib import PurePosixPath
+from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,10 +19,47 @@ from ropsim.meshes.formats import (
 from ropsim.meshes.triangles import Colours, Triangles, shaded
 from ropsim.model import Mesh
 
-MESH_ENDINGS = {".stl": 1e-3, ".obj": 1e-3, ".ply": 1e-3, ".glb": 1.0}
-"""What is read, with the metres per unit that hold where the cell file gives no `scale`."""
 
-_READERS: Mapping[str, Callable[[bytes], Soup]] = {".stl": read_stl, ".obj": read_obj, ".ply": read_ply}
+class MeshFormat(NamedTuple):
+    """A format of mesh files.
+
+    Attributes:
+        read: bytes of a file to corners of triangles.
+        unit: metres per unit of the file that hold where the cell file gives no `scale`.
+        colours: its colours to linear ones, as glTF has them.
+    """
+
+    read: Callable[[bytes], Soup]
+    unit: float
+    colours: Callable[[Colours], Colours]
+
+
+def _read_glb(content: bytes) -> Soup:
+    from ropsim.meshes.formats.glb import read_glb
+
+    return read_glb(content)
+
+
+def _as_they_are(colours: Colours) -> Colours:
+    return colours
+
+
+def _as_on_screens(colours: Colours) -> Colours:
+    found = np.array(colours)
+    found[..., :3] = np.round(255.0 * (found[..., :3] / 255.0) ** _GAMMA)
+    return found
+
+
+MESH_FORMATS: Mapping[str, MeshFormat] = MappingProxyType(
+    {
+        ".stl": MeshFormat(read_stl, 1e-3, _as_on_screens),
+        ".obj": MeshFormat(read_obj, 1e-3, _as_on_screens),
+        ".ply": MeshFormat(read_ply, 1e-3, _as_on_screens),
+        ".glb": MeshFormat(_read_glb, 1.0, _as_they_are),
+    }
+)
+"""What is read, by the ending of the file: each of `ropsim.model.MESH_ENDINGS`, in that order."""
+
 _LARGEST, _SMALLEST = 1e3, 1e-5  # [m]
 _GAMMA = 2.2
 
@@ -40,9 +79,9 @@ def read_mesh(content: bytes, mesh: Mesh) -> Triangles:
     Raises:
         MeshFileError: damaged, without triangles, too many of them, or of an impossible size.
     """
-    ending = mesh_ending(mesh.file)
+    format_ = MESH_FORMATS[mesh_ending(mesh.file)]
     with np.errstate(all="ignore"):  # wild numbers in the file are found below
-        soup = _soup(content, ending)
+        soup = format_.read(content)
         points = soup.corners.reshape(-1, 3) * mesh.scale
     if not len(soup.corners):
         raise MeshFileError(MESH_DAMAGED, NO_TRIANGLES)
@@ -53,24 +92,8 @@ def read_mesh(content: bytes, mesh: Mesh) -> Triangles:
     if not (size >= _SMALLEST and farthest <= _LARGEST):
         found = f"is {size:.3g} m long with the scale {mesh.scale:g}"
         raise MeshFileError(MESH_EXTENT, found, "give `scale`, metres per unit of the file")
-    linear = ending == ".glb"  # all but glTF give colours as screens show them
-    triangles = shaded(points.reshape(-1, 3, 3), soup.colours if linear else _linear(soup.colours))
+    colours = None if soup.colours is None else format_.colours(soup.colours)
+    triangles = shaded(points.reshape(-1, 3, 3), colours)
     if not len(triangles.faces):
         raise MeshFileError(MESH_DAMAGED, NO_TRIANGLES)
     return triangles
-
-
-def _soup(content: bytes, ending: str) -> Soup:
-    if ending == ".glb":
-        from ropsim.meshes.formats.glb import read_glb
-
-        return read_glb(content)
-    return _READERS[ending](content)
-
-
-def _linear(colours: Colours | None) -> Colours | None:
-    if colours is None:
-        return None
-    found = np.array(colours)
-    found[..., :3] = np.round(255.0 * (found[..., :3] / 255.0) ** _GAMMA)
-    return found

@@ -80,6 +80,7 @@ from ropsim.model.external_values import ExternalValues as ExternalValues
 from ropsim.model.frame import Frame as Frame
 from ropsim.model.frame import still_frames as still_frames
 from ropsim.model.geometry import LIGHT_GREY as LIGHT_GREY
+from ropsim.model.geometry import MESH_ENDINGS as MESH_ENDINGS
 from ropsim.model.geometry import Box as Box
 from ropsim.model.geometry import Cylinder as Cylinder
 from ropsim.model.geometry import Material as Material

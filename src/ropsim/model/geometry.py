@@ -101,12 +101,16 @@ class Polyline:
     points: tuple[Point3, ...]
 
 
+MESH_ENDINGS = (".stl", ".obj", ".ply", ".glb")
+"""Endings of the mesh files that are drawn; `ropsim.meshes` has a reader for each."""
+
+
 @frozen_dataclass
 class Mesh:
     """Triangles in a file of the project.
 
     Attributes:
-        file: path in the project folder, with `/`.
+        file: path in the project folder, with `/`; it ends with one of `MESH_ENDINGS`.
         scale: metres per unit of the file.
     """
 

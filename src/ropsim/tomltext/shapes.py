@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass, near
-from ropsim.meshes import MESH_ENDINGS, mesh_ending
+from ropsim.meshes import MESH_FORMATS, mesh_ending
 from ropsim.model import (
     LIGHT_GREY,
     Box,
@@ -176,10 +176,10 @@ def _polygon(table: TomlTable, units: Units) -> Solid | None:
 
 def _mesh(table: TomlTable, _units: Units) -> Solid | None:
     file = table.text("mesh", "")
-    ending = mesh_ending(file)
-    scale = table.number("scale", _SCALE, MESH_ENDINGS.get(ending, 1.0))
-    if ending not in MESH_ENDINGS:
-        endings = ", ".join(f"`{known}`" for known in MESH_ENDINGS)
+    format_ = MESH_FORMATS.get(mesh_ending(file))
+    scale = table.number("scale", _SCALE, format_.unit if format_ else 1.0)
+    if format_ is None:
+        endings = ", ".join(f"`{known}`" for known in MESH_FORMATS)
         if isinstance(table.values["mesh"], str):
             message = f"`{table.name_of('mesh')}` is `{cut(file)}`, allowed are files that end with {endings}"
             table.findings.add(kinds.UNKNOWN_CHOICE, table.value_span("mesh"), message)

@@ -12,8 +12,8 @@ import trimesh
 from ropsim.meshes.formats import MeshFileError, Soup, read_obj, read_ply, read_stl
 from ropsim.meshes.formats.glb import read_glb
 from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import read_mesh
-from ropsim.model import Mesh
+from ropsim.meshes.reading import MESH_FORMATS, read_mesh
+from ropsim.model import MESH_ENDINGS, Mesh
 from ropsim.spatial import Array
 from support.meshes import cube_soup, drum, glb_container, obj, ply, ply_binary, stl, stl_text
 
@@ -109,6 +109,22 @@ def test_colours_of_points_and_faces_and_materials_are_kept() -> None:
     document["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}]
     document["meshes"][0]["primitives"][0]["material"] = 0
     assert corner_colours(read_glb(glb_container(document, GLB_BODY))) == [255, 128, 0, 255]
+
+
+def test_colours_are_made_linear_where_the_format_has_them_as_screens_show_them() -> None:
+    on_screen = read_mesh(ply(colours="255 128 0"), Mesh("a.ply", 1.0)).colours
+    assert on_screen is not None
+    assert on_screen[0].tolist() == [255, round(255 * (128 / 255) ** 2.2), 0, 255]
+    document = glb_document()
+    document["materials"] = [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}]
+    document["meshes"][0]["primitives"][0]["material"] = 0
+    linear = read_mesh(glb_container(document, GLB_BODY), Mesh("a.glb")).colours
+    assert linear is not None
+    assert linear[0].tolist() == [255, 128, 0, 255]
+
+
+def test_every_ending_of_meshes_has_its_reader() -> None:
+    assert tuple(MESH_FORMATS) == MESH_ENDINGS
 
 
 GLB_BODY = struct.pack("<9f3I", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2)

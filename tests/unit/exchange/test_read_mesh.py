@@ -1,0 +1,30 @@
+"""Which meshes of robot files are drawn, and what is said of the others."""
+
+import pytest
+
+from ropsim.core import Span
+from ropsim.exchange.folder import RobotFolder
+from ropsim.exchange.notes import Notes
+from ropsim.exchange.read_mesh import mesh_of
+from ropsim.model import MESH_ENDINGS, Mesh
+
+PLACE = Span("arm.urdf", 1, 1, 1, 2)
+
+
+@pytest.mark.parametrize("ending", [*MESH_ENDINGS, ".STL"])
+def test_a_mesh_in_a_format_that_is_read_is_drawn_with_its_scale(ending: str) -> None:
+    notes = Notes()
+    mesh = mesh_of(f"a{ending}", (0.5, 0.5, 0.5), RobotFolder(), PLACE, notes)
+    assert (mesh, notes.found) == (Mesh(f"a{ending}", 0.5), ())
+
+
+@pytest.mark.parametrize("scale", [(0.0, 0.0, 0.0), (-1.0, -1.0, -1.0), (1.0, 1.0, 2.0)])
+def test_a_mesh_is_scaled_by_one_positive_number(scale: tuple[float, ...]) -> None:
+    notes = Notes()
+    assert mesh_of("a.stl", scale, RobotFolder(), PLACE, notes) is None
+    (found,) = notes.found
+    figures = " ".join(f"{one:g}" for one in scale)
+    assert (found.code, found.span) == ("X995", PLACE)
+    assert found.message == (
+        f"the mesh `a.stl` is scaled by {figures}, allowed is one positive number for all axes"
+    )
