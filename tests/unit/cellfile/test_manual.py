@@ -50,61 +50,6 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert all(signal.sensor is not None for signal in sensing.signals.values())
 
 
-def test_every_key_that_the_reader_knows_stands_in_the_manual() -> None:
-    asked: set[str] = set()
-    for section in (
-        "cell",
-        "units",
-        "robot",
-        "controller",
-        "tools.a",
-        "locations.a",
-        "frames.a",
-        "signals.a",
-        "classic",
-    ):
-        text = f'[robot]\nmodel = "puma560"\n[{section}]\nqqqqqqqqqqqq = 1\n'
-        if section == "robot":
-            text = '[robot]\nmodel = "puma560"\nqqqqqqqqqqqq = 1\n'
-        _, findings = read_cell(SourceText("cell.toml", text), "folder")
-        for found in findings:
-            if found.code == "X802":
-                asked.update(re.findall(r"`(\w+)`", found.hint))
-    for text in ("[[objects]]\n", "[[objects]]\nshapes = [{ zzzz = 1 }]\n", "[[parts]]\n", "[[supplies]]\n"):
-        _, findings = read_cell(
-            SourceText("cell.toml", f'[robot]\nmodel = "puma560"\n{text}qqqqqqqqqqqq = 1\n'), ""
-        )
-        for found in findings:
-            if found.code == "X802":
-                asked.update(re.findall(r"`(\w+)`", found.hint))
-    for text in (
-        *('[stations.a.mechanism]\nkind = "slide"\n', '[stations.a.mechanism]\nkind = "turntable"\n'),
-        *("[stations.a]\n", "[stations.a.controller]\n", "[stations.a]\ntrack = { qqqqqqqqqqqq = 1 }\n"),
-        *("[stations.a]\npositioner = { qqqqqqqqqqqq = 1 }\n", '[devices.a]\nkind = "conveyor"\n'),
-        *('[devices.a]\nkind = "slide"\n', '[devices.a]\nkind = "turntable"\ndiameter = 1\n'),
-        *('[devices.a]\nkind = "slide"\nstep = 1\n',),
-        '[devices.a]\nkind = "conveyor"\nstop = { qqqqqqqqqqqq = 1 }\n',
-    ):
-        _, findings = read_cell(SourceText("cell.toml", f"{text}qqqqqqqqqqqq = 1\n"), "")
-        for found in findings:
-            if found.code == "X802":
-                asked.update(re.findall(r"`(\w+)`", found.hint))
-    assert {"carriage_mass", "inertia", "tools", "program", "run", "stop", "at", "is_on", "step"} <= asked
-    assert {
-        "kp",
-        "serves",
-        "speed_override",
-        "gripper",
-        "down",
-        "changes",
-        "size",
-        "shapes",
-        "grid",
-        "arc",
-    } <= asked
-    assert [key for key in sorted(asked) if f"`{key}`" not in MANUAL] == []
-
-
 def test_the_keys_of_the_example_are_explained() -> None:
     names = {"jaws", "pallet", "infeed", "corner", "part_ready", "lamp"}
     keys = keys_of(tomllib.loads(EXAMPLES[0])) - names
