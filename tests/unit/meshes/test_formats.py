@@ -212,6 +212,20 @@ def test_too_many_points_are_called_points(monkeypatch: pytest.MonkeyPatch) -> N
     assert found.value.found == "has 7 points, at most 6 are read"
 
 
+@pytest.mark.parametrize(("ending", "content"), FILES)
+def test_no_format_gives_more_triangles_than_can_be_drawn(
+    ending: str, content: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    count = len(READERS[ending](content).corners)
+    monkeypatch.setattr("ropsim.meshes.formats.soup.MOST_TRIANGLES", count)
+    assert len(READERS[ending](content).corners) == count
+    monkeypatch.setattr("ropsim.meshes.formats.soup.MOST_TRIANGLES", count - 1)
+    with pytest.raises(MeshFileError) as found:
+        READERS[ending](content)
+    assert found.value.kind.code == "X883"
+    assert found.value.found == f"has {count:,} triangles, at most {count - 1:,} are drawn"
+
+
 @pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e308", "1e400"])
 def test_wild_coordinates_are_refused(value: str) -> None:
     with pytest.raises(MeshFileError) as found:

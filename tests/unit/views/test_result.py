@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.flow import AxisFacts, AxisType, Channel, MotionKind, MoveEvent, SkipEvent
+from ropsim.flow import AxisFacts, AxisType, Channel, Destinations, MotionKind, MoveEvent, SkipEvent
 from ropsim.views import result_figures, summarize, verdict
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
@@ -112,6 +112,17 @@ def test_figures_that_a_run_does_not_know_are_nothing() -> None:
     result = result_figures(summarize(empty_recording()))
     for name in ("peak_torque", "peak_speed", "closest_limit", "path_error"):
         assert result[name] is None
+
+
+@pytest.mark.parametrize(
+    ("wanted", "told"), [(Destinations(), None), (Destinations(36, 35), {"wanted": 36, "reached": 35})]
+)
+def test_destinations_are_told_where_a_part_has_one(
+    wanted: Destinations, told: dict[str, int] | None
+) -> None:
+    recording = pick_and_place(1)
+    facts_ = replace(recording.facts, destinations=wanted)
+    assert result_figures(summarize(replace(recording, facts=facts_)))["destinations"] == told
 
 
 def test_figures_of_several_stations_name_the_one_that_they_are_of() -> None:
