@@ -27,6 +27,7 @@ from ropsim.flow.facts import channel_name as channel_name
 from ropsim.flow.facts import prefix_of as prefix_of
 from ropsim.flow.guard import Comparison as Comparison
 from ropsim.flow.guard import Guard as Guard
+from ropsim.flow.inputs import SLOWEST as SLOWEST
 from ropsim.flow.inputs import InputChange as InputChange
 from ropsim.flow.inputs import Interventions as Interventions
 from ropsim.flow.inputs import OverrideChange as OverrideChange

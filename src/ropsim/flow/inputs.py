@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 from ropsim.core import frozen_dataclass
 
+SLOWEST = 1e-3
+"""Least override at which something moves; below it the override counts as 0 [share of the planned speed]."""
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class InputChange:
@@ -26,7 +29,7 @@ class OverrideChange:
 
     Attributes:
         time: of the control tick from which on it holds [s of simulated time].
-        value: share of the planned speed, 0 (held) to 1.
+        value: share of the planned speed, 0 (held) to 1; below `SLOWEST` it counts as 0.
     """
 
     time: float

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import read_bytes
-from ropsim.flow import Interventions, OverrideChange, Recording
+from ropsim.flow import SLOWEST, Interventions, OverrideChange, Recording
 from ropsim.records.file import read_recording
 from ropsim.records.plain_inputs import finite, inputs_from_plain, plain_from_inputs, share, unreadable
 
@@ -19,9 +19,6 @@ LARGEST = 5_000_000
 
 LONGEST = 4 * 3600.0
 """Time that is simulated at most, however late the last input comes [s]."""
-
-SLOWEST = 1e-3
-"""Least override for which a run is given more time."""
 
 
 def inputs_of(recording: Recording) -> Interventions:
@@ -54,7 +51,7 @@ def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
         max([*times, given.stopped or 0.0]),
         max(given.overrides, default=OverrideChange(0.0, 1.0)).value,
     )
-    pace = max(last, SLOWEST) if last > 0.0 else 1.0
+    pace = last if last >= SLOWEST else 1.0
     return replace(
         options,
         inputs=given.inputs,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from ropsim.controller import CellSensors, NothingSensed, Sample, StretchOrder
 from ropsim.core import Diagnostic
-from ropsim.flow import Event, InputChange, Placement
+from ropsim.flow import SLOWEST, Event, InputChange, Placement
 from ropsim.model import Cell, Part, Tool
 from ropsim.simulation.clasp import Clasp
 from ropsim.simulation.devices.device_run import NEVER, DeviceRun
@@ -197,8 +197,10 @@ class CellRun:
     def override_from(self, tick: int, value: float) -> None:
         """Let the speed override have a value from a tick of the cell's clock on, not before the last change.
 
-        Nobody may have come beyond that tick, or have asked for the override there.
+        Nobody may have come beyond that tick, or have asked for the override there. A value with which no
+        program would come to its end counts as 0.
         """
+        value = value if value >= SLOWEST else 0.0
         if self.overrides and self.overrides[-1][0] == tick:
             del self.overrides[-1]
         self.overrides.append((tick, value))

@@ -34,9 +34,10 @@ HELD_FOR_EVER = define(
     Severity.ERROR,
     "a run is held, and nothing lets it go on",
     """
-The inputs that the run was given end with a hold: the override is 0, and no later change raises it. Every
-program that still ran stood held, or waited for a signal that nothing can change any more. Nothing could
-happen, so the run was ended there, and the cycle time is not that of the program.
+The inputs that the run was given end with a hold: the override is 0, and no later change raises it. An
+override below 0.1 % counts as 0: no program would come to its end with it. Every program that still ran
+stood held, or waited for a signal that nothing can change any more. Nothing could happen, so the run was
+ended there, and the cycle time is not that of the program.
 
 A live run that was closed while it was held leaves such inputs. Add a change of the override after the hold,
 or leave the hold out:

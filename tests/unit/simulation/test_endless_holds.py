@@ -5,7 +5,7 @@ import pytest
 
 import ropsim
 from ropsim import icr, robots
-from ropsim.flow import MoveEvent, OverrideChange, Recording, channel_name
+from ropsim.flow import SLOWEST, MoveEvent, OverrideChange, Recording, channel_name
 from ropsim.model import Cell, Signal, Station
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
@@ -81,6 +81,21 @@ def test_one_that_is_never_let_go_is_told_without_a_line() -> None:
     assert [(one.code, one.span) for one in recording.findings] == [("S762", None)]
     assert recording.duration < 0.02
     assert recording.events == ()
+
+
+@pytest.mark.parametrize("tiny", [1e-300, 0.5 * SLOWEST])
+def test_an_override_with_which_no_program_ends_is_a_hold(tiny: float) -> None:
+    recording = ran(cell("left"), (1.5, tiny), left=MOVES)
+    (found,) = recording.findings
+    assert (found.code, found.data["time_s"]) == ("S762", 1.5)
+    assert "less than 0.001 counts as 0" in found.hint
+    assert recording.facts.overrides == (OverrideChange(1.5, 0.0),)
+
+
+def test_the_slowest_override_is_none() -> None:
+    recording = ran(cell("left"), (0.5, SLOWEST), (1.5, 1.0), left=MOVES)
+    assert recording.findings == ()
+    assert recording.facts.overrides == (OverrideChange(0.5, SLOWEST), OverrideChange(1.5, 1.0))
 
 
 def test_who_waits_for_one_that_is_held_is_told_so() -> None:
