@@ -31,6 +31,7 @@ from ropsim.flow.inputs import SLOWEST as SLOWEST
 from ropsim.flow.inputs import InputChange as InputChange
 from ropsim.flow.inputs import Interventions as Interventions
 from ropsim.flow.inputs import OverrideChange as OverrideChange
+from ropsim.flow.inputs import in_time as in_time
 from ropsim.flow.instructions import AwaitInstruction as AwaitInstruction
 from ropsim.flow.instructions import GripAction as GripAction
 from ropsim.flow.instructions import GripInstruction as GripInstruction

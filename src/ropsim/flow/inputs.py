@@ -1,6 +1,8 @@
 """What somebody gives to a run while it goes on: inputs, the override, its end."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeVar
 
 from ropsim.core import frozen_dataclass
 
@@ -34,6 +36,14 @@ class OverrideChange:
 
     time: float
     value: float
+
+
+Change = TypeVar("Change", InputChange, OverrideChange)
+
+
+def in_time(changes: Iterable[Change]) -> tuple[Change, ...]:
+    """Return changes in order of time; those at one time keep their order, so the one given last holds."""
+    return tuple(sorted(changes, key=lambda one: one.time))
 
 
 @frozen_dataclass

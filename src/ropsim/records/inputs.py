@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import read_bytes
-from ropsim.flow import SLOWEST, Interventions, OverrideChange, Recording
+from ropsim.flow import SLOWEST, Interventions, OverrideChange, Recording, in_time
 from ropsim.records.file import read_recording
 from ropsim.records.plain_inputs import finite, inputs_from_plain, plain_from_inputs, share, unreadable
 
@@ -47,10 +47,8 @@ def with_inputs(options: "RunOptions", given: Interventions) -> "RunOptions":
     find the program where it found it then.
     """
     times = [*(one.time for one in given.inputs), *(one.time for one in given.overrides)]
-    later, last = (
-        max([*times, given.stopped or 0.0]),
-        max(given.overrides, default=OverrideChange(0.0, 1.0)).value,
-    )
+    later = max([*times, given.stopped or 0.0])
+    last = in_time((OverrideChange(0.0, 1.0), *given.overrides))[-1].value
     pace = last if last >= SLOWEST else 1.0
     return replace(
         options,

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ropsim.controller import with_change
 from ropsim.core import Diagnostic, did_you_mean
-from ropsim.flow import InputChange, InputEvent
+from ropsim.flow import InputChange, InputEvent, in_time
 from ropsim.model import Cell, Signal
 from ropsim.simulation.input_diagnostics import INPUT_NOT_USABLE
 from ropsim.simulation.run_options import RunOptions
@@ -17,7 +17,10 @@ from ropsim.simulation.track import Track
 def usable_inputs(
     cell: Cell, inputs: Iterable[InputChange]
 ) -> tuple[tuple[InputChange, ...], tuple[Diagnostic, ...]]:
-    """Return the changes that a cell can take, in order of time, and a finding per signal that it cannot."""
+    """Return the changes that a cell can take, in order of time, and a finding per signal that it cannot.
+
+    Those at one time keep their order: of two of one signal the one given last holds.
+    """
     kept: list[InputChange] = []
     wrong: dict[str, Diagnostic] = {}
     for change in inputs:
@@ -27,7 +30,7 @@ def usable_inputs(
         elif change.signal not in wrong:
             message = f"recorded input `{change.signal}` is left out: {reason}"
             wrong[change.signal] = INPUT_NOT_USABLE.at(None, message, hint=hint)
-    return tuple(sorted(kept)), tuple(wrong.values())
+    return in_time(kept), tuple(wrong.values())
 
 
 def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
@@ -35,10 +38,10 @@ def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:
 
     Args:
         cell: has every signal that is named, as an input.
-        inputs: in any order.
+        inputs: in any order; of those of one signal at one time the last one holds.
     """
     signals = dict(cell.signals)
-    for change in sorted(inputs):
+    for change in in_time(inputs):
         signals[change.signal] = with_change(signals[change.signal], change.time, change.value)
     return replace(cell, signals=signals)
 

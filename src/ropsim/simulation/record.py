@@ -20,6 +20,7 @@ from ropsim.flow import (
     SkipEvent,
     StationFacts,
     channel_name,
+    in_time,
 )
 from ropsim.icr import Program, program_id
 from ropsim.kinematics import forward_batch
@@ -178,8 +179,8 @@ def _grips(program: Program) -> bool:
 
 def inputs_taken(run: CellRun) -> list[InputChange]:
     """Return the changes of inputs that fell into the run, in order of time."""
-    taken = (one for one in run.inputs if one.time <= run.time)
-    return sorted(InputChange(float(one.time), one.signal, float(one.value)) for one in taken)
+    taken = in_time(one for one in run.inputs if one.time <= run.time)
+    return [InputChange(float(one.time), one.signal, float(one.value)) for one in taken]
 
 
 def overrides_taken(run: CellRun) -> tuple[OverrideChange, ...]:

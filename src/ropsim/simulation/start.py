@@ -3,7 +3,7 @@
 import math
 
 from ropsim.controller import CellSensors, standard_chain
-from ropsim.flow import Fidelity
+from ropsim.flow import Fidelity, in_time
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
 from ropsim.simulation.cell_run import CellRun
 from ropsim.simulation.devices.course import Course, Piece
@@ -73,7 +73,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         inputs=list(inputs),
         supplies=supplies_of(cell),
     )
-    for change in sorted(options.overrides, key=lambda one: one.time):
+    for change in in_time(options.overrides):
         run.override_from(tick_at(change.time, hz), change.value)
     if options.stopped is not None:
         run.stop_from(tick_at(options.stopped, hz))

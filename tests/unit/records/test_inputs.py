@@ -109,6 +109,11 @@ def test_a_run_is_given_all_and_the_time_that_it_needs() -> None:
     assert (slow.longest, slow.longest_wait) == (1070.0, 170.0)
 
 
+def test_of_two_overrides_at_one_time_the_one_that_stands_last_sets_the_time_of_a_run() -> None:
+    both = (OverrideChange(50.0, 1.0), OverrideChange(50.0, 0.1), OverrideChange(20.0, 0.5))
+    assert with_inputs(RunOptions(longest=100.0), Interventions((), both)).longest == 1050.0
+
+
 def test_a_recording_gives_the_inputs_that_its_run_was_given(tmp_path: Path) -> None:
     folder = project(tmp_path, KEYS)
     options = with_inputs(RunOptions(Fidelity.KINEMATIC), KEYS_ONLY)

@@ -71,6 +71,17 @@ def test_at_one_time_the_input_holds_and_not_the_change_of_the_cell(cell: Cell) 
     assert merged.signals["go"].changes == ((1.0, 1.0), (2.0, 0.0), (2.0, 1.0))
 
 
+@pytest.mark.parametrize(("first", "last"), [(0.25, 0.75), (0.75, 0.25)])
+def test_of_two_values_at_one_time_the_one_given_last_holds(
+    cell: Cell, program: icr.Program, first: float, last: float
+) -> None:
+    both = (InputChange(1.0, "level", first), InputChange(1.0, "level", last))
+    recording = ideal(cell, program, InputChange(2.5, "go", 1.0), *both)
+    assert recording.rows("signal.level")[-1] == last
+    assert recording.facts.inputs == (*both, InputChange(2.5, "go", 1.0))
+    assert recording == ideal(cell, program, *recording.facts.inputs)
+
+
 @pytest.mark.parametrize(
     ("change", "reason", "hint"),
     [
