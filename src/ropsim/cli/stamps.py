@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -55,7 +56,8 @@ def stamps(path: Path, now: int, before: Stamps) -> Stamps:
             found[one] = old
             continue
         is_settled = facts.st_mtime_ns < now - SETTLED
-        found[one] = Stamp(facts.st_mtime_ns, facts.st_size, _digest(one), is_settled)
+        digest = _digest(one) if stat.S_ISREG(facts.st_mode) else ""  # a pipe would keep who reads it
+        found[one] = Stamp(facts.st_mtime_ns, facts.st_size, digest, is_settled)
     return found
 
 

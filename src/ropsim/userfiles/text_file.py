@@ -47,7 +47,10 @@ def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagno
 
 
 def missing_file(path: Path, name: str) -> Diagnostic:
-    """Return the finding that `path` does not exist, with a near name from its folder."""
+    """Return the finding that `path` does not exist or is a link into nowhere, with a near name beside it."""
+    if path.is_symlink():
+        message = f"`{name}` is a link, and what it leads to is not there"
+        return MISSING_PATH.at(None, message, hint="link to a file that is there, or remove the link")
     folder = path.parent
     beside = [entry.name for entry in folder.iterdir()] if folder.is_dir() else []
     return MISSING_PATH.at(None, f"there is no file or folder `{name}`", hint=did_you_mean(path.name, beside))

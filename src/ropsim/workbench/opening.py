@@ -85,10 +85,18 @@ def no_cell_file(folder: Path) -> Diagnostic:
 
 
 def program_files(folder: Path) -> list[Path]:
-    """Return the programs of a project folder."""
+    """Return the programs of a project folder, those too that cannot be read: reading them tells why."""
     programs = folder / "programs"
     paths = programs.iterdir() if programs.is_dir() else ()
-    return [path for path in paths if path.suffix in PROGRAM_ENDINGS and path.is_file()]
+    return [path for path in paths if path.suffix in PROGRAM_ENDINGS and _is_program(path)]
+
+
+def _is_program(path: Path) -> bool:
+    """Return whether what has the name of a program is one; folders and locks of editors are none.
+
+    A lock is a hidden link into nowhere.
+    """
+    return path.is_file() or not (path.is_dir() or path.name.startswith("."))
 
 
 def assembled(

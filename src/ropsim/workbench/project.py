@@ -161,16 +161,12 @@ class Project:
         return next(iter(self.sources)) if only else wanted
 
     def _unwritten(self) -> tuple[Diagnostic, ...]:
-        """Return a finding for each station that runs a program without a text.
-
-        The only robot of a cell may have none: it may be checked before its program is written.
-        """
+        """Return a finding for each station that runs a program without a text."""
         stations = self.cell.stations.values() if self.cell else ()
         return tuple(
             self._missing(station.program, station)
             for station in stations
             if station.program and self._instead_of(station.program) not in self.sources
-            if station.name != ROBOT or len(stations) > 1
         )
 
     def _missing(self, wanted: str, station: Station | None) -> Diagnostic:

@@ -123,3 +123,9 @@ def test_files_are_read_again_only_where_time_and_size_may_deceive(tmp_path: Pat
     path.write_bytes(b"six")
     os.utime(path, ns=(time, time))
     assert stamps(path, time + SETTLED + 1, settled) == settled
+
+
+def test_a_pipe_among_the_files_of_a_project_is_not_waited_for(project: Path) -> None:
+    pipe = project / "programs" / "pipe.task"
+    os.mkfifo(pipe)
+    assert stamps(project, 0, {})[pipe].digest == ""

@@ -65,6 +65,43 @@ def test_a_program_that_the_cell_file_names_and_that_is_missing_is_told(project:
     assert open_project(project / "programs" / "main.task").program().source.name.endswith("main.task")
 
 
+def test_what_a_run_refuses_is_found_by_compiling_alone(project: Path) -> None:
+    cell = project / "cell.toml"
+    cell.write_text(cell.read_text().replace("[cell]\n", '[cell]\nprogram = "mian"\n'))
+    with pytest.raises(ProjectError) as caught:
+        open_project(project).programs()
+    assert open_project(project).compile().diagnostics == (caught.value.diagnostic,)
+
+
+def test_a_project_without_a_program_is_told_by_compiling(project: Path) -> None:
+    shutil.rmtree(project / "programs")
+    (found,) = open_project(project).compile().diagnostics
+    assert (found.code, found.span.line if found.span else 0) == ("X844", 7)
+    assert found.message.endswith("it has none")
+
+
+@pytest.mark.parametrize(("kind", "code"), [("link", "X840"), ("pipe", "X841"), ("device", "X841")])
+def test_a_program_that_is_no_ordinary_file_is_told_and_not_left_out(
+    project: Path, kind: str, code: str
+) -> None:
+    program = project / "programs" / "main.task"
+    program.unlink()
+    if kind == "pipe":
+        os.mkfifo(program)
+    else:
+        program.symlink_to("nowhere" if kind == "link" else os.devnull)
+    (found,) = open_project(project).compile().diagnostics
+    assert found.code == code_of(project) == code
+    assert ("is a link, and what it leads to is not there" in found.message) == (kind == "link")
+
+
+def test_the_lock_of_an_editor_and_a_folder_are_no_programs(project: Path) -> None:
+    (project / "programs" / ".#main.task").symlink_to("somebody@somewhere.1234")
+    (project / "programs" / "old.task").mkdir()
+    opened = open_project(project)
+    assert (list(opened.sources), opened.compile().diagnostics) == (["main"], ())
+
+
 def test_the_only_program_runs_where_none_is_named(project: Path) -> None:
     (project / "programs" / "main.task").rename(project / "programs" / "other.task")
     assert open_project(project).program().source.name.endswith("other.task")
