@@ -1,7 +1,7 @@
 """Tables of the HTML report on how true the arm was to its commands."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TypeVar
 
 from ropsim.core import SourceText
@@ -70,60 +70,82 @@ def path_table(path: PathSummary, source: SourceText | None) -> str:
 
 
 def corner_table(corners: Sequence[CornerFigures]) -> str:
-    """Return how rounded corners are passed, the worst pass of each source line."""
-    header = ("line", "passes", "zone<br>[mm]", "planned<br>[mm]", "CR<br>[mm]", "CO max<br>[mm]", "at t [s]")
-    rows = [
-        (
-            _line(worst.line),
-            str(count),
-            fixed(worst.zone, MILLIMETRES, 1),
-            fixed(worst.planned, MILLIMETRES, 3),
-            fixed(worst.rounding, MILLIMETRES, 3),
-            fixed(worst.overshoot, MILLIMETRES, 3),
-            seconds(worst.time),
+    """Return how rounded corners are passed: of each source line the least and the largest of each figure."""
+    header = (
+        "line",
+        "passes",
+        "zone<br>[mm]",
+        "planned<br>[mm]",
+        "CR<br>[mm]",
+        "CO max<br>[mm]",
+        "CO max<br>at t [s]",
+    )
+    rows = []
+    for line, passes in _by_line(corners):
+        worst = max(passes, key=lambda one: one.overshoot if math.isfinite(one.overshoot) else -1.0)
+        rows.append(
+            (
+                _line(line),
+                str(len(passes)),
+                _range([one.zone for one in passes], 1),
+                _range([one.planned for one in passes], 3),
+                _range([one.rounding for one in passes], 3),
+                fixed(worst.overshoot, MILLIMETRES, 3),
+                seconds(worst.time) if math.isfinite(worst.overshoot) else UNKNOWN,
+            )
         )
-        for worst, count in _worst_of_lines(corners, lambda one: one.overshoot)
-    ]
     return table(
         "Rounded corners by source line: least distance from the corner point, commanded and attained (CR), "
-        "and overshoot behind it (CO).",
+        "and overshoot behind it (CO); from the least to the largest where passes differ.",
         header,
         rows,
     )
 
 
 def stop_table(stops: Sequence[StopFigures]) -> str:
-    """Return how moves come to rest, the worst pass of each source line."""
-    header = ("line", "passes", "OV max<br>[mm]", "stabilization<br>[s]", "at t [s]")
-    rows = [
-        (
-            _line(worst.line),
-            str(count),
-            fixed(worst.overshoot, MILLIMETRES, 3),
-            f"{worst.stabilization:.3f}",
-            seconds(worst.time),
+    """Return how moves come to rest: of each source line the largest of each figure."""
+    header = (
+        "line",
+        "passes",
+        "OV max<br>[mm]",
+        "OV max<br>at t [s]",
+        "stabilization<br>max [s]",
+        "stabilization<br>max at t [s]",
+    )
+    rows = []
+    for line, passes in _by_line(stops):
+        far = max(passes, key=lambda one: one.overshoot)
+        slow = max(passes, key=lambda one: one.stabilization)
+        rows.append(
+            (
+                _line(line),
+                str(len(passes)),
+                fixed(far.overshoot, MILLIMETRES, 3),
+                seconds(far.time),
+                f"{slow.stabilization:.3f}",
+                seconds(slow.time),
+            )
         )
-        for worst, count in _worst_of_lines(stops, lambda one: one.overshoot)
-    ]
     return table(
         "Stops by source line: overshoot, and time from the first coming within 0.1 mm of the place of rest "
-        "until the arm stays there.",
+        "until the arm stays there; each with the pass in which it is largest.",
         header,
         rows,
     )
 
 
-def _worst_of_lines(found: Sequence[T], size: Callable[[T], float]) -> list[tuple[T, int]]:
-    """Return the largest of each source line, and how many it has."""
+def _by_line(found: Sequence[T]) -> list[tuple[int, list[T]]]:
+    """Return the figures of each source line, line after line."""
     lines: dict[int, list[T]] = {}
     for one in found:
         lines.setdefault(one.line, []).append(one)
+    return sorted(lines.items())
 
-    def known(one: T) -> float:
-        value = size(one)
-        return value if math.isfinite(value) else -1.0
 
-    return [(max(lines[line], key=known), len(lines[line])) for line in sorted(lines)]
+def _range(lengths: Sequence[float], digits: int) -> str:
+    """Return the least and the largest of some lengths [m] in millimetres, one where they read the same."""
+    ends = (fixed(end, MILLIMETRES, digits) for end in (min(lengths), max(lengths)))
+    return " to ".join(dict.fromkeys(ends))
 
 
 def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
