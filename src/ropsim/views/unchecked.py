@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
 from ropsim.views.characters import clean
-from ropsim.views.figures import percent
+from ropsim.views.figures import PERCENT
 from ropsim.views.findings import plural
 
 LOOKED_AT_IF_SAID = ("collisions", "rated payload")
@@ -73,9 +73,10 @@ def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
 def given_text(done: Interventions) -> str:
     """Return what was done to a run in words, such as `by hand: 2 inputs, override down to 50 %`."""
     parts = [plural(len(done.inputs), "input")] if done.inputs else []
-    if done.overrides:
-        slowest = min(1.0, *(one.value for one in done.overrides))
-        parts.append(f"override down to {percent(slowest)}")
+    slowest = min((one.value for one in done.overrides), default=1.0)
+    if slowest < 1.0:
+        shown = min(round(slowest * PERCENT.factor, 1), 99.9)  # never 100 % where something was slowed
+        parts.append(f"override down to {shown:g}\u00a0{PERCENT.unit}")
     if done.stopped is not None:
         parts.append(f"stopped at {done.stopped:.2f} s")
     return f"by hand: {', '.join(parts)}" if parts else ""

@@ -1,8 +1,19 @@
 from dataclasses import replace
 
-from ropsim.flow import Fidelity, InputChange, MotionKind, MoveEvent, Origin, OverrideChange, Recording
+import pytest
+
+from ropsim.flow import (
+    Fidelity,
+    InputChange,
+    Interventions,
+    MotionKind,
+    MoveEvent,
+    Origin,
+    OverrideChange,
+    Recording,
+)
 from ropsim.views import Style, html_report, result_figures, summarize, terminal_report
-from ropsim.views.unchecked import SHORT
+from ropsim.views.unchecked import SHORT, given_text
 from support.recordings import SOURCE, estimates, facts, pick_and_place, station
 
 
@@ -108,3 +119,12 @@ def test_what_was_done_by_hand_stands_first() -> None:
         == "by hand: 2 inputs, override down to 50\u00a0%, stopped at 3.25 s"
     )
     assert result_figures(summarize(recording))["given"] == summarize(recording).unchecked.given
+
+
+@pytest.mark.parametrize(
+    ("override", "said"),
+    [(1.0, ""), (0.9999, "99.9"), (0.5, "50"), (0.125, "12.5"), (0.001, "0.1"), (0.0, "0")],
+)
+def test_an_override_is_told_where_it_slowed_something(override: float, said: str) -> None:
+    given = given_text(Interventions(overrides=(OverrideChange(1.5, override), OverrideChange(2.5, 1.0))))
+    assert given == (f"by hand: override down to {said}\u00a0%" if said else "")
