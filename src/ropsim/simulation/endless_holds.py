@@ -31,6 +31,7 @@ def hold_finding(run: CellRun, at: StationRun) -> Diagnostic:
         f"`{at.station.name}` is held for ever: the override is 0 from t = {since:.2f} s on, "
         f"and no change of it comes after that",
         label=f"pass {at.origin.visit}",
-        hint=f"add a change of the override after that, such as 1 (less than {SLOWEST:g} counts as 0), or end the inputs before the hold",
+        hint=f"add a change of the override after that, such as 1 (less than {SLOWEST:g} counts as 0), "
+        "or end the inputs before the hold",
         data={"station": at.station.name, "time_s": since, "pass": at.origin.visit},
     )

@@ -64,8 +64,8 @@ def _slowest(cycle: CycleTime, style: Style) -> list[str]:
             TableCell(str(line.passes)),
             TableCell(seconds(line.parts.total)),
             TableCell(percent(line.parts.total / whole if whole > 0.0 else math.nan)),
-            TableCell(zone_text(line.zone) if line.parts.motion + line.parts.blending > 0.0 else ""),
-            TableCell(critical_text(line.critical) if line.parts.motion + line.parts.blending > 0.0 else ""),
+            TableCell(zone_text(line.zone) if line.parts.moving > 0.0 else ""),
+            TableCell(critical_text(line.critical) if line.parts.moving > 0.0 else ""),
         )
         for line in cycle.lines[:SHOWN_LINES]
         if line.line

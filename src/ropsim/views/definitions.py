@@ -6,8 +6,8 @@ from types import MappingProxyType
 DEFINITIONS: Mapping[str, str] = MappingProxyType(
     {
         "cycle time": "From the start to the end of the last motion or instruction, settling included.",
-        "in motion": "Share of the cycle time in which the reference speed of at least one joint exceeds "
-        "1e-6 rad/s (m/s for a sliding joint).",
+        "in motion": "Share of the cycle time in which moves were on their way, outside of zones and within "
+        "them; of several stations, of their cycle times together.",
         "settling": "Time after a move until every joint is in position, summed over all moves. "
         "A stop looks at positions only, not at speeds.",
         "waiting": "Time in which the program stood at a `wait`: for a time, a signal or a condition. "

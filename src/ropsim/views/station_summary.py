@@ -2,11 +2,9 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from typing import Protocol
-
-import numpy as np
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import (
@@ -30,9 +28,6 @@ from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.task_summary import TaskSummary, summarize_tasks
 
-MOVING = 1e-6
-"""Reference speed above which a joint counts as moving [rad/s | m/s]; below it is rounding."""
-
 
 @frozen_dataclass
 class StationSummary:
@@ -46,8 +41,8 @@ class StationSummary:
         empty_grips: number of times that it closed on nothing.
         releases: number of times the gripper was opened.
         skipped: moves that were refused and left out.
-        share_in_motion: share of its cycle time in which any joint reference speed exceeds 1e-6 rad/s
-            (m/s for a sliding joint); NaN where unknown.
+        share_in_motion: share of its cycle time in which its moves were on their way, outside of zones and
+            within them; NaN for no time.
         settling: what settling after moves cost.
         waiting: how long its program stood at waits.
         tasks: time per task.
@@ -86,7 +81,7 @@ class Figures(Protocol):
 
     @property
     def share_in_motion(self) -> float:
-        """Return the share of the cycle time in which a joint is moving."""
+        """Return the share of the cycle time in which moves were on their way."""
         ...
 
     @property
@@ -143,7 +138,7 @@ class Figures(Protocol):
 def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
     """Return the figures of each station of a run, in the order of the cell."""
     return tuple(
-        replace(_station(_part(recording, facts), facts), cycle=summarize_cycle(recording, facts))
+        _station(_part(recording, facts), facts, summarize_cycle(recording, facts))
         for facts in recording.facts.stations
     )
 
@@ -160,13 +155,13 @@ def moves_by_kind(events: Iterable[Event]) -> dict[str, int]:
     return {kind: counts[kind] for kind in (*known, *sorted(counts.keys() - known))}
 
 
-def share_in_motion(recording: Recording, cycle_time: float) -> float:
-    """Return the share of the rows up to the cycle time in which a joint of any station is moving."""
-    speeds = [station.joints("qd_ref") for station in station_views(recording)]
-    rows = np.hstack(speeds)[recording.time <= cycle_time] if speeds else np.empty((0, 0))
-    if not np.any(np.isfinite(rows)):
-        return math.nan
-    return float(np.mean(np.any(np.abs(rows) > MOVING, axis=1)))
+def share_in_motion(cycles: Sequence[CycleTime]) -> float:
+    """Return the share of the cycle times of stations together in which moves were on their way.
+
+    It is that of the parts `motion` and `blending`, so it agrees with them. NaN for no time.
+    """
+    total = sum(one.whole.total for one in cycles)
+    return sum(one.whole.moving for one in cycles) / total if total > 0.0 else math.nan
 
 
 def _part(recording: Recording, facts: StationFacts) -> Recording:
@@ -177,7 +172,7 @@ def _part(recording: Recording, facts: StationFacts) -> Recording:
     return replace(recording, events=events, facts=replace(recording.facts, stations=(facts,)))
 
 
-def _station(recording: Recording, facts: StationFacts) -> StationSummary:
+def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> StationSummary:
     events = recording.events
     cycle_time, views = end_of(events), station_views(recording)
     return StationSummary(
@@ -188,7 +183,7 @@ def _station(recording: Recording, facts: StationFacts) -> StationSummary:
         empty_grips=sum(isinstance(event, GripEvent) and event.part == "" for event in events),
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
-        share_in_motion=share_in_motion(recording, cycle_time),
+        share_in_motion=share_in_motion([cycle]),
         settling=settling_of(events, cycle_time),
         waiting=waiting_of(events, cycle_time),
         tasks=summarize_tasks(recording),
@@ -196,4 +191,5 @@ def _station(recording: Recording, facts: StationFacts) -> StationSummary:
         path=summarize_path(recording),
         corners=tuple(one for station in views for one in corner_figures(station)),
         stops=tuple(one for station in views for one in stop_figures(station)),
+        cycle=cycle,
     )

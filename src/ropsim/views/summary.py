@@ -54,8 +54,8 @@ class Summary:
         empty_grips: number of times that it closed on nothing.
         releases: number of times the gripper was opened.
         skipped: moves that were refused and left out; with any, the cycle time is not valid.
-        share_in_motion: share of the cycle time in which any joint reference speed exceeds 1e-6 rad/s
-            (m/s for a sliding joint); NaN where unknown.
+        share_in_motion: share of the cycle times of all stations together in which their moves were on
+            their way, outside of zones and within them; NaN for no time.
         settling: what settling after moves cost, as a share of the cycle times of all stations together.
         waiting: how long programs stood at waits, as a share of the same.
         tasks: time per task.
@@ -155,7 +155,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         empty_grips=sum(isinstance(event, GripEvent) and event.part == "" for event in events),
         releases=sum(isinstance(event, ReleaseEvent) for event in events),
         skipped=tuple(event for event in events if isinstance(event, SkipEvent)),
-        share_in_motion=share_in_motion(recording, cycle_time),
+        share_in_motion=share_in_motion([one.cycle for one in stations]),
         settling=settling_of(events, together),
         waiting=waiting_of(events, together),
         tasks=whole.tasks if whole else summarize_tasks(recording),

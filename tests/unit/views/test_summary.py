@@ -81,19 +81,21 @@ def test_the_longest_settling_has_its_line_pass_and_time() -> None:
     assert settling.time == pytest.approx(slow.time + slow.duration - 0.05, abs=ROUNDING)
 
 
-def test_share_in_motion_counts_samples_with_any_joint_reference_moving() -> None:
-    recording = pick_and_place(1)
-    moving = np.zeros_like(recording.channels["qd_ref"].values)
-    moving[: len(moving) // 4, 2] = 0.1
-    moving[len(moving) // 4 : len(moving) // 2, 5] = -0.1
-    share = summarize(with_channel(recording, "qd_ref", moving)).share_in_motion
-    assert share == pytest.approx(0.5, abs=1.0 / len(moving))
+def test_share_in_motion_is_that_of_the_parts_of_the_cycle_time() -> None:
+    recording = pick_and_place(2)
+    summary = summarize(recording)
+    moves = recording.events_of(MoveEvent)
+    way = sum(one.duration - one.settle for one in moves)
+    assert summary.share_in_motion == pytest.approx(way / summary.cycle_time, abs=ROUNDING)
+    parts = summary.stations[0].cycle.whole
+    assert summary.share_in_motion == (parts.motion + parts.blending) / parts.total
 
 
-def test_rounding_noise_of_a_reference_is_not_motion() -> None:
-    recording = pick_and_place(1)
-    noise = np.full_like(recording.channels["qd_ref"].values, 1e-9)
-    assert summarize(with_channel(recording, "qd_ref", noise)).share_in_motion == 0.0
+def test_share_in_motion_of_several_stations_is_of_their_times_together() -> None:
+    summary = summarize(two_stations())
+    moving = sum(one.share_in_motion * one.cycle_time for one in summary.stations)
+    times = sum(one.cycle_time for one in summary.stations)
+    assert summary.share_in_motion == pytest.approx(moving / times, abs=ROUNDING)
 
 
 def test_tasks_have_calls_total_mean_and_longest() -> None:
@@ -210,7 +212,7 @@ def test_several_stations_are_told_apart_by_their_names() -> None:
         (name, line.line) for name in ("left", "right") for line in alone.path.lines
     ]
     assert summary.title == "palletizing / main / other"
-    assert summary.share_in_motion == alone.share_in_motion
+    assert summary.stations[0].share_in_motion == alone.share_in_motion
 
 
 def test_each_of_several_stations_has_the_figures_that_it_has_alone() -> None:

@@ -61,6 +61,11 @@ class CycleParts:
         return cls(sum(ticks.values()) / hz, **parts)
 
     @property
+    def moving(self) -> float:
+        """Return the time on the way, outside of zones and within them [s]."""
+        return self.motion + self.blending
+
+    @property
     def waits(self) -> float:
         """Return the time at waits of all kinds [s]."""
         return self.signals + self.partners + self.timers

@@ -67,4 +67,4 @@ def cycle_section(cycle: CycleTime, source: SourceText | None, of: str) -> str:
 
 
 def _moves(parts: CycleParts) -> bool:
-    return parts.motion + parts.blending > 0.0
+    return parts.moving > 0.0
