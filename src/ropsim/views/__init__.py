@@ -33,7 +33,8 @@ from ropsim.views.pack.pack import plain_findings as plain_findings
 from ropsim.views.path_summary import PathLine as PathLine
 from ropsim.views.path_summary import PathMove as PathMove
 from ropsim.views.path_summary import PathSummary as PathSummary
-from ropsim.views.result import result_figures as result_figures
+from ropsim.views.result import ResultFigures as ResultFigures
+from ropsim.views.result_figures import result_figures as result_figures
 from ropsim.views.scene.scene import scene as scene
 from ropsim.views.scene.shapes import MeshSource as MeshSource
 from ropsim.views.scene.shapes import plain_pose as plain_pose

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 from enum import Enum
+from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from ropsim.views.channels import Peak, StationView, rms, station_views
 
 NEAR = 0.9
 """Share of a torque limit from which on a peak is marked as near it."""
+
+LimitSide: TypeAlias = Literal["lower", "upper"]
+"""Which end of the range of a joint."""
 
 
 class Closeness(Enum):
@@ -29,7 +33,7 @@ class LimitApproach:
     """How near a coordinate came to one of its limits.
 
     Attributes:
-        side: `lower` or `upper`.
+        side: which limit it is.
         margin: distance left to the limit [rad | m]; negative beyond it, 0 where a servo overran it by up to
             `OVERRUN`, NaN without samples.
         coordinate: attained coordinate at that moment [rad | m].
@@ -37,7 +41,7 @@ class LimitApproach:
         line: active source line, 0 for none.
     """
 
-    side: str
+    side: LimitSide
     margin: float = math.nan
     coordinate: float = math.nan
     time: float = math.nan
@@ -164,7 +168,7 @@ def _of_station(station: StationView) -> tuple[JointSummary, ...]:
     )
 
 
-def _approach(station: StationView, side: str, margins: Array, coordinates: Array) -> LimitApproach:
+def _approach(station: StationView, side: LimitSide, margins: Array, coordinates: Array) -> LimitApproach:
     if not np.any(np.isfinite(margins)):
         return LimitApproach(side)
     index = int(np.nanargmin(margins))

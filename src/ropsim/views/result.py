@@ -1,79 +1,129 @@
 """The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind."""
 
-from dataclasses import asdict
+from typing import Literal
 
-from ropsim.flow import AxisType, Settling
-from ropsim.views.channels import Peak
-from ropsim.views.joint_summary import (
-    Closeness,
-    JointSummary,
-    closest_to_position_limit,
-    closest_to_speed_limit,
-    closest_to_torque_limit,
-)
-from ropsim.views.path_summary import PathMove
-from ropsim.views.summary import Summary
-from ropsim.views.verdict import verdict
+from ropsim.core import frozen_dataclass
+from ropsim.flow import Destinations
+from ropsim.views.joint_summary import Closeness, LimitSide
+from ropsim.views.verdict import VerdictText
 
 
-def result_figures(summary: Summary) -> dict[str, object]:
-    """Return the result as plain values in SI units; docs/reference/pack.md describes it."""
-    state = verdict(summary)
-    torque, speed = closest_to_torque_limit(summary.joints), closest_to_speed_limit(summary.joints)
-    closest, worst = closest_to_position_limit(summary.joints), summary.path.worst
-    return {
-        "verdict": {"kind": state.kind.value, "text": state.text},
-        "given": summary.unchecked.given,
-        "unchecked": summary.unchecked.text,
-        "cycle_time": summary.cycle_time,
-        "cycle_time_valid": summary.cycle_time_valid,
-        "settling": _settling(summary.settling),
-        "peak_torque": torque and _peak(torque, torque.effort_share, torque.effort, torque.effort_closeness),
-        "peak_speed": speed and _peak(speed, speed.speed_share, speed.speed, speed.speed_closeness),
-        "closest_limit": closest and _margin(closest),
-        "path_error": worst and _path_error(worst),
-        "errors": summary.error_count,
-        "warnings": summary.warning_count,
-        "hints": summary.hint_count,
-        "moves": sum(summary.moves.values()),
-        "destinations": summary.destinations and asdict(summary.destinations),
-    }
+@frozen_dataclass
+class SettlingFigure:
+    """Time spent waiting for the arm to settle after moves.
+
+    Attributes:
+        total: over all moves [s].
+        share: of the cycle time; of several stations, of their cycle times together.
+        time: when the longest wait began [s]; None where no move settled.
+        station: whose wait that was; empty for none.
+        line: its source line, from 1; 0 for none.
+    """
+
+    total: float
+    share: float
+    time: float | None
+    station: str
+    line: int
 
 
-def _settling(settling: Settling) -> dict[str, object]:
-    waited = settling.longest > 0.0
-    return {
-        "total": settling.total,
-        "share": settling.share,
-        "time": settling.time if waited else None,
-        "station": settling.station if waited else "",
-        "line": settling.line if waited else 0,
-    }
+@frozen_dataclass
+class PeakFigure:
+    """The worst share of a limit among the joints.
+
+    Attributes:
+        share: peak over limit.
+        closeness: how it stands to the limit; the report says it by the same rule.
+        station: whose joint it is.
+        joint: its name.
+        line: source line, from 1; 0 for none.
+        time: when [s].
+    """
+
+    share: float
+    closeness: Closeness
+    station: str
+    joint: str
+    line: int
+    time: float
 
 
-def _peak(joint: JointSummary, share: float, peak: Peak, closeness: Closeness) -> dict[str, object]:
-    return {
-        "share": share,
-        "closeness": closeness.value,
-        "station": joint.station,
-        "joint": joint.facts.name,
-        "line": peak.line,
-        "time": peak.time,
-    }
+@frozen_dataclass
+class MarginFigure:
+    """The least margin to an end of the range of a joint.
+
+    Attributes:
+        margin: distance left [rad | m]; negative beyond the end.
+        unit: of the margin.
+        station: whose joint it is.
+        joint: its name.
+        side: which end it is.
+        line: source line, from 1; 0 for none.
+        time: when [s].
+    """
+
+    margin: float
+    unit: Literal["rad", "m"]
+    station: str
+    joint: str
+    side: LimitSide
+    line: int
+    time: float
 
 
-def _margin(joint: JointSummary) -> dict[str, object]:
-    near = joint.nearest
-    return {
-        "margin": near.margin,
-        "unit": "rad" if joint.facts.type is AxisType.REVOLUTE else "m",
-        "station": joint.station,
-        "joint": joint.facts.name,
-        "side": near.side,
-        "line": near.line,
-        "time": near.time,
-    }
+@frozen_dataclass
+class PathFigure:
+    """The largest distance of the TCP from the commanded path.
+
+    Attributes:
+        max: that distance [m].
+        station: whose tool it is.
+        line: source line of the move, from 1.
+        time: when [s].
+    """
+
+    max: float
+    station: str
+    line: int
+    time: float
 
 
-def _path_error(move: PathMove) -> dict[str, object]:
-    return {"max": move.max_error, "station": move.station, "line": move.line, "time": move.time}
+@frozen_dataclass
+class ResultFigures:
+    """The result of a run: what a strip shows of it.
+
+    Attributes:
+        verdict: how far the run can be relied on.
+        given: what was done to the run by hand, in words; empty for nothing. It stands in `unchecked`, too.
+        unchecked: one line: what the verdict did not look at. It stands beside the verdict, wherever that is
+            shown.
+        cycle_time: end of the last motion or instruction [s].
+        cycle_time_valid: false where a move was skipped or a program did not come to its end: the cycle time
+            is not that of the program then.
+        settling: what settling after moves cost.
+        peak_torque: None where no limit is known.
+        peak_speed: None where no limit is known.
+        closest_limit: None where no margin is known.
+        path_error: None where no move has a path of the tool.
+        errors: number of findings of this severity, repeats included.
+        warnings: number of them.
+        hints: number of them.
+        moves: number of moves carried out.
+        destinations: of the parts that have one; None where none has.
+    """
+
+    verdict: VerdictText
+    given: str
+    unchecked: str
+    cycle_time: float
+    cycle_time_valid: bool
+    settling: SettlingFigure
+    peak_torque: PeakFigure | None
+    peak_speed: PeakFigure | None
+    closest_limit: MarginFigure | None
+    path_error: PathFigure | None
+    errors: int
+    warnings: int
+    hints: int
+    moves: int
+    destinations: Destinations | None

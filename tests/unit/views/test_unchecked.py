@@ -118,7 +118,7 @@ def test_what_was_done_by_hand_stands_first() -> None:
         line_of(recording).split(" · ")[0]
         == "by hand: 2 inputs, override down to 50\u00a0%, stopped at 3.25 s"
     )
-    assert result_figures(summarize(recording))["given"] == summarize(recording).unchecked.given
+    assert result_figures(summarize(recording)).given == summarize(recording).unchecked.given
 
 
 @pytest.mark.parametrize(

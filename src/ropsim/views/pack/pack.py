@@ -18,7 +18,7 @@ from ropsim.views.pack.bodies import packed_bodies
 from ropsim.views.pack.channels import packed_channels
 from ropsim.views.pack.columns import Body
 from ropsim.views.pack.events import packed_event
-from ropsim.views.result import result_figures
+from ropsim.views.result_figures import result_figures
 from ropsim.views.scene.shapes import plain_pose
 from ropsim.views.summary import Summary
 
@@ -65,7 +65,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
             *(plain_finding(one) for one in findings),
             *(plain_finding(one, time_of(one, recording.events)) for one in recording.findings),
         ],
-        "result": result_figures(summary),
+        "result": asdict(result_figures(summary)),
         "facts": asdict(recording.facts),
     }
     return Pack(header, body.content())
