@@ -1,34 +1,53 @@
-"""Write the types of the studio's wire for the pages, in `frontend/src/wire`, from the records of the server.
+"""Write the types of what pages and server say to each other, in `frontend/src/wire`, from its records.
 
 python tools/wire_types.py           write the files
 python tools/wire_types.py --check   compare only; exit 1 and name the files that differ
 
-A record becomes an interface, its docstring a comment, what is under `Attributes:` comments of its fields.
+A record becomes an interface, its docstring a comment, what is under `Attributes:` comments of its fields, an
+enum its words. A number that is not finite travels as null: a field with such a default may be null.
 """
 
 import inspect
+import math
 import re
 import sys
 import textwrap
 from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Annotated, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Literal, TypeGuard, Union, get_args, get_origin, get_type_hints
 
 from msgspec import Meta, Struct
 
+from ropsim.flow import RunFacts
 from ropsim.studio import Command, Message
+from ropsim.views import ResultFigures
 
 FOLDER = Path(__file__).parent.parent / "frontend" / "src" / "wire"
 UNIONS = {"commands.ts": ("Command", Command), "messages.ts": ("Message", Message)}
 """Name of the union in each file, and the union."""
 
-HOMES = {"Finding": "../run/run", "Pose": "../scene/description", "SceneDescription": "../scene/description"}
-"""Types that the pages define themselves, and where."""
+RECORDS = {"facts.ts": RunFacts, "result.ts": ResultFigures}
+"""The record in each file of what a pack carries; the files have those that it holds, too."""
+
+HOMES = {
+    "Destinations": "./facts",
+    "Finding": "../run/run",
+    "Pose": "../scene/description",
+    "SceneDescription": "../scene/description",
+}
+"""Types that the pages define themselves, or that several files need, and where."""
 
 POSE = tuple[float, float, float, float, float, float, float]
 SIMPLE = {str: "string", int: "number", float: "number", bool: "boolean", NoneType: "null", object: "unknown"}
 WIDTH = 110
+
+
+def is_record(hint: object) -> TypeGuard[type]:
+    """Tell whether a type is one of records."""
+    return isinstance(hint, type) and (issubclass(hint, Struct) or is_dataclass(hint))
 
 
 def typescript(hint: object) -> str:
@@ -40,8 +59,10 @@ def typescript(hint: object) -> str:
     origin, arguments = get_origin(hint), get_args(hint)
     if hint == POSE:
         return "Pose"
-    if isinstance(hint, type) and issubclass(hint, Struct):
+    if is_record(hint):
         return hint.__name__
+    if isinstance(hint, type) and issubclass(hint, Enum):
+        return " | ".join(f"'{one.value}'" for one in hint)
     if isinstance(hint, type) and hint in SIMPLE:
         return SIMPLE[hint]
     if origin is Annotated:
@@ -73,30 +94,38 @@ def comment(text: str, indent: str = "") -> list[str]:
     return [f"{indent}/**", *(f"{indent} * {line}".rstrip() for line in lines), f"{indent} */"]
 
 
-def told(kind: type[Struct]) -> tuple[str, dict[str, str]]:
+def told(kind: type) -> tuple[str, dict[str, str]]:
     """Return what the docstring of a record says of it and of its fields."""
     text, _, attributes = (inspect.getdoc(kind) or "").partition("\n\nAttributes:\n")
     entries = re.findall(r"^    (\w+): (.*(?:\n        .*)*)", attributes, re.MULTILINE)
-    fields = {name: re.sub(r"\s+", " ", words).replace("None", "null") for name, words in entries}
-    return text, {name: words[0].upper() + words[1:] for name, words in fields.items()}
+    said = {name: re.sub(r"\s+", " ", words) for name, words in entries}
+    said = {name: re.sub(r"\bNone\b|\bNaN\b|-?\binf\b", "null", words) for name, words in said.items()}
+    return text, {name: words[0].upper() + words[1:] for name, words in said.items()}
 
 
-def interface(kind: type[Struct]) -> str:
-    """Return a record as an interface."""
-    text, fields = told(kind)
+def members(kind: type) -> dict[str, object]:
+    """Return the types of the fields of a record as they travel."""
+    known = fields(kind) if is_dataclass(kind) else ()
+    endless = {one.name for one in known if isinstance(one.default, float) and not math.isfinite(one.default)}
     hints = get_type_hints(kind, include_extras=True)
+    return {name: hint | None if name in endless else hint for name, hint in hints.items()}
+
+
+def interface(kind: type) -> str:
+    """Return a record as an interface."""
+    text, said = told(kind)
     lines = [*comment(text), f"export interface {kind.__name__} {{"]
-    if kind.__struct_config__.tag:
+    if issubclass(kind, Struct) and kind.__struct_config__.tag:
         lines.append(f"  readonly type: '{kind.__struct_config__.tag}'")
-    for name in kind.__struct_fields__:
-        lines += [*comment(fields.get(name, ""), "  "), f"  readonly {name}: {typescript(hints[name])}"]
+    for name, hint in members(kind).items():
+        lines += [*comment(said.get(name, ""), "  "), f"  readonly {name}: {typescript(hint)}"]
     return "\n".join([*lines, "}"])
 
 
-def parts(hint: object) -> Iterator[type[Struct]]:
+def parts(hint: object) -> Iterator[type]:
     """Yield the records in a type, each after those that its fields hold."""
-    if isinstance(hint, type) and issubclass(hint, Struct):
-        for field in get_type_hints(hint, include_extras=True).values():
+    if is_record(hint):
+        for field in members(hint).values():
             yield from parts(field)
         yield hint
     else:
@@ -104,25 +133,37 @@ def parts(hint: object) -> Iterator[type[Struct]]:
             yield from parts(argument)
 
 
-def file(name: str, union: object) -> str:
-    """Return the text of the file of one direction.
+def file(place: str, hint: object) -> str:
+    """Return the text of a file with the records in a type.
 
     Args:
-        name: of the union in the file.
-        union: of records with tags, and of what is left out: mappings of messages that are put together.
+        place: name of the file.
+        hint: the type: a record, or a union of records.
     """
-    members = [one for one in get_args(union) if isinstance(one, type) and issubclass(one, Struct)]
-    home = sys.modules[members[0].__module__]
-    body = "\n\n".join(interface(kind) for kind in dict.fromkeys(parts(union)))
+    here = f"./{place.removesuffix('.ts')}"
+    kinds = [one for one in dict.fromkeys(parts(hint)) if HOMES.get(one.__name__, here) == here]
+    home = sys.modules[kinds[-1].__module__]
+    body = "\n\n".join(interface(kind) for kind in kinds)
     about = f"Written by `tools/wire_types.py` from `{home.__name__}`: change the records there."
     needed: dict[str, list[str]] = {}
-    for one, place in HOMES.items():
-        if re.search(rf"\b{one}\b", re.sub(r"/\*\*.*?\*/", "", body, flags=re.DOTALL)):
-            needed.setdefault(place, []).append(one)
+    for one, other in HOMES.items():
+        if other != here and re.search(rf"\b{one}\b", re.sub(r"/\*\*.*?\*/", "", body, flags=re.DOTALL)):
+            needed.setdefault(other, []).append(one)
     lines = comment(f"{(inspect.getdoc(home) or '').partition(chr(10))[0]}\n\n{about}")
-    lines += [f"import type {{ {', '.join(names)} }} from '{place}'" for place, names in needed.items()]
-    choice = "\n".join(f"  | {one.__name__}" for one in members)
-    return "\n".join(lines) + f"\n\n{body}\n\nexport type {name} =\n{choice}\n"
+    lines += [f"import type {{ {', '.join(names)} }} from '{other}'" for other, names in needed.items()]
+    return "\n".join(lines) + f"\n\n{body}\n"
+
+
+def choice(name: str, union: object) -> str:
+    """Return a union of records with tags, without the mappings in it: messages that are put together."""
+    named = "\n".join(f"  | {one.__name__}" for one in get_args(union) if is_record(one))
+    return f"\nexport type {name} =\n{named}\n"
+
+
+def texts() -> dict[str, str]:
+    """Return the text of each file by its name."""
+    unions = {place: file(place, union) + choice(name, union) for place, (name, union) in UNIONS.items()}
+    return unions | {place: file(place, record) for place, record in RECORDS.items()}
 
 
 def main(arguments: list[str]) -> int:
@@ -130,9 +171,13 @@ def main(arguments: list[str]) -> int:
     if not FOLDER.is_dir():
         print("no sources of pages here: an sdist carries them built")
         return 0
-    wanted = {FOLDER / place: file(*union) for place, union in UNIONS.items()}
+    wanted = {FOLDER / place: text for place, text in texts().items()}
     if arguments == ["--check"]:
-        stale = [path.name for path, text in wanted.items() if path.read_text("utf-8") != text]
+        stale = [
+            path.name
+            for path, text in wanted.items()
+            if not path.is_file() or path.read_text("utf-8") != text
+        ]
         if stale:
             print(f"stale: {', '.join(stale)}; run python tools/wire_types.py")
         return int(bool(stale))

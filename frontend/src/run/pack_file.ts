@@ -1,7 +1,7 @@
 /** The file of a pack: gzip around a mark, a JSON header and the bytes of its columns (docs/reference/pack.md). */
 import type { Pose } from '../scene/description'
-import type { RunFacts } from './facts'
-import type { ResultFigures } from './figures'
+import type { RunFacts } from '../wire/facts'
+import type { ResultFigures } from '../wire/result'
 import type { Finding, RunEvent } from './run'
 
 export type ColumnCode =

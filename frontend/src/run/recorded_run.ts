@@ -1,9 +1,9 @@
 /** A finished run, read from its pack. */
 import type { SceneDescription } from '../scene/description'
+import type { RunFacts } from '../wire/facts'
+import type { ResultFigures } from '../wire/result'
 import { Clock, Column } from './column'
 import { unitsByAxes } from './column_units'
-import type { RunFacts } from './facts'
-import type { ResultFigures } from './figures'
 import { openPack, type PackHeader } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'

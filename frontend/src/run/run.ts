@@ -1,5 +1,5 @@
 /** A run as views, plots and tables see it: one recording, asked by time. Live and finished runs look alike. */
-import type { ResultFigures } from './figures'
+import type { ResultFigures } from '../wire/result'
 import type { RunStation } from './station'
 
 export interface Span {

@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from 'vitest'
-import type { PeakFigure, ResultFigures } from '../run/figures'
 import type { Run } from '../run/run'
 import { METRIC, setUnits } from '../units/choice'
+import type { PeakFigure, ResultFigures } from '../wire/result'
 import { tilesOf } from './result_tiles'
 
 const RESULT: ResultFigures = {
@@ -27,6 +27,7 @@ const RESULT: ResultFigures = {
   warnings: 0,
   hints: 0,
   moves: 217,
+  destinations: null,
 }
 const STATIONS = [{ name: 'robot', program: 'main', source: 'main.task' }]
 const RUN = { duration: 186.8, findings: [], stations: STATIONS } as unknown as Run

@@ -1,10 +1,11 @@
 /** The result of a run as tiles: each a figure, in words, with the moment and the line where it arises. */
-import type { ResultFigures } from '../run/figures'
+
 import type { Run } from '../run/run'
 import { labelled } from '../run/station'
 import { resultWords as words } from '../text/result'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
+import type { ResultFigures } from '../wire/result'
 
 export interface Tile {
   readonly id: 'cycle' | 'settling' | 'torque' | 'limit' | 'path' | 'findings'

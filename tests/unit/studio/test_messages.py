@@ -5,6 +5,7 @@ import math
 import subprocess
 import sys
 from collections.abc import Mapping
+from enum import Enum
 from pathlib import Path
 from typing import Literal
 
@@ -14,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tools import wire_types
 
+from ropsim.core import frozen_dataclass
 from ropsim.studio import commands, messages
 from ropsim.studio.jobs import PoseNumbers
 
@@ -68,6 +70,49 @@ def test_a_record_becomes_an_interface() -> None:
 
 def test_a_record_comes_after_those_that_it_holds() -> None:
     assert list(wire_types.parts(Sample)) == [messages.JogWords, Sample]
+
+
+class Colour(Enum):
+    RED = "red"
+    GREEN = "green"
+
+
+@frozen_dataclass
+class Kept:
+    """A record of a file.
+
+    Attributes:
+        limit: -inf where
+            unknown, NaN where not asked for.
+    """
+
+    colour: Colour
+    limit: float = -math.inf
+    rate: float = math.nan
+    count: float = 0.0
+    end: float | None = None
+
+
+def test_numbers_of_a_record_that_may_not_be_finite_may_be_null() -> None:
+    assert wire_types.interface(Kept) == "\n".join(
+        [
+            "/** A record of a file. */",
+            "export interface Kept {",
+            "  readonly colour: 'red' | 'green'",
+            "  /** Null where unknown, null where not asked for. */",
+            "  readonly limit: number | null",
+            "  readonly rate: number | null",
+            "  readonly count: number",
+            "  readonly end: number | null",
+            "}",
+        ]
+    )
+
+
+def test_a_record_that_several_files_need_stands_in_one() -> None:
+    texts = wire_types.texts()
+    assert "import type { Destinations } from './facts'" in texts["result.ts"]
+    assert [name for name, text in texts.items() if "interface Destinations" in text] == ["facts.ts"]
 
 
 def test_a_type_without_a_rule_is_refused() -> None:

@@ -1,0 +1,118 @@
+/**
+ * What a recording says about its run: who ran what, on which arm, with which limits.
+ *
+ * Written by `tools/wire_types.py` from `ropsim.flow.facts`: change the records there.
+ */
+
+/** One change of an input. */
+export interface InputChange {
+  /** From when on it holds [s of simulated time]. */
+  readonly time: number
+  /** Name of an input of the cell. */
+  readonly signal: string
+  /** 0 or 1, or any number for an analog one. */
+  readonly value: number
+}
+
+/** One change of the override, at which all motions of a run are followed. */
+export interface OverrideChange {
+  /** Of the control tick from which on it holds [s of simulated time]. */
+  readonly time: number
+  /** Share of the planned speed, 0 (held) to 1. */
+  readonly value: number
+}
+
+/** The parts that have a destination in the cell. */
+export interface Destinations {
+  /** How many there are. */
+  readonly wanted: number
+  /** How many of them are there when the run ends. */
+  readonly reached: number
+}
+
+/** Name, type and limits of one driven axis. */
+export interface AxisFacts {
+  /** Such as `1`. */
+  readonly name: string
+  /** Revolute or prismatic. */
+  readonly type: 'revolute' | 'prismatic'
+  /** Lower limit of the coordinate [rad | m]; null where unknown. */
+  readonly lower: number | null
+  /** Upper limit [rad | m]; null where unknown. */
+  readonly upper: number | null
+  /** [rad/s | m/s]; null where unknown. */
+  readonly max_speed: number | null
+  /** Torque or force at the joint [N·m | N]; null where unknown. */
+  readonly max_effort: number | null
+  /** Of the amplifier [A]; null where unknown. */
+  readonly max_current: number | null
+}
+
+/** Where a group of parameters comes from. */
+export interface ParameterOrigin {
+  /** What it covers, such as `motor constants`. */
+  readonly parameters: string
+  /** `published`, `derived` or `estimated`. */
+  readonly kind: string
+  /** Paper, table or reasoning. */
+  readonly source: string
+}
+
+/** One robot with its controller and the program that it ran. */
+export interface StationFacts {
+  /** Of the station; `robot` is that of the only one of a cell. */
+  readonly name: string
+  /** Name of the program; empty where it followed references of no program. */
+  readonly program: string
+  /** Name of the text whose lines the channel `line` counts. */
+  readonly source: string
+  /** Identity of the compiled program. */
+  readonly icr_id: string
+  /** Name of the joint controller; empty for a run without drives. */
+  readonly law: string
+  /** Rate of the joint controller [Hz]; null where unknown. */
+  readonly control_hz: number | null
+  /** Control ticks per interpolation tick. */
+  readonly interpolation_ticks: number
+  /** Integration steps of drives and arm per control tick. */
+  readonly plant_steps: number
+  /** Short name of the robot. */
+  readonly robot: string
+  /** Its maker and model. */
+  readonly title: string
+  /** Of the robot, in the order of the columns of `q`. */
+  readonly axes: readonly AxisFacts[]
+  /** Where the parameters of robot and controller come from. */
+  readonly origins: readonly ParameterOrigin[]
+  /** How many moves were refused and left out. */
+  readonly skipped_moves: number
+}
+
+/** Who ran what, where and how. */
+export interface RunFacts {
+  /** Version that made the run. */
+  readonly ropsim: string
+  /** Name of the project. */
+  readonly project: string
+  /** With drives and masses or without. */
+  readonly fidelity: 'dynamic' | 'kinematic'
+  /** Recorded rows per second [Hz]; null where unknown. */
+  readonly record_hz: number | null
+  /**
+   * What the run looked at beside motion, limits and, with drives, torques, drives and servo, such as
+   * `collisions`.
+   */
+  readonly checked: readonly string[]
+  /** Changes of inputs that the run was given beside those of the cell, in order of time. */
+  readonly inputs: readonly InputChange[]
+  /** Changes of the override, in order of time. */
+  readonly overrides: readonly OverrideChange[]
+  /** When the run was ended by hand [s]; null where it came to its own end. */
+  readonly stopped: number | null
+  /** Names of the parts that have left by a sink, in that order. */
+  readonly parts_left: readonly string[]
+  /** Of parts; none are wanted in a run that was cut short. */
+  readonly destinations: Destinations
+  /** Each with its program, in the order of the cell. */
+  readonly stations: readonly StationFacts[]
+}

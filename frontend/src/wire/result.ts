@@ -1,0 +1,109 @@
+/**
+ * The result of a run as a strip shows it: verdict, what it leaves open, the worst figure of each kind.
+ *
+ * Written by `tools/wire_types.py` from `ropsim.views.result`: change the records there.
+ */
+import type { Destinations } from './facts'
+
+/** A verdict and the sentence that gives its reasons. */
+export interface VerdictText {
+  readonly kind: 'good' | 'doubtful' | 'failed'
+  readonly text: string
+}
+
+/** Time spent waiting for the arm to settle after moves. */
+export interface SettlingFigure {
+  /** Over all moves [s]. */
+  readonly total: number
+  /** Of the cycle time; of several stations, of their cycle times together. */
+  readonly share: number
+  /** When the longest wait began [s]; null where no move settled. */
+  readonly time: number | null
+  /** Whose wait that was; empty for none. */
+  readonly station: string
+  /** Its source line, from 1; 0 for none. */
+  readonly line: number
+}
+
+/** The worst share of a limit among the joints. */
+export interface PeakFigure {
+  /** Peak over limit. */
+  readonly share: number
+  /** How it stands to the limit; the report says it by the same rule. */
+  readonly closeness: 'far' | 'near' | 'beyond'
+  /** Whose joint it is. */
+  readonly station: string
+  /** Its name. */
+  readonly joint: string
+  /** Source line, from 1; 0 for none. */
+  readonly line: number
+  /** When [s]. */
+  readonly time: number
+}
+
+/** The least margin to an end of the range of a joint. */
+export interface MarginFigure {
+  /** Distance left [rad | m]; negative beyond the end. */
+  readonly margin: number
+  /** Of the margin. */
+  readonly unit: 'rad' | 'm'
+  /** Whose joint it is. */
+  readonly station: string
+  /** Its name. */
+  readonly joint: string
+  /** Which end it is. */
+  readonly side: 'lower' | 'upper'
+  /** Source line, from 1; 0 for none. */
+  readonly line: number
+  /** When [s]. */
+  readonly time: number
+}
+
+/** The largest distance of the TCP from the commanded path. */
+export interface PathFigure {
+  /** That distance [m]. */
+  readonly max: number
+  /** Whose tool it is. */
+  readonly station: string
+  /** Source line of the move, from 1. */
+  readonly line: number
+  /** When [s]. */
+  readonly time: number
+}
+
+/** The result of a run: what a strip shows of it. */
+export interface ResultFigures {
+  /** How far the run can be relied on. */
+  readonly verdict: VerdictText
+  /** What was done to the run by hand, in words; empty for nothing. It stands in `unchecked`, too. */
+  readonly given: string
+  /** One line: what the verdict did not look at. It stands beside the verdict, wherever that is shown. */
+  readonly unchecked: string
+  /** End of the last motion or instruction [s]. */
+  readonly cycle_time: number
+  /**
+   * False where a move was skipped or a program did not come to its end: the cycle time is not that of the
+   * program then.
+   */
+  readonly cycle_time_valid: boolean
+  /** What settling after moves cost. */
+  readonly settling: SettlingFigure
+  /** Null where no limit is known. */
+  readonly peak_torque: PeakFigure | null
+  /** Null where no limit is known. */
+  readonly peak_speed: PeakFigure | null
+  /** Null where no margin is known. */
+  readonly closest_limit: MarginFigure | null
+  /** Null where no move has a path of the tool. */
+  readonly path_error: PathFigure | null
+  /** Number of findings of this severity, repeats included. */
+  readonly errors: number
+  /** Number of them. */
+  readonly warnings: number
+  /** Number of them. */
+  readonly hints: number
+  /** Number of moves carried out. */
+  readonly moves: number
+  /** Of the parts that have one; null where none has. */
+  readonly destinations: Destinations | null
+}
