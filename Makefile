@@ -36,6 +36,7 @@ check:
 	.venv/bin/python tools/icr_table.py --check
 	.venv/bin/python tools/import_table.py --check
 	.venv/bin/python tools/wire_types.py --check
+	.venv/bin/python tools/pack_fixture.py --check
 	.venv/bin/python -m tools.frontend
 
 bench:
