@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs'
 import { afterEach, expect, test } from 'vitest'
 import type { Run } from '../run/run'
 import { METRIC, setUnits } from '../units/choice'
@@ -39,6 +40,20 @@ function tile(id: string, change: Partial<ResultFigures> = {}, run: Run = RUN) {
 }
 
 afterEach(() => setUnits(METRIC))
+
+test('the strip shows these figures in this order', () => {
+  const ids = ['cycle', 'settling', 'torque', 'limit', 'path', 'findings']
+  expect(tilesOf(RUN, RESULT).map(one => one.id)).toEqual(ids)
+  const unknown = { ...RESULT, peak_torque: null, closest_limit: null, path_error: null }
+  expect(tilesOf(RUN, unknown).map(one => one.id)).toEqual(ids)
+})
+
+test('the guide of the studio tells them by their names', () => {
+  const guide = readFileSync(new URL('../../../docs/how-to/studio.md', import.meta.url), 'utf8')
+  const told = guide.split('\n\n').find(one => one.startsWith('The strip below the menus')) ?? ''
+  const names = [...told.matchAll(/\*\*(.+?)\*\*/gs)].map(([, name = '']) => name.replace(/\s+/g, ' '))
+  expect(names).toEqual(tilesOf(RUN, RESULT).map(one => one.label))
+})
 
 test('a figure names its joint and leads to its moment and line', () => {
   expect(tile('torque')).toMatchObject({ value: '74 %', detail: 'Joint 2', time: 3.5, line: 9 })
