@@ -5,9 +5,10 @@ from dataclasses import replace
 from ropsim import robots
 from ropsim.controller import MotionChain
 from ropsim.model import OrientationMode, on_track
+from support.built_in import WRITTEN
 from support.cells import chain_of, one_station
 
-ARMS = {name: robots.load(name) for name in robots.names()} | {
+ARMS = {name: robots.load(name) for name in WRITTEN} | {
     "puma560 on a track": on_track(robots.load("puma560"), robots.linear_track(4.0))
 }
 LED = "puma560", "puma560 on a track"

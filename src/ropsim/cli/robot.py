@@ -40,7 +40,7 @@ def list_(options: argparse.Namespace, output: Output) -> int:
     """List the built-in robots, and the robot files of a project."""
     models = {name: robots.load(name) for name in robots.names()}
     files = {str(path): find_robot(path).robot for path in robots_in(Path(options.path))}
-    width = max(12, *map(len, files)) if files else 12
+    width = max(12, *map(len, (*models, *files)))
     rows = [f"{name:{width}} {model.n} axes  {model.title}" for name, model in models.items()]
     for name, robot in files.items():
         told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"

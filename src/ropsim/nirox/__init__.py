@@ -7,6 +7,7 @@ from ropsim.nirox.further_frame import FurtherFrame as FurtherFrame
 from ropsim.nirox.reading import ReadNirox as ReadNirox
 from ropsim.nirox.reading import nirox_places as nirox_places
 from ropsim.nirox.reading import read_nirox as read_nirox
+from ropsim.nirox.reading import read_valid_nirox as read_valid_nirox
 from ropsim.nirox.schema_text import nirox_schema as nirox_schema
 from ropsim.nirox.schema_text import nirox_schema_text as nirox_schema_text
 from ropsim.nirox.writing import write_nirox as write_nirox

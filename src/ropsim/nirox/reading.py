@@ -85,6 +85,22 @@ def read_nirox(source: SourceText) -> ReadNirox:
     return ReadNirox(robot, (*told, *_kept(seen, beside)), conformance_of(robot), beside)
 
 
+def read_valid_nirox(source: SourceText) -> RobotModel:
+    """Return the robot of a file that is known to be right, in a fraction of the time of `read_nirox`.
+
+    Args:
+        source: content of a file that `write_nirox` has written.
+
+    Raises:
+        ValueError: the file has no robot.
+    """
+    file, _ = read_exchange(source)
+    made = _robot(Seen(nirox_schema(), file), source.name)
+    if made is None:
+        raise ValueError(f"{source.name} has no robot")
+    return made[0]
+
+
 def nirox_places(source: SourceText) -> PlaceOf:
     """Return where the numbers of the robot stand in a file that could be read."""
     file, _ = read_exchange(source)

@@ -1,4 +1,4 @@
-"""The built-in robots by name."""
+"""The built-in robots by name: four that are written in Python, and those of the package's NIROX files."""
 
 from collections.abc import Callable, Mapping
 from functools import lru_cache
@@ -8,6 +8,7 @@ from ropsim.model import ControllerModel, Mechanism, Rates, RobotModel
 from ropsim.robots import palletizer, puma560, scara, two_link
 from ropsim.robots.diagnostics import UnknownRobotError
 from ropsim.robots.standard_controller import standard_controller
+from ropsim.robots.stored import stored_names, stored_robot
 
 _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
     {
@@ -23,7 +24,7 @@ STANDARD_RATES = Rates()
 
 def names() -> tuple[str, ...]:
     """Return the names of the built-in robots."""
-    return tuple(sorted(_MODELS))
+    return tuple(sorted((*_MODELS, *stored_names())))
 
 
 def load(name: str) -> RobotModel:
@@ -32,9 +33,11 @@ def load(name: str) -> RobotModel:
     Raises:
         UnknownRobotError: X860, no robot has this name; near names are suggested.
     """
-    if name not in _MODELS:
-        raise UnknownRobotError(name, names())
-    return _MODELS[name]()
+    if name in _MODELS:
+        return _MODELS[name]()
+    if name in stored_names():
+        return stored_robot(name)
+    raise UnknownRobotError(name, names())
 
 
 def default_controller(robot: str | Mechanism, rates: Rates = STANDARD_RATES) -> ControllerModel:

@@ -13,11 +13,12 @@ from ropsim.exchange import read_urdf, write_urdf
 from ropsim.kinematics import solver_of
 from ropsim.model import Coupling, LoopCut, Mesh, RobotModel, Shape, joint_tree
 from ropsim.spatial import Pose, frozen, quaternion, roll_pitch_yaw
+from support.built_in import WRITTEN
 from support.exchange_laws import differences, random_chain
 
 SAME = 1e-12
 """Some ten products of rotations, each rounded [m, N·m over the largest]."""
-BUILT_IN = robots.names()
+BUILT_IN = WRITTEN
 
 
 def again(robot: RobotModel) -> RobotModel:

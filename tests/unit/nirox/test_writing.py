@@ -19,10 +19,11 @@ from ropsim.model import (
 from ropsim.nirox import nirox_schema, write_nirox
 from ropsim.part21 import Reference, read_exchange, write_exchange
 from ropsim.spatial import Pose
+from support.built_in import WRITTEN
 from support.trees import random_tree
 
 
-@pytest.mark.parametrize("name", robots.names())
+@pytest.mark.parametrize("name", WRITTEN)
 def test_what_is_written_keeps_to_the_schema_and_is_canonical(name: str) -> None:
     written = write_nirox(robots.load(name))
     assert written.losses == ()

@@ -13,6 +13,7 @@ from ropsim.simulation import RunOptions
 from ropsim.spatial import Pose
 from ropsim.workbench import find_robot, load_robot, new_robot_project, robots_in
 from ropsim.workbench.first_way import first_way
+from support.built_in import WRITTEN
 from support.published_arms import TABLES, published_arm
 from support.robot_files import PUMA560, TWO_JOINTS
 
@@ -31,7 +32,7 @@ def travel(recording: Recording) -> float:
     return float(np.linalg.norm(steps, axis=1).sum())
 
 
-@pytest.mark.parametrize("name", robots.names())
+@pytest.mark.parametrize("name", WRITTEN)
 def test_the_first_program_of_a_built_in_robot_runs_and_moves(name: str, tmp_path: Path) -> None:
     recording = run(new_robot_project(tmp_path / "my_cell", name))
     assert recording.ok

@@ -1,0 +1,56 @@
+"""Robots that come as NIROX files: they are what the tool makes of the facts, and right files."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tools import robot_library
+
+from ropsim import robots
+from ropsim.core import SourceText
+from ropsim.nirox import read_nirox, read_valid_nirox
+from ropsim.robots.stored import stored_names
+
+
+def text(name: str) -> SourceText:
+    return SourceText(f"{name}.stp", (robot_library.TARGET / f"{name}.stp").read_text("ascii"))
+
+
+def test_the_files_are_what_the_tool_writes() -> None:
+    assert robot_library.main(["--check"]) == 0
+
+
+def test_a_stale_file_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    written = dict.fromkeys(f"{name}.stp" for name in stored_names())
+    changed = {name: text(name.removesuffix(".stp")).text for name in written}
+    changed["gp7.stp"] += "\n"
+    monkeypatch.setattr(robot_library, "texts", lambda: changed)
+    assert robot_library.main(["--check"]) == 1
+    assert capsys.readouterr().out == "stale: gp7.stp; run python tools/robot_library.py\n"
+
+
+@pytest.mark.parametrize("name", ["irb120", "ur5e"])
+def test_a_file_is_valid_and_read_with_trust_the_same(name: str) -> None:
+    read = read_nirox(text(name))
+    assert read.robot == robots.load(name)
+    told = [one.message for one in read.findings]
+    without_masses = [] if name == "ur5e" else ["the rule `moving_links_have_mass.doubt1` does not hold"]
+    assert told == without_masses
+
+
+def test_a_file_that_says_something_impossible_is_not_trusted() -> None:
+    limits = re.compile(r"(REVOLUTE_PAIR_WITH_RANGE.*),([-.\d]+),([-.\d]+)\);")
+    turned = limits.sub(r"\1,\3,\2);", text("gp7").text)
+    with pytest.raises(ValueError, match=r"a\.stp has no robot"):
+        read_valid_nirox(SourceText("a.stp", turned))
+
+
+def test_together_they_are_small() -> None:
+    assert sum(path.stat().st_size for path in robot_library.TARGET.iterdir()) < 1_500_000
+
+
+def test_importing_the_library_reads_no_file_of_it() -> None:
+    code = "import sys, ropsim.robots; sys.exit('ropsim.nirox' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False, cwd=Path.cwd()).returncode == 0

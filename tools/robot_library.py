@@ -1,0 +1,111 @@
+"""Write the robots of the library, src/ropsim/robots/arms/NAME.stp, from facts, tools/library/NAME.toml.
+
+python tools/robot_library.py           write them
+python tools/robot_library.py --check   compare only; exit 1 where one differs
+
+The facts are robot files (docs/reference/robot-file.md), each with the sources of its numbers. What the arms
+look like is in tools/library_looks.toml: rods between points on the axes of their joints.
+"""
+
+import sys
+import tomllib
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ropsim.core import SourceText
+from ropsim.kinematics import joint_frames
+from ropsim.model import ParameterOrigin, RobotModel, Shape, rod
+from ropsim.nirox import write_nirox
+from ropsim.robotfile import read_robot_file
+from ropsim.spatial import Array
+
+ROOT = Path(__file__).parent.parent
+FACTS = ROOT / "tools" / "library"
+LOOKS = ROOT / "tools" / "library_looks.toml"
+TARGET = ROOT / "src" / "ropsim" / "robots" / "arms"
+DRAWN = ParameterOrigin("drawn shapes", "estimated", "round rods along and between the axes, by eye")
+
+
+def robots() -> dict[str, RobotModel]:
+    """Return the robots of all facts, by name.
+
+    Raises:
+        ValueError: a file of facts is wrong, or doubtful.
+    """
+    looks = tomllib.loads(LOOKS.read_text("utf-8"))
+    found = {}
+    for path in sorted(FACTS.glob("*.toml")):
+        read = read_robot_file(SourceText(path.name, path.read_text("utf-8")))
+        if read.robot is None or read.findings:
+            raise ValueError(f"{path.name}: {'; '.join(one.message for one in read.findings)}")
+        found[path.stem] = drawn(read.robot, looks[path.stem])
+    return found
+
+
+def drawn(robot: RobotModel, look: Mapping[str, Any]) -> RobotModel:
+    """Return a robot with the rods of its look.
+
+    Args:
+        robot: a serial arm.
+        look: its table in the file of looks, which says what the keys mean.
+    """
+    X_B = np.array([np.eye(4), *joint_frames(robot, np.zeros(robot.n))])
+    bodies: list[list[Shape]] = [[] for _ in range(robot.n + 1)]
+    for one in look["rods"]:
+        X_LB = np.linalg.inv(X_B[one["link"]])
+        first, last = (np.round(X_LB @ _point(X_B, *one[key]), 9)[:3] + 0.0 for key in ("from", "to"))
+        radius, top = (1e-3 * value for value in one["radii"])
+        bodies[one["link"]].append(rod(first, last, radius, top, look["tones"][one["tone"]]))
+    links = [replace(link, shapes=tuple(body)) for link, body in zip(robot.links, bodies[1:], strict=True)]
+    return replace(robot, links=tuple(links), base_shapes=tuple(bodies[0]), origins=(*robot.origins, DRAWN))
+
+
+def _point(X_B: Array, axis: int, place: float) -> Array:
+    """Return a point on an axis in the base frame [m], shape (4,), homogeneous.
+
+    Args:
+        X_B: frames of base, joints and interface where all coordinates are 0, shape (n + 2, 4, 4).
+        axis: number of the frame.
+        place: from its origin towards that of the frame before, or along z [mm].
+    """
+    z, origin = X_B[axis, :, 2], X_B[axis, :, 3]
+    is_backwards = 0 < axis < len(X_B) - 1 and float(z @ (X_B[axis - 1, :, 3] - origin)) < -1e-6
+    return np.asarray(origin + (-1e-3 if is_backwards else 1e-3) * place * z)
+
+
+def texts() -> dict[str, str]:
+    """Return the files of the library by name.
+
+    Raises:
+        ValueError: a robot cannot be written, or not without a loss.
+    """
+    written = {name: write_nirox(robot) for name, robot in robots().items()}
+    for name, one in written.items():
+        if not one.text or one.losses:
+            raise ValueError(f"{name}: {'; '.join(loss.message for loss in one.losses)}")
+    return {f"{name}.stp": one.text for name, one in written.items()}
+
+
+def main(arguments: list[str]) -> int:
+    """Write or check the files; return the exit code."""
+    wanted = texts()
+    there = {path.name: path.read_text("ascii") for path in TARGET.glob("*.stp")}
+    if arguments == ["--check"]:
+        names = wanted.keys() | there.keys()
+        stale = sorted(name for name in names if wanted.get(name) != there.get(name))
+        if stale:
+            print(f"stale: {', '.join(stale)}; run python tools/robot_library.py")
+        return int(bool(stale))
+    for name in there.keys() - wanted.keys():
+        (TARGET / name).unlink()
+    for name, text in wanted.items():
+        (TARGET / name).write_text(text, "ascii")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
