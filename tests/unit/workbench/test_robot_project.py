@@ -32,7 +32,7 @@ def travel(recording: Recording) -> float:
     return float(np.linalg.norm(steps, axis=1).sum())
 
 
-@pytest.mark.parametrize("name", WRITTEN)
+@pytest.mark.parametrize("name", [*WRITTEN, "irb120"])
 def test_the_first_program_of_a_built_in_robot_runs_and_moves(name: str, tmp_path: Path) -> None:
     recording = run(new_robot_project(tmp_path / "my_cell", name))
     assert recording.ok
