@@ -142,7 +142,7 @@ describe('the result of a run', () => {
   it('has the figures of the run and says what they leave open', () => {
     const result = run.result
     expect(result?.verdict.kind).toBe('good')
-    expect(result?.unchecked).toMatch(/^not checked: collisions, torques, drives, servo/)
+    expect(result?.unchecked).toMatch(/^not checked: collisions, rated payload, torques, drives, servo/)
     expect(result?.cycle_time).toBeCloseTo(Math.max(...run.events.map(one => one.time + one.duration)), 9)
     expect(result?.moves).toBe(run.events.filter(one => one.kind === 'move').length)
     expect(result?.peak_torque).toBeNull() // a kinematic run knows no torque

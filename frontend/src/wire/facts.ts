@@ -18,7 +18,7 @@ export interface InputChange {
 export interface OverrideChange {
   /** Of the control tick from which on it holds [s of simulated time]. */
   readonly time: number
-  /** Share of the planned speed, 0 (held) to 1. */
+  /** Share of the planned speed, 0 (held) to 1; below `SLOWEST` it counts as 0. */
   readonly value: number
 }
 
