@@ -241,7 +241,10 @@ class Documents:
 
 def _is_new_name(name: str) -> bool:
     """Return whether a new program may have a name; it never leads out of `programs`, on any system."""
-    return re.fullmatch(r"programs/\w[\w \-]{0,100}\.(task|icr)", name) is not None
+    if re.fullmatch(r"programs/\w[\w \-]{0,100}\.(task|icr)", name) is None:
+        return False
+    stem = name.removeprefix("programs/").partition(".")[0].rstrip().lower()
+    return re.fullmatch(r"con|prn|aux|nul|com\d|lpt\d", stem) is None  # devices of Windows
 
 
 def _named_program(cell: str) -> str:

@@ -286,10 +286,12 @@ def test_a_new_program_is_never_written_over_a_file(folder: Path) -> None:
         "programs/a\\b.task",
         "programs/c:evil.task",
         "programs/new\nline.task",
+        "programs/con.task",
+        "programs/LPT1 .icr",
         "",
     ],
 )
-def test_a_new_program_stays_in_its_folder(folder: Path, name: str) -> None:
+def test_a_new_program_stays_in_its_folder_and_has_a_name_on_any_system(folder: Path, name: str) -> None:
     before = sorted(folder.rglob("*"))
     assert create(opened(folder), name) == "U957"
     assert sorted(folder.rglob("*")) == before
