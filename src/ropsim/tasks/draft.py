@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from ropsim.core import frozen_dataclass
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_report import CallReport
+from ropsim.tasks.expression_text import short_text
 from ropsim.tasks.point_list import PointList, points_text
 from ropsim.tasks.program_text import UNITS, program_text
 from ropsim.tasks.task_call import Numbers, Point, TaskCall
@@ -73,7 +74,7 @@ def draft_text(draft: Draft, base: KnowledgeBase, name: str) -> str:
     names = {numbers: point for point, numbers in draft.points}
     calls = [_named(call, names) for call in draft.calls]
     head, _, rest = program_text(base.task, calls, name).partition(f"units {UNITS}\n")
-    places = [f"loc {point} = ({', '.join(f'{c:g}' for c in numbers)})" for point, numbers in draft.points]
+    places = [f"loc {point} = ({', '.join(map(short_text, numbers))})" for point, numbers in draft.points]
     return "\n".join([f"{head}units {UNITS}", *places, rest])
 
 

@@ -162,6 +162,11 @@ def number_text(number: int | float) -> str:
     return text if "e" not in text or "." in text else text.replace("e", ".0e")
 
 
+def short_text(number: int | float) -> str:
+    """Return a number as task text writes it to the last digit, a whole one without a fraction."""
+    return number_text(number).removesuffix(".0")
+
+
 def is_reserved(name: str) -> bool:
     """Return whether a name is a word or a unit of the task language."""
     return name.lower() in _RESERVED or name in UNIT_WORDS or name.lower() in FUNCTIONS

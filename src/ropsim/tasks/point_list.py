@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, Span, frozen_dataclass, read_bytes
 from ropsim.tasks.diagnostics import POINT_LIST
+from ropsim.tasks.expression_text import short_text
 from ropsim.tasks.task_call import Numbers
 
 COLUMNS = ("name", "x", "y", "z", "pitch", "roll")
@@ -69,7 +70,7 @@ def points_text(points: Sequence[tuple[str, Numbers]]) -> str:
     """Return the text of a list; points without pitch and roll leave them empty."""
     rows = [",".join(COLUMNS), ",".join(UNITS)]
     for name, numbers in points:
-        cells = [f"{one:g}" for one in numbers]
+        cells = [short_text(one) for one in numbers]
         rows.append(",".join([name, *cells, *[""] * (5 - len(cells))]))
     return "\n".join(rows) + "\n"
 

@@ -2,6 +2,7 @@
 
 from ropsim.core import frozen_dataclass
 from ropsim.prolog import Atom, Struct, Term
+from ropsim.tasks.expression_text import short_text
 
 
 @frozen_dataclass
@@ -17,7 +18,7 @@ class Quantity:
     unit: str
 
     def __str__(self) -> str:
-        return f"{self.value:g} {self.unit}"
+        return f"{short_text(self.value)} {self.unit}"
 
 
 Numbers = tuple[float, ...]
@@ -46,7 +47,7 @@ class TaskCall:
 
     def __str__(self) -> str:
         points = [
-            one if isinstance(one, str) else f"({', '.join(f'{c:g}' for c in one)})" for one in self.points
+            one if isinstance(one, str) else f"({', '.join(map(short_text, one))})" for one in self.points
         ]
         given = [str(one).lower() if isinstance(one, bool) else str(one) for one in self.parameters]
         return f"{self.name} {', '.join((*points, *given))}".rstrip()

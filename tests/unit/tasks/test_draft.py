@@ -8,7 +8,8 @@ from ropsim.core import SourceText
 from ropsim.icr import run
 from ropsim.language import compile
 from ropsim.tasks import Draft, TaskCall, WorldState, added, draft_points, draft_text, listed, taken_back
-from ropsim.tasks.point_list import PointList, points_of, read_point_list
+from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list
+from ropsim.tasks.task_call import Quantity
 from support.knowledge import CELL, base
 
 BEGIN = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)")
@@ -52,6 +53,32 @@ def test_a_list_of_points_has_units_and_stands_for_its_points() -> None:
     assert found.points[0][1] == pytest.approx((31, 42, 86, 0, 57.29577951))
     assert found.points[1][1] == pytest.approx((76, 130, 50))
     assert listed(("s1", "table"), {"table": found}) == ("s1", found.points[0][1], found.points[1][1])
+
+
+EXACT = ((1234.5678, -0.1, 2345678.0), (1.0, 2.0, 3.0, 57.29577951308232, -1e-5))
+"""Numbers of more than six digits, a whole one, and one that is written with an exponent."""
+
+
+def test_a_written_list_has_the_points_to_the_last_digit() -> None:
+    points = (("a", EXACT[0]), ("b", EXACT[1]))
+    found, findings = points_of(SourceText("p.csv", points_text(points)), "p")
+    assert findings == ()
+    assert found == PointList("p", points)
+
+
+def test_a_program_has_its_points_to_the_last_digit() -> None:
+    known, draft = base(), Draft(BEGIN)
+    for point in EXACT:
+        draft = added(draft, known, TaskCall("park", (point,)))
+    text = draft_text(draft, known, "exact")
+    assert compile(text, CELL).diagnostics == ()
+    lines = [line for line in text.splitlines() if line.startswith("loc point_")]
+    assert [tuple(map(float, line.split("(")[1].rstrip(")").split(","))) for line in lines] == list(EXACT)
+
+
+def test_a_call_is_shown_with_what_it_is_given_to_the_last_digit() -> None:
+    call = TaskCall("go", ((1234.5678, 2.0, 3.0),), (Quantity(1234.5678, "mm"), Quantity(50.0, "mm/s")))
+    assert str(call) == "go (1234.5678, 2, 3), 1234.5678 mm, 50 mm/s"
 
 
 @pytest.mark.parametrize(
