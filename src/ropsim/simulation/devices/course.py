@@ -99,9 +99,8 @@ def to_rest(
     brake = qd * abs(qd) / (2.0 * acceleration)
     sign = math.copysign(1.0, target - (q + brake))
     way, start = sign * (target - q), sign * qd
+    # `way` is at least the way of braking: from above `speed` the peak is `speed`, and it slows down first
     peak = min(speed, math.sqrt(max(acceleration * way + 0.5 * start * start, 0.0)))
-    if start > speed:  # faster than it may go: slow down first
-        peak = speed
     rise = abs(peak - start) / acceleration
     change = math.copysign(1.0, peak - start)
     cruise = way - (change * (peak * peak - start * start) + peak * peak) / (2.0 * acceleration)
