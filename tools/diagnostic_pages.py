@@ -7,25 +7,53 @@ python tools/diagnostic_pages.py --check   compare only; exit 1 and name the pag
 import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 from ropsim.cli import all_kinds
 from ropsim.core import Kind
 
 FOLDER = Path(__file__).parent.parent / "docs" / "reference" / "diagnostics"
 
+
+class Band(NamedTuple):
+    """Codes that begin alike.
+
+    Attributes:
+        title: what they are about.
+        packages: those that define them.
+    """
+
+    title: str
+    packages: tuple[str, ...]
+
+
+_FILES = ("calibration", "cellfile", "meshes", "model", "records", "robots", "tomltext", "userfiles")
+
 BANDS = {
-    "L1": "Syntax of the task language",
-    "N2": "Names",
-    "T3": "Types and units",
-    "I4": "ICR and its machine",
-    "M5": "Motion, kinematics, dynamics",
-    "C6": "Controller",
-    "S7": "Simulation",
-    "X8": "Projects, cell files, models, recordings",
-    "X9": "Robots in files",
-    "U9": "Use of the commands",
-    "P1": "Knowledge bases",
+    "L1": Band("Syntax of the task language", ("language",)),
+    "N2": Band("Names", ("language", "program")),
+    "T3": Band("Types and units", ("language", "program")),
+    "I4": Band("ICR and its machine", ("icr", "program")),
+    "M5": Band("Motion, kinematics, dynamics", ("dynamics", "kinematics", "motion", "spatial")),
+    "C6": Band("Controller", ("controller",)),
+    "S7": Band("Simulation", ("simulation",)),
+    "X8": Band("Projects, cell files, models, recordings", (*_FILES, "workbench")),
+    "X9": Band("Robots in files", ("exchange", "express", "nirox", "part21", "robotfile", "workbench")),
+    "U9": Band("Use of the commands", ("cli", "lsp", "studio")),
+    "P1": Band("Knowledge bases", ("prolog", "tasks")),
 }
+"""Of each code, by its first two characters."""
+
+RETIRED = {
+    "M504": "speed-limit-on-line",
+    "M507": "zone-not-simulated",
+    "M510": "acceleration-limit",
+    "M521": "external-axis-on-line",
+    "M571": "chain-too-long",
+    "X904": "looks-like-radians",
+    "X913": "tiny-part",
+}
+"""Codes of earlier versions, with what they meant: they never mean anything else."""
 
 
 def page(kind: Kind) -> str:
@@ -39,15 +67,26 @@ def page(kind: Kind) -> str:
 
 
 def index(kinds: Mapping[str, Kind]) -> str:
-    """Return the list of all kinds, by band."""
+    """Return the list of all kinds, by band, and of the codes that are no longer told."""
     lines = ["# Diagnostics", "", "Made from the catalogue by `make docs`; a code is never used again."]
-    for band, title in BANDS.items():
-        lines += ["", f"## {band}xx {title}", "", "| code | found | severity |", "|---|---|---|"]
+    for start, band in BANDS.items():
+        packages = ", ".join(f"`{name}`" for name in band.packages)
+        lines += [
+            "",
+            f"## {start}xx {band.title}",
+            "",
+            f"Defined in {packages}.",
+            "",
+            "| code | found | severity |",
+            "|---|---|---|",
+        ]
         lines += [
             f"| [{code}]({code}.md) | `{kind.slug}`: {kind.summary} | {kind.severity.value} |"
             for code, kind in kinds.items()
-            if code.startswith(band)
+            if code.startswith(start)
         ]
+    lines += ["", "## Retired", "", "Codes of earlier versions, which are told no more.", ""]
+    lines += ["| code | meant |", "|---|---|", *(f"| {code} | `{slug}` |" for code, slug in RETIRED.items())]
     return "\n".join(lines) + "\n"
 
 
@@ -55,12 +94,15 @@ def pages() -> Mapping[Path, str]:
     """Return every page by path.
 
     Raises:
-        ValueError: a code belongs to no band.
+        ValueError: a code belongs to no band, or has been retired.
     """
     kinds = all_kinds()
     strays = [code for code in kinds if code[:2] not in BANDS]
     if strays:
         raise ValueError(f"codes outside of all bands: {', '.join(strays)}")
+    again = [code for code in kinds if code in RETIRED]
+    if again:
+        raise ValueError(f"codes that meant something else once: {', '.join(again)}")
     result = {FOLDER / f"{code}.md": page(kind) for code, kind in kinds.items()}
     return {FOLDER / "README.md": index(kinds), **result}
 
@@ -83,9 +125,13 @@ def main(arguments: list[str]) -> int:
         print("\n".join([*found, "run `make docs`"]) if found else f"{len(wanted)} pages are up to date")
         return int(bool(found))
     FOLDER.mkdir(parents=True, exist_ok=True)
-    for path in FOLDER.glob("*.md"):
-        if path not in wanted:
-            path.unlink()
+    left_over = sorted(path for path in FOLDER.glob("*.md") if path not in wanted)
+    gone = [path.stem for path in left_over if path.stem not in RETIRED]
+    if gone:
+        print(f"nothing is written: add to RETIRED of {Path(__file__).name}: {', '.join(gone)}")
+        return 1
+    for path in left_over:
+        path.unlink()
     for path, text in wanted.items():
         path.write_text(text, "utf-8")
     print(f"{len(wanted)} pages written")

@@ -6,40 +6,11 @@ import sys
 from functools import cache
 from pathlib import Path
 
+from tools.diagnostic_pages import BANDS, RETIRED
+
 from support.sources import trees
 
 ROOT = Path(__file__).parents[2]
-
-BANDS = {
-    "language": {"L1", "N2", "T3"},
-    "program": {"I4", "N2", "T3"},
-    "icr": {"I4"},
-    "spatial": {"M5"},
-    "motion": {"M5"},
-    "kinematics": {"M5"},
-    "dynamics": {"M5"},
-    "controller": {"C6"},
-    "simulation": {"S7"},
-    "model": {"X8"},
-    "exchange": {"X9"},
-    "robots": {"X8"},
-    "calibration": {"X8"},
-    "workbench": {"X8", "X9"},
-    "cellfile": {"X8"},
-    "robotfile": {"X9"},
-    "tomltext": {"X8"},
-    "records": {"X8"},
-    "meshes": {"X8"},
-    "part21": {"X9"},
-    "express": {"X9"},
-    "nirox": {"X9"},
-    "userfiles": {"X8"},
-    "lsp": {"U9"},
-    "studio": {"U9"},
-    "cli": {"U9"},
-    "prolog": {"P1"},
-    "tasks": {"P1"},
-}
 
 
 @cache
@@ -57,8 +28,16 @@ def defined_codes() -> dict[str, str]:
 
 
 def test_codes_stand_in_the_band_of_their_package() -> None:
-    strays = {code: package for code, package in defined_codes().items() if code[:2] not in BANDS[package]}
+    strays = {
+        code: package
+        for code, package in defined_codes().items()
+        if code[:2] not in BANDS or package not in BANDS[code[:2]].packages
+    }
     assert strays == {}
+
+
+def test_no_code_is_used_again() -> None:
+    assert sorted(set(defined_codes()) & set(RETIRED)) == []
 
 
 def test_explain_knows_every_code_that_is_defined() -> None:
