@@ -8,7 +8,6 @@ that the user alone can read.
 import contextlib
 import hashlib
 import secrets
-import time
 from pathlib import Path
 from typing import Annotated
 
@@ -36,9 +35,14 @@ class Place(Struct, frozen=True):
     made: float
 
 
-def place_of(folder: Path) -> Place:
-    """Return where the studio of a project was last, or a new place without a port."""
-    fresh = Place(0, secrets.token_urlsafe(24), time.time())
+def place_of(folder: Path, now: float) -> Place:
+    """Return where the studio of a project was last, or a new place without a port.
+
+    Args:
+        folder: of the project.
+        now: [s since 1970].
+    """
+    fresh = Place(0, secrets.token_urlsafe(24), now)
     try:
         kept = msgspec.json.decode(read_bytes(_file(folder)), type=Place)
     except (OSError, ValueError, RecursionError):

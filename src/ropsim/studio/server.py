@@ -8,6 +8,7 @@ import socket
 import sys
 import tempfile
 import threading
+import time
 import webbrowser
 from collections.abc import Callable, Iterator
 from enum import Enum
@@ -67,7 +68,7 @@ def serve(options: StudioOptions, say: Callable[[str], None]) -> None:
     """
     folder = project_folder(options.project)
     page_folder = pages.pages_folder()
-    place = place_of(folder)
+    place = place_of(folder, time.time())
     listener = _listen(options.port) if options.port else _listen_again(place.port)
     port = listener.getsockname()[1]
     place = replace(place, port=port)

@@ -3,7 +3,6 @@
 import json
 import stat
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -11,6 +10,7 @@ import pytest
 from ropsim.studio.place import LONGEST, Place, keep_place, place_of
 
 SECRET = 32 * "s"
+NOW = 1_800_000_000.0  # [s since 1970]
 
 
 @pytest.fixture
@@ -21,16 +21,16 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def kept_file(project: Path) -> Path:
     """Keep a place and return the file in which it is."""
-    keep_place(project, Place(40123, SECRET, time.time()))
+    keep_place(project, Place(40123, SECRET, NOW))
     (file,) = (project.parent / "state").rglob("*.json")
     return file
 
 
 def test_a_place_is_found_again(project: Path) -> None:
-    place = Place(40123, SECRET, time.time())
+    place = Place(40123, SECRET, NOW)
     keep_place(project, place)
-    assert place_of(project) == place
-    assert place_of(project.parent / "other").port == 0
+    assert place_of(project, NOW) == place
+    assert place_of(project.parent / "other", NOW).port == 0
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there the folder of the user is closed to others")
@@ -40,8 +40,8 @@ def test_only_the_user_can_read_the_secret(project: Path) -> None:
 
 @pytest.mark.parametrize("age", [LONGEST + 60.0, -60.0])
 def test_a_secret_that_is_old_or_from_the_future_is_made_anew(project: Path, age: float) -> None:
-    keep_place(project, Place(40123, SECRET, time.time() - age))
-    assert place_of(project).secret != SECRET
+    keep_place(project, Place(40123, SECRET, NOW - age))
+    assert place_of(project, NOW).secret != SECRET
 
 
 def is_new(place: Place) -> bool:
@@ -53,7 +53,7 @@ def is_new(place: Place) -> bool:
 )
 def test_a_damaged_file_gives_a_new_place(project: Path, content: bytes) -> None:
     kept_file(project).write_bytes(content)
-    assert is_new(place_of(project))
+    assert is_new(place_of(project, NOW))
 
 
 @pytest.mark.parametrize(
@@ -81,4 +81,4 @@ def test_a_damaged_file_gives_a_new_place(project: Path, content: bytes) -> None
 def test_an_entry_that_cannot_be_right_gives_a_new_place(project: Path, changes: dict[str, object]) -> None:
     file = kept_file(project)
     file.write_text(json.dumps(json.loads(file.read_bytes()) | changes), "utf-8")
-    assert is_new(place_of(project))
+    assert is_new(place_of(project, NOW))
