@@ -5,14 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import ropsim
 from ropsim import icr, robots
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
 from ropsim.simulation.settle import SPEED_TIME
-from ropsim.workbench import environment_of
 from support.cells import one_station, with_station
+from support.compiled import code_of
 
 LONGEST = 2.0
 SIGNALS = {
@@ -28,16 +27,8 @@ def cell() -> Cell:
     return one_station("c", robot, controller, tools={"": Tool("")}, start=robot.home, signals=SIGNALS)
 
 
-def code(cell: Cell, *lines: str) -> icr.Program:
-    text = "\n".join(("program p", "units mm, deg, s", *lines))
-    compiled = ropsim.language.compile(text, environment_of(cell))
-    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
-    assert compiled.icr is not None
-    return compiled.icr
-
-
 def ideal(cell: Cell, *lines: str) -> Recording:
-    return run(cell, {"robot": code(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, longest=LONGEST))
+    return run(cell, {"robot": code_of(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, longest=LONGEST))
 
 
 @pytest.mark.parametrize(
@@ -66,7 +57,7 @@ def test_waits_within_the_longest_time_are_no_finding(cell: Cell) -> None:
 def test_a_long_stand_is_the_same_in_one_piece_and_in_slices(
     cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    program = code(cell, "mov joints (0, 60, -150, 0, -60, 0)", "wait 0.5 s")
+    program = code_of(cell, "mov joints (0, 60, -150, 0, -60, 0)", "wait 0.5 s")
     whole = run(cell, {"robot": program}, RunOptions())
     monkeypatch.setattr("ropsim.simulation.station_run._SLICE", 7)
     sliced = run(cell, {"robot": program}, RunOptions())
@@ -87,7 +78,7 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
         cell, controller=replace(controller, rates=replace(controller.rates, control_hz=50))
     )
     assert coarse.first.controller.rates == Rates(50, 4, 2)
-    program = code(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
+    program = code_of(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
     with pytest.raises(DivergedError) as caught:
         run(coarse, {"robot": program}, RunOptions())
     found = caught.value.diagnostic
@@ -99,7 +90,7 @@ def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> Non
     window = np.full(6, 1e-5)  # so narrow that no arm is within it when a move ends
     controller = replace(cell.first.controller, settle_timeout=0.0, in_position=window)
     hasty = with_station(cell, controller=controller)
-    recording = run(hasty, {"robot": code(hasty, "mov joints (60, 60, -150, 0, -60, 0)")}, RunOptions())
+    recording = run(hasty, {"robot": code_of(hasty, "mov joints (60, 60, -150, 0, -60, 0)")}, RunOptions())
     (found,) = (one for one in recording.findings if one.code == "S720")
     degrees = np.degrees(float(str(found.data["error_rad"])))
     assert f"is {degrees:.4g}° from its target" in found.message
@@ -109,7 +100,7 @@ def test_a_move_ends_when_every_joint_is_in_position(cell: Cell) -> None:
     window = np.full(6, 1e-5)  # an arm that has just been moved needs a while until it is within this
     strict = with_station(cell, controller=replace(cell.first.controller, in_position=window))
     # joint 1 stands where it stands: it is in position all the time
-    program = code(strict, "mov joints (0, 60, -150, 0, -60, 0)", "mov joints (0, 60, -150, 60, -30, 0)")
+    program = code_of(strict, "mov joints (0, 60, -150, 0, -60, 0)", "mov joints (0, 60, -150, 60, -30, 0)")
     recording = run(strict, {"robot": program}, RunOptions(record_hz=1000))
     last = recording.events_of(MoveEvent)[-1]
     assert last.settle > 0.0
@@ -122,7 +113,7 @@ def passing(cell: Cell) -> tuple[Cell, icr.Program]:
     """A cell whose first joint is near enough when its reference ends, but passes by too fast, and a move."""
     wide = replace(cell.first.controller, settle_time=0.0, in_position=np.ones(6))
     loose = with_station(cell, controller=wide)
-    program = code(loose, "mov joints (60, 60, -150, 0, -60, 0)")
+    program = code_of(loose, "mov joints (60, 60, -150, 0, -60, 0)")
     recording = run(loose, {"robot": program}, RunOptions(record_hz=1000))
     row = np.searchsorted(recording.time, recording.events_of(MoveEvent)[-1].end - 1e-9)
     error, speed = (abs(recording.channels[name].values[row, 0]) for name in ("q_error", "qd"))

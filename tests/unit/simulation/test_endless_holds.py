@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.flow import SLOWEST, MoveEvent, OverrideChange, Recording, channel_name
 from ropsim.model import Cell, Signal, Station
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
 from ropsim.spatial import Pose
-from ropsim.workbench import environment_of
+from support.compiled import station_code
 
 ARM = robots.load("puma560")
 AWAY = Pose(np.array([5.0, 0.0, 0.0]))
@@ -31,15 +30,8 @@ def cell(*names: str, serves: str = "") -> Cell:
     return Cell("c", stations, signals=signals)
 
 
-def code(cell: Cell, name: str, lines: tuple[str, ...]) -> icr.Program:
-    text = "\n".join([f"program {name}", "units mm, deg, s", *lines, ""])
-    compiled = ropsim.language.compile(text, environment_of(cell, cell.stations[name]), name)
-    assert compiled.icr is not None, [str(one) for one in compiled.diagnostics]
-    return compiled.icr
-
-
 def ran(cell: Cell, *overrides: tuple[float, float], **programs: tuple[str, ...]) -> Recording:
-    codes = {name: code(cell, name, lines) for name, lines in programs.items()}
+    codes = {name: station_code(cell, name, *lines) for name, lines in programs.items()}
     changes = tuple(OverrideChange(*one) for one in overrides)
     return run(cell, codes, RunOptions(Fidelity.KINEMATIC, overrides=changes))
 
@@ -136,6 +128,6 @@ class Onlooker(NobodyWatches):
 def test_somebody_who_looks_on_may_let_it_go() -> None:
     one = cell("left")
     options = RunOptions(Fidelity.KINEMATIC, overrides=(OverrideChange(1.0, 0.0),), watch=Onlooker())
-    recording = run(one, {"left": code(one, "left", MOVES)}, options)
+    recording = run(one, {"left": station_code(one, "left", *MOVES)}, options)
     assert recording.findings == ()
     assert recording.duration > 3.0

@@ -5,15 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.controller import Sample, SensedCell
 from ropsim.core import Diagnostic
 from ropsim.flow import AwaitEvent, Event, Recording, WaitEvent
 from ropsim.model import Barrier, BeltDrive, Cell, Device, IndexDrive, Part, Signal, Station, SwitchDrive
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.spatial import Pose
-from ropsim.workbench import environment_of
+from support.compiled import station_code
 
 ARM = robots.load("puma560")
 BELT_AT = Pose(np.array([-1.0, 2.0, 0.38]))
@@ -32,15 +31,8 @@ def cell(*names: str, inputs: tuple[Signal, ...] = (), devices: tuple[Device, ..
     return Cell("c", stations, signals=signals, devices={one.name: one for one in devices})
 
 
-def code(cell: Cell, name: str, lines: tuple[str, ...]) -> icr.Program:
-    text = "\n".join([f"program {name}", "units mm, deg, s", *lines, ""])
-    compiled = ropsim.language.compile(text, environment_of(cell, cell.stations[name]), name)
-    assert compiled.icr is not None, [str(one) for one in compiled.diagnostics]
-    return compiled.icr
-
-
 def ran(cell: Cell, options: RunOptions | None = None, **programs: tuple[str, ...]) -> Recording:
-    codes = {name: code(cell, name, lines) for name, lines in programs.items()}
+    codes = {name: station_code(cell, name, *lines) for name, lines in programs.items()}
     return run(cell, codes, options or RunOptions(Fidelity.KINEMATIC))
 
 

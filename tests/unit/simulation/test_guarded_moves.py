@@ -3,16 +3,15 @@
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.core import Severity
 from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Signal, Tool
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
-from ropsim.workbench import environment_of
 from support.cells import one_station
+from support.compiled import code_of
 
 ROBOT = robots.load("puma560")
 SIGNALS = {
@@ -36,16 +35,8 @@ STARTING = 0.2
 """Within which the arm starts; within twice this the motion clock has braked it [s]."""
 
 
-def program(cell: Cell, *lines: str) -> icr.Program:
-    text = "\n".join(("program p", "units mm, deg, s", *lines))
-    compiled = ropsim.language.compile(text, environment_of(cell))
-    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
-    assert compiled.icr is not None
-    return compiled.icr
-
-
 def recorded(*lines: str) -> Recording:
-    return run(CELL, {"robot": program(CELL, *lines)}, RunOptions(Fidelity.KINEMATIC))
+    return run(CELL, {"robot": code_of(CELL, *lines)}, RunOptions(Fidelity.KINEMATIC))
 
 
 def guards(recording: Recording) -> list[tuple[int, str]]:
@@ -104,7 +95,7 @@ def test_a_condition_that_comes_true_in_the_last_slice_has_been_met() -> None:
     cell = one_station(
         "c", ROBOT, CELL.first.controller, tools={"": Tool("")}, start=ROBOT.home, signals={"touch": late}
     )
-    code = program(cell, APPROACH, f"lin (500, 0, 200) {SLOW} until touch")
+    code = code_of(cell, APPROACH, f"lin (500, 0, 200) {SLOW} until touch")
     assert guards(run(cell, {"robot": code}, RunOptions(Fidelity.KINEMATIC))) == []
 
 
@@ -121,7 +112,7 @@ class Stopping(NobodyWatches):
 
 
 def test_a_motion_that_was_ended_by_hand_says_nothing_of_its_condition() -> None:
-    code = program(CELL, APPROACH, f"lin (500, 0, 200) {SLOW} until never")
+    code = code_of(CELL, APPROACH, f"lin (500, 0, 200) {SLOW} until never")
     recording = run(CELL, {"robot": code}, RunOptions(Fidelity.KINEMATIC, watch=Stopping()))
     assert recording.duration < 3.0
     assert guards(recording) == []

@@ -6,8 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.cellfile import read_cell
 from ropsim.controller import (
     Correction,
@@ -34,8 +33,8 @@ from ropsim.model import (
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.simulation.watch import NobodyWatches
 from ropsim.spatial import Array, Pose
-from ropsim.workbench import environment_of
 from support.cells import one_station
+from support.compiled import code_of
 
 ROBOT = robots.load("puma560")
 CONTROLLER = robots.default_controller("puma560")
@@ -78,17 +77,9 @@ def cell_with(slope: float = 0.0, controller: ControllerModel = CONTROLLER) -> C
 FLAT = cell_with()
 
 
-def program(cell: Cell, *lines: str) -> icr.Program:
-    text = "\n".join(("program p", "units mm, deg, s", *lines))
-    compiled = ropsim.language.compile(text, environment_of(cell))
-    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
-    assert compiled.icr is not None
-    return compiled.icr
-
-
 def recorded(cell: Cell, *lines: str, options: RunOptions | None = None) -> Recording:
     wanted = options or RunOptions(Fidelity.KINEMATIC, record_hz=1000)
-    return run(cell, {"robot": program(cell, *lines)}, wanted)
+    return run(cell, {"robot": code_of(cell, *lines)}, wanted)
 
 
 def codes(recording: Recording) -> set[str]:
@@ -351,13 +342,13 @@ position = [0, 0, 0]
     assert cell is not None
     near = "loc a = (-170, 0, 160, 180, 0, 0) in plate"
     lines = near, "mov a external (0)", "lin a external (20) track hand = 0.0", "lin a offset (0, 20, 0)"
-    recording = run(cell, {cell.first.name: program(cell, *lines)}, RunOptions(Fidelity.KINEMATIC))
+    recording = run(cell, {cell.first.name: code_of(cell, *lines)}, RunOptions(Fidelity.KINEMATIC))
     (told,) = [one for one in recording.findings if one.code == "M587"]
     assert told.span is not None
     assert told.span.line == 5
     assert "correction" not in recording.channels
     still = near, "mov a external (20)", "lin a offset (0, 20, 0) track hand = -0.01"
-    recording = run(cell, {cell.first.name: program(cell, *still)}, RunOptions(Fidelity.KINEMATIC))
+    recording = run(cell, {cell.first.name: code_of(cell, *still)}, RunOptions(Fidelity.KINEMATIC))
     assert "M587" not in codes(recording)
     assert np.nanmax(recording.rows("correction")) > 1e-3
     corrected = ~np.isnan(recording.rows("correction"))

@@ -5,8 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.controller import ArmState, CompiledLaw, LawError, LawTraits, Sample, SensedCell
 from ropsim.dynamics import inverse_dynamics
 from ropsim.flow import InputChange, MessageEvent, MoveEvent, Recording
@@ -14,8 +13,8 @@ from ropsim.kinematics import forward
 from ropsim.model import Box, Cell, DistanceSensor, FixedObject, ForceSensor, Part, Shape, Signal, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
-from ropsim.workbench import environment_of
 from support.cells import one_station
+from support.compiled import code_of
 from support.printed import si_numbers
 
 ROBOT = robots.load("puma560")
@@ -53,16 +52,8 @@ def cell_with(*parts: Part) -> Cell:
 CELL = cell_with()
 
 
-def program(cell: Cell, *lines: str) -> icr.Program:
-    text = "\n".join(("program p", "units mm, deg, s", *lines))
-    compiled = ropsim.language.compile(text, environment_of(cell))
-    assert [str(found) for found in compiled.diagnostics if found.is_error] == []
-    assert compiled.icr is not None
-    return compiled.icr
-
-
 def ideal(*lines: str, cell: Cell = CELL, inputs: tuple[InputChange, ...] = ()) -> Recording:
-    return run(cell, {"robot": program(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, inputs=inputs))
+    return run(cell, {"robot": code_of(cell, *lines)}, RunOptions(Fidelity.KINEMATIC, inputs=inputs))
 
 
 def said(recording: Recording) -> list[str]:
@@ -156,7 +147,7 @@ def test_a_law_does_not_read_what_is_measured_between_slices_only() -> None:
     source = "def law(par, state, ref, meas, load, aux, out):\n    out[0] = aux[0]\n"
     law = CompiledLaw("force_law", source, ("p",), np.zeros((1, 6)), LawTraits(aux=("force",)))
     with pytest.raises(LawError, match="`force_law` reads signal `force`"):
-        run(CELL, {"robot": program(CELL, ABOVE)}, RunOptions(laws={"robot": law}))
+        run(CELL, {"robot": code_of(CELL, ABOVE)}, RunOptions(laws={"robot": law}))
 
 
 @dataclass
@@ -176,7 +167,7 @@ class Wrench:
 
 def test_an_interface_of_a_user_is_given_the_state_of_the_arm() -> None:
     sensors = Wrench()
-    code = program(CELL, ABOVE, "wait 1 s", "print force", "lin (500, 0, 250) until force > 1000 N")
+    code = code_of(CELL, ABOVE, "wait 1 s", "print force", "lin (500, 0, 250) until force > 1000 N")
     recording = run(CELL, {"robot": code}, RunOptions(sensors=sensors))
     assert recording.events_of(MoveEvent)[1].travel > 0.0
     first = sensors.seen[0]

@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import ropsim
-from ropsim import icr, robots
+from ropsim import robots
 from ropsim.flow import AwaitEvent, GripEvent, MoveEvent, OutputEvent, Recording, ReleaseEvent
 from ropsim.kinematics import forward
 from ropsim.model import (
@@ -29,7 +28,7 @@ from ropsim.model import (
 )
 from ropsim.simulation import Fidelity, OptionError, RunOptions, RunView, run
 from ropsim.spatial import Pose
-from ropsim.workbench import environment_of
+from support.compiled import station_code
 
 ARM = robots.load("puma560")
 CONTROLLER = robots.default_controller(ARM)
@@ -48,15 +47,8 @@ def cell(*stations: Station, **around: Any) -> Cell:
     return replace(made, **around)
 
 
-def code(cell: Cell, name: str, *lines: str) -> icr.Program:
-    text = "\n".join([f"program {name}", "units mm, deg, s", *lines, ""])
-    compiled = ropsim.language.compile(text, environment_of(cell, cell.stations[name]), name)
-    assert compiled.icr is not None, [str(one) for one in compiled.diagnostics]
-    return compiled.icr
-
-
 def ran(cell: Cell, options: RunOptions | None = None, **programs: tuple[str, ...]) -> Recording:
-    codes = {name: code(cell, name, *lines) for name, lines in programs.items()}
+    codes = {name: station_code(cell, name, *lines) for name, lines in programs.items()}
     return run(cell, codes, options or RunOptions(Fidelity.KINEMATIC))
 
 
@@ -398,7 +390,7 @@ def test_at_one_time_stations_act_in_the_order_of_their_names() -> None:
         stations = [station(name, AWAY if name == "b" else None) for name in order]
         lines = {"a": ("set go on",), "b": ('if go then print "seen"',)}
         made = cell(*stations, signals={"go": switch("go")})
-        codes = {name: code(made, name, *lines[name]) for name in order}
+        codes = {name: station_code(made, name, *lines[name]) for name in order}
         recording = run(made, codes, RunOptions(Fidelity.KINEMATIC))
         seen.append(sorted(event.kind for event in recording.events))
     assert seen == [["message", "output"]] * 2
