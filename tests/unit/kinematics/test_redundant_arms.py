@@ -173,6 +173,18 @@ def test_a_pose_beyond_the_stretched_arm_is_told_by_its_distance() -> None:
     assert 0.8 < far.shortfall.miss.distance < 1.4
 
 
+def test_the_wrist_gets_as_near_and_as_far_as_the_elbow_lets_it() -> None:
+    """The elbow lies beside the line from shoulder to wrist, and only joint 4 changes the distance."""
+    robot = ARMS["tilted"]
+    Q = np.zeros((2001, 7))
+    Q[:, 3] = np.linspace(-pi, pi, len(Q))
+    reaches = [redundant(robot).shortfall(X).reach for X in forward_batch(robot, Q)]
+    found = [(one.distance, one.shortest, one.longest) for one in reaches if one is not None]
+    distances, shortest, longest = np.array(found).T
+    assert longest.tolist() == pytest.approx([distances.max()] * len(Q), abs=1e-6)
+    assert shortest.tolist() == pytest.approx([distances.min()] * len(Q), abs=1e-4)
+
+
 def test_arms_with_other_joints_are_told_what_they_miss() -> None:
     missed = classes_missed(random_arm(1, "RRRRRRP"))
     assert missed["S-R-S"] == missed["general seven-axis"] == "joint `7` is prismatic"

@@ -134,6 +134,37 @@ def test_friction_at_the_joint_and_a_screw_go_to_the_motor() -> None:
     assert [one.span.line for one in found.findings if one.span] == [line_of(121, text), line_of(123, text)]
 
 
+def test_a_screw_of_a_drive_turns_once_by_its_lead() -> None:
+    """A lead is the way of the joint over the angle of the motor: the motor turns by 1/lead for one of it."""
+    screw = ("#131=GEAR_TRANSMISSION('g2',1.,1.,0.,$,$,0.)", "#131=SCREW_TRANSMISSION('g2',0.25,1.)")
+    robot = read(changed(screw)).robot
+    assert robot is not None
+    assert robot.drives[1].transmission == Gear(4.0)
+
+
+def test_masses_are_turned_from_the_frame_of_the_link_into_that_of_its_joint() -> None:
+    """The pair lies on the arm turned by φ about z, cos φ = 0.8: in its frame the arm is turned back."""
+    turned = ("#43=AXIS2_PLACEMENT_3D('',#30,$,$);",
+              "#36=DIRECTION('',(0.8,0.6,0.));\n#43=AXIS2_PLACEMENT_3D('',#30,$,#36);")  # fmt: skip
+    robot = read(changed(turned)).robot
+    assert robot is not None
+    R = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    link = robot.links[0]
+    np.testing.assert_allclose(link.inertia, R.T @ np.diag([0.004, 0.09, 0.09]) @ R, rtol=0.0, atol=ROUNDING)
+    np.testing.assert_allclose(link.com, R.T @ np.array([0.25, 0.0, 0.0]), rtol=0.0, atol=ROUNDING)
+
+
+def test_a_thin_rod_has_no_moment_about_its_axis_and_rounding_makes_it_no_mistake() -> None:
+    for direction in ([0.6, 0.64, 0.48], [0.48, 0.6, -0.64], [1.0, 2.0, 2.0], [0.3, -0.7, 0.1]):
+        along = np.array(direction) / np.linalg.norm(direction)
+        rod = 0.09 * (np.eye(3) - np.outer(along, along))
+        places = (0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)
+        numbers = ",".join(repr(float(rod[place])) for place in places)
+        found = read(changed(("(0.004,0.09,0.09,0.,0.,0.)", f"({numbers})")))
+        assert found.findings == ()
+        assert found.robot is not None
+
+
 def test_limits_that_are_not_said_are_estimated_and_told() -> None:
     found = read(changed(("$,3.,30.,300.,())", "$,$,$,$,())")))
     assert found.robot is not None
