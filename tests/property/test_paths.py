@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from ropsim.motion import (
@@ -39,6 +39,8 @@ arcs = st.builds(
     arc, poses, poses, poses, st.sampled_from(ArcOrientation), modes, st.none() | st.floats(0.1, 10.0)
 )
 splines = st.builds(spline, st.lists(poses, min_size=2, max_size=8))
+BEND = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0), (0.0, 0.5, 0.25))
+TURNS_BACK = spline([Pose(np.array(point)) for point in BEND])
 wild = st.floats(allow_nan=True, allow_infinity=True)
 wild_poses = st.builds(lambda *p: Pose(np.array(p)), wild, wild, wild)
 
@@ -115,6 +117,7 @@ def test_corners_go_over_in_curvature_and_turning_or_there_is_a_reason(
 
 @settings(max_examples=100, derandomize=True)
 @given(lines | arcs | splines, st.floats(1e-4, 1.0))
+@example(TURNS_BACK, 1.0)
 def test_zones_end_where_the_distance_is_the_zone(
     path: Line | Arc | ArcFault | Curve | SplineFault, zone: float
 ) -> None:

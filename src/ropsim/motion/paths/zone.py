@@ -13,6 +13,8 @@ _TO_POLYNOMIAL = frozen(np.linalg.inv(_NODES[:, None] ** np.arange(9)))
 _STEPS = 60  # enough where every one is a bisection
 _NEAR = -0.2  # of the square of the zone: 10 % nearer to its centre
 _CLOSELY = 65  # places
+_QUITE = 1e-6  # of the square of the zone: off by no more, one step along the slope is enough
+_MENDS = 12  # steps
 
 
 def leave(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
@@ -66,8 +68,12 @@ def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> f
     polynomial = _TO_POLYNOMIAL @ beyond(low + width * _NODES)
     x = _root(polynomial)
     slope = _slope(polynomial, x)
-    if slope > 0.0:  # where the path changes its law within the interval, the polynomial is not quite it
-        x = min(max(x - float(beyond(np.array([low + width * x]))[0]) / slope, 0.0), 1.0)
+    for _ in range(_MENDS if slope > 0.0 else 0):
+        # where the path changes its law within the interval, the polynomial is not quite it
+        off = float(beyond(np.array([low + width * x]))[0])
+        x = min(max(x - off / slope, 0.0), 1.0)
+        if abs(off) <= _QUITE * zone * zone:
+            break
     return low + width * x
 
 
