@@ -23,6 +23,8 @@ from ropsim.workbench import Knowledge, open_knowledge
 
 COLUMNS = 80
 """Width to which descriptions are wrapped."""
+UNCHECKED = ("collisions",)
+"""What conditions of geometry may name and nothing looks at."""
 
 
 def list_(options: argparse.Namespace, output: Output) -> int:
@@ -66,6 +68,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
     width = max(len(str(one.call)) for one in reports)
     for one in reports:
         output.text("\n".join(_answer(one, width)))
+    output.text(_unchecked())
     found = tuple(finding for one in reports for finding in one.findings)
     output.findings((one for one in known.findings if one.is_error), known.texts)
     is_good = all(one.ok for one in reports)
@@ -73,6 +76,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
         {
             "ok": is_good,
             "calls": [_report(one) for one in reports],
+            "unchecked": UNCHECKED,
             "state": [term_text(fact) for fact in reports[-1].state.facts],
             **diagnostic_document((*known.findings, *found)),
         }
@@ -95,11 +99,14 @@ def plan(options: argparse.Namespace, output: Output) -> int:
     code = output.findings(found.findings, {})
     program = program_text(known.base.task, found.calls, "plan") if found.ok else ""
     output.text(program.rstrip("\n") if options.program else _steps(found.calls) if found.ok else "no plan")
+    if found.ok and not options.program:
+        output.text(_unchecked())
     output.document(
         {
             "ok": found.ok,
             "calls": [_call(one) for one in found.calls],
             "looked_at": found.looked_at,
+            "unchecked": UNCHECKED,
             "program": program,
             **diagnostic_document((*known.findings, *found.findings)),
         }
@@ -109,6 +116,10 @@ def plan(options: argparse.Namespace, output: Output) -> int:
 
 def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
     return WorldState.of(*options.state) if options.state else known.state
+
+
+def _unchecked() -> str:
+    return f"not checked: {', '.join(UNCHECKED)}"
 
 
 def _head(task: KnownTask) -> str:
