@@ -17,6 +17,7 @@ from ropsim.core.frozen_dataclass import frozen_dataclass as frozen_dataclass
 from ropsim.core.frozen_dataclass import frozen_without_equality as frozen_without_equality
 from ropsim.core.places import Places as Places
 from ropsim.core.places import places_of as places_of
+from ropsim.core.plural import plural as plural
 from ropsim.core.source import SourceText as SourceText
 from ropsim.core.span import Span as Span
 from ropsim.core.suggest import did_you_mean as did_you_mean

@@ -40,6 +40,13 @@ class Channel:
     subject: str = ""
     times: Array | None = None
 
+    def __repr__(self) -> str:
+        """Return one line: what it is, its shape and unit; no arrays."""
+        shape = " × ".join(str(one) for one in np.shape(self.values))
+        held = " changes" if self.held else ""
+        unit = f" [{self.unit}]" if self.unit else ""
+        return f"<Channel {self.description or 'without description'}{unit}: {shape}{held}>"
+
     @property
     def held(self) -> bool:
         """Return whether the value holds from each change until the next one."""

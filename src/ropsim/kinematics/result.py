@@ -2,7 +2,7 @@
 
 from enum import Enum
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, plural
 from ropsim.kinematics.posture import Posture
 from ropsim.model import Joint
 from ropsim.spatial import Array, frozen, record
@@ -170,6 +170,12 @@ class IkResult:
     violations: tuple[LimitViolation, ...] = ()
     shortfall: Shortfall | None = None
     free: Free | None = None
+
+    def __repr__(self) -> str:
+        """Return one line: what was found, and the postures within limits; no arrays."""
+        within = "; ".join(str(one) for one in self.postures) or "none"
+        reaching = plural(self.reaching, "posture")
+        return f"<IkResult {self.status.value}: {reaching} of the arm, within its limits {within}>"
 
     @property
     def reach(self) -> Reach | None:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import field
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, plural
 from ropsim.model.device import Device
 from ropsim.model.external_values import ExternalValues
 from ropsim.model.frame import Frame
@@ -66,6 +66,17 @@ class Cell:
     external: Mapping[str, ExternalValues] = field(default_factory=dict)
     tools: tuple[str, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        """Return one line: its name, the robots, and how many things of each sort there are."""
+        robots = ", ".join(f"{name} ({one.robot.name})" for name, one in self.stations.items())
+        counts = (
+            plural(len(self.devices), "device"),
+            plural(len(self.locations), "location"),
+            plural(len(self.parts), "part"),
+            plural(len(self.signals), "signal"),
+        )
+        return f"<Cell {self.name}: {', '.join((robots, *(one for one in counts if one[0] != '0')))}>"
 
     @property
     def first(self) -> Station:

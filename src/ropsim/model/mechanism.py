@@ -55,6 +55,11 @@ class Mechanism:
         object.__setattr__(self, "joints", serial(self.joints))
         object.__setattr__(self, "axes", self.axes or _free_joints(self))
 
+    def __repr__(self) -> str:
+        """Return one line: names and number of axes; no arrays."""
+        axes = "1 axis" if self.n == 1 else f"{self.n} axes"
+        return f"<{type(self).__name__} {self.name}: {self.title}, {axes}>"
+
     @property
     def n(self) -> int:
         """Return the number of axes."""

@@ -26,6 +26,8 @@ class RobotModel(Mechanism):
     dh: tuple[DhRow, ...] = ()
     external: tuple[int, ...] = ()
 
+    __repr__ = Mechanism.__repr__
+
     def __post_init__(self) -> None:
         Mechanism.__post_init__(self)
         if self.tip == LAST:

@@ -1,7 +1,7 @@
 """How many parts are where they were to be when the run ended, in words."""
 
+from ropsim.core import plural
 from ropsim.flow import Destinations
-from ropsim.views.findings import plural
 
 
 def destinations_text(found: Destinations) -> str:

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Mapping
 
-from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, frozen_dataclass
+from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, frozen_dataclass, plural
 from ropsim.views.characters import clean
-from ropsim.views.findings import FindingGroup, count_text, group_findings, passes_text, plural
+from ropsim.views.findings import FindingGroup, count_text, group_findings, passes_text
 from ropsim.views.snippet import Mark, snippet
 from ropsim.views.style import Style, Tone, paint
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from ropsim.core import Diagnostic, Severity, frozen_dataclass
+from ropsim.core import Diagnostic, Severity, frozen_dataclass, plural
 
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
@@ -68,11 +68,6 @@ def place_text(line: int, visit: int) -> str:
     """Return such as ` (line 12 pass 3)`; a line or pass of 0 is not known and left out."""
     parts = [f"{word} {number}" for word, number in (("line", line), ("pass", visit)) if number]
     return f" ({' '.join(parts)})" if parts else ""
-
-
-def plural(count: int, noun: str) -> str:
-    """Return `1 error`, `2 errors`."""
-    return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 def _passes(group: list[Diagnostic]) -> tuple[int, ...]:

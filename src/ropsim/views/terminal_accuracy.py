@@ -2,6 +2,7 @@
 
 import math
 
+from ropsim.core import plural
 from ropsim.views.accuracy import BAND, CornerFigures, StopFigures
 from ropsim.views.figures import (
     DEGREES,
@@ -11,7 +12,7 @@ from ropsim.views.figures import (
     seconds,
     with_unit,
 )
-from ropsim.views.findings import place_text, plural
+from ropsim.views.findings import place_text
 from ropsim.views.path_summary import PathSummary
 from ropsim.views.station_summary import Figures
 from ropsim.views.style import Style, Tone, paint

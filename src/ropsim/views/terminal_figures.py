@@ -2,6 +2,7 @@
 
 import math
 
+from ropsim.core import plural
 from ropsim.flow import SLOW
 from ropsim.views.characters import clean, fit, width
 from ropsim.views.columns import TableCell, columns_text
@@ -17,7 +18,7 @@ from ropsim.views.figures import (
     speed_scale,
     with_unit,
 )
-from ropsim.views.findings import place_text, plural
+from ropsim.views.findings import place_text
 from ropsim.views.joint_summary import Closeness, JointSummary
 from ropsim.views.station_summary import Figures
 from ropsim.views.style import Style, Tone, paint

@@ -2,11 +2,10 @@
 
 from collections.abc import Sequence
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import frozen_dataclass, plural
 from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
 from ropsim.views.characters import clean
 from ropsim.views.figures import PERCENT
-from ropsim.views.findings import plural
 
 LOOKED_AT_IF_SAID = ("collisions", "rated payload")
 """What a run has looked at only where its recording says so."""

@@ -2,8 +2,7 @@
 
 from enum import Enum
 
-from ropsim.core import frozen_dataclass
-from ropsim.views.findings import plural
+from ropsim.core import frozen_dataclass, plural
 from ropsim.views.summary import Summary
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
-from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass
+from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass, plural
 from ropsim.model import ROBOT, Cell, ReadRobot, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
@@ -65,6 +65,14 @@ class Project:
     diagnostics: tuple[Diagnostic, ...] = field(default=())
     robot_files: Mapping[str, RobotFile] = field(default_factory=dict)
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        """Return one line: its folder, cell and programs, and what reading found."""
+        cell = f"{self.cell!r}" if self.cell else "no cell"
+        programs = ", ".join(self.sources) or "none"
+        errors = sum(one.is_error for one in self.diagnostics)
+        found = f", {plural(errors, 'error')}" if errors else ""
+        return f"<Project {self.folder}: {cell}, programs {programs}{found}>"
 
     @property
     def is_broken(self) -> bool:

@@ -2,10 +2,11 @@
 
 from typing import TypeAlias
 
+from ropsim.core import plural
 from ropsim.flow import SLOW
 from ropsim.views.device_summary import DeviceSummary
 from ropsim.views.figures import MILLIMETRES, PERCENT, coordinate_scale, percent, seconds, with_unit
-from ropsim.views.findings import place_text, plural
+from ropsim.views.findings import place_text
 from ropsim.views.joint_summary import (
     JointSummary,
     closest_to_position_limit,

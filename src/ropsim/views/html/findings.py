@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 
-from ropsim.core import SourceText
+from ropsim.core import SourceText, plural
 from ropsim.flow import SkipEvent
 from ropsim.views.event_text import event_text
 from ropsim.views.figures import seconds
-from ropsim.views.findings import FindingGroup, passes_text, plural
+from ropsim.views.findings import FindingGroup, passes_text
 from ropsim.views.markup import prose, text
 from ropsim.views.snippet import Mark, snippet
 from ropsim.views.style import Style, Tone

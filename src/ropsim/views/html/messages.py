@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
+from ropsim.core import plural
 from ropsim.views.figures import seconds
-from ropsim.views.findings import plural
 from ropsim.views.markup import table, text
 from ropsim.views.messages import Message
 
