@@ -18,6 +18,8 @@ case, such as `puma560`.
 ```python
 robot = ropsim.robots.load("puma560")
 ```
+
+The file of a robot, such as `robots/my_arm.stp`, is read by `ropsim.load_robot("robots/my_arm.stp")`.
 """,
 )
 
@@ -41,11 +43,13 @@ class UnknownRobotError(RopsimError):
     def __init__(self, name: str, known: Iterable[str]) -> None:
         names = tuple(known)
         listed = ", ".join(f"`{each}`" for each in names)
+        is_path = any(mark in name for mark in "./\\")
+        near = "`ropsim.load_robot` reads files" if is_path else did_you_mean(name, names)
         super().__init__(
             UNKNOWN_ROBOT.at(
                 None,
                 f"no robot is called `{name[:64]}`, there are {listed}",
-                hint=did_you_mean(name, names) or "choose one of these names",
+                hint=near or "choose one of these names",
                 data={"found": name, "allowed": names},
             )
         )
