@@ -238,6 +238,8 @@ def _robot(commands: Commands) -> None:
     import_.add_argument(
         "--to", metavar="FILE", dest="file", required=True, help="such as robots/arm.stp or robots/arm.toml"
     )
+    for one in (export, import_):
+        one.add_argument("--strict", action="store_true", help="write nothing where something would be lost")
     forward = _command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
     forward.add_argument("name", metavar="NAME", help=_ROBOT)
     forward.add_argument(

@@ -1,6 +1,7 @@
 """Robots in formats of others: URDF with xacro, MJCF; every way tells what does not go over."""
 
 from ropsim.exchange.folder import RobotFolder as RobotFolder
+from ropsim.exchange.loss_diagnostics import losses_refused as losses_refused
 from ropsim.exchange.nirox_door import read_nirox as read_nirox
 from ropsim.exchange.nirox_door import write_nirox as write_nirox
 from ropsim.exchange.options import ReadOptions as ReadOptions

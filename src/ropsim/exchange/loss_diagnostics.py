@@ -1,6 +1,8 @@
-"""What does not go over from one format of robots to another (codes X993 to X995)."""
+"""What does not go over from one format of robots to another (codes X993 to X996)."""
 
-from ropsim.core import Severity, define
+from collections.abc import Iterable
+
+from ropsim.core import Diagnostic, Severity, define, plural
 
 LOST_MOTION = define(
     "X993",
@@ -42,3 +44,30 @@ is fixed to a link becomes a part of it, with its weight and its shape. A robot 
 geometry is drawn by it, if it has nothing else.
 """,
 )
+
+LOSSES_REFUSED = define(
+    "X996",
+    "exchange-losses-refused",
+    Severity.ERROR,
+    "with --strict nothing is written that loses something",
+    """
+`ropsim robot import` and `ropsim robot export` tell what does not go over from one format to the other and
+write the rest. With `--strict` they write nothing where anything is lost, looks and names included. What is
+lost stands above this error. NIROX (`.stp`) holds everything that the model has.
+""",
+)
+
+LOSSES = frozenset(kind.code for kind in (LOST_MOTION, LOST_DRIVE, LOST_DESCRIPTION))
+"""Codes of what does not go over where a file is read."""
+
+
+def losses_refused(read: Iterable[Diagnostic], written: Iterable[Diagnostic]) -> Diagnostic | None:
+    """Return the finding that forbids to write with losses; None where nothing is lost.
+
+    Args:
+        read: findings of reading the robot.
+        written: losses of writing it.
+    """
+    count = sum(one.code in LOSSES for one in read) + len(tuple(written))
+    message = f"nothing is written, as {plural(count, 'thing')} would be lost"
+    return LOSSES_REFUSED.at(None, message, hint="NIROX (`.stp`) holds all of the model") if count else None

@@ -32,7 +32,7 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
     ("gear ratios", lambda one: abs(one.ratio) != 1.0),
     ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
     (
-        "the difference of dry friction in the two directions",
+        "differences of dry friction between the two directions",
         lambda one: one.friction.coulomb_positive != -one.friction.coulomb_negative,
     ),
 )

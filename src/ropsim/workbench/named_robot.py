@@ -7,8 +7,8 @@ from ropsim.cellfile import is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, Span, frozen_dataclass
 from ropsim.model import AuditPlace, PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.userfiles import read_text_file
-from ropsim.workbench.robot_files import read_robot, unknown_format
-from ropsim.workbench.robot_formats import ROBOT_FORMATS
+from ropsim.workbench.robot_files import read_robot, unknown_format, unwritten_format
+from ropsim.workbench.robot_formats import ROBOT_FORMATS, WRITERS
 
 
 class RobotFileError(RopsimError):
@@ -87,12 +87,11 @@ def written_robot(robot: RobotModel, name: str | Path, read: ReadRobot | None = 
     Raises:
         RobotFileError: X911, robots are not written into files of this ending.
     """
-    format_ = ROBOT_FORMATS.get(Path(name).suffix.lower())
-    if format_ is None or format_.write is None:
-        raise RobotFileError(unknown_format(str(name)))
-    if read is not None and format_.write_again is not None:
-        return format_.write_again(robot, read)
-    return format_.write(robot)
+    ending = Path(name).suffix.lower()
+    if ending not in WRITERS:
+        raise RobotFileError(unwritten_format(str(name)))
+    again = ROBOT_FORMATS[ending].write_again if ending in ROBOT_FORMATS else None
+    return WRITERS[ending](robot) if read is None or again is None else again(robot, read)
 
 
 def robots_in(folder: Path) -> tuple[Path, ...]:

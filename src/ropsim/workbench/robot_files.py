@@ -8,7 +8,7 @@ from typing import TypeAlias
 from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
 from ropsim.model import ReadRobot
 from ropsim.workbench.project_diagnostics import ROBOT_FILE_OUTSIDE, UNKNOWN_ROBOT_FORMAT
-from ropsim.workbench.robot_formats import ROBOT_FORMATS
+from ropsim.workbench.robot_formats import ROBOT_FORMATS, WRITERS
 
 Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
 """What became of reading a file: its text, or why there is none."""
@@ -60,13 +60,22 @@ def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
         name: as it was given.
         place: where the file would be; robot files beside it are near names.
     """
-    known = ", ".join(f"`{ending}`" for ending in ROBOT_FORMATS)
-    message = f"`{name[:200]}` is no file of a robot, these end with {known}"
+    message = f"`{name[:200]}` is no file of a robot, these end with {_listed(ROBOT_FORMATS)}"
     hint = "`ropsim robot list` names the built-in robots"
     if place is not None and place.parent.is_dir():
         beside = [one.name for one in place.parent.iterdir() if one.suffix.lower() in ROBOT_FORMATS]
         hint = did_you_mean(place.name, beside) or hint
     return UNKNOWN_ROBOT_FORMAT.at(None, message, hint=hint)
+
+
+def unwritten_format(name: str) -> Diagnostic:
+    """Return the finding that robots are not written into files of this name."""
+    message = f"robots are not written into `{name[:200]}`, but into files that end with {_listed(WRITERS)}"
+    return UNKNOWN_ROBOT_FORMAT.at(None, message)
+
+
+def _listed(endings: Iterable[str]) -> str:
+    return ", ".join(f"`{ending}`" for ending in endings)
 
 
 def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.exchange import read_mjcf, read_nirox, read_urdf, write_mjcf, write_nirox, write_urdf
+from ropsim.exchange import read_mjcf, read_nirox, read_urdf, write_mjcf, write_nirox, write_sdf, write_urdf
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
@@ -51,4 +51,12 @@ ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
         ".step": _NIROX,
     }
 )
-"""By the ending of the file name, in small letters."""
+"""What is read, by the ending of the file name in small letters."""
+
+WRITERS: Mapping[str, Callable[[RobotModel], WrittenRobot]] = MappingProxyType(
+    {
+        **{ending: one.write for ending, one in ROBOT_FORMATS.items() if one.write is not None},
+        ".sdf": write_sdf,
+    }
+)
+"""What is written, likewise; not everything that is written is read again."""
