@@ -12,8 +12,8 @@ from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import solver_document, solver_lines
-from ropsim.core import RopsimError, Severity, define
-from ropsim.model import Joint, JointType, RobotModel, coupled_limits
+from ropsim.core import Diagnostic, RopsimError, Severity, define
+from ropsim.model import Joint, JointType, PlaceOf, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
@@ -94,11 +94,17 @@ def show(options: argparse.Namespace, output: Output) -> int:
 def audit(options: argparse.Namespace, output: Output) -> int:
     """Say what is doubtful in a model."""
     asked = find_robot(options.name)
-    doubts = audit_model(asked.robot, asked.place_of) if asked.robot else ()
+    doubts = _doubts(asked.robot, asked.place_of) if asked.robot else ()
     found = (*asked.findings, *doubts)
     code = output.findings(found, {asked.text.name: asked.text} if asked.text else {})
     output.document({"ok": code == 0, **diagnostic_document(found)})
     return code
+
+
+def _doubts(robot: RobotModel, place_of: PlaceOf) -> tuple[Diagnostic, ...]:
+    """Return what is doubtful; closed chains are looked at where the mechanism has no contradictions."""
+    doubts = audit_model(robot, place_of)
+    return doubts if any(one.is_error for one in doubts) else (*doubts, *kinematics.loop_freedom(robot))
 
 
 def fk(options: argparse.Namespace, output: Output) -> int:

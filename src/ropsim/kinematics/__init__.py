@@ -28,6 +28,7 @@ from ropsim.kinematics.jacobian import jacobian as jacobian
 from ropsim.kinematics.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.limits import limit_violations as limit_violations
 from ropsim.kinematics.limits import turned_to_limits as turned_to_limits
+from ropsim.kinematics.loop_freedom import loop_freedom as loop_freedom
 from ropsim.kinematics.nearest import Nearest as Nearest
 from ropsim.kinematics.nearest import nearest as nearest
 from ropsim.kinematics.path import inverse_path as inverse_path

@@ -34,6 +34,17 @@ def step_frames(tree: TreeArrays, rows: Array) -> Array:
     return placed_steps(tree, moved)
 
 
+def closure(tree: TreeArrays, loops: Loops, q: Array) -> tuple[Array, Array]:
+    """Return how well closed chains close at axes q (n,), and how that depends on what they determine.
+
+    Returns:
+        What is left between the frames of all cuts [m, rad], shape (6·cuts,), 0 in directions not held; and
+        its slopes by the p coordinates that the chains determine, shape (6·cuts, p).
+    """
+    moved = tree.steps(q[np.newaxis])[0]
+    return _left_and_slopes(tree, loops, moved, _closed(tree, loops, q))
+
+
 def _closed(tree: TreeArrays, loops: Loops, q: Array) -> Array:
     """Return the coordinates that the loops determine at axes q (n,), shape (p,)."""
     z = np.zeros(loops.P.shape[1])
@@ -45,16 +56,21 @@ def _closed(tree: TreeArrays, loops: Loops, q: Array) -> Array:
 
 def _assembled(tree: TreeArrays, loops: Loops, moved: Array, z: Array) -> Array:
     """Return z (p,), improved until the loops are closed; `moved` are the steps without it, shape (m,)."""
-    apart = DIFFERENCE * np.eye(len(z))
     for _ in range(ROUNDS):
-        beside = np.concatenate((z[np.newaxis], z + apart, z - apart))
-        left = _left(loops, placed_steps(tree, moved + beside @ loops.P.T))
-        if np.abs(left[0]).max(initial=0.0) < CLOSED:
+        left, slopes = _left_and_slopes(tree, loops, moved, z)
+        if np.abs(left).max(initial=0.0) < CLOSED:
             break
-        slopes = (left[1 : len(z) + 1] - left[len(z) + 1 :]).T / (2.0 * DIFFERENCE)
-        step = np.linalg.lstsq(slopes, -left[0], rcond=None)[0]
+        step = np.linalg.lstsq(slopes, -left, rcond=None)[0]
         z = z + step * min(1.0, LONGEST / max(float(np.abs(step).max(initial=0.0)), 1e-300))
     return z
+
+
+def _left_and_slopes(tree: TreeArrays, loops: Loops, moved: Array, z: Array) -> tuple[Array, Array]:
+    """Return what is left at z (p,), shape (6·cuts,), and its slopes by z, shape (6·cuts, p)."""
+    apart = DIFFERENCE * np.eye(len(z))
+    beside = np.concatenate((z[np.newaxis], z + apart, z - apart))
+    left = _left(loops, placed_steps(tree, moved + beside @ loops.P.T))
+    return left[0], (left[1 : len(z) + 1] - left[len(z) + 1 :]).T / (2.0 * DIFFERENCE)
 
 
 def _left(loops: Loops, frames: Array) -> Array:

@@ -62,6 +62,43 @@ that made the value: often a division by zero or the inverse cosine of a number 
 )
 
 
+LOOP_OPEN = define(
+    "M553",
+    "closed-chain-open",
+    Severity.ERROR,
+    "a closed chain cannot be closed in the home position",
+    """
+The two frames of a cut cannot be brought together while the axes stand at home: a rod is too short or too
+long, or a frame of the cut is wrong. The message says how far they stay apart, in metres or radians,
+whichever is more.
+""",
+)
+
+LOOP_STUCK = define(
+    "M554",
+    "closed-chain-holds-axis",
+    Severity.ERROR,
+    "a closed chain holds an axis where it is",
+    """
+The mechanism has fewer freedoms than axes: moved by a thousandth of a radian or a millimetre to either side
+of home, the axis opens a closed chain. Often a cut holds directions that the joint there leaves free, such as
+all six of a pin that turns; or a joint is missing.
+""",
+)
+
+LOOP_LOOSE = define(
+    "M555",
+    "closed-chain-loose",
+    Severity.ERROR,
+    "closed chains leave a coordinate free that no axis moves",
+    """
+The mechanism has more freedoms than axes: a joint that is neither an axis nor coupled is not determined by
+the closed chains either, such as the turn of a rod about its own length between two ball joints. Counted is
+the rank at the home position and beside it.
+""",
+)
+
+
 class ArrayShapeError(RopsimError):
     """An array has the wrong shape (M551)."""
 
