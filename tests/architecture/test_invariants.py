@@ -13,8 +13,13 @@ EDGES |= {"views"}
 HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles"}
 HIGH |= {"robotfile", "tomltext", "meshes"}
 """Packages that read and write files of users."""
-OWN_FILES = {"core/files.py", "codegen/compiled.py", "codegen/machine_code.py"}
-"""The door to the disk; the version of the compiler; machine code that is kept."""
+OWN_FILES = {
+    "core/files.py",
+    "codegen/compiled.py",
+    "codegen/machine_code.py",
+    "prolog/native/program.py",
+}
+"""The door to the disk; the version of the compiler; machine code that is kept; a child process and its folder."""
 OUTPUT = {"print", "open", "input"}
 
 

@@ -206,3 +206,27 @@ The files of SWI-Prolog were replaced or damaged. Install ropsim again; in a che
 hatch_build.py` fetches them.
 """,
 )
+
+NO_NATIVE_PROLOG = define(
+    "P122",
+    "no-native-prolog",
+    Severity.ERROR,
+    "this machine has no command `swipl`",
+    """
+`Engine(prolog=Prolog.NATIVE)` uses the SWI-Prolog of this machine, 9.0 or newer, which
+has to be on the search path. Without it, use the Prolog of the package, which does the same,
+more slowly.
+""",
+)
+
+NOT_FOR_NATIVE = define(
+    "P123",
+    "stranger-in-native-prolog",
+    Severity.ERROR,
+    "a text that is not trusted was to be loaded into the native Prolog",
+    """
+The Prolog of the package is shut off from the machine; the command `swipl` can read files and start
+programs. So only trusted texts are loaded into it (`Trust.OWN`). Knowledge bases of tasks are never loaded
+but read as data, with either Prolog.
+""",
+)

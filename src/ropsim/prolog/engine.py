@@ -1,25 +1,32 @@
 """The engine of knowledge bases: texts, facts and functions in, answers out; it survives its Prolog."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from threading import get_ident
+from types import MappingProxyType
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.prolog.answers import Answer, Answers, GoalStack
 from ropsim.prolog.clauses import findings_of
-from ropsim.prolog.diagnostics import WRONG_USE
+from ropsim.prolog.diagnostics import NOT_FOR_NATIVE, WRONG_USE
 from ropsim.prolog.door import Door
 from ropsim.prolog.errors import GoalError
 from ropsim.prolog.failures import failure_of, failures_told
 from ropsim.prolog.limits import Limits
 from ropsim.prolog.loading import load_findings, loaded_module
+from ropsim.prolog.native.program import NativeProgram
 from ropsim.prolog.predicate import Predicate
+from ropsim.prolog.program import Prolog, Start
 from ropsim.prolog.running import RunningProlog
 from ropsim.prolog.terms import Atom, Struct, Term
 from ropsim.prolog.texts import LoadedText, Trust
+from ropsim.prolog.wasm.program import WasmProgram
 from ropsim.prolog.writing import write_term
 
 DOOR = "/ropsim/door.pl"
+_START: Mapping[Prolog, Start] = MappingProxyType(
+    {Prolog.BUILT_IN: WasmProgram, Prolog.NATIVE: NativeProgram}
+)
 
 
 class Engine:
@@ -29,8 +36,15 @@ class Engine:
     what has to stay is given with `put_facts`.
     """
 
-    def __init__(self, limits: Limits | None = None) -> None:
+    def __init__(self, limits: Limits | None = None, prolog: Prolog = Prolog.BUILT_IN) -> None:
+        """Prepare an engine.
+
+        Args:
+            limits: of the engine, and of goals for which no others are given.
+            prolog: which one it uses.
+        """
         self.limits = limits or Limits()
+        self.prolog = prolog
         self._thread = get_ident()
         self._running: RunningProlog | None = None
         self._door = Door()
@@ -54,8 +68,16 @@ class Engine:
         and ending. A text with errors is not loaded, nor is it there as it was before.
 
         Raises:
-            GoalError: loading took too long or too much.
+            GoalError: loading took too long or too much; or P123, a stranger's text for the native Prolog.
         """
+        if trust is Trust.STRANGER and self.prolog is Prolog.NATIVE:
+            raise GoalError(
+                NOT_FOR_NATIVE.at(
+                    None,
+                    f"`{text.name}` is not trusted, and the native Prolog could do everything it asks",
+                    hint="trust it, or use the built-in Prolog",
+                )
+            )
         self.forget(text.name)
         findings = self.check(text)
         if any(one.is_error for one in findings):
@@ -69,7 +91,7 @@ class Engine:
         reply = self._load(self._prolog(), loaded)
         findings = (*findings, *load_findings(text, reply))
         if any(one.is_error for one in findings):
-            self._once("forget", Atom(loaded.path))
+            self._once("forget", Atom(self._prolog().place(loaded.path)))
         else:
             self._texts[text.name] = LoadedText(loaded.path, loaded.content, loaded_module(reply), trust)
         return findings
@@ -91,7 +113,7 @@ class Engine:
         """Take the text of a name out of the engine, and all that it defined."""
         loaded = self._texts.pop(name, None)
         if loaded is not None:
-            self._once("forget", Atom(loaded.path))
+            self._once("forget", Atom(self._prolog().place(loaded.path)))
 
     def put_facts(self, module: str, facts: Iterable[Term]) -> None:
         """Let a module hold these facts and no others, such as what is true in the cell.
@@ -170,6 +192,8 @@ class Engine:
         """End Prolog and all goals; it starts again when it is needed."""
         self._stack.give_up()
         self._door.close()
+        if self._running is not None:
+            self._running.close()
         self._running = None
 
     def _once(self, name: str, request: Term) -> Term:
@@ -202,7 +226,7 @@ class Engine:
         running = self._running
         if running is None or (running.has_ended and not running.is_busy):
             self.close()
-            running = RunningProlog(self.limits, self._door.answer)
+            running = RunningProlog(self.limits, self._door.answer, _START[self.prolog])
             self._running = running
             with failures_told():
                 self._replay(running)
@@ -218,14 +242,14 @@ class Engine:
     def _open_door(self, running: RunningProlog) -> None:
         running.write(DOOR, self._door.text().encode())
         with failures_told():
-            reply = running.once("open_door", Atom(DOOR), self.limits.seconds)
+            reply = running.once("open_door", Atom(running.place(DOOR)), self.limits.seconds)
         if reply != Atom("done"):
             raise failure_of(reply)
 
     def _load(self, running: RunningProlog, loaded: LoadedText) -> Term:
         running.write(loaded.path, loaded.content)
         with failures_told():
-            return running.once("load", loaded.request(), self.limits.seconds)
+            return running.once("load", loaded.request(running.place(loaded.path)), self.limits.seconds)
 
     def _give(self, running: RunningProlog, module: str, facts: tuple[Term, ...]) -> Term:
         with failures_told():

@@ -17,8 +17,8 @@ from ropsim.prolog.diagnostics import (
     WRONG_USE,
 )
 from ropsim.prolog.errors import GoalError
+from ropsim.prolog.program import CrashError, StoppedError, TooLongError
 from ropsim.prolog.reading import UnreadableError
-from ropsim.prolog.running import CrashError, StoppedError, TooLongError
 from ropsim.prolog.terms import Atom, Struct, Term
 
 _QUOTED = re.compile(r"`([^`']*)'")

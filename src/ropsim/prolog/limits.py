@@ -10,8 +10,10 @@ class Limits:
     Attributes:
         seconds: time inside Prolog, of a goal with all its solutions, or of loading a text [s].
         inferences: steps of a goal up to its next solution, or None for no such limit. The same goal takes
-            the same number everywhere, so unlike time this limit gives the same result on every machine.
-        memory_bytes: memory of the whole engine, between 64 MiB and 2 GiB.
+            the same number everywhere, so unlike time this limit gives the same result on every machine; in
+            the native Prolog calls of the host count some dozens.
+        memory_bytes: memory of the whole engine, between 64 MiB and 2 GiB; of the native Prolog that of its
+            stacks, and on Linux of all else beside its code.
     """
 
     seconds: float = 10.0

@@ -1,27 +1,18 @@
 """One Prolog that runs: started, asked, held to its time; after a crash a new one takes its place."""
 
 from collections.abc import Callable, Generator
-from importlib.resources import files
 from itertools import count
-from pathlib import Path
 from threading import Lock
 from time import monotonic
 
-from ropsim.core import read_bytes
 from ropsim.prolog.limits import Limits
+from ropsim.prolog.program import Start, TooLongError
 from ropsim.prolog.reading import read_term
 from ropsim.prolog.terms import Atom, Struct, Term
-from ropsim.prolog.wasm.artefact import artefact
-from ropsim.prolog.wasm.foreign import Foreign, TooLongError
-from ropsim.prolog.wasm.instance import CrashError, Host, Instance, StoppedError
 from ropsim.prolog.watchdog import watchdog
 from ropsim.prolog.writing import write_term
 
-SOURCES = ("engine.pl", "reader.pl")
-"""What of Prolog is ours; the first loads the others."""
-GRACE = 0.05
-"""After so much time over its limit Prolog is stopped from outside, where it did not stop itself [s]."""
-TICK = Atom("tick")
+TICK = "tick"
 _numbers = count()
 
 
@@ -33,19 +24,20 @@ class RunningProlog:
     stops the program, which is of no use any more.
     """
 
-    def __init__(self, limits: Limits, dispatch: Callable[[str], str]) -> None:
+    def __init__(self, limits: Limits, dispatch: Callable[[str], str], start: Start) -> None:
+        """Start Prolog.
+
+        Args:
+            limits: of its memory.
+            dispatch: answers calls of registered predicates.
+            start: what it runs on.
+        """
         self._dispatch = dispatch
         self._number = next(_numbers)
         self._ends: list[float] = []
         self._lock = Lock()
         self._cancelled = False
-        self._instance = Instance(artefact(), Host(limits.memory_bytes, self._called))
-        self._foreign = Foreign(self._instance)
-        for name in SOURCES:
-            path = Path(str(files("ropsim.prolog").joinpath("pl", name)))
-            self._instance.files.replace(f"/ropsim/{name}", read_bytes(path))
-        self._foreign.initialise(("swipl", "-q", "--nosignals", "/ropsim/engine.pl"))
-        self._instance.printed()
+        self._program = start(limits.memory_bytes, self._answered)
 
     @property
     def is_busy(self) -> bool:
@@ -55,22 +47,30 @@ class RunningProlog:
     @property
     def has_ended(self) -> bool:
         """Return whether it has crashed or was stopped from outside."""
-        return self._instance.has_ended
+        return self._program.has_ended
 
     def write(self, path: str, content: bytes) -> None:
         """Put a file among those that Prolog sees."""
-        self._instance.files.replace(path, content)
+        self._program.write(path, content)
+
+    def place(self, path: str) -> str:
+        """Return by what name Prolog sees a file that was written."""
+        return self._program.place(path)
+
+    def close(self) -> None:
+        """End it."""
+        self._program.close()
 
     def printed(self) -> str:
         """Return what Prolog has printed since the last time."""
-        return self._instance.printed()
+        return self._program.printed()
 
     def cancel(self) -> None:
         """Stop what runs; any thread may call this."""
         with self._lock:
             if self._ends:
                 self._cancelled = True
-                watchdog().watch(self._number, monotonic() + GRACE, self._instance.stop)
+                watchdog().watch(self._number, monotonic() + self._program.grace, self._program.stop)
 
     def ask(self, name: str, request: Term, seconds: float) -> Generator[Term]:
         """Yield the replies of one of our predicates to a request.
@@ -85,7 +85,7 @@ class RunningProlog:
             TooLongError: a reply is longer than allowed.
             UnreadableError: a reply has no canonical form.
         """
-        replies = self._foreign.replies(name, "ropsim_engine", write_term(request))
+        replies = self._program.replies(name, write_term(request))
         left = seconds
         try:
             while True:
@@ -98,8 +98,8 @@ class RunningProlog:
                 if reply[1]:
                     return
         finally:
-            if not self._instance.has_ended:
-                self._limited(replies.close, monotonic() + GRACE)
+            if not self._program.has_ended:
+                self._limited(replies.close, monotonic() + self._program.grace)
 
     def once(self, name: str, request: Term, seconds: float) -> Term:
         """Return the only reply to a request; errors are those of `ask`."""
@@ -117,8 +117,8 @@ class RunningProlog:
         outer = self._ends[-1] if self._ends else float("inf")
         with self._lock:
             self._ends.append(min(end, outer))
-            self._instance.limit()
-            watchdog().watch(self._number, self._ends[-1] + GRACE, self._instance.stop)
+            self._program.limit()
+            watchdog().watch(self._number, self._ends[-1] + self._program.grace, self._program.stop)
         try:
             return work()
         finally:
@@ -126,23 +126,16 @@ class RunningProlog:
                 self._ends.pop()
                 watchdog().call_off(self._number)
                 if self._ends:
-                    watchdog().watch(self._number, self._ends[-1] + GRACE, self._instance.stop)
+                    watchdog().watch(self._number, self._ends[-1] + self._program.grace, self._program.stop)
                 else:
                     self._cancelled = False
 
-    def _called(self, request: int, reply: int) -> int:
-        """Answer a call of Prolog: whether to go on, or one of a registered predicate."""
-        text = self._foreign.text(request)
-        if text != TICK.name:
-            return self._foreign.unify(reply, self._answered(text))
-        over = bool(self._ends) and monotonic() >= self._ends[-1]  # while it starts there is no time
-        return self._foreign.unify(reply, "cancelled" if self._cancelled else "time" if over else "go")
-
     def _answered(self, text: str) -> str:
+        """Answer a call of Prolog: whether to go on, or one of a registered predicate."""
+        if text == TICK:
+            over = bool(self._ends) and monotonic() >= self._ends[-1]  # while it starts there is no time
+            return "cancelled" if self._cancelled else "time" if over else "go"
         try:
             return self._dispatch(text)
         except TooLongError as error:  # what a function of the host was asked about
             return write_term(Struct("throw", (str(error),)))
-
-
-__all__ = ["GRACE", "CrashError", "RunningProlog", "StoppedError", "TooLongError"]

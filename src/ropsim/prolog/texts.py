@@ -22,6 +22,6 @@ class LoadedText:
     module: str
     trust: Trust
 
-    def request(self) -> Term:
-        """Return the request to load it."""
-        return Struct("load", (Atom(self.path), Atom(self.module), Atom(self.trust.value)))
+    def request(self, place: str) -> Term:
+        """Return the request to load it from where Prolog sees it."""
+        return Struct("load", (Atom(place), Atom(self.module), Atom(self.trust.value)))

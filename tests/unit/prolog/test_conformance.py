@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ropsim.core import SourceText
-from ropsim.prolog import Engine, GoalError, Trust
+from ropsim.prolog import Engine, GoalError, Prolog, Trust
 
 HERE = Path(__file__).parent
 GOALS = [line.split("\t", 1) for line in (HERE / "goals.txt").read_text("utf-8").splitlines()]
@@ -17,14 +17,14 @@ def outcome(engine: Engine, goal: str) -> str:
         return str(error)
 
 
-def test_every_goal_holds() -> None:
-    engine = Engine()
+def test_every_goal_holds(prolog: Prolog) -> None:
+    engine = Engine(prolog=prolog)
     assert engine.consult(SourceText("program.pl", (HERE / "program.pl").read_text("utf-8")), Trust.OWN) == ()
     assert len(GOALS) >= 159
     assert {goal: found for _, goal in GOALS if (found := outcome(engine, goal)) != "yes"} == {}
 
 
-def test_a_goal_that_does_not_hold_is_seen() -> None:
-    engine = Engine()
+def test_a_goal_that_does_not_hold_is_seen(prolog: Prolog) -> None:
+    engine = Engine(prolog=prolog)
     assert outcome(engine, "1 =:= 2") == "no"
     assert "not a function" in outcome(engine, "X is foo")

@@ -5,8 +5,8 @@ import threading
 import pytest
 
 from ropsim.core import SourceText
-from ropsim.prolog import Engine, GoalError, Limits, Predicate, Sort, Term, Trust
-from ropsim.prolog.running import GRACE
+from ropsim.prolog import Engine, GoalError, Limits, Predicate, Prolog, Sort, Term, Trust
+from ropsim.prolog.wasm.program import GRACE
 from support.patience import PATIENCE
 
 STUBBORN = """\
@@ -20,8 +20,8 @@ SHORT = Limits(seconds=0.1, memory_bytes=64 << 20)
 
 
 @pytest.fixture(scope="module")
-def engine() -> Engine:
-    engine = Engine(Limits(memory_bytes=64 << 20))
+def engine(prolog: Prolog) -> Engine:
+    engine = Engine(Limits(memory_bytes=64 << 20), prolog)
     assert engine.consult(SourceText("stubborn.pl", STUBBORN), Trust.OWN) == ()
     return engine
 
@@ -61,7 +61,7 @@ def test_a_goal_that_catches_the_end_of_its_time_loses_its_engine(engine: Engine
     assert engine.once("deep(2, X)", module="stubborn") is not None
 
 
-def test_inferences_are_counted_alike_in_every_engine(engine: Engine) -> None:
+def test_inferences_are_counted_alike_in_every_built_in_engine() -> None:
     def least(one: Engine) -> int:
         """Return how many inferences the goal takes, up to a step of 10."""
         for number in range(1, 100):
@@ -75,7 +75,7 @@ def test_inferences_are_counted_alike_in_every_engine(engine: Engine) -> None:
                 return number
         raise AssertionError("the goal takes too many")
 
-    assert least(engine) == least(Engine())
+    assert least(Engine(Limits(memory_bytes=64 << 20))) == least(Engine())
 
 
 @pytest.mark.parametrize(
@@ -91,6 +91,12 @@ def test_memory_is_bounded_and_the_engine_comes_back(engine: Engine, goal: str) 
     assert code_of(engine, goal, Limits(seconds=1.0)) in {"P111", "P113", "P116", "P117"}
 
 
+def test_inferences_of_every_prolog_are_bounded(engine: Engine) -> None:
+    with pytest.raises(GoalError) as caught:
+        engine.once("between(1, inf, X), X < 0", limits=Limits(inferences=100_000))
+    assert caught.value.diagnostic.code == "P114"
+
+
 @pytest.mark.parametrize("depth", [1000, 30_000, 300_000])
 def test_deep_terms_are_answered_or_crash_an_engine_that_comes_back(engine: Engine, depth: int) -> None:
     try:
@@ -102,8 +108,8 @@ def test_deep_terms_are_answered_or_crash_an_engine_that_comes_back(engine: Engi
     assert engine.once("deep(2, X)", module="stubborn") is not None
 
 
-def test_another_thread_cancels_what_runs() -> None:
-    engine = Engine()
+def test_another_thread_cancels_what_runs(prolog: Prolog) -> None:
+    engine = Engine(prolog=prolog)
     started = threading.Event()
 
     def begin() -> list[tuple[Term, ...]]:
@@ -135,11 +141,11 @@ def test_the_time_of_a_goal_holds_for_what_its_functions_ask(engine: Engine) -> 
     assert code_of(engine, "catch(inner, _, true), loop", SHORT) == "P113"
 
 
-def test_a_text_that_does_not_end_while_it_is_loaded_is_stopped() -> None:
-    engine = Engine(Limits(seconds=0.2))
+def test_a_text_that_does_not_end_while_it_is_loaded_is_stopped(prolog: Prolog) -> None:
+    engine = Engine(Limits(seconds=0.2), prolog)
     with pytest.raises(GoalError, match="P113"):
-        engine.consult(SourceText("kb/x.pl", ":- repeat, fail.\n"))
-    assert engine.consult(SourceText("kb/x.pl", "a(1).\n")) == ()
+        engine.consult(SourceText("kb/x.pl", ":- repeat, fail.\n"), Trust.OWN)
+    assert engine.consult(SourceText("kb/x.pl", "a(1).\n"), Trust.OWN) == ()
     assert engine.once("a(X)", module="x") == {"X": 1}
 
 

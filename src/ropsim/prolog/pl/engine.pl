@@ -2,7 +2,8 @@
     the canonical text of a reply, so that no operator, flag or module of a knowledge base changes what it reads.
 */
 :- module(ropsim_engine, []).
-:- use_module('/ropsim/reader.pl').
+:- use_module(host).
+:- use_module(reader).
 :- use_module(library(sandbox)).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
@@ -13,7 +14,8 @@
 %   canonical(+Term, -Text): the text has no operators and keeps nothing of attributed variables but their names.
 canonical(Term, Text) :-
     (   acyclic_term(Term) -> true ; type_error(acyclic_term, cyclic) ),
-    format(string(Text), '~W', [Term, [quoted(true), ignore_ops(true), attributes(ignore), numbervars(false)]]).
+    Options = [quoted(true), ignore_ops(true), brace_terms(false), attributes(ignore), numbervars(false)],
+    format(string(Text), '~W', [Term, Options]).
 
 %   solve(+goal(Text, Module, Guard, Inferences), -Reply): a reply for each solution, or one for the error.
 solve(Request, Text) :-
@@ -52,7 +54,7 @@ message_to_codes_(Error, Lines) :-
 :- multifile prolog:heartbeat/0.
 :- set_prolog_flag(heartbeat, 20000).
 prolog:heartbeat :-
-    '$js_call'(tick, Answer),
+    asked(tick, Answer),
     (   Answer == go -> true ; throw(ropsim_stop(Answer)) ).
 
 %   Messages are kept while a text is loaded and thrown away otherwise: nothing is printed.
@@ -183,7 +185,7 @@ opened_door(Path) :-
 
 ask_once(Name, Inputs) :-
     canonical(test(Name, Inputs), Request),
-    '$js_call'(Request, Reply),
+    asked(Request, Reply),
     answered(Reply).
 
 answered(yes).
@@ -191,7 +193,7 @@ answered(throw(Error)) :- throw(Error).
 
 ask(Name, Inputs, Outputs) :-
     canonical(open(Name, Inputs), Request),
-    setup_call_cleanup('$js_call'(Request, Opened),
+    setup_call_cleanup(asked(Request, Opened),
                        opened(Opened, Outputs),
                        shut(Opened)).
 
@@ -199,11 +201,11 @@ opened(throw(Error), _) :- throw(Error).
 opened(handle(Handle), Outputs) :-
     repeat,
     canonical(next(Handle), Request),
-    '$js_call'(Request, Reply),
+    asked(Request, Reply),
     (   Reply = sol(Found) -> Outputs = Found
     ;   Reply == end -> !, fail
     ;   Reply = throw(Error), throw(Error)
     ).
 
-shut(handle(Handle)) :- !, canonical(close(Handle), Request), '$js_call'(Request, _).
+shut(handle(Handle)) :- !, canonical(close(Handle), Request), asked(Request, _).
 shut(_).

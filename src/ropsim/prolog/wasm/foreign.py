@@ -6,7 +6,8 @@ Source: the reference of the C interface in the manual of SWI-Prolog, section "F
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 
-from ropsim.prolog.wasm.instance import CrashError, Instance
+from ropsim.prolog.program import CrashError, TooLongError
+from ropsim.prolog.wasm.instance import Instance
 
 CATCH, STATUS = 0x08, 0x40
 """Of `PL_open_query`: errors are kept, and each answer says whether it is the last one."""
@@ -17,10 +18,6 @@ LAST = 2
 """The status of a solution behind which there is none."""
 MOST_BYTES = 8 << 20
 """Bytes of a text that is taken over."""
-
-
-class TooLongError(Exception):
-    """A text has more bytes than are taken over."""
 
 
 class Foreign:

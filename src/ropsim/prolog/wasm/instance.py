@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, cast
 
 from ropsim.core import frozen_without_equality
+from ropsim.prolog.program import CrashError, StoppedError
 from ropsim.prolog.wasm.artefact import Artefact
 from ropsim.prolog.wasm.clock_calls import ClockCalls
 from ropsim.prolog.wasm.file_calls import FileCalls
@@ -21,14 +22,6 @@ FOREVER = 1 << 40
 """So many epochs no call lasts."""
 FEWEST_BYTES = 64 << 20
 """Below this Prolog does not start."""
-
-
-class CrashError(Exception):
-    """The program has ended in the middle of a call; it is of no use any more."""
-
-
-class StoppedError(CrashError):
-    """The program was ended from outside."""
 
 
 @frozen_without_equality

@@ -1,0 +1,1 @@
+"""The SWI-Prolog of this machine as a process of its own."""

@@ -1,0 +1,35 @@
+"""Frames on a pipe: a line with a word, a name and a number of characters, then so many characters."""
+
+from collections.abc import Iterator
+from io import TextIOWrapper
+from typing import IO
+
+
+class Frames:
+    """Sends and receives; iterating yields word and text of each frame until the other side ends."""
+
+    def __init__(self, to: IO[bytes], back: IO[bytes]) -> None:
+        self._to = to
+        self._back = TextIOWrapper(back, "utf-8", errors="replace", newline="\n")
+
+    def send(self, word: str, name: str, text: str) -> None:
+        """Send a frame.
+
+        Raises:
+            OSError: nobody reads.
+        """
+        self._to.write(f"{word} {name} {len(text)}\n{text}".encode(errors="replace"))
+        self._to.flush()
+
+    def __iter__(self) -> Iterator[tuple[str, str]]:
+        """Yield what arrives.
+
+        Raises:
+            ValueError: it is no frame.
+        """
+        while line := self._back.readline():
+            word, _, digits = line.split()
+            text = self._back.read(int(digits))
+            if len(text) < int(digits):
+                return
+            yield word, text
