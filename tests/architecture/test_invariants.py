@@ -19,7 +19,7 @@ OWN_FILES = {
     "codegen/machine_code.py",
     "prolog/native/program.py",
 }
-"""The door to the disk; the version of the compiler; machine code that is kept; a child process and its folder."""
+"""The door to the disk; the compiler's version; machine code that is kept; the folder of a child process."""
 OUTPUT = {"print", "open", "input"}
 
 

@@ -48,7 +48,10 @@ def test_only_the_studio_and_meshes_import_what_serves_them(program: str) -> Non
 
 @pytest.mark.parametrize("package", ["ropsim.workbench", "ropsim.lsp"])
 def test_checking_a_text_loads_neither_what_runs_it_nor_what_shows_it(package: str) -> None:
-    assert loaded_after(f"import {package}").isdisjoint({"ropsim.simulation", "ropsim.views"})
+    loaded = loaded_after(f"import {package}")
+    assert loaded.isdisjoint({"ropsim.simulation", "ropsim.views"})
+    assert loaded.isdisjoint({"ropsim.exchange", "ropsim.nirox"})  # come with their first file
+    assert loaded.isdisjoint({"http", "ssl", "email"})
 
 
 def test_the_module_is_the_command() -> None:

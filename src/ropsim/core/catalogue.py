@@ -8,6 +8,9 @@ from ropsim.core.frozen_dataclass import frozen_dataclass
 from ropsim.core.span import Span
 
 _KINDS: dict[str, "Kind"] = {}
+"""By their codes."""
+
+_BY_SLUG: dict[str, "Kind"] = {}
 
 
 @frozen_dataclass
@@ -53,10 +56,10 @@ def define(code: str, slug: str, severity: Severity, summary: str, explanation: 
         ValueError: the code or the slug is taken by another kind.
     """
     kind = Kind(code, slug, severity, summary, explanation.strip())
-    for known in _KINDS.values():
-        if known != kind and (known.code == code or known.slug == slug):
+    for known in (_KINDS.get(code), _BY_SLUG.get(slug)):
+        if known is not None and known != kind:
             raise ValueError(f"diagnostic {code} {slug} collides with {known.code} {known.slug}")
-    _KINDS[code] = kind
+    _KINDS[code] = _BY_SLUG[slug] = kind
     return kind
 
 

@@ -24,16 +24,28 @@ def frozen_without_equality(cls: type[T]) -> type[T]:
 
 def _completed(made: type[T], methods: dict[str, Callable[..., object]], written: type) -> type[T]:
     """Give a class its constructor and the methods that it does not say itself."""
-    for name, method in methods.items():
+    late: dict[str, object] = {"__init__": _LateConstructor(made)}
+    for name, method in (late | methods).items():
         said = written.__dict__.get(name)  # a class that says `__eq__` is given `__hash__ = None` by Python
         if said is None:
             setattr(made, name, method)
-    if "__init__" not in written.__dict__:
-        known: dict[str, Any] = {"__missing__": MISSING}
-        constructor = _method(made, "__init__", _constructor(made, known), known)
-        annotations = {one.name: one.type for one in _parts(made) if one.init}
-        constructor.__annotations__ = {**annotations, "return": None}
     return made
+
+
+class _LateConstructor:
+    """Makes the constructor of a class when it is first looked at: most classes never have an object."""
+
+    def __init__(self, cls: type) -> None:
+        self.cls = cls
+
+    def __get__(self, one: object, owner: type | None = None) -> Callable[..., None]:
+        """Put the constructor in this place and return it, bound to an object where there is one."""
+        known: dict[str, Any] = {"__missing__": MISSING}
+        constructor = _method(self.cls, "__init__", _constructor(self.cls, known), known)
+        annotations = {part.name: part.type for part in _parts(self.cls) if part.init}
+        constructor.__annotations__ = {**annotations, "return": None}
+        bound: Callable[..., None] = constructor.__get__(one, owner)
+        return bound
 
 
 def _method(cls: type, name: str, source: str, known: dict[str, Any]) -> Callable[..., Any]:

@@ -1,11 +1,11 @@
 """An open document: its text, and the change from protocol positions to characters and back."""
 
 import re
+import sys
 from collections.abc import Iterable
 from dataclasses import field, replace
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
-from urllib.request import url2pathname
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.lsp.messages import Json
@@ -50,7 +50,11 @@ class Document:
         parts = urlsplit(self.uri) if self.uri.startswith("file:") else None
         if parts is None or "\0" in unquote(parts.path):
             return None
-        return Path(url2pathname(parts.path))
+        if sys.platform == "win32":
+            from urllib.request import url2pathname
+
+            return Path(url2pathname(parts.path))
+        return Path(unquote(parts.path))  # what that does elsewhere, without its clients of HTTP and TLS
 
     @property
     def name(self) -> str:

@@ -17,9 +17,9 @@ from ropsim.views.event_text import event_text as event_text
 from ropsim.views.findings import FindingGroup as FindingGroup
 from ropsim.views.findings import count_text as count_text
 from ropsim.views.findings import group_findings as group_findings
+from ropsim.views.html.door import html_report as html_report
 from ropsim.views.html.replay import NoReplay as NoReplay
 from ropsim.views.html.replay import Replay as Replay
-from ropsim.views.html.report import html_report as html_report
 from ropsim.views.joint_summary import Closeness as Closeness
 from ropsim.views.joint_summary import JointSummary as JointSummary
 from ropsim.views.joint_summary import LimitApproach as LimitApproach

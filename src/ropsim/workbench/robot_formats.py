@@ -1,10 +1,9 @@
-"""The formats of robot files: a new one is an entry here."""
+"""The formats of robot files: a new one is an entry here; it is loaded when its first file is met."""
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ropsim.core import SourceText, frozen_dataclass
-from ropsim.exchange import read_mjcf, read_nirox, read_urdf, write_mjcf, write_nirox, write_sdf, write_urdf
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 
@@ -27,8 +26,50 @@ class RobotFormat:
     write_again: Callable[[RobotModel, ReadRobot], WrittenRobot] | None = None
 
 
+def _read_urdf(source: SourceText) -> ReadRobot:
+    from ropsim.exchange import read_urdf
+
+    return read_urdf(source)
+
+
+def _write_urdf(robot: RobotModel) -> WrittenRobot:
+    from ropsim.exchange import write_urdf
+
+    return write_urdf(robot)
+
+
+def _read_mjcf(source: SourceText) -> ReadRobot:
+    from ropsim.exchange import read_mjcf
+
+    return read_mjcf(source)
+
+
+def _write_mjcf(robot: RobotModel) -> WrittenRobot:
+    from ropsim.exchange import write_mjcf
+
+    return write_mjcf(robot)
+
+
+def _write_sdf(robot: RobotModel) -> WrittenRobot:
+    from ropsim.exchange import write_sdf
+
+    return write_sdf(robot)
+
+
+def _read_nirox(source: SourceText) -> ReadRobot:
+    from ropsim.nirox import read_nirox
+
+    return read_nirox(source)
+
+
+def _write_nirox(robot: RobotModel) -> WrittenRobot:
+    from ropsim.nirox import write_nirox
+
+    return write_nirox(robot)
+
+
 def _nirox_again(robot: RobotModel, read: ReadRobot) -> WrittenRobot:
-    from ropsim.nirox import ReadNirox
+    from ropsim.nirox import ReadNirox, write_nirox
 
     return write_nirox(robot, read.beside) if isinstance(read, ReadNirox) else write_nirox(robot)
 
@@ -39,14 +80,14 @@ def _nirox_places(source: SourceText) -> PlaceOf:
     return nirox_places(source)
 
 
-_NIROX = RobotFormat(read_nirox, _nirox_places, write_nirox, _nirox_again)
+_NIROX = RobotFormat(_read_nirox, _nirox_places, _write_nirox, _nirox_again)
 
 ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
     {
         ".toml": RobotFormat(read_robot_file, robot_file_places, write_robot_file),
-        ".urdf": RobotFormat(read_urdf, write=write_urdf),
-        ".xacro": RobotFormat(read_urdf),
-        ".xml": RobotFormat(read_mjcf, write=write_mjcf),
+        ".urdf": RobotFormat(_read_urdf, write=_write_urdf),
+        ".xacro": RobotFormat(_read_urdf),
+        ".xml": RobotFormat(_read_mjcf, write=_write_mjcf),
         ".stp": _NIROX,
         ".step": _NIROX,
     }
@@ -56,7 +97,7 @@ ROBOT_FORMATS: Mapping[str, RobotFormat] = MappingProxyType(
 WRITERS: Mapping[str, Callable[[RobotModel], WrittenRobot]] = MappingProxyType(
     {
         **{ending: one.write for ending, one in ROBOT_FORMATS.items() if one.write is not None},
-        ".sdf": write_sdf,
+        ".sdf": _write_sdf,
     }
 )
 """What is written, likewise; not everything that is written is read again."""

@@ -119,6 +119,25 @@ def test_signatures_and_patterns_are_the_same() -> None:
     assert not hasattr(Ours(1.0), "__dict__")
 
 
+def test_a_class_without_objects_has_its_signature_and_a_subclass_its_constructor() -> None:
+    @frozen_dataclass
+    class Base:
+        """Nobody makes one."""
+
+        x: float
+        y: float = 2.0
+
+    @frozen_dataclass
+    class Half(Base):
+        """Calls the constructor above it."""
+
+        def __init__(self, x: float) -> None:
+            Base.__init__(self, x / 2)
+
+    assert str(inspect.signature(Base)) == "(x: float, y: float = 2.0) -> None"
+    assert (Half(3.0).x, Half(3.0).y, Base(5.0).x) == (1.5, 2.0, 5.0)
+
+
 def test_equal_is_what_has_equal_fields_and_one_class() -> None:
     assert Ours(1.0) == Ours(1.0, tags=["not compared"])
     assert Ours(1.0) != Ours(1.5)
