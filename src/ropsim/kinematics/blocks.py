@@ -1,6 +1,7 @@
 """Blocks: solids of the cell as boxes in the world, many at a time, to see what stands on what."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import field
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +26,7 @@ class Blocks:
         rotations: R_W of their axes, shape (k, 3, 3).
         halves: half edges [m], shape (k, 3).
         radii: of upright cylinders [m], infinite for all others, shape (k,).
+        reaches: lower and upper corners of the boxes along x, y, z around them [m], shape (k, 3) each.
     """
 
     owners: tuple[str, ...]
@@ -32,11 +34,11 @@ class Blocks:
     rotations: Array
     halves: Array
     radii: Array
+    reaches: tuple[Array, Array] = field(init=False, repr=False)
 
-    def reaches(self) -> tuple[Array, Array]:
-        """Return lower and upper corners of the boxes along x, y, z around them [m], shape (k, 3) each."""
+    def __post_init__(self) -> None:
         half = np.einsum("kij,kj->ki", np.abs(self.rotations), self.halves)
-        return self.centres - half, self.centres + half
+        object.__setattr__(self, "reaches", (frozen(self.centres - half), frozen(self.centres + half)))
 
     def spans(self, rows: Rows, points: Array) -> tuple[Array, Array]:
         """Return where vertical lines enter and leave blocks.

@@ -57,7 +57,7 @@ def standings(parts: Blocks, others: Blocks, gap: float) -> list[Standing]:
         least, depth = _gaps(parts, others, rows, cols)
         for k, i in enumerate(rows.tolist()):
             found[i].meet(others.owners[cols[k]], float(least[k]), float(depth[k]), gap)
-    heights = parts.reaches()[0][:, 2].tolist()
+    heights = parts.reaches[0][:, 2].tolist()
     return [one.standing(height, gap) for one, height in zip(found, heights, strict=True)]
 
 
@@ -67,7 +67,7 @@ def height_above(parts: Blocks, row: int, others: Blocks) -> tuple[float, str]:
     least, _ = _gaps(parts, others, rows, cols)
     own = parts.owners[row]
     near = [(float(one), name) for one, name in zip(least, others.owners, strict=True) if name != own]
-    floor = float(parts.reaches()[0][row, 2])
+    floor = float(parts.reaches[0][row, 2])
     return min([*near, (floor, WORLD)], key=lambda one: (max(one[0], 0.0), one[1]))
 
 
@@ -97,12 +97,12 @@ def _gaps(parts: Blocks, others: Blocks, rows: Rows, cols: Rows) -> tuple[Array,
     The gap is infinite where the other is not below: it must begin lower than the part, as a whole and on the
     line. The depth is 0 where they do not meet.
     """
-    low, high = (edge[rows] for edge in parts.reaches())
+    low, high = (edge[rows] for edge in parts.reaches)
     lines = _lines(low[:, :2], high[:, :2])
     bottom, upper = parts.spans(rows, lines)
     beneath, top = others.spans(cols, lines)
     gaps = bottom - top
-    lower = others.reaches()[0][cols, 2] < low[:, 2]
+    lower = others.reaches[0][cols, 2] < low[:, 2]
     least = np.where((beneath < bottom) & lower[:, np.newaxis], gaps, np.inf)
     depth = np.where((gaps < 0.0) & (upper > beneath), -gaps, 0.0)
     return least.min(axis=1, initial=np.inf), depth.max(axis=1, initial=0.0)
@@ -125,8 +125,8 @@ def _batches(rows: Rows, cols: Rows) -> Iterator[tuple[Rows, Rows]]:
 
 def _near(parts: Blocks, others: Blocks, gap: float) -> tuple[Rows, Rows]:
     """Return the pairs (part, other) whose boxes along x, y, z meet or lie at most `gap` apart, in order."""
-    low, high = parts.reaches()
-    low_others, high_others = others.reaches()
+    low, high = parts.reaches
+    low_others, high_others = others.reaches
     if not len(low) or not len(low_others):
         return np.empty(0, np.intp), np.empty(0, np.intp)
     rows, cols = (_every_pair if len(low) < FEW else _side_by_side)(parts, others)
@@ -150,8 +150,8 @@ def _side_by_side(parts: Blocks, others: Blocks) -> tuple[Rows, Rows]:
     Footprints are entered into a grid whose cells are as large as half of the parts, so that a part is only
     compared with what is in its own cells.
     """
-    low, high = parts.reaches()
-    low_others, high_others = others.reaches()
+    low, high = parts.reaches
+    low_others, high_others = others.reaches
     widths = np.sort(high[:, :2] - low[:, :2], axis=None)
     cell = max(float(widths[len(widths) // 2]), 1e-3)
     count = np.floor(high_others[:, :2] / cell) - np.floor(low_others[:, :2] / cell) + 1.0

@@ -77,7 +77,7 @@ class Follower:
 
     def __post_init__(self) -> None:
         robot = self.at.station.robot
-        top = np.abs(self.plan.reference.qd).max(axis=0, initial=0.0)
+        top = np.abs(np.ascontiguousarray(self.plan.reference.qd.T)).max(axis=1, initial=0.0)
         speeds = np.maximum(top, _LEAST_SPEED * robot.max_speeds)
         accelerations = robot.max_accelerations
         if self.plan.is_corrected:  # what a sensor adds is braked with it

@@ -38,17 +38,17 @@ class Pose:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "position", _numbers("position", self.position, 3))
-        w, x, y, z = _numbers("orientation", self.orientation, 4).tolist()
-        try:
-            unit = quaternion.normalize((w, x, y, z))
-        except ValueError as error:
-            raise PoseError("orientation", (w, x, y, z), "a quaternion with a direction") from error
-        object.__setattr__(self, "orientation", frozen(unit))
+        turn = _numbers("orientation", self.orientation, 4).tolist()
+        object.__setattr__(self, "orientation", _direction(turn))
 
     @classmethod
     def from_tuple(cls, values: quaternion.PoseTuple) -> "Pose":
         """Return the pose of (x, y, z, qw, qx, qy, qz)."""
-        return cls(np.array(values[:3]), np.array(values[3:]))
+        x, y, z, *turn = values
+        made = cls.__new__(cls)  # numbers are known to be some: half the time of looking at two arrays
+        object.__setattr__(made, "position", frozen((x, y, z)))
+        object.__setattr__(made, "orientation", _direction(turn))
+        return made
 
     @classmethod
     def from_matrix(cls, matrix: npt.ArrayLike) -> "Pose":
@@ -112,6 +112,14 @@ def _numbers(what: str, values: npt.ArrayLike, count: int) -> Array:
     if array.shape != (count,):
         raise PoseError(what, f"of shape {array.shape}", f"of shape ({count},)")
     return array
+
+
+def _direction(turn: list[float]) -> Array:
+    w, x, y, z = turn
+    try:
+        return frozen(quaternion.normalize((w, x, y, z)))
+    except ValueError as error:
+        raise PoseError("orientation", (w, x, y, z), "a quaternion with a direction") from error
 
 
 def quaternion_from_matrix(rotation: npt.ArrayLike) -> Array:

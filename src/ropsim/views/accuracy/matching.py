@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ropsim.spatial import Array
+from ropsim.views.accuracy.polyline import nearest_shares
 
 POINTS = 50
 """Points of a path at which orientations are compared."""
@@ -36,12 +37,11 @@ def largest_angle(time: Array, command: tuple[Array, Array], attained: tuple[Arr
     rows = np.unique(np.linspace(0, len(time) - 1, POINTS).round().astype(int))
     back = int((rows - np.searchsorted(time, time[rows] - LAG)).max())
     behind = np.maximum(rows[:, None] - np.arange(back, -1, -1), 0)  # a row of rows up to each one
-    begins, ways = places[behind[:, :-1]], np.diff(places[behind], axis=1)
-    away = attained[0][rows][:, None] - begins
-    squares = np.maximum(np.einsum("mki,mki->mk", ways, ways), np.finfo(float).tiny)
-    shares = np.clip(np.einsum("mki,mki->mk", away, ways) / squares, 0.0, 1.0)
-    left = away - shares[..., None] * ways
-    best, all_rows = np.einsum("mki,mki->mk", left, left).argmin(axis=1), np.arange(len(rows))
+    columns = np.ascontiguousarray(places.T)[:, behind]
+    begins, ways = columns[:, :, :-1], np.diff(columns, axis=2)
+    away = attained[0][rows].T[:, :, None] - begins
+    shares, squares = nearest_shares(away, ways)
+    best, all_rows = squares.argmin(axis=1), np.arange(len(rows))
     share = shares[all_rows, best][:, None]
     before, after = turned[behind[all_rows, best]], turned[behind[all_rows, best + 1]]
     after = after * _sides(before, after)

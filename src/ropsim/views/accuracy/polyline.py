@@ -15,16 +15,36 @@ def nearest(corners: Array, points: Array) -> tuple[Array, Array]:
     Returns:
         The places, counted in corners and their shares, shape (m,), and the distances [m], shape (m,).
     """
-    begins = corners[:-1] if len(corners) > 1 else corners
-    ways = np.diff(corners, axis=0) if len(corners) > 1 else np.zeros((1, 3))
-    squares = np.maximum(np.einsum("ki,ki->k", ways, ways), np.finfo(float).tiny)
-    away = points[:, None] - begins
-    shares = np.clip(np.einsum("mki,ki->mk", away, ways) / squares, 0.0, 1.0)
-    left = away - shares[..., None] * ways
-    distances = np.einsum("mki,mki->mk", left, left)
-    best = distances.argmin(axis=1)
+    columns = np.ascontiguousarray(corners.T)
+    begins = columns[:, :-1] if len(corners) > 1 else columns
+    ways = np.diff(columns, axis=1) if len(corners) > 1 else np.zeros((3, 1))
+    shares, squares = nearest_shares(points.T[:, :, None] - begins[:, None], ways[:, None])
+    best = squares.argmin(axis=1)
     rows = np.arange(len(points))
-    return best + shares[rows, best], np.sqrt(distances[rows, best])
+    return best + shares[rows, best], np.sqrt(squares[rows, best])
+
+
+def nearest_shares(away: Array, ways: Array) -> tuple[Array, Array]:
+    """Return where on pieces of a polyline the places nearest to points are.
+
+    Coordinates come first: sums of three numbers that lie side by side would take most of the time.
+
+    Args:
+        away: points from the starts of pieces [m], shape (3, m, k).
+        ways: from start to end of each piece [m], shape (3, m, k), or (3, 1, k) the same ones for all points.
+
+    Returns:
+        Shares of the pieces in [0, 1], and squares of the distances that are left [m²], shape (m, k) each.
+    """
+    squares = np.maximum(_dot(ways, ways), np.finfo(float).tiny)
+    shares = np.minimum(np.maximum(_dot(away, ways) / squares, 0.0), 1.0)
+    left = away - shares * ways
+    return shares, _dot(left, left)
+
+
+def _dot(some: Array, others: Array) -> Array:
+    products = some * others
+    return np.asarray(products[0] + products[1] + products[2])
 
 
 def at(corners: Array, places: Array) -> Array:
