@@ -15,7 +15,7 @@ from websockets.exceptions import ConnectionClosed
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
 from support.studio_client import Page, command, opened, page_of
-from support.studio_family import ends, gone, language_servers, needs_proc, workers
+from support.studio_family import ends, gone, language_servers, needs_proc, origins, workers
 from support.studio_process import Studio
 
 MAIN = "programs/main.task"
@@ -137,7 +137,7 @@ def test_every_process_may_be_killed_and_work_goes_on(studio: Studio) -> None:
         hear_newer(page, first, "running")
         page.say(type="live_start", program="", speed=1.0)
         page.hear("live", state="running")
-        for pid in workers(studio.process.pid):
+        for pid in (*origins(studio.process.pid), *workers(studio.process.pid)):
             os.kill(pid, signal.SIGKILL)
         page.hear("live", state="over")
         assert "killed by the system" in page.hear("run", state="failed")["message"]

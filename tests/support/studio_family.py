@@ -29,7 +29,14 @@ def group(studio: int) -> list[int]:
 
 def workers(studio: int) -> list[int]:
     """Return the workers: desk and simulator."""
-    return [one.pid for one in _processes() if one.parent == studio and b"spawn_main" in one.words]
+    return [
+        one.pid for one in _processes() if one.session == studio != one.parent and b"forkserver" in one.words
+    ]
+
+
+def origins(studio: int) -> list[int]:
+    """Return the process that the workers are copies of."""
+    return [one.pid for one in _processes() if one.parent == studio and b"forkserver" in one.words]
 
 
 def language_servers(studio: int) -> list[int]:

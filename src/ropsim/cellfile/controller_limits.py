@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-from ropsim.core import SourceText
+from ropsim.core import SourceText, toml_values
 from ropsim.model import ROBOT, JointType
-from ropsim.tomltext import Quantity, Units, toml_values, with_values
+from ropsim.tomltext import Quantity, Units, with_values
 
 _OF_JOINTS = ("joint_speed", "joint_acceleration", "joint_jerk")
 _OF_PATH = ("path_speed", "path_acceleration", "path_jerk")

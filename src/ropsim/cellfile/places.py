@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Sequence
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, toml_values
 from ropsim.model import ROBOT
-from ropsim.tomltext import positions, toml_values
+from ropsim.tomltext import positions
 
 _TABLES = ("locations", "frames", "tools", "signals", "stations", "devices")
 

@@ -4,7 +4,8 @@ import argparse
 import shlex
 
 from ropsim.cli.output import Output
-from ropsim.workbench import STARTER, example_names, example_summary, new_project, new_robot_project
+from ropsim.userfiles import STARTER, example_names, example_summary
+from ropsim.workbench import new_project, new_robot_project
 
 
 def new(options: argparse.Namespace, output: Output) -> int:

@@ -1,12 +1,13 @@
 """All commands and their arguments, as `ropsim --help` shows them."""
 
 import argparse
+import gc
 import re
 from collections.abc import Callable
 from importlib import import_module
 from typing import NoReturn, TypeAlias
 
-from ropsim.core import did_you_mean
+from ropsim.core import did_you_mean, without_collection
 from ropsim.version import __version__
 
 Commands: TypeAlias = "argparse._SubParsersAction[_Parser]"
@@ -77,7 +78,10 @@ def _lazy(function: str) -> Callable[..., int]:
     module, name = function.split(":")
 
     def call(*arguments: object) -> int:
-        code: int = getattr(import_module(f"ropsim.cli.{module}"), name)(*arguments)
+        with without_collection():
+            command = getattr(import_module(f"ropsim.cli.{module}"), name)
+        gc.freeze()  # modules stay: whoever looks for garbage need not look through them
+        code: int = command(*arguments)
         return code
 
     return call

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from ropsim.core import RopsimError, frozen_dataclass
 from ropsim.flow import TaskEvent
-from ropsim.records import read_recording
 
 #: Older recordings than so many are not looked at.
 MOST = 8
@@ -42,6 +41,8 @@ def recordings_in(folder: Path) -> tuple[Stamp, ...]:
 def programs_in(place: Path) -> tuple[RecordedProgram, ...]:
     """Return the programs of a recording, none where it cannot be read."""
     try:
+        from ropsim.records import read_recording
+
         recording = read_recording(place)
     except RopsimError:
         return ()

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path
 
-from ropsim.core import Diagnostic, did_you_mean, replace_file
+from ropsim.core import Diagnostic, did_you_mean, replace_file, toml_values
 from ropsim.studio.diagnostics import CHANGED_ON_DISK, NOT_EDITABLE, NOT_SAVED
 from ropsim.studio.document import LARGEST, Document
 from ropsim.studio.line_ends import plain_lines
@@ -21,7 +21,6 @@ from ropsim.studio.project_files import (
     program_names,
     stamps,
 )
-from ropsim.tomltext import toml_values
 from ropsim.userfiles import Draft
 
 DEFAULT_PROGRAM = "main"

@@ -24,9 +24,18 @@ from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
 from ropsim.studio.workers import DESK, WorkerLink
-from ropsim.userfiles import Trust, TrustError, code_in, recent_projects, set_trust, trust_in
+from ropsim.userfiles import (
+    STARTER,
+    Trust,
+    TrustError,
+    code_in,
+    example_names,
+    example_summary,
+    recent_projects,
+    set_trust,
+    trust_in,
+)
 from ropsim.version import __version__
-from ropsim.workbench import STARTER, example_names, example_summary, new_project
 
 REST = 0.25
 """How long the cell file must rest before the scene is made anew [s]."""
@@ -138,7 +147,7 @@ class Session:
         try:
             place = self._folder.parent / Path(command.path).expanduser()
             if isinstance(command, commands.NewProject):
-                place = await asyncio.to_thread(new_project, place, command.example or STARTER)
+                place = await asyncio.to_thread(_made, place, command.example or STARTER)
             folder = await asyncio.to_thread(project_folder, place)
         except (RopsimError, RuntimeError, ValueError) as error:
             finding = error.diagnostic if isinstance(error, RopsimError) else _no_place(command.path)
@@ -243,3 +252,10 @@ def _no_place(path: str) -> Diagnostic:
     return NO_PROJECT.at(
         None, f"`{path[:200]}` is no path of this machine", hint="give the folder of a project"
     )
+
+
+def _made(place: Path, example: str) -> Path:
+    """Make a project; what knows of cells and robots is imported for that only."""
+    from ropsim.workbench import new_project
+
+    return new_project(place, example)

@@ -41,7 +41,6 @@ from ropsim.tomltext.shapes import read_look as read_look
 from ropsim.tomltext.shapes import read_material as read_material
 from ropsim.tomltext.shapes import read_shapes as read_shapes
 from ropsim.tomltext.units import read_units as read_units
-from ropsim.tomltext.values import toml_values as toml_values
 from ropsim.tomltext.words import cut as cut
 from ropsim.tomltext.words import float_of as float_of
 from ropsim.tomltext.writing import with_values as with_values

@@ -4,11 +4,10 @@ import re
 from collections.abc import Mapping
 from functools import lru_cache
 
-from ropsim.core import Diagnostic, SourceText
+from ropsim.core import Diagnostic, SourceText, toml_values
 from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext.checks import Findings, TomlTable
 from ropsim.tomltext.positions import positions
-from ropsim.tomltext.values import toml_values
 
 _KEY_TUPLE = re.compile(r"\((?:'[^']*'(?:, |,)?)+\)")
 _KEY = re.compile(r"'([^']*)'")

@@ -2,6 +2,10 @@
 
 from ropsim.userfiles.code_files import code_in as code_in
 from ropsim.userfiles.diagnostics import TrustError as TrustError
+from ropsim.userfiles.examples import STARTER as STARTER
+from ropsim.userfiles.examples import example_names as example_names
+from ropsim.userfiles.examples import example_summary as example_summary
+from ropsim.userfiles.examples import examples_folder as examples_folder
 from ropsim.userfiles.folders import CONFIGURATION_OVERRIDE as CONFIGURATION_OVERRIDE
 from ropsim.userfiles.folders import STATE_OVERRIDE as STATE_OVERRIDE
 from ropsim.userfiles.folders import configuration_folder as configuration_folder

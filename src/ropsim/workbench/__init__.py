@@ -9,9 +9,6 @@ from ropsim.workbench.compiled_project import CompiledProgram as CompiledProgram
 from ropsim.workbench.compiled_project import CompiledProject as CompiledProject
 from ropsim.workbench.compiled_project import found_in as found_in
 from ropsim.workbench.environment import environment_of as environment_of
-from ropsim.workbench.example_projects import STARTER as STARTER
-from ropsim.workbench.example_projects import example_names as example_names
-from ropsim.workbench.example_projects import example_summary as example_summary
 from ropsim.workbench.example_projects import new_project as new_project
 from ropsim.workbench.example_projects import new_robot_project as new_robot_project
 from ropsim.workbench.knowledge import Knowledge as Knowledge

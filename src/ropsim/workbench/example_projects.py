@@ -1,4 +1,4 @@
-"""The example projects that come with ropsim, and new projects made from them."""
+"""New projects, made from an example or for a robot."""
 
 import shutil
 import tempfile
@@ -6,24 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ropsim.core import did_you_mean
+from ropsim.userfiles import STARTER, example_names, examples_folder
 from ropsim.workbench.project import ProjectError
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
 from ropsim.workbench.project_name import name_from_folder, name_project
 
-#: What `ropsim new` copies when no example is named.
-STARTER = "first_cell"
 _LEFT_OUT = shutil.ignore_patterns("out", "__pycache__")
-
-
-def example_names() -> tuple[str, ...]:
-    """Return the names of the examples."""
-    return tuple(sorted(path.parent.name for path in _folder().glob("*/cell.toml")))
-
-
-def example_summary(name: str) -> str:
-    """Return the first comment line of an example's cell file."""
-    first = (_folder() / name / "cell.toml").read_text(encoding="utf-8").partition("\n")[0]
-    return first.lstrip("# ")
 
 
 def new_project(place: str | Path, example: str = STARTER) -> Path:
@@ -40,7 +28,7 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
         raise ProjectError(NO_EXAMPLE.at(None, message, hint=did_you_mean(example, example_names())))
 
     def fill(folder: Path, name: str) -> None:
-        shutil.copytree(_folder() / example, folder, ignore=_LEFT_OUT)
+        shutil.copytree(examples_folder() / example, folder, ignore=_LEFT_OUT)
         name_project(folder, name)
 
     return _made(place, fill)
@@ -97,10 +85,3 @@ def _move(made: Path, target: Path) -> None:
         return
     for entry in sorted(made.iterdir(), key=lambda entry: entry.name == "cell.toml"):
         entry.replace(target / entry.name)
-
-
-def _folder() -> Path:
-    """Return the folder of the examples: inside an installed package, or beside `src` in a checkout."""
-    package = Path(__file__).parents[1]
-    installed = package / "examples"
-    return installed if installed.is_dir() else package.parents[1] / "examples"

@@ -4,7 +4,6 @@ from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
-from ropsim.records import pack_bytes
 from ropsim.workbench.project import Project, ProjectError
 from ropsim.workbench.project_diagnostics import NO_CELL
 
@@ -22,6 +21,7 @@ def pack_of(project: Project, recording: Recording, findings: Iterable[Diagnosti
     """
     if project.cell is None:
         raise ProjectError(NO_CELL.at(None, f"`{project.folder}` has no cell to show a run in"))
+    from ropsim.records import pack_bytes
     from ropsim.views import summarize
 
     before = tuple(findings)

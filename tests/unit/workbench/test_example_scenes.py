@@ -8,7 +8,8 @@ import pytest
 from ropsim.meshes import load_meshes
 from ropsim.model import Box, Cell
 from ropsim.spatial import Array, Pose
-from ropsim.workbench import example_names, open_project
+from ropsim.userfiles import example_names
+from ropsim.workbench import open_project
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CONTACT = 0.5e-3  # [m], less than anybody sees

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.workbench import ProjectError, example_names, new_project, open_project
+from ropsim.userfiles import example_names
+from ropsim.workbench import ProjectError, new_project, open_project
 
 
 @pytest.fixture

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.workbench import example_names, new_project, open_project
+from ropsim.userfiles import example_names
+from ropsim.workbench import new_project, open_project
 from ropsim.workbench.project_name import LONGEST, name_from_folder, name_project
 
 ODD = [

@@ -3,9 +3,8 @@ import tomllib
 import pytest
 
 from ropsim.cellfile.cell import read_cell
-from ropsim.core import SourceText
-from ropsim.tomltext import toml_values
-from ropsim.tomltext.values import MOST_PARTS
+from ropsim.core import SourceText, toml_values
+from ropsim.core.toml_values import MOST_PARTS
 
 
 @pytest.mark.parametrize(
