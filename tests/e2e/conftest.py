@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.flow import Recording
 from ropsim.workbench import Project, open_project
-from support.browser import UNDRAWN, Pages
+from support.browser import Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
@@ -63,8 +63,8 @@ def fresh(first_pages: Pages, first_tab: StudioPage, first_cell: Path) -> Iterat
 
 @pytest.fixture(scope="module")
 def first_pages(browser: "Browser", request: pytest.FixtureRequest) -> Iterator[Pages]:
-    """Return what opens the shared tab; modules that say `UNDRAWN = True` are not about the picture."""
-    pages = Pages(browser, UNDRAWN if getattr(request.module, "UNDRAWN", False) else "")
+    """Return what opens the shared tab; `GRAPHICS` of a module says how little is drawn."""
+    pages = Pages(browser, getattr(request.module, "GRAPHICS", ""))
     yield pages
     pages.close()
 

@@ -12,7 +12,7 @@ from ropsim.core import replace_file
 from ropsim.flow import GripEvent, Recording, ReleaseEvent
 from ropsim.workbench import Project, open_project
 from ropsim.workbench.viewer import built_viewer
-from support.browser import Pages, axe
+from support.browser import UNPAINTED, Pages, axe
 from support.patience import until
 from support.png import read_png
 from support.studio_gauges import drawn_in
@@ -91,7 +91,7 @@ def opened(open_page: Pages, made: Made, **context: Any) -> "Page":
 @pytest.fixture(scope="module")
 def first_pages(browser: "Browser") -> Iterator[Pages]:
     """Return what opens the shared page."""
-    pages = Pages(browser)
+    pages = Pages(browser, UNPAINTED)
     yield pages
     pages.close()
 
@@ -149,8 +149,8 @@ def test_an_idle_page_draws_nothing(page: "Page") -> None:
     until(lambda: drawn_in(page, 25) == 0, "rest")
 
 
-def test_all_boxes_stand_on_the_pallet_at_the_end(open_page: Pages, palletizing: Made) -> None:
-    page = opened(open_page, palletizing)
+def test_all_boxes_stand_on_the_pallet_at_the_end(open_unpainted: Pages, palletizing: Made) -> None:
+    page = opened(open_unpainted, palletizing)
     cell = palletizing.project.cell
     assert cell is not None
     X_WP = cell.frames["pallet"].X_PK
@@ -239,8 +239,8 @@ def test_the_path_is_chosen_and_the_picture_is_printed_on_white(open_page: Pages
     assert np.array_equal(read_png(stage.screenshot()), shown["all"])
 
 
-def test_findings_lead_to_their_time_and_texts_stay_texts(open_page: Pages, troubled: Made) -> None:
-    page = opened(open_page, troubled)
+def test_findings_lead_to_their_time_and_texts_stay_texts(open_unpainted: Pages, troubled: Made) -> None:
+    page = opened(open_unpainted, troubled)
     found = next(one for one in troubled.recording.findings if "when the gripper closed" in one.message)
     opening = troubled.recording.events_of(ReleaseEvent)[0]  # in the air
     closing = next(e for e in troubled.recording.events_of(GripEvent) if not e.part)
@@ -255,12 +255,12 @@ def test_findings_lead_to_their_time_and_texts_stay_texts(open_page: Pages, trou
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_it_is_accessible(open_page: Pages, first: Made, scheme: str) -> None:
-    assert axe(opened(open_page, first, color_scheme=scheme)) == []
+def test_it_is_accessible(open_unpainted: Pages, first: Made, scheme: str) -> None:
+    assert axe(opened(open_unpainted, first, color_scheme=scheme)) == []
 
 
-def test_a_narrow_screen_needs_no_sideways_scrolling(open_page: Pages, first: Made) -> None:
-    page = opened(open_page, first, viewport={"width": 400, "height": 800})
+def test_a_narrow_screen_needs_no_sideways_scrolling(open_unpainted: Pages, first: Made) -> None:
+    page = opened(open_unpainted, first, viewport={"width": 400, "height": 800})
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 400
 
 
@@ -282,11 +282,11 @@ def test_without_webgl_all_but_the_views_works(open_undrawn: Pages, first: Made)
     ],
 )
 def test_a_damaged_page_says_so_and_keeps_its_report(
-    open_page: Pages, first: Made, tmp_path: Path, spoil: Callable[[str], str], said: str
+    open_unpainted: Pages, first: Made, tmp_path: Path, spoil: Callable[[str], str], said: str
 ) -> None:
     path = tmp_path / "damaged.html"
     replace_file(path, spoil(first.path.read_text("utf-8")).encode())
-    page = open_page(path.as_uri())
+    page = open_unpainted(path.as_uri())
     alert = page.locator("#replay [role=alert]")
     alert.wait_for()
     alert.get_by_text(said).wait_for()

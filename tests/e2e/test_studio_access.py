@@ -6,22 +6,23 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from support.browser import VIEWPORT, Pages, axe
+from support.browser import UNPAINTED, VIEWPORT, Pages, axe
 from support.studio_page import TWO_FRAMES, StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import WebSocketRoute
 
+GRAPHICS = UNPAINTED
 PANELS = ("States", "Jog", "Signals", "Cell")
 
 
 @pytest.mark.parametrize(("scheme", "rules"), [("light", ()), ("dark", ("color-contrast",))])
 def test_no_rule_of_accessibility_is_broken_in_any_panel(
-    first_studio: Studio, open_page: Pages, scheme: str, rules: tuple[str, ...]
+    first_studio: Studio, open_unpainted: Pages, scheme: str, rules: tuple[str, ...]
 ) -> None:
     """The scheme of colours is nothing to the rules that are not about colour."""
-    page = StudioPage.opened(open_page, first_studio.url, color_scheme=scheme)
+    page = StudioPage.opened(open_unpainted, first_studio.url, color_scheme=scheme)
     page.insert(16, "x")
     page.page.get_by_text("Program has errors").wait_for()
     found = {"errors": axe(page.page, rules=rules)}
@@ -133,7 +134,7 @@ def test_nothing_lies_beyond_the_window(tab: StudioPage) -> None:
 
 
 def test_words_that_come_after_the_pointer_has_gone_are_not_shown(
-    first_studio: Studio, open_page: Pages
+    first_studio: Studio, open_unpainted: Pages
 ) -> None:
     held: list[Callable[[], None]] = []
 
@@ -156,7 +157,7 @@ def test_words_that_come_after_the_pointer_has_gone_are_not_shown(
         page_side.on_message(up)
         server.on_message(down)
 
-    page = StudioPage(open_page("about:blank"))
+    page = StudioPage(open_unpainted("about:blank"))
     page.page.route_web_socket("**/ws/lsp", hold)
     page.page.goto(first_studio.url)
     page.ready()
@@ -171,10 +172,10 @@ def test_words_that_come_after_the_pointer_has_gone_are_not_shown(
 
 @pytest.mark.parametrize("window", [{"width": 1024, "height": 640}, {"width": 640, "height": 400}])
 def test_a_small_window_or_a_large_zoom_needs_no_sideways_scrolling(
-    first_studio: Studio, open_page: Pages, window: dict[str, int]
+    first_studio: Studio, open_unpainted: Pages, window: dict[str, int]
 ) -> None:
     """1280×800 at 200 % leaves the page 640×400; that low, it scrolls down to the timeline."""
-    page = StudioPage.opened(open_page, first_studio.url, viewport=window)
+    page = StudioPage.opened(open_unpainted, first_studio.url, viewport=window)
     assert page.page.evaluate("() => document.documentElement.scrollWidth") <= window["width"]
     page.page.get_by_role("button", name="Next step of the program").click()
     assert page.time() > 0.0

@@ -7,15 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from support.browser import UNDRAWN as WITHOUT_PICTURE
-from support.browser import Pages
+from support.browser import UNDRAWN, Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
-UNDRAWN = True
 
 CELL = """
 [cell]
@@ -78,7 +76,7 @@ def studio(browser: "Browser", tmp_path_factory: pytest.TempPathFactory) -> Iter
     (folder / "cell.toml").write_text(CELL, "utf-8")
     (folder / "programs" / "arm.task").write_text(ARM, "utf-8")
     (folder / "programs" / "shuttle.task").write_text(SHUTTLE, "utf-8")
-    pages = Pages(browser, WITHOUT_PICTURE)
+    pages = Pages(browser, UNDRAWN)
     with Studio(folder, tmp_path_factory.mktemp("home")) as running:
         yield StudioPage.opened(pages, running.url)
         assert pages.unexpected() == [], "the page complained"

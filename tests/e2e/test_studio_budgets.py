@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ropsim.workbench.viewer import built_viewer
-from support.browser import Pages
+from support.browser import UNPAINTED, Pages
 from support.large_project import large_palletizing
 from support.patience import until
 from support.process_time import HAS_PROC, processor_time
@@ -43,7 +43,7 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
 @pytest.fixture(scope="module")
 def page(browser: "Browser", studio: Studio) -> Iterator["Page"]:
     """Return a page that the tests share; each leaves a run behind that stands."""
-    pages = Pages(browser)
+    pages = Pages(browser, UNPAINTED)
     yield opened(pages, studio)
     assert pages.unexpected() == [], "the page complained"
     pages.close()

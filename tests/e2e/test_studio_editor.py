@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 from ropsim.flow import Recording
+from support.browser import UNDRAWN
 from support.studio_page import StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
 
-UNDRAWN = True
+GRAPHICS = UNDRAWN
 
 #: Line of the example's program that calls the task, and that of its first slow move.
 CALL, SLOW = 16, 7

@@ -4,14 +4,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from support.browser import axe
+from support.browser import UNDRAWN, axe
 from support.studio_page import StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
 
 
-UNDRAWN = True
+GRAPHICS = UNDRAWN
 TOPICS = {"keys": "Keys", "language": "Language", "cell": "Cell file", "commands": "Command line"}
 
 

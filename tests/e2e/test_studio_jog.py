@@ -10,12 +10,13 @@ from ropsim.flow import Recording
 from ropsim.spatial import Array, Pose
 from ropsim.workbench import Project
 from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
+from support.browser import UNDRAWN
 from support.studio_page import TWO_FRAMES, StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
 
-UNDRAWN = True
+GRAPHICS = UNDRAWN
 
 #: Poses are drawn in single precision; the joint angles to begin with come from the pack [m, rad].
 SHOWN = 1e-4

@@ -2,9 +2,10 @@
 
 import pytest
 
+from support.browser import UNDRAWN
 from support.studio_page import StudioPage
 
-UNDRAWN = True
+GRAPHICS = UNDRAWN
 
 TEXT = """\
 program names

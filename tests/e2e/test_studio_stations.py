@@ -15,15 +15,13 @@ from ropsim.model import Cell, body_tree
 from ropsim.spatial import Array, Pose
 from ropsim.workbench import Project, open_project
 from support.arm_poses import worst_apart
-from support.browser import UNDRAWN as WITHOUT_PICTURE
-from support.browser import Pages
+from support.browser import UNDRAWN, Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
-UNDRAWN = True
 
 TWO_ARMS = Path(__file__).parents[2] / "examples" / "two_arms"
 #: Poses are drawn in single precision from a pack [m, rad].
@@ -49,7 +47,7 @@ def stations(
     """Return a tab with the example, shared by the module; the run of the test has made the machine code."""
     folder = tmp_path_factory.mktemp("project") / "two_arms"
     shutil.copytree(TWO_ARMS, folder, ignore=shutil.ignore_patterns("out"))
-    pages = Pages(browser, WITHOUT_PICTURE)
+    pages = Pages(browser, UNDRAWN)
     with Studio(folder, tmp_path_factory.mktemp("home")) as studio:
         yield StudioPage.opened(pages, studio.url)
         assert pages.unexpected() == [], "the page complained"

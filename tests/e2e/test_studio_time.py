@@ -9,11 +9,13 @@ import pytest
 from ropsim.flow import Event, Recording
 from ropsim.workbench import Project
 from support.arm_poses import apart, body_poses, joints_at, shown, worst_apart
+from support.browser import UNPAINTED
 from support.studio_page import TWO_FRAMES, StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
 
+GRAPHICS = UNPAINTED
 #: What nobody sees in the views: a pose may be off by this much [m, rad].
 UNSEEN = 1e-3
 #: A part in the gripper moves with it but for the rounding of the pack [m, rad].

@@ -35,7 +35,7 @@ shapes = [{ mesh = "lost/fixture.stl" }]
 UNSEEN = 1e-3
 
 Start = Callable[..., Studio]
-"""Asked for before `open_page`, so that pages are closed before their server ends."""
+"""Asked for before what opens pages, so that these are closed before their server ends."""
 
 
 @pytest.fixture
@@ -61,7 +61,7 @@ def program(folder: Path) -> Path:
 
 def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
     start_studio: Start,
-    open_page: Pages,
+    open_undrawn: Pages,
     folder: Path,
     tmp_path: Path,
     first_project: Project,
@@ -69,7 +69,7 @@ def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
 ) -> None:
     before = program(folder).read_bytes()
     studio = start_studio(folder)
-    page = StudioPage.opened(open_page, studio.url, expected=GONE)
+    page = StudioPage.opened(open_undrawn, studio.url, expected=GONE)
     page.append(2, "  # unsaved")
     page.until(lambda: journalled(tmp_path, "# unsaved"))
     studio.kill()
@@ -82,7 +82,7 @@ def test_a_killed_server_leaves_a_page_that_shows_and_a_text_that_comes_back(
     page.page.keyboard.press("Control+s")
     page.page.locator(".notice", has_text="Not saved").wait_for()
     assert program(folder).read_bytes() == before
-    again = StudioPage.opened(open_page, start_studio(folder).url)
+    again = StudioPage.opened(open_undrawn, start_studio(folder).url)
     assert again.line(2).text_content() == "units mm, deg, s  # unsaved"
     banner = again.page.locator(".program-banner", has_text="has been brought back")
     banner.get_by_role("button", name="Discard it").click()
@@ -151,11 +151,11 @@ def test_of_two_tabs_one_edits_and_the_other_follows_until_it_takes_over(
 
 
 def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
-    start_studio: Start, open_page: Pages, folder: Path
+    start_studio: Start, open_unpainted: Pages, folder: Path
 ) -> None:
     cell = (folder / "cell.toml").read_text("utf-8")
     (folder / "cell.toml").write_text(cell.replace('tool = "jaws"', 'tool = "jaws'), "utf-8")
-    page = StudioPage.arrived(open_page, start_studio(folder).url)
+    page = StudioPage.arrived(open_unpainted, start_studio(folder).url)
     page.page.locator(".stage-words", has_text="cell.toml has errors").wait_for()
     page.show("Problems").locator(".problem.error", has_text="cell.toml").first.click()
     line = page.page.locator(".cm-activeLine", has_text='tool = "jaws')
@@ -167,8 +167,8 @@ def test_a_broken_cell_opens_says_where_and_is_mended_in_the_editor(
     assert page.poses()["box"][:3] == pytest.approx([0.5, 0.3, 0.56], abs=UNSEEN)
 
 
-def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_page: Pages) -> None:
-    page = StudioPage.opened(open_page, lasting.url)
+def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_unpainted: Pages) -> None:
+    page = StudioPage.opened(open_unpainted, lasting.url)
     before = page.poses()
     page.document("cell.toml")
     page.append(1, "\n[robot")
@@ -178,11 +178,11 @@ def test_a_cell_that_breaks_keeps_its_last_good_picture(lasting: Studio, open_pa
 
 
 def test_a_missing_mesh_is_named_and_the_rest_is_drawn(
-    start_studio: Start, open_page: Pages, folder: Path, first_run: Recording
+    start_studio: Start, open_unpainted: Pages, folder: Path, first_run: Recording
 ) -> None:
     with (folder / "cell.toml").open("a", encoding="utf-8") as cell:
         cell.write(FIXTURE)
-    page = StudioPage.opened(open_page, start_studio(folder).url)
+    page = StudioPage.opened(open_unpainted, start_studio(folder).url)
     page.page.locator(".stage-problems summary").click()
     page.page.locator(".stage-problems li", has_text="fixture.stl").wait_for()
     page.show("Problems").get_by_role("button", name="fixture.stl").first.wait_for()

@@ -5,11 +5,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from support.browser import UNPAINTED
 from support.studio_page import StudioPage
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator
 
+GRAPHICS = UNPAINTED
 PLACES = ("perspective", "top", "front", "right")
 #: What is under the pointer stays there when the view turns or zooms, but for rounding [px].
 STAYS = 1.5

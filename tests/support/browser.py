@@ -44,6 +44,12 @@ UNDRAWN = (
     " { return kind.startsWith('webgl') ? null : get.call(this, kind, ...rest) }"
 )
 """Takes the 3-D graphics away: half the work of a page where the processor draws."""
+UNPAINTED = (
+    "for (const name of Object.getOwnPropertyNames(WebGL2RenderingContext.prototype))"
+    " if (/^(clear|draw(Arrays|Elements)(Instanced)?)$/.test(name))"
+    " WebGL2RenderingContext.prototype[name] = () => {}"
+)
+"""Leaves the 3-D graphics all but the painting of pixels: cameras, picking, counts of frames are as ever."""
 
 
 def chromium() -> str | None:
@@ -140,18 +146,23 @@ class Pages:
 @pytest.fixture
 def open_page(browser: "Browser") -> Iterator[Pages]:
     """Return a function that opens pages; any error or violation of the content policy fails the test."""
-    pages = Pages(browser)
-    yield pages
-    try:
-        assert pages.unexpected() == [], "the page complained"
-    finally:
-        pages.close()
+    yield from _faultless(Pages(browser))
+
+
+@pytest.fixture
+def open_unpainted(browser: "Browser") -> Iterator[Pages]:
+    """Return the same for tests that look at no pixel: views are as ever, but stay empty."""
+    yield from _faultless(Pages(browser, UNPAINTED))
 
 
 @pytest.fixture
 def open_undrawn(browser: "Browser") -> Iterator[Pages]:
     """Return the same for tests that are not about the picture: no 3-D graphics, where the views say so."""
-    pages = Pages(browser, UNDRAWN)
+    yield from _faultless(Pages(browser, UNDRAWN))
+
+
+def _faultless(pages: Pages) -> Iterator[Pages]:
+    """Lend what opens pages, and close them; none may have complained."""
     yield pages
     try:
         assert pages.unexpected() == [], "the page complained"
