@@ -69,27 +69,6 @@ class Outline:
     definitions: tuple[Definition, ...]
     tasks: tuple[TaskOutline, ...]
 
-    def task_at(self, line: int) -> str:
-        """Return the name of the task in which a line (from 1) stands, empty for none."""
-        inside = (task for task in self.tasks if task.span.line <= line <= task.span.end_line)
-        return next((task.definition.name for task in inside), "")
-
-    def seen_at(self, line: int) -> dict[str, Definition]:
-        """Return the definitions that a line can name: the first of each name, parameters before all."""
-        task = self.task_at(line)
-        fixed = [one for one in self.definitions if not one.task and (not task or _is_global(one))]
-        own = [one for one in self.definitions if task and one.task == task]
-        parameters = [one for one in own if one.role is Role.PARAMETER]
-        found: dict[str, Definition] = {}
-        for one in (*parameters, *fixed, *own):
-            found.setdefault(one.name, one)
-        return found
-
-
-def _is_global(one: Definition) -> bool:
-    """Return whether tasks see what stands outside of them; variables by first assignment are not seen."""
-    return one.role is not Role.VARIABLE or one.line.lstrip()[:4].lower() == "var "
-
 
 def outline(source: SourceText, cache: LineCache) -> Outline:
     """Return what a text defines; any text has an outline."""

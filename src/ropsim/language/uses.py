@@ -73,21 +73,42 @@ class Use:
 
 
 @frozen_dataclass
+class Sight:
+    """Lines that can name a meaning.
+
+    Attributes:
+        meaning: that is known there.
+        first: line from which on it is known (from 1).
+        end: the line from which on it is known no more.
+        is_outside: whether only control statements know it, of the lines from `first` to `end`.
+    """
+
+    meaning: Meaning
+    first: int
+    end: float
+    is_outside: bool = False
+
+
+@frozen_dataclass
 class Uses:
     """All uses of a text in order of their place.
 
     Attributes:
         found: the uses.
+        sights: in which lines each meaning is known, those that hide others after them.
         broken: places of the statements that could not be read, whose names nobody knows.
         tasks: first and last line of each task, in order, with its name.
+        rooms: first line of each task and the one that ends it; without an end the one of the next statement.
         blocks: first and last line of each part of a block that has a header of its own; the line that closes
             a block belongs to none.
         is_classic: whether tasks may have implicit parameters.
     """
 
     found: tuple[Use, ...] = ()
+    sights: tuple[Sight, ...] = ()
     broken: tuple[Span, ...] = ()
     tasks: tuple[tuple[str, int, int], ...] = ()
+    rooms: tuple[tuple[int, float], ...] = ()
     blocks: tuple[tuple[int, int], ...] = ()
     is_classic: bool = True
 
@@ -108,28 +129,14 @@ class Uses:
         """Return all meanings, each once, in order of their first use."""
         return tuple(dict.fromkeys(one.meaning for one in self.found))
 
-    def task_at(self, line: int) -> str:
-        """Return the task in which a line (from 1) stands, empty for none."""
-        return next((name for name, first, last in self.tasks if first <= line <= last), "")
-
-    def seen_at(self, line: int, column: int = 1) -> dict[str, Meaning]:
-        """Return what names of the text mean at a place (from 1), tasks, frames and tools left out."""
-        task = self.task_at(line)
-        seen: dict[str, Meaning] = {}
-        for one in sorted(self.meanings(), key=_nearness):
-            is_own = not one.is_global and one.task == task
-            if one.space is Space.SYMBOL and one.role is not None and (one.is_global or is_own):
-                seen.setdefault(one.name, one)
-        before = (use for use in self.found if (use.span.line, use.span.column) <= (line, column))
-        for use in before:  # of several variables of one name, the one that was used last
-            if use.task == task and use.meaning.name in seen:
-                seen[use.meaning.name] = use.meaning
-        return seen
-
-
-def _nearness(one: Meaning) -> tuple[bool, bool]:
-    """Parameters hide what the whole text knows; nothing else may have such a name."""
-    return one.role is not Role.PARAMETER, one.is_global
+    def seen_at(self, line: int) -> dict[tuple[Space, str], Meaning]:
+        """Return what names of the text mean at the begin of a statement in a line (from 1)."""
+        is_outside = not any(first <= line < end for first, end in self.rooms)
+        return {
+            (one.meaning.space, one.meaning.name): one.meaning
+            for one in self.sights
+            if one.first <= line < one.end and (is_outside or not one.is_outside)
+        }
 
 
 def in_order(uses: Iterable[Use]) -> Iterator[Use]:

@@ -10,7 +10,7 @@ from ropsim.language.syntax import statements as syntax
 from ropsim.language.taken import taken
 from ropsim.language.text import MAX_LINES, Line, read
 from ropsim.language.uses import Uses, in_order
-from ropsim.language.uses_walk import Scope, Walk
+from ropsim.language.uses_walk import Scope, Walk, with_ends
 
 
 def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = frozenset()) -> Uses:
@@ -34,17 +34,19 @@ def uses_of(source: SourceText, cache: LineCache, outside: frozenset[str] = froz
     for item in tree:
         if isinstance(item, Block):
             walk.header(item.opener)
-    main = Scope("")
-    for item in tree:
+    main = Scope("", is_outside=True)
+    for item, end in with_ends(tree):
         if isinstance(item, Block) and is_task(item):
-            walk.task(item)
+            walk.task(item, end)
         else:
-            walk.items((item,), main)
+            walk.items((item,), main, end)
     walk.close(main)
     return Uses(
         tuple(in_order(walk.found)),
+        tuple(walk.sights),
         tuple(walk.broken),
         tuple(walk.tasks),
+        tuple(walk.rooms),
         tuple(walk.blocks),
         walk.is_classic,
     )

@@ -1,7 +1,8 @@
 """The walk through the blocks of a text that finds uses of names, with the scopes of tasks and loops."""
 
+import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
@@ -12,7 +13,7 @@ from ropsim.language.outline import Role
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
 from ropsim.language.text import Line
-from ropsim.language.uses import Act, Meaning, Space, Use
+from ropsim.language.uses import Act, Meaning, Sight, Space, Use
 
 _ROLES: dict[type, tuple[Space, Role]] = {
     syntax.FrameDeclaration: (Space.FRAME, Role.FRAME),
@@ -46,6 +47,8 @@ class Scope:
         is_classic: whether what it reads first may be an implicit parameter.
         around: meanings of the variables of the loops around that place.
         open: uses of names that had no meaning at their place.
+        end: the line from which on nothing of it is known.
+        is_outside: whether it is that of the control statements.
     """
 
     task: str
@@ -53,6 +56,8 @@ class Scope:
     is_classic: bool = False
     around: list[Meaning] = field(default_factory=list)
     open: list[tuple[Line, Name]] = field(default_factory=list)
+    end: float = math.inf
+    is_outside: bool = False
 
 
 class Walk:
@@ -61,14 +66,18 @@ class Walk:
     Attributes:
         found: the uses.
         broken: places of the statements that could not be read.
+        sights: which lines know each meaning; what hides another one stands behind it.
         tasks: name, first and last line of each task.
+        rooms: first line of each task, and the one that ends it.
         blocks: first and last line of each part of a block with a header of its own.
         is_classic: whether tasks may have implicit parameters.
     """
 
     def __init__(self, source: str, outside: frozenset[str]) -> None:
         self.found: list[Use] = []
+        self.sights: list[Sight] = []
         self.broken: list[Span] = []
+        self.rooms: list[tuple[int, float]] = []
         self.tasks: list[tuple[str, int, int]] = []
         self.blocks: list[tuple[int, int]] = []
         self.is_classic = False
@@ -103,40 +112,45 @@ class Walk:
         self._own[line.logical.number] = own
         self._parameters.setdefault(statement.name.text, own)
 
-    def task(self, block: Block) -> None:
-        """Walk through a task."""
+    def task(self, block: Block, end: float) -> None:
+        """Walk through a task; without an end of its own it reaches to the line `end`."""
         opener, last = block.opener, block.closer or _last(block)
         self.blocks += _parts(block)
         header = opener.statement
         assert isinstance(header, syntax.TaskHeader | syntax.Broken)
         name = header.name.text if isinstance(header, syntax.TaskHeader) else header.name
         self.tasks.append((name, opener.logical.number, _end(last)))
-        scope = Scope(name, dict(self._own.get(opener.logical.number, {})))
+        end = block.closer.logical.number if block.closer is not None else end
+        self.rooms.append((opener.logical.number, end))
+        scope = Scope(name, dict(self._own.get(opener.logical.number, {})), end=end)
+        for one in scope.names.values():
+            self._known_behind(opener, one, scope)
         scope.is_classic = (
             self.is_classic and isinstance(header, syntax.TaskHeader) and header.parameters is None
         )
         self._line(opener, scope)
-        self.items(block.sections[0].body, scope)
+        self.items(block.sections[0].body, scope, end)
         for section in block.sections[1:]:
             self._line(section.header, scope)
-            self.items(section.body, scope)
+            self.items(section.body, scope, end)
         self.close(scope)
 
-    def items(self, items: Iterable[Line | Block], scope: Scope) -> None:
-        """Walk through lines and blocks."""
-        for item in items:
+    def items(self, items: Sequence[Line | Block], scope: Scope, end: float) -> None:
+        """Walk through lines and blocks up to the line `end`, which closes what has no end of its own."""
+        for item, behind in with_ends(items, end):
             if isinstance(item, Line):
                 self._line(item, scope)
                 continue
             self.blocks += _parts(item)
             opener = item.opener.statement
+            closed = item.closer.logical.number if item.closer is not None else behind
             if isinstance(opener, syntax.For | syntax.ForEach):
-                with self._loop(item.opener, opener, scope):
-                    self.items(item.sections[0].body, scope)
+                with self._loop(item.opener, opener, scope, closed):
+                    self.items(item.sections[0].body, scope, closed)
             else:
                 for section in item.sections:
                     self._line(section.header, scope)
-                    self.items(section.body, scope)
+                    self.items(section.body, scope, closed)
             if item.closer is not None:
                 self._line(item.closer, scope)
 
@@ -191,6 +205,7 @@ class Walk:
         if meaning is None and scope.is_classic and name.text not in self._outside:
             meaning = Meaning(name.text, Space.SYMBOL, Role.PARAMETER, scope.task, is_global=False)
             scope.names[name.text] = meaning
+            self._known_behind(line, meaning, scope)
         if meaning is None:
             scope.open.append((line, name))
         else:
@@ -203,12 +218,15 @@ class Walk:
             meaning = self._nobodys(Space.SYMBOL, name.text)
         if meaning is None:
             meaning = scope.names[name.text] = self._local(line, name, Role.VARIABLE, scope.task)
+            self._known_behind(line, meaning, scope)
         is_first = meaning.definition == self._span(line, name)
         self._use(line, name, Act.DEFINES if is_first else Act.WRITES, meaning, scope)
         return meaning
 
     @contextmanager
-    def _loop(self, line: Line, loop: syntax.For | syntax.ForEach, scope: Scope) -> Iterator[None]:
+    def _loop(
+        self, line: Line, loop: syntax.For | syntax.ForEach, scope: Scope, end: float
+    ) -> Iterator[None]:
         """Note the header of a loop, whose lines see its variable: one of the loop alone, or an older one."""
         for one in mentions(loop):
             if one.name is not loop.name:
@@ -223,6 +241,7 @@ class Walk:
             meaning = self._local(line, name, Role.VARIABLE, scope.task)
             self._use(line, name, Act.DEFINES, meaning, scope)
             scope.names[name.text] = meaning
+            self.sights.append(Sight(meaning, _end(line) + 1, end, scope.is_outside))
         scope.around.append(meaning)
         yield
         scope.around.pop()
@@ -230,6 +249,10 @@ class Walk:
             scope.names[name.text] = before
         elif not is_older:
             scope.names.pop(name.text, None)
+
+    def _known_behind(self, line: Line, meaning: Meaning, scope: Scope) -> None:
+        """Note that a meaning is known from the line after one on, to the end of its scope."""
+        self.sights.append(Sight(meaning, _end(line) + 1, scope.end, scope.is_outside))
 
     def _find(self, name: str, scope: Scope) -> Meaning | None:
         return scope.names.get(name) or self._known.get((Space.SYMBOL, name))
@@ -242,9 +265,9 @@ class Walk:
         if (space, name.text) not in self._known:
             span = self._span(line, name)
             text = line.logical.text.strip()
-            self._known[space, name.text] = Meaning(
-                name.text, space, role, definition=span, line=text, number=self._next()
-            )
+            meaning = Meaning(name.text, space, role, definition=span, line=text, number=self._next())
+            self._known[space, name.text] = meaning
+            self.sights.append(Sight(meaning, 1, math.inf))
 
     def _local(self, line: Line, name: Name, role: Role, task: str) -> Meaning:
         span = self._span(line, name)
@@ -271,6 +294,12 @@ class Walk:
 
     def _nobodys(self, space: Space, name: str) -> Meaning:
         return Meaning(name, space, None)
+
+
+def with_ends(items: Sequence[Line | Block], end: float = math.inf) -> Iterator[tuple[Line | Block, float]]:
+    """Yield each item with the line at which the next one begins, `end` for the last."""
+    begins = [(item if isinstance(item, Line) else item.opener).logical.number for item in items]
+    yield from zip(items, (*begins[1:], end), strict=False)
 
 
 def _name_in(line: Line, broken: syntax.Broken) -> Name | None:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from itertools import chain
 
 from ropsim import language
 from ropsim.language import Role
@@ -97,13 +98,18 @@ def proposed(
     if trigger in _QUIET_TRIGGERS and not in_call(lead, workshop.checked(document, documents).tasks):
         return []
     around = workshop.named(document, documents)
-    known = {one.name: one for one in names.of_cell(around)}
-    known |= {one.name: one for one in names.of_text(workshop.outline(document), position.line)}
+    of_text = names.of_text(workshop.uses(document, documents), position.line)
+    known = {(_table_of(one.role), one.name): one for one in chain(names.of_cell(around), of_text)}
     checked = workshop.checked(document, documents)
     if place == "posture":
         parts = environment_of(around.cell, around.station).postures or ()
         return [_item(word, _LITERAL, "posture", "") for part in parts for word in part]
     return list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
+
+
+def _table_of(role: Role) -> Role | None:
+    """Return where names of a role are looked for: frames and tools apart from all others."""
+    return role if role in (Role.FRAME, Role.TOOL) else None
 
 
 def _partial(before: str) -> str:

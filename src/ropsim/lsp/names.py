@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterator
 
 from ropsim.core import frozen_dataclass
-from ropsim.language import Definition, Outline, Role, TaskForm
+from ropsim.language import Outline, Role, Space, TaskForm, Uses
 from ropsim.lsp.document import Document
 from ropsim.lsp.protocol import Position
 from ropsim.lsp.workshop import Surroundings
@@ -67,11 +67,11 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
         yield Known(name, Role.SIGNAL, signal_words(signal), "cell")
 
 
-def of_text(outline: Outline, line: int) -> Iterator[Known]:
-    """Yield what the text defines and line `line` (from 0) can name, tasks left out."""
-    for one in outline.seen_at(line + 1).values():
-        if one.role is not Role.TASK:
-            yield Known(one.name, one.role, one.line, "text")
+def of_text(uses: Uses, line: int) -> Iterator[Known]:
+    """Yield what the text defines and a statement in line `line` (from 0) can name, tasks left out."""
+    for one in uses.seen_at(line + 1).values():
+        if one.role is not None and one.space is not Space.TASK:
+            yield Known(one.name, one.role, one.line or one.role.value, "text")
 
 
 def pose_words(pose: Pose) -> str:
@@ -110,11 +110,6 @@ def task_notes(outline: Outline, name: str) -> tuple[str, ...]:
 def task_words(form: TaskForm) -> str:
     """Return how a task is called."""
     return f"task {form}"
-
-
-def definition_of(outline: Outline, name: str, line: int) -> Definition | None:
-    """Return what line `line` (from 0) means by a name of the text."""
-    return outline.seen_at(line + 1).get(name)
 
 
 def _shown(value: float, digits: int) -> str:

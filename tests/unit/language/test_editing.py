@@ -6,7 +6,7 @@ import pytest
 
 from ropsim import language
 from ropsim.core import SourceText
-from ropsim.language import LineCache, Role, TaskSignature
+from ropsim.language import LineCache, TaskSignature
 from support.tasks import CELL
 
 TEXT = """task A(q: loc)
@@ -43,15 +43,6 @@ def test_a_task_without_end_reaches_to_the_next_or_the_end() -> None:
         ("A", 1, 4),
         ("B", 7, 11),
     ]
-
-
-def test_a_line_sees_its_own_parameters_and_variables_and_those_of_the_text() -> None:
-    assert {n for n, d in outline().seen_at(2).items() if d.role is not Role.TASK} == {"q", "x", "total"}
-    assert {n for n, d in outline().seen_at(6).items() if d.role is not Role.TASK} == {"total", "once"}
-
-
-def test_an_assignment_to_a_variable_of_the_text_does_not_define_it_anew() -> None:
-    assert outline().seen_at(9)["total"].span.line == 5
 
 
 def test_tasks_tell_how_they_are_called_also_in_a_wrong_text() -> None:

@@ -57,6 +57,20 @@ def test_every_word_of_the_language_is_explained() -> None:
     assert set(words.TYPES) == language.TYPE_WORDS
 
 
+def test_the_variable_of_a_loop_is_offered_in_its_lines_alone() -> None:
+    head = HEAD + "total = 1\n"
+    assert {"slot", "total"} <= set(labels(BARE, head + "for each slot in slots\n  x = |\nendf\n"))
+    behind = labels(BARE, head + "for each slot in slots\n  x = 2\nendf\nprint |\nlater = 3\n")
+    assert {"total", "x"} <= set(behind)
+    assert not {"slot", "later", "part", "clear"} & set(behind)
+
+
+def test_a_frame_and_a_location_of_one_name_are_both_offered() -> None:
+    head = HEAD + "frame corner = (4, 5, 6)\n"
+    assert "corner" in labels(BARE, head + "lin corner in |")
+    assert "corner" in labels(BARE, head + "lin |")
+
+
 def test_a_line_begins_with_tasks_then_statement_words() -> None:
     offered = labels(BARE, HEAD + "P|")
     assert offered[0] == "Pick"
