@@ -8,11 +8,11 @@ from types import MappingProxyType
 
 from ropsim import language
 from ropsim.cellfile import robot_files
-from ropsim.core import SourceText, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.lsp.document import Document
 from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.model import Cell, Station
-from ropsim.userfiles import KeptAnswers, read_text_file
+from ropsim.userfiles import UNREADABLE, KeptAnswers, read_text_file
 from ropsim.workbench import (
     NOWHERE,
     AtStation,
@@ -21,6 +21,7 @@ from ropsim.workbench import (
     Resolved,
     RobotFile,
     Workspace,
+    around_programs,
     read_robot,
     read_robot_files,
     robots_read,
@@ -128,23 +129,31 @@ class Workshop:
         """Return the findings of a document and the tasks that it can call."""
         around = self.surroundings(document, documents)
         source = _source(document)
-        if _is_cell_file(document):
-            robots = robots_read(around.robots)
-            findings = self.workspace.cell(source, _folder_name(document), robots).diagnostics
-            own = (one for one in findings if one.span is None or one.span.source == source.name)
-            return CheckedText(source, tuple(own))
+        if around.folder is not None and _is_cell_file(document):
+            return CheckedText(source, self._around_programs(around.folder, source, documents))
         if document.is_robot_file:
             return CheckedText(source, read_robot(source).findings)
-        checked = self.workspace.checked(source, around.stations)
-        if around.is_broken:  # a program would be blamed for every name that the cell was to give it
-            syntax = tuple(one for one in checked.diagnostics if one.code.startswith("L"))
-            checked = replace(checked, diagnostics=syntax)
+        if around.is_broken:
+            checked = self.workspace.syntax(source)
+        else:
+            checked = self.workspace.checked(source, around.stations)
         known = self._called.get(document.uri)
         if known is not None and not checked.tasks and known.tasks and self.outline(document).tasks:
             # too wrong to be compiled: requests are answered by what was known before
             return replace(checked, tasks=known.tasks, variables=known.variables)
         self._called[document.uri] = checked
         return checked
+
+    def _around_programs(
+        self, folder: Path, source: SourceText, documents: Mapping[str, Document]
+    ) -> tuple[Diagnostic, ...]:
+        """Return what is told at a cell file: all of its project that stands in no other text."""
+        opened = {one.path: one for one in documents.values()}
+        try:
+            findings = around_programs(folder, source, partial(_text_of, folder, opened), self.workspace)
+        except OSError as error:  # the folder of the programs without permission
+            findings = (UNREADABLE.at(None, f"`{folder}` cannot be opened: {error.strerror or error}"),)
+        return tuple(one for one in findings if one.span is None or one.span.source == source.name)
 
     def outline(self, document: Document) -> language.Outline:
         """Return what a document defines."""
@@ -239,11 +248,6 @@ def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) ->
     if path in opened:
         return SourceText(str(path), opened[path].text), ()
     return read_text_file(path, str(path))
-
-
-def _folder_name(document: Document) -> str:
-    path = document.path
-    return path.parent.name if path is not None else ""
 
 
 def _is_file(path: Path) -> bool:

@@ -23,6 +23,7 @@ from ropsim.workbench.named_robot import find_robot as find_robot
 from ropsim.workbench.named_robot import load_robot as load_robot
 from ropsim.workbench.named_robot import robots_in as robots_in
 from ropsim.workbench.named_robot import written_robot as written_robot
+from ropsim.workbench.opening import around_programs as around_programs
 from ropsim.workbench.opening import open_project as open_project
 from ropsim.workbench.overlay import open_overlaid as open_overlaid
 from ropsim.workbench.project import FailedRunError as FailedRunError

@@ -79,6 +79,22 @@ def _read_folder(folder: Path, workspace: Workspace) -> Project:
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
 
 
+def around_programs(
+    folder: Path, cell_text: SourceText, text_of: TextOf, workspace: Workspace
+) -> tuple[Diagnostic, ...]:
+    """Return the findings of a project that stand in no text of a program, for a text of its cell file.
+
+    Args:
+        folder: of the project; its programs are looked at on the disk.
+        cell_text: of `cell.toml`, saved or not.
+        text_of: reads any other file of the project, by its path inside.
+        workspace: that reads the project.
+    """
+    programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
+    project = assembled(folder, (cell_text, ()), programs, text_of, workspace)
+    return (*project.around_programs, *inert_code(folder))
+
+
 def no_cell_file(folder: Path) -> Diagnostic:
     """Return the finding that a folder is no project."""
     return NO_PROJECT.at(None, f"`{folder}` has no `{CELL_FILE}`", hint="see docs/reference/cell-file.md")

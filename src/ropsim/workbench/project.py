@@ -76,10 +76,7 @@ class Project:
 
     @property
     def is_broken(self) -> bool:
-        """Return whether reading found errors; then programs are not compiled.
-
-        Without its cell a program would be blamed for every name that the cell was to give it.
-        """
+        """Return whether reading found errors; then no program runs."""
         return any(diagnostic.is_error for diagnostic in self.diagnostics)
 
     @property
@@ -104,13 +101,21 @@ class Project:
         """Return all programs compiled, with the findings of the whole project.
 
         A program that several stations run is the one of the first of these; what is found at any is told.
+        Where the cell is wrong, of the programs is told what no cell can mend.
         """
-        if self.is_broken:
-            return CompiledProject({}, self.diagnostics)
+        if self.cell is None and self.is_broken:
+            checked = map(self.workspace.syntax, self.sources.values())
+            read = tuple(one for text in checked for one in text.diagnostics)
+            return CompiledProject({}, (*self.around_programs, *read))
         compiled = {name: self._at_stations(name, text) for name, text in self.sources.items()}
         found = [one for programs in compiled.values() for one in found_in(programs)]
         programs = {name: next(iter(stations.values())) for name, stations in compiled.items()}
-        return CompiledProject(programs, (*self.diagnostics, *self._unwritten(), *found))
+        return CompiledProject(programs, (*self.around_programs, *found))
+
+    @property
+    def around_programs(self) -> tuple[Diagnostic, ...]:
+        """Return the findings that stand in no program: of the cell, of files that cannot be read."""
+        return self.diagnostics if self.is_broken else (*self.diagnostics, *self._unwritten())
 
     def _at_stations(self, name: str, text: SourceText) -> dict[str, CompiledProgram]:
         """Return a program compiled for each station that runs it: their tools and places differ."""

@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import replace
 
 from ropsim import language
 from ropsim.core import SourceText
-from ropsim.model import ReadRobot
+from ropsim.model import ROBOT, ReadRobot
 from ropsim.query import Database, Event
 from ropsim.userfiles import KeptAnswers
 from ropsim.workbench import questions
@@ -89,6 +90,14 @@ class Workspace:
             self._ask_for(text, one, Question.TRANSLATED)
         found = {name: self._db.ask(questions.checked, text.name, one) for name, one in at.items()}
         return at_stations(found)
+
+    def syntax(self, text: SourceText) -> CheckedText:
+        """Return what is found of a text whatever the cell may be, for want of a cell that can be read.
+
+        Without its cell a program would be blamed for every name that the cell was to give it.
+        """
+        found = self.checked(text, {ROBOT: NOWHERE})
+        return replace(found, diagnostics=tuple(one for one in found.diagnostics if one.code.startswith("L")))
 
     def code_id(self, text: SourceText, at: AtStation) -> str:
         """Return the identity of the code of a program, empty where it has errors."""
