@@ -7,16 +7,21 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ropsim import kinematics
+from ropsim.cli.coordinates import Coordinate, check_coordinates
 from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
 from ropsim.cli.solver_words import free_line, remarks, solver_document
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Nearest, Posture
-from ropsim.model import RobotModel
+from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 
 _WIDTH = 9
+_POSE = {
+    **dict.fromkeys(("x", "y", "z"), JointType.PRISMATIC),
+    **dict.fromkeys(("roll", "pitch", "yaw"), JointType.REVOLUTE),
+}
 _ALL = IkOptions(limits=Limits.IGNORE)
 
 
@@ -34,6 +39,7 @@ def ik(options: argparse.Namespace, output: Output) -> int:
     robot = named_robot(options, output)
     if robot is None:
         return 1
+    check_coordinates(Coordinate(f"`{name}`", kind, getattr(options, name)) for name, kind in _POSE.items())
     turn = quaternion.from_zyx(*(math.radians(angle) for angle in (options.yaw, options.pitch, options.roll)))
     pose = Pose(np.array([options.x, options.y, options.z]) / 1e3, np.array(turn))
     result = kinematics.inverse(robot, pose)

@@ -5,7 +5,7 @@ import gc
 import re
 from collections.abc import Callable
 from importlib import import_module
-from typing import NoReturn, TypeAlias
+from typing import Any, NoReturn, TypeAlias
 
 from ropsim.core import did_you_mean, without_collection
 from ropsim.version import __version__
@@ -22,6 +22,7 @@ Exit code 0: all is well. 1: there are errors in the input. 2: wrong usage.
 
 
 _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
+_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$")
 _PROGRAM = "a .task, .icr or .icb file, or a project: its program"
 _ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
 
@@ -30,7 +31,11 @@ _STATE = "a fact that is true before, may stand several times (default: what the
 
 
 class _Parser(argparse.ArgumentParser):
-    """Names the words that are near to one it does not know."""
+    """Names the words that are near to one it does not know, and takes `-1e-3` for a number."""
+
+    def __init__(self, **options: Any) -> None:  # noqa: ANN401 - those of argparse
+        super().__init__(**options)
+        self._negative_number_matcher = _NEGATIVE  # that of argparse knows no exponents before Python 3.14
 
     def error(self, message: str) -> NoReturn:
         choice = _CHOICE.search(message)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ropsim import kinematics, robots
+from ropsim.cli.coordinates import check_coordinates, joint_coordinates
 from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
 from ropsim.cli.output import Output
@@ -115,6 +116,7 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     if len(options.q) != robot.n:
         message = f"`{robot.name}` has {robot.n} joints, given: {len(options.q)}"
         raise JointCountError(WRONG_COUNT.at(None, message))
+    check_coordinates(joint_coordinates(robot, options.q))
     pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
     x, y, z = (shown(1e3 * float(c), 3) for c in pose.position)
     w, i, j, k = (float(c) for c in pose.orientation)

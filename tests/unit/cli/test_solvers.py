@@ -105,3 +105,29 @@ def test_a_tilt_that_an_arm_cannot_have_is_told(capsys: pytest.CaptureFixture[st
     assert why == "no solution: out of task space; the arm cannot tilt its tool, 0.0 mm and 10.0° are missing"
     assert beside.startswith("x 400.0 y 100.0 z 337.0 mm")
     assert beside.endswith(", 0.0 mm and 10.0° away")
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [
+        ("fk puma560 0 0 36000.1 0 0 0", "joint `3` is 36000.1°, allowed is up to 36,000° either way"),
+        ("fk puma560 -1e300 0 0 0 0 0", "joint `1` is -1e+300°, allowed is up to 36,000° either way"),
+        ("fk cobra 0 0 100001 0", "joint `3` is 100001 mm, allowed is up to 100,000 mm either way"),
+        ("fk puma560 0 nan 0 0 0 0", "joint `2` is nan, allowed is up to 36,000° either way"),
+        ("ik puma560 0 -1e300 0 0 0 0", "`y` is -1e+300 mm, allowed is up to 100,000 mm either way"),
+        ("ik puma560 0 0 0 0 0 inf", "`yaw` is inf, allowed is up to 36,000° either way"),
+    ],
+)
+def test_coordinates_beyond_sense_are_refused(
+    words: str, found: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["robot", *words.split()]) == 2
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert f"error[U903] coordinate-beyond-sense: {found}" in told.err
+
+
+def test_a_hundred_turns_and_a_hundred_metres_are_computed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["robot", "fk", "cobra", "36000", "-3.6e4", "100000", "0"]) == 0
+    assert main(["robot", "ik", "puma560", "-1e5", "0", "0", "0", "0", "0"]) == 1
+    assert "out of reach" in capsys.readouterr().out
