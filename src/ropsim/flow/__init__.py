@@ -51,6 +51,7 @@ from ropsim.flow.recording import Recording as Recording
 from ropsim.flow.reference import JointReference as JointReference
 from ropsim.flow.reference import JointSamples as JointSamples
 from ropsim.flow.reference import PoseSetpoints as PoseSetpoints
+from ropsim.flow.run_content import RunContent as RunContent
 from ropsim.flow.settling import SLOW as SLOW
 from ropsim.flow.settling import Settling as Settling
 from ropsim.flow.settling import settling_of as settling_of

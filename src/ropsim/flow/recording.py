@@ -10,6 +10,7 @@ from ropsim.flow.channel import Channel
 from ropsim.flow.events import Event, MoveEvent, SkipEvent
 from ropsim.flow.facts import RunFacts
 from ropsim.flow.placement import Placement
+from ropsim.flow.run_content import RunContent
 from ropsim.spatial import Array, record
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ class Recording:
         duration: simulated time [s].
         facts: who ran what, on which arm, with which limits.
         placements: where each body hung at the start, and every change since, in order of time.
+        content: of what the run was made.
     """
 
     time: Array
@@ -41,6 +43,7 @@ class Recording:
     duration: float
     facts: RunFacts = RunFacts()
     placements: tuple[Placement, ...] = ()
+    content: RunContent = RunContent()
 
     @property
     def ok(self) -> bool:

@@ -7,6 +7,7 @@ from ropsim.icr.dry_run import DryRun as DryRun
 from ropsim.icr.dry_run import run as run
 from ropsim.icr.errors import AssemblyError as AssemblyError
 from ropsim.icr.errors import UnverifiedError as UnverifiedError
+from ropsim.icr.identity import code_lines as code_lines
 from ropsim.icr.identity import program_id as program_id
 from ropsim.icr.location import Location as Location
 from ropsim.icr.location import composed as composed

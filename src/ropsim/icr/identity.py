@@ -14,6 +14,14 @@ def program_id(program: Program) -> str:
     return hashlib.sha256(disassemble(_plain(program)).encode("ascii", "backslashreplace")).hexdigest()
 
 
+def code_lines(program: Program) -> tuple[int, ...]:
+    """Return the source line of each instruction, 0 where unknown, in an order of the meaning alone.
+
+    Programs of one identity have the same instruction at the same place, wherever their lines lie.
+    """
+    return tuple(line for one in _in_order_of_calls(program) for line in one.lines)
+
+
 def _plain(program: Program) -> Program:
     """Return a program without source lines, in the order of use, its variables named by their place in it.
 

@@ -8,6 +8,8 @@ from ropsim.language import Meaning, Role, Space
 from ropsim.lsp import findings, names, words
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import FoundName, found_name
+from ropsim.lsp.last_run import last_run
+from ropsim.lsp.line_words import line_words
 from ropsim.lsp.messages import Json
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import AtPosition, Position
@@ -34,7 +36,8 @@ def hover(
     found = names.word_at(document, position)
     parts = [*_finding(document, position, documents, workshop)]
     if is_program(document):
-        parts = [*_about(document, params, documents, workshop), *parts]
+        about = _about(document, params, documents, workshop)
+        parts = [*about, *_of_run(document, position, documents, workshop), *parts]
     if not parts:
         return None
     answer: Json = {"contents": {"kind": "markdown", "value": "\n\n".join(parts)}}
@@ -67,6 +70,16 @@ def _about(
         station = workshop.named(document, documents).station
         passes = f" at the first of {target.visits} times" if target.visits > 1 else ""
         yield f"goes{passes} to " + _places(target, station)
+
+
+def _of_run(
+    document: Document, position: Position, documents: Mapping[str, Document], workshop: Workshop
+) -> Iterator[str]:
+    """Yield what the line took in the last recorded run of the program."""
+    run = last_run(document, documents, workshop)
+    times = run.lines.get(position.line + 1) if run is not None else None
+    if run is not None and times is not None:
+        yield plain(line_words(times, run.remark))
 
 
 def _of_text(

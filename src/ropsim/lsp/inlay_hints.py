@@ -1,9 +1,11 @@
-"""Types that a program does not write: of variables at their first value, of parameters in their header."""
+"""What a program does not write: types of variables and parameters, and how long its lines took."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from ropsim.language import Act, Role
 from ropsim.lsp.document import Document
+from ropsim.lsp.last_run import LastRun, last_run
+from ropsim.lsp.line_words import hint_words, line_words
 from ropsim.lsp.messages import Json
 from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import InRange
@@ -16,7 +18,7 @@ _TYPE = 1
 def inlay_hints(
     document: Document, params: InRange, documents: Mapping[str, Document], workshop: Workshop
 ) -> list[Json]:
-    """Return the types of the names that some lines define without one."""
+    """Return the types of the names that some lines define without one, and what these lines took."""
     if not is_program(document):
         return []
     first, last = params.range.start.line, params.range.end.line
@@ -33,4 +35,17 @@ def inlay_hints(
         if type_ and not (rest.startswith(":") and not rest.startswith(":=")):
             place = document.position(use.span.end_line - 1, use.span.end_column - 1)
             hints.append({"position": place, "label": f": {type_}", "kind": _TYPE})
-    return hints
+    run = last_run(document, documents, workshop)
+    return hints if run is None else [*hints, *_times(document, run, first, last)]
+
+
+def _times(document: Document, run: LastRun, first: int, last: int) -> Iterator[Json]:
+    """Yield the times of the lines from `first` to `last` (from 0), each at the end of its line."""
+    for number, times in run.lines.items():
+        if first <= number - 1 <= last and number <= len(document.starts):
+            yield {
+                "position": document.position(number - 1, len(document.line(number - 1).rstrip())),
+                "label": hint_words(times) + run.mark,
+                "tooltip": line_words(times, run.remark),
+                "paddingLeft": True,
+            }

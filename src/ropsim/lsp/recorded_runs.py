@@ -1,10 +1,12 @@
-"""What the recordings in the `out` folder of a project say of the times of tasks."""
+"""What the recordings in the `out` folder of a project say of the times of tasks and lines."""
 
 from collections.abc import Mapping
+from dataclasses import field
 from pathlib import Path
 
 from ropsim.core import RopsimError, frozen_dataclass
 from ropsim.flow import TaskEvent
+from ropsim.lsp.line_times import LineTimes, line_times
 
 #: Older recordings than so many are not looked at.
 MOST = 8
@@ -20,10 +22,16 @@ class RecordedProgram:
     Attributes:
         icr_id: identity of the code that ran.
         durations: of each call of a task, in order of time [s], by the name of the task.
+        code_lines: the source line of each instruction, as `icr.code_lines` has them; empty where unknown.
+        lines: what is told of the lines that took time, by their numbers then.
+        cell: content of the cell in which it ran; empty where unknown.
     """
 
     icr_id: str
     durations: Mapping[str, tuple[float, ...]]
+    code_lines: tuple[int, ...] = ()
+    lines: Mapping[int, LineTimes] = field(default_factory=dict)
+    cell: str = ""
 
 
 def recordings_in(folder: Path) -> tuple[Stamp, ...]:
@@ -52,5 +60,7 @@ def programs_in(place: Path) -> tuple[RecordedProgram, ...]:
         for event in recording.events_of(TaskEvent):
             if event.station == station.name:
                 durations[event.name] = (*durations.get(event.name, ()), event.duration)
-        made.append(RecordedProgram(station.icr_id, durations))
+        code_lines = recording.content.lines.get(station.name, ())
+        lines = line_times(recording, station)
+        made.append(RecordedProgram(station.icr_id, durations, code_lines, lines, recording.content.cell))
     return tuple(made)

@@ -183,6 +183,10 @@ class Workshop:
         """Return the identity of the code that a document compiles to, empty where it has errors."""
         return self.workspace.code_id(_source(document), self.surroundings(document, documents).at)
 
+    def code_lines(self, document: Document, documents: Mapping[str, Document]) -> tuple[int, ...]:
+        """Return the lines of the instructions of a document, none where it has errors."""
+        return self.workspace.code_lines(_source(document), self.surroundings(document, documents).at)
+
     def recorded(self, stamp: Stamp) -> tuple[RecordedProgram, ...]:
         """Return the programs of a recording, which is read anew where its file has changed."""
         place, *state = stamp

@@ -1,7 +1,7 @@
 """The work cell: stations, and all that stands around them and can be named by their programs."""
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 from ropsim.core import frozen_dataclass, plural
 from ropsim.model.device import Device
@@ -11,7 +11,7 @@ from ropsim.model.part import Part
 from ropsim.model.signal import Signal
 from ropsim.model.station import Station
 from ropsim.model.surroundings import FixedObject, Sink, SupportLimits
-from ropsim.spatial import Pose, record
+from ropsim.spatial import Pose, fingerprint, record
 
 
 @frozen_dataclass
@@ -82,6 +82,13 @@ class Cell:
     def first(self) -> Station:
         """Return the station that is meant where none is named."""
         return next(iter(self.stations.values()))
+
+    @property
+    def content(self) -> str:
+        """Return the fingerprint of all but its name, programs of its stations, and when inputs change."""
+        stations = {name: replace(one, program="") for name, one in self.stations.items()}
+        signals = {name: replace(one, changes=()) for name, one in self.signals.items()}
+        return fingerprint(replace(self, name="", stations=stations, signals=signals))
 
     def external_at(self, location: str, station: Station) -> tuple[float, ...]:
         """Return the values of the external axes of a station at a location [rad | m]; empty for none."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TypeVar
 
 from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit, frozen_dataclass
-from ropsim.flow import Channel, ChannelGroup, Event, Placement, Recording, RunFacts
+from ropsim.flow import Channel, ChannelGroup, Event, Placement, Recording, RunContent, RunFacts
 from ropsim.records.diagnostic_json import diagnostic_entry
 from ropsim.records.events import event_entry, read_event
 from ropsim.records.plain_records import DocumentError, number, plain_record, record_from
@@ -41,6 +41,7 @@ class Document:
     events: tuple[Event, ...]
     findings: tuple[Diagnostic, ...]
     placements: tuple[Placement, ...]
+    content: RunContent
 
 
 def document(recording: Recording) -> dict[str, object]:
@@ -58,6 +59,10 @@ def document(recording: Recording) -> dict[str, object]:
         "events": [event_entry(event) for event in recording.events],
         "findings": [diagnostic_entry(finding, tagged) for finding in recording.findings],
         "placements": [_placement_entry(placement) for placement in recording.placements],
+        "content": {
+            "cell": recording.content.cell,
+            "lines": {name: list(lines) for name, lines in recording.content.lines.items()},
+        },
     }
 
 
@@ -76,7 +81,23 @@ def read_document(plain: object) -> Document:
         events=tuple(read_event(event) for event in _get(entry, "events", list)),
         findings=tuple(_finding(_mapping(finding, "finding")) for finding in _get(entry, "findings", list)),
         placements=tuple(_placement(_mapping(one, "placement")) for one in _get(entry, "placements", list)),
+        content=_content(_mapping(entry.get("content", {}), "content")),
     )
+
+
+def _content(entry: Entry) -> RunContent:
+    """Return of what a run was made; nothing is known of those that were recorded without it."""
+    lines = _mapping(entry.get("lines", {}), "lines")
+    return RunContent(
+        _get({"cell": "", **entry}, "cell", str),
+        {name: _whole_numbers(numbers, name[:40]) for name, numbers in lines.items()},
+    )
+
+
+def _whole_numbers(plain: object, name: str) -> tuple[int, ...]:
+    if not isinstance(plain, list) or not all(type(one) is int for one in plain):
+        raise DocumentError(f"`{name}` is no list of whole numbers")
+    return tuple(plain)
 
 
 def _channel_entry(channel: Channel) -> dict[str, object]:

@@ -126,6 +126,7 @@ def _recording(arrays: dict[str, npz.AnyArray], path: Path) -> Recording:
         read_from.duration,
         read_from.facts,
         read_from.placements,
+        read_from.content,
     )
 
 

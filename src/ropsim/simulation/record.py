@@ -16,13 +16,14 @@ from ropsim.flow import (
     MoveEvent,
     OverrideChange,
     Recording,
+    RunContent,
     RunFacts,
     SkipEvent,
     StationFacts,
     channel_name,
     in_time,
 )
-from ropsim.icr import Program, program_id
+from ropsim.icr import Program, code_lines, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.simulation.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.cell_run import CellRun
@@ -81,7 +82,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     arrived = _arrivals(run, programs)
     findings: tuple[Diagnostic, ...] = (*run.findings, *arrived.findings, *judged)
     facts = _facts(run, programs, options, arrived)
-    return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements))
+    content = RunContent(run.cell.content, {name: code_lines(one) for name, one in programs.items()})
+    return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
 
 
 def _rows(run: CellRun, logs: Mapping[str, Mapping[str, Array]]) -> Array:

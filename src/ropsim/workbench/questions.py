@@ -160,6 +160,12 @@ def code_id(db: Database, name: str, at: AtStation) -> str:
     return icr.program_id(code) if code is not None else ""
 
 
+def code_lines(db: Database, name: str, at: AtStation) -> tuple[int, ...]:
+    """Return the lines of the instructions of a program, see `icr.code_lines`; none if it has errors."""
+    code = db.ask(translated, name, at).icr
+    return icr.code_lines(code) if code is not None else ()
+
+
 def targets(db: Database, name: str, at: AtStation) -> Mapping[int, Resolved] | None:
     """Return where the moves of each line (from 1) go first; None for a text that has errors."""
     code = db.ask(translated, name, at).icr

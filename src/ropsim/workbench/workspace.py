@@ -104,6 +104,11 @@ class Workspace:
         self._give(text)
         return self._db.ask(questions.code_id, text.name, at)
 
+    def code_lines(self, text: SourceText, at: AtStation) -> tuple[int, ...]:
+        """Return the lines of the instructions of a program, see `icr.code_lines`; none if it has errors."""
+        self._give(text)
+        return self._db.ask(questions.code_lines, text.name, at)
+
     def targets(self, text: SourceText, at: AtStation) -> Mapping[int, Resolved] | None:
         """Return where the moves of each line (from 1) go first; None for a text that has errors."""
         self._give(text)

@@ -1,0 +1,97 @@
+"""What a recorded run says of each line of its program: how long it took, and how near to limits it came."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ropsim.core import frozen_dataclass
+from ropsim.flow import AxisFacts, CriticalLimit, MoveEvent, Recording, StationFacts
+
+#: A joint that has less than this share of its range left is near to its limit.
+NEAR = 0.1
+
+
+@frozen_dataclass
+class Margin:
+    """How near a joint came to an end of its range.
+
+    Attributes:
+        axis: with its limits.
+        is_upper: whether to the upper one.
+        left: the distance left [rad | m]; negative beyond the limit.
+    """
+
+    axis: AxisFacts
+    is_upper: bool
+    left: float
+
+    @property
+    def share(self) -> float:
+        """Return the distance left as a share of the range."""
+        return self.left / (self.axis.upper - self.axis.lower)
+
+
+@frozen_dataclass
+class LineTimes:
+    """A line in a run.
+
+    Attributes:
+        durations: of each of its passes, in order of time [s].
+        settling: how much of them together was settling after moves [s].
+        critical: limit that sets the time of its first move; None for none.
+        margin: the least one of all joints as a share of the range while its moves went on; None without
+            moves or limits.
+    """
+
+    durations: tuple[float, ...]
+    settling: float = 0.0
+    critical: CriticalLimit | None = None
+    margin: Margin | None = None
+
+
+def line_times(recording: Recording, station: StationFacts) -> Mapping[int, LineTimes]:
+    """Return the lines of the program of a station (from 1) that took time; calls tell it by their tasks."""
+    spent: dict[int, dict[tuple[int, int], float]] = {}
+    moves: dict[int, list[MoveEvent]] = {}
+    for event in recording.events:
+        span, origin = event.span, event.origin
+        if event.station != station.name or span is None or origin is None or span.source != station.source:
+            continue
+        passed = origin.call_serials[-1] if origin.call_serials else 0, origin.visit
+        line = spent.setdefault(span.line, {})
+        line[passed] = line.get(passed, 0.0) + event.duration
+        if isinstance(event, MoveEvent):
+            moves.setdefault(span.line, []).append(event)
+    margins = _margins(recording, station)
+    return {
+        number: _line(tuple(passes.values()), moves.get(number, []), margins.get(number))
+        for number, passes in sorted(spent.items())
+        if any(passes.values())
+    }
+
+
+def _line(durations: tuple[float, ...], moves: list[MoveEvent], margin: Margin | None) -> LineTimes:
+    settling = sum(one.settle for one in moves)
+    return LineTimes(durations, settling, moves[0].critical if moves else None, margin if moves else None)
+
+
+def _margins(recording: Recording, station: StationFacts) -> Mapping[int, Margin]:
+    """Return the least margin of each line, by the rows in which it was active."""
+    q, line = (recording.facts.channel(quantity, station.name) for quantity in ("q", "line"))
+    limits = np.array([(axis.lower, axis.upper) for axis in station.axes]).reshape(-1, 2)
+    if q not in recording.channels or line not in recording.channels:
+        return {}
+    rows, active = recording.rows(q), recording.rows(line)
+    if rows.shape != (len(active), len(limits)) or not len(limits):
+        return {}
+    left = np.stack((rows - limits[:, 0], limits[:, 1] - rows), axis=-1)
+    with np.errstate(invalid="ignore"):
+        share = np.nan_to_num(left / (limits[:, 1] - limits[:, 0])[:, None], nan=np.inf)
+    found: dict[int, Margin] = {}
+    for number in np.unique(active[np.isfinite(active)]).astype(int).tolist():
+        inside = np.flatnonzero(active == number)
+        row, joint, side = np.unravel_index(int(share[inside].argmin()), share[inside].shape)
+        least = float(left[inside[row], joint, side])
+        if np.isfinite(share[inside[row], joint, side]):
+            found[number] = Margin(station.axes[int(joint)], bool(side), least)
+    return found
