@@ -36,6 +36,7 @@ HOMES = {
     "Destinations": "./facts",
     "Finding": "../run/run",
     "Pose": "../scene/description",
+    "RunEvent": "../run/run",
     "SceneDescription": "../scene/description",
 }
 """Types that the pages define themselves, or that several files need, and where."""

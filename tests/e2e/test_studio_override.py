@@ -79,6 +79,10 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     bar.get_by_role("button", name="Hold").click()
     hand.pill().get_by_text("Live, held").wait_for()
     moves(hand)  # it brakes
+    lanes = hand.page.locator(".timeline-names span")
+    assert lanes.all_text_contents() == ["Steps", "Override"]
+    assert hand.page.evaluate("() => __ropsim.lanes().Override.at(-1)") == "held"
+    assert hand.page.evaluate("() => __ropsim.lanes().Steps") == ["line 3 · goes on"]
     assert not moves(hand)
     bar.get_by_role("button", name="Continue").click()
     hand.page.wait_for_function("() => __ropsim.state().live === 'running'")
@@ -97,6 +101,9 @@ def test_a_live_run_is_held_slowed_stepped_and_ended_on_its_path(hand: StudioPag
     assert not moves(hand)
     bar.get_by_role("button", name="End live run").click()
     hand.page.wait_for_function(OVER)
+    strip = hand.page.get_by_role("region", name="Result of the run")
+    strip.get_by_text("not that of the program").wait_for()  # it was ended, which weighs more than the holds
+    assert {"held", "50 %"} <= {*hand.page.evaluate("() => __ropsim.lanes().Override")}
     with hand.page.expect_download() as download:
         bar.get_by_role("link", name="Save recording").click()
     download.value.save_as(tmp_path / "run.npz")

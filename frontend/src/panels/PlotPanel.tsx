@@ -8,6 +8,7 @@ import { useStudio, useStudioState } from '../studio/context'
 import { useEvery } from '../studio/hooks'
 import { usePopover } from '../studio/use_popover'
 import { words } from '../text/messages'
+import { channelName } from '../units/names'
 import { ChannelTree } from './ChannelTree'
 
 export function PlotPanel({ api, params }: IDockviewPanelProps) {
@@ -32,6 +33,7 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
       plot.current = null
     }
   }, [studio])
+  const late = run?.live ? lateChannels(run, chosen) : []
   const key = JSON.stringify(chosen)
   useEffect(() => {
     plot.current?.show(run, JSON.parse(key) as PlotColumn[])
@@ -59,6 +61,7 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
           {words.plots.add}
         </button>
         {run ? null : <span className="quiet">{words.plots.noRun}</span>}
+        {late.length ? <span className="quiet">{words.plots.late(late.join(', '))}</span> : null}
       </div>
       <div className="plot-place">
         {choosing && run ? <ChannelTree channels={run.channels} chosen={chosen} onChoose={choose} /> : null}
@@ -68,10 +71,16 @@ export function PlotPanel({ api, params }: IDockviewPanelProps) {
   )
 }
 
-/** What a new plot shows: how fast the tool moves and how far it is off its path. */
+/** Names of chosen channels that a live run does not have: they follow from the recording of the whole run. */
+function lateChannels(run: Run, chosen: readonly PlotColumn[]): readonly string[] {
+  const names = [...new Set(chosen.map(one => one.channel))]
+  return names.filter(name => !run.channels.some(one => one.name === name)).map(channelName)
+}
+
+/** What a new plot shows: how fast the tool moves and how far it is off its path, be that known at the end only. */
 function firstColumns(run: Run | null, station: string): readonly PlotColumn[] {
-  const known = (channel: string) => run?.channels.some(one => one.name === channel)
-  const first = ['tcp_speed', 'path_error'].map(one => channelOf(one, station)).filter(known)
+  const isKnown = (channel: string) => run?.live || run?.channels.some(one => one.name === channel)
+  const first = ['tcp_speed', 'path_error'].map(one => channelOf(one, station)).filter(isKnown)
   if (first.length) return first.map(channel => ({ channel, column: 0 }))
   const q = run?.channels.find(one => one.name === channelOf('q', station))
   return q ? q.columns.map((_, column) => ({ channel: q.name, column })) : []

@@ -45,16 +45,14 @@ export class FrameStore {
     return true
   }
 
-  /** A copy of the times [s]. */
-  times(): Float64Array {
-    return this.#times.slice(0, this.#count)
+  /** A copy of the times of some rows, or of all [s]. */
+  times(from = 0, to = this.#count): Float64Array {
+    return this.#times.slice(from, to)
   }
 
-  /** A copy of one place of all rows. */
-  column(place: number): Float64Array {
-    const values = new Float64Array(this.#count)
-    for (let k = 0; k < this.#count; k++) values[k] = this.at(k, place)
-    return values
+  /** A copy of one place of some rows, or of all. */
+  column(place: number, from = 0, to = this.#count): Float64Array {
+    return Float64Array.from({ length: to - from }, (_, k) => this.at(from + k, place))
   }
 
   at(row: number, place: number): number {

@@ -23,6 +23,7 @@ const GROUNDS: Readonly<Record<Bar['tone'], string>> = {
   act: '--accent',
   wait: '--quiet',
   held: '--good',
+  slowed: '--warning',
 }
 /** Shorter bars have no words in them [px]. */
 const WORD_ROOM = 22
@@ -81,7 +82,7 @@ function paintBar(canvas: Canvas, lane: Lane, bar: Bar, top: number, height: num
   if (right < 0 || left > width) return
   // A gap of a pixel between neighbours, where there is room for one.
   const wide = Math.max(right - left - (right - left > 4 ? 1 : 0), 1)
-  context.globalAlpha = { task: 0.45, move: 0.75, act: 0.35, wait: 0.6, held: 0.45 }[bar.tone]
+  context.globalAlpha = { task: 0.45, move: 0.75, act: 0.35, wait: 0.6, held: 0.45, slowed: 0.45 }[bar.tone]
   context.fillStyle = colour(GROUNDS[bar.tone])
   if (bar.tone === 'wait') context.fillRect(left, top + (height - WAIT_HEIGHT) / 2, wide, WAIT_HEIGHT)
   else context.fillRect(left, top, wide, height)

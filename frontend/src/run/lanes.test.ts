@@ -105,6 +105,33 @@ describe('lanes of the timeline', () => {
     expect(made.at(-1)?.bars).toEqual([{ from: 2.2, to: 5, text: 'box_1', tone: 'held' }])
   })
 
+  it('know in a live run what the gripper holds, though it is seen closed a frame later', () => {
+    const events = [event(2, 0.2, 'grip', { part: 'box_1' }), event(5, 0.1, 'release')]
+    const made = lanes(runWith(events, { gripper: series([0, 2.21, 5.11, 7], [0, 1, 0, 1]) }))
+    expect(made.at(-1)?.bars.map(bar => bar.text)).toEqual(['box_1', 'closed'])
+  })
+
+  it('of a live run show what goes on: lines since the last event of the station', () => {
+    const lines = series([0, 1, 2.01, 4], [3, 4, 5, 6])
+    const run = { ...runWith([event(0, 1, 'move'), event(1, 1, 'move')], { line: lines }), live: true } as Run
+    expect(lanes(run)[0]?.bars.map(bar => [bar.from, bar.to, bar.tone, bar.text])).toEqual([
+      [0, 1, 'move', 'line 4 · move'],
+      [1, 2, 'move', 'line 4 · move'],
+      [2, 2.01, 'move', 'line 4 · goes on'],
+      [2.01, 4, 'move', 'line 5 · goes on'],
+      [4, 10, 'move', 'line 6 · goes on'],
+    ])
+  })
+
+  it('show the override in percent, and at 0 that the run is held', () => {
+    const override = series([0, 1, 2, 3], [1, 0.55, 0, 1])
+    const made = lanes(runWith([], { override }))
+    expect(made.map(one => [one.name, one.bars.map(bar => `${bar.from} ${bar.text} ${bar.tone}`)])).toEqual([
+      ['Override', ['0 100 % held', '1 55 % slowed', '2 held slowed', '3 100 % held']],
+    ])
+    expect(lanes(runWith([], { override: series([0, 1], [1, 1]) }))).toEqual([])
+  })
+
   it('name signals as the cell does', () => {
     const made = lanes(runWith([], { 'signal.box_ready': series([0, 1], [0, 1]) }))
     expect(made.map(one => one.name)).toEqual(['box_ready'])

@@ -10,7 +10,7 @@ export interface Bar {
   readonly to: number
   /** Stands in the bar where there is room for it, and in words under the pointer. */
   readonly text: string
-  readonly tone: 'task' | 'move' | 'act' | 'wait' | 'held'
+  readonly tone: 'task' | 'move' | 'act' | 'wait' | 'held' | 'slowed'
 }
 
 export interface Lane {
@@ -26,6 +26,9 @@ export interface Lane {
   readonly findings: readonly FindingMark[]
   readonly inputs: readonly InputMark[]
 }
+
+/** Name of the channel of the speed override. */
+const OVERRIDE = 'override'
 
 /** A switch is on above this. */
 const ON = 0.5
@@ -80,7 +83,7 @@ function stepLane(run: Run, station: string, marks: Marks): Lane {
 
 /** Moves stand out, and waits stand back, so that it is seen how long a station is idle. */
 function toneOf(kind: string): Bar['tone'] {
-  if (kind === 'move') return 'move'
+  if (kind === 'move' || kind === 'open') return 'move'
   return kind === 'wait' || kind === 'await' ? 'wait' : 'act'
 }
 
@@ -106,10 +109,12 @@ function taskLanes({ events, stations }: Run, station: string): readonly Lane[] 
 
 function heldLanes(run: Run): readonly Lane[] {
   const isGripper = ({ name, subject }: ChannelInfo) => name === channelOf('gripper', subject)
-  const held = run.channels.filter(one => isGripper(one) || one.group === 'signals')
+  const held = run.channels.filter(one => isGripper(one) || one.name === OVERRIDE || one.group === 'signals')
   return held.map(channel => {
     const { name, subject } = channel
     const series = run.series(name, 0)
+    if (name === OVERRIDE)
+      return lane('held', words.lanes.override, series ? overrideBars(series, run.duration) : [])
     const bars = series ? heldBars(series, run.duration) : []
     if (!isGripper(channel)) return lane('held', name.replace(/^signal\./, ''), bars)
     const own = run.events.filter(event => event.station === subject)
@@ -123,28 +128,47 @@ function heldLanes(run: Run): readonly Lane[] {
 }
 
 /** Stretches in which a value holds; of a switch only those in which it is on. */
-export function heldBars({ times, values }: Series, end: number): readonly Bar[] {
-  const isSwitch = values.every(value => value === 0 || value === 1 || Number.isNaN(value))
-  const bars: Bar[] = []
+export function heldBars(series: Series, end: number): readonly Bar[] {
+  const isSwitch = series.values.every(value => value === 0 || value === 1 || Number.isNaN(value))
+  return stretches(series, end).flatMap<Bar>(({ from, to, value }) => {
+    if (isSwitch) return value > ON ? [{ from, to, text: words.lanes.on, tone: 'held' }] : []
+    return Number.isFinite(value)
+      ? [{ from, to, text: String(Number(value.toPrecision(4))), tone: 'held' }]
+      : []
+  })
+}
+
+/** What the speed override was, where it has ever been another one than 100 %; at 0 the run is held. */
+export function overrideBars(series: Series, end: number): readonly Bar[] {
+  if (series.values.every(value => value === 1)) return []
+  return stretches(series, end).map(({ from, to, value }) => ({
+    from,
+    to,
+    text: value === 0 ? words.lanes.held : words.lanes.percent(value),
+    tone: value < 1 ? 'slowed' : 'held',
+  }))
+}
+
+/** The stretches of one value each. */
+function stretches({ times, values }: Series, end: number) {
+  const found: { readonly from: number; readonly to: number; readonly value: number }[] = []
   for (let at = 0; at < times.length; ) {
     const value = values[at] ?? Number.NaN
     const from = times[at] ?? 0
     do at++
     while (at < times.length && Object.is(values[at], value))
     const to = at < times.length ? (times[at] ?? end) : end
-    const shown = isSwitch ? value > ON : Number.isFinite(value)
-    const text = isSwitch ? words.lanes.on : String(Number(value.toPrecision(4)))
-    if (shown && to > from) bars.push({ from, to, text, tone: 'held' })
+    if (to > from) found.push({ from, to, value })
   }
-  return bars
+  return found
 }
 
-/** What the gripper holds: the part of the grip that closed it. */
+/** What the gripper holds: the part of the grip that closed it, which a live run sees a frame later. */
 function gripped(events: readonly RunEvent[], bar: Bar): string {
-  const grip = lastWhere(
+  const moved = lastWhere(
     events,
-    one => one.kind === 'grip' && one.time <= bar.from + 1e-6 && one.time + one.duration >= bar.from - 1e-6,
+    one => (one.kind === 'grip' || one.kind === 'release') && one.time <= bar.from + 1e-6,
   )
-  const part = grip?.data.part
+  const part = moved?.kind === 'grip' ? moved.data.part : ''
   return typeof part === 'string' && part ? part : words.lanes.closed
 }

@@ -67,6 +67,7 @@ describe('a live run', () => {
       ['q', 1],
       ['line', 1],
       ['attained_position', 3],
+      ['tcp_speed', 1],
     ])
     expect(run.channels[0]).toMatchObject({ min: [1], max: [3] })
   })
@@ -107,6 +108,34 @@ describe('a live run', () => {
     run.add(frame(0.5, 9, 9, 9))
     run.add({ ...frame(3, 0, 0, 0), poses: new Float32Array(0) })
     expect(run.duration).toBe(1)
+  })
+
+  it('has the speed of the TCP like a finished run, as a series and at a time', () => {
+    const run = started()
+    run.add(frame(2, 5, 5, 3))
+    expect([...(run.series('tcp_speed', 0)?.values ?? [])]).toEqual([2, 1.5, 1])
+    for (const [time, speed] of [
+      [0, 2],
+      [0.5, 1.75],
+      [1, 1.5],
+      [1.75, 1.125],
+      [9, 1],
+    ] as const)
+      expect(run.value('tcp_speed', 0, time)).toBe(speed)
+    expect(new LiveRun(scene, layout).value('tcp_speed', 0, 0)).toBeNaN()
+  })
+
+  it('takes events, and lets a task that goes on become longer', () => {
+    const run = started()
+    const common = { time: 0, text: '', station: 'robot', span: null }
+    const task = { ...common, kind: 'task', data: { name: 'Pick', serial: 1, depth: 1 } }
+    run.happen({ type: 'happened', event: { ...task, duration: 1 } })
+    run.happen({ type: 'happened', event: { ...common, kind: 'move', duration: 2, data: {} } })
+    run.happen({ type: 'happened', event: { ...task, duration: 3 } })
+    expect(run.events.map(one => [one.kind, one.duration])).toEqual([
+      ['task', 3],
+      ['move', 2],
+    ])
   })
 
   it('remembers key presses as events', () => {

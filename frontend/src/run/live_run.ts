@@ -1,13 +1,14 @@
 /** A run while it is simulated: a window of the newest frames, asked by time like a finished run. */
 import type { Pose, SceneDescription } from '../scene/description'
 import type { StateFrame } from '../wire/frame'
-import type { LiveLayout, Placed, Printed, SignalStamped } from '../wire/messages'
+import type { Happened, LiveLayout, Placed, SignalStamped } from '../wire/messages'
 import { unitsByAxes } from './column_units'
 import { FrameStore } from './frame_store'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
 import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
 import { channelOf, type RunStation } from './station'
+import { speedChannel, speedOf, TCP_SPEED, valueIn } from './tcp_speed'
 import { type Trail, trailOf } from './trail'
 
 interface LiveChannel extends ChannelInfo {
@@ -25,7 +26,7 @@ export class LiveRun implements Run {
   readonly stations: readonly RunStation[]
   readonly fidelity = 'dynamic'
   readonly findings: readonly Finding[] = []
-  readonly channels: readonly LiveChannel[]
+  readonly channels: readonly ChannelInfo[]
   readonly events: RunEvent[] = []
   /** Poses of the base frames in W, by station. */
   readonly #bases: ReadonlyMap<string, Pose>
@@ -33,12 +34,18 @@ export class LiveRun implements Run {
   readonly #names: readonly string[]
   readonly #store: FrameStore
   readonly #columns: number
+  /** The channels of the frames; speeds follow from them. */
+  readonly #framed: readonly LiveChannel[]
+  /** Places of the TCP positions in a row, by the name of the channel of its speed. */
+  readonly #positions = new Map<string, readonly number[]>()
   readonly #bodies: readonly number[]
   readonly #placed: Placed[] = []
   #placements: Placements
   /** Place in the scene of each body whose poses are in the frames; -1 where the scene lacks it. */
   #places: readonly number[] = []
   #tracked = NONE
+  /** Places of the tasks among the events, by station and serial. */
+  readonly #tasks = new Map<string, number>()
   readonly #series = new Map<string, Series>()
   readonly #trails = new Map<string, Trail>()
 
@@ -46,10 +53,11 @@ export class LiveRun implements Run {
     this.stations = layout.stations
     this.#bases = new Map(scene.stations.map(({ name, base }) => [name, base]))
     this.#names = scene.bodies.map(body => body.name)
-    this.channels = channelsOf(layout).map(channel => {
+    this.#framed = channelsOf(layout).map(channel => {
       const axes = scene.stations.find(one => one.name === channel.subject)?.joints ?? []
       return { ...channel, units: unitsByAxes(channel, axes) }
     })
+    this.channels = [...this.#framed, ...this.#speedChannels()]
     this.#columns = layout.channels.length
     this.#bodies = layout.bodies
     this.#store = new FrameStore(this.#columns + POSE * layout.bodies.length)
@@ -93,13 +101,18 @@ export class LiveRun implements Run {
     this.events.push({ time, duration: 0, kind: 'input', text, station: '', span: null, data })
   }
 
-  /** Take a message of the program as an event. */
-  print({ time, text, station, source, line }: Printed): void {
-    const span = line > 0 ? { source, line, column: 1, end_line: line, end_column: 1 } : null
-    this.events.push({ time, duration: 0, kind: 'message', text, station, span, data: {} })
+  /** Take an event; a task that goes on takes the place of what was known of it. */
+  happen({ event }: Happened): void {
+    const key = event.kind === 'task' ? `${event.station} ${event.data.serial}` : null
+    const known = key === null ? undefined : this.#tasks.get(key)
+    if (known !== undefined) this.events[known] = event
+    else if (key !== null) this.#tasks.set(key, this.events.push(event) - 1)
+    else this.events.push(event)
   }
 
   value(channel: string, column: number, time: number): number {
+    const position = this.#positions.get(channel)
+    if (position) return this.#speedAt(position, time)
     const found = this.#find(channel, column)
     if (!found || this.#store.count === 0) return Number.NaN
     const { place, held } = found
@@ -110,14 +123,15 @@ export class LiveRun implements Run {
   }
 
   series(channel: string, column: number): Series | undefined {
-    const found = this.#find(channel, column)
-    if (!found) return undefined
     const key = `${channel} ${column}`
     const known = this.#series.get(key)
     if (known) return known
-    const store = this.#store
-    const made = { times: store.times(), values: store.column(found.place), held: found.held }
-    this.#series.set(key, made)
+    const position = this.#positions.get(channel)
+    const found = this.#find(channel, column)
+    const made = position
+      ? speedOf(position.map(place => this.#rows(place)))
+      : found && { ...this.#rows(found.place), held: found.held }
+    if (made) this.#series.set(key, made)
     return made
   }
 
@@ -146,15 +160,38 @@ export class LiveRun implements Run {
     return made
   }
 
+  #speedChannels(): readonly ChannelInfo[] {
+    return this.stations.flatMap(({ name }) => {
+      const position = this.#framed.find(one => one.name === channelOf('attained_position', name))
+      if (position?.columns.length !== 3) return []
+      const places = position.columns.map((_, column) => position.first + column)
+      this.#positions.set(channelOf(TCP_SPEED, name), places)
+      return [speedChannel(name, undefined)]
+    })
+  }
+
+  #rows(place: number, from = 0, to = this.#store.count): Series {
+    return { times: this.#store.times(from, to), values: this.#store.column(place, from, to), held: false }
+  }
+
+  /** The same as in the whole series, of the rows around a time only. */
+  #speedAt(position: readonly number[], time: number): number {
+    if (this.#store.count === 0) return Number.NaN
+    const { index, share } = this.#store.locate(time)
+    const [from, to] = [Math.max(index - 1, 0), Math.min(index + 3, this.#store.count)]
+    const speed = speedOf(position.map(place => this.#rows(place, from, to)))
+    return speed ? valueIn(speed, index - from, share) : Number.NaN
+  }
+
   /** Place of a column in a row, and whether it holds its value between changes. */
   #find(name: string, column: number): { readonly place: number; readonly held: boolean } | undefined {
-    const channel = this.channels.find(one => one.name === name)
+    const channel = this.#framed.find(one => one.name === name)
     if (!channel || column < 0 || column >= channel.columns.length) return undefined
     return { place: channel.first + column, held: channel.held }
   }
 
   #widen(values: Float32Array): void {
-    for (const { first, min, max } of this.channels) {
+    for (const { first, min, max } of this.#framed) {
       for (let k = 0; k < min.length; k++) {
         const value = values[first + k] ?? Number.NaN
         if (Number.isNaN(value)) continue

@@ -1,6 +1,8 @@
 /** What the timeline marks: steps of the program, findings and presses of keys, in order of time. */
-import type { Finding, Run, RunEvent } from './run'
+import type { Finding, Run, RunEvent, Series } from './run'
 import { countUpTo } from './search'
+import { channelOf } from './station'
+import { words } from './words'
 
 /** A stretch of the run that belongs to one line of the program. */
 export interface StepMark {
@@ -46,6 +48,7 @@ export function marksOf(run: Run): Marks {
     line: event.span?.line ?? 0,
     text: event.text,
   }))
+  for (const { name } of run.live ? run.stations : []) steps.push(...openSteps(run, name, steps))
   const findings = run.findings.flatMap(one =>
     one.time === null ? [] : [{ time: one.time, severity: one.severity, text: `${one.code} ${one.message}` }],
   )
@@ -102,6 +105,35 @@ export function worstLast(findings: readonly FindingMark[]): readonly FindingMar
 
 function timeOf(mark: { readonly time: number }): number {
   return mark.time
+}
+
+/** Steps of a live run whose events have not come: they come with the end of a step. */
+function openSteps(run: Run, station: string, known: readonly StepMark[]): readonly StepMark[] {
+  const lines = run.series(channelOf('line', station), 0)
+  if (!lines) return []
+  const told = known.reduce((end, one) => (one.station === station ? Math.max(end, one.end) : end), 0)
+  return linesFrom(lines, told, run.duration).map(({ line, from, to }) => ({
+    time: from,
+    end: to,
+    kind: 'open',
+    station,
+    line,
+    text: words.goesOn,
+  }))
+}
+
+/** Stretches of one line each from a time on; without those in which none runs. */
+function linesFrom({ times, values }: Series, start: number, end: number) {
+  const found: { readonly line: number; readonly from: number; to: number }[] = []
+  for (let at = Math.max(countUpTo(times, start, time => time) - 1, 0); at < times.length; at++) {
+    const line = values[at] ?? 0
+    const from = Math.max(times[at] ?? end, start)
+    const to = times[at + 1] ?? end
+    const last = found.at(-1)
+    if (last?.line === line && last.to === from) last.to = to
+    else if (line > 0 && to > from) found.push({ line, from, to })
+  }
+  return found
 }
 
 /** Tasks are stretches around steps, not steps. */

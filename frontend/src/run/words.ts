@@ -27,7 +27,11 @@ export const words = {
     inputs: 'Inputs set',
     on: 'on',
     closed: 'closed',
+    override: 'Override',
+    held: 'held',
+    percent: (share: number) => `${Number((100 * share).toFixed(1))} %`,
   },
+  goesOn: 'goes on',
   line: (line: number) => `line ${line}`,
   input: (text: string) => `input ${text}`,
   valueText: (time: number, end: number, step: string) =>

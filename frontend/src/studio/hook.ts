@@ -16,6 +16,8 @@ export interface StudioHook {
   readonly stats: () => unknown
   /** Time lines of the plots, in the order in which they were opened. */
   readonly plots: () => readonly unknown[]
+  /** What the bars of the timeline say, by the name of their lane. */
+  readonly lanes: () => Readonly<Record<string, readonly string[]>>
   readonly state: () => Readonly<Record<string, unknown>>
   /** The newest text of a document. */
   readonly text: (document: string) => string
@@ -49,6 +51,8 @@ export function installHook(studio: Studio): void {
     project: (view, point) => picture.stage?.project(view, point) ?? null,
     stats: () => picture.stage?.stats() ?? null,
     plots: () => [...studio.plots].map(one => one.timeLine),
+    lanes: () =>
+      Object.fromEntries(studio.transport.lanes.map(({ name, bars }) => [name, bars.map(bar => bar.text)])),
     state: () => {
       const { status, stale, connection, shown, live, following, editing, ghost, documents } =
         store.getState()

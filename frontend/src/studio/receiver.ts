@@ -77,8 +77,8 @@ export class Receiver {
         studio.runs.stamp(message)
         studio.store.setState({ presses: [...studio.store.getState().presses.slice(-499), message] })
       },
-      printed: message => {
-        studio.runs.print(message)
+      happened: message => {
+        studio.runs.happen(message)
         studio.loop.mark()
       },
       jogged: message => studio.jog.receive(message),

@@ -5,7 +5,7 @@ import type { Run } from '../run/run'
 import type { SceneDescription } from '../scene/description'
 import { words } from '../text/messages'
 import { decodeFrame } from '../wire/frame'
-import type { LiveLayout, Placed, Printed, SignalStamped } from '../wire/messages'
+import type { Happened, LiveLayout, Placed, SignalStamped } from '../wire/messages'
 import { NOW, type Texts } from './run_lines'
 
 export interface RunWires {
@@ -102,8 +102,8 @@ export class Runs {
     this.#live?.stamp(stamped)
   }
 
-  print(printed: Printed): void {
-    this.#live?.print(printed)
+  happen(happened: Happened): void {
+    this.#live?.happen(happened)
   }
 
   frame(bytes: ArrayBuffer): void {

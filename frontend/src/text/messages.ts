@@ -165,6 +165,7 @@ export const words = {
     clear: 'Clear',
     name: (channels: string) =>
       `Plot of ${channels || 'nothing yet'} over time; the cursor keys move the time`,
+    late: (names: string) => `${names}: known when the run has ended`,
     found: (count: number) => `${count} channels`,
   },
   jog: {

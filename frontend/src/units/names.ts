@@ -22,6 +22,7 @@ const OTHERS: Readonly<Record<string, string>> = {
   line: 'Program line',
   move: 'Move',
   payload: 'Payload',
+  override: 'Override',
 }
 
 /** A joint by its name in the model: numbers become `Joint 1`. */

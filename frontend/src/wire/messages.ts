@@ -3,7 +3,7 @@
  *
  * Written by `tools/wire_types.py` from `ropsim.studio.messages`: change the records there.
  */
-import type { Finding } from '../run/run'
+import type { Finding, RunEvent } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
 
 /** A text of the project. */
@@ -196,19 +196,11 @@ export interface SignalStamped {
   readonly time: number
 }
 
-/** A message of the program in a live run. */
-export interface Printed {
-  readonly type: 'printed'
-  /** [s]. */
-  readonly time: number
-  /** Of the message. */
-  readonly text: string
-  /** Whose program it is. */
-  readonly station: string
-  /** Name of the program text. */
-  readonly source: string
-  /** 0 where it has none. */
-  readonly line: number
+/** Something has happened in a live run. */
+export interface Happened {
+  readonly type: 'happened'
+  /** As packs have it. A task is told again and again while it goes on, each time longer. */
+  readonly event: RunEvent
 }
 
 /** World pose of a body of the jogged arm. */
@@ -269,7 +261,7 @@ export type Message =
   | LiveLayout
   | Placed
   | SignalStamped
-  | Printed
+  | Happened
   | Jogged
   | Notice
   | Answered

@@ -32,15 +32,22 @@ class Activations:
 
     def events(self, station: str, control_hz: int) -> list[TaskEvent]:
         """Return one event per activation below `main` of the program of a station."""
+        below = [serial for serial in sorted(self.by_serial) if self._is_below_main(serial)]
+        return [self.event(serial, station, control_hz) for serial in below]
+
+    def around(self, origin: Origin, station: str, control_hz: int) -> list[TaskEvent]:
+        """Return the activations below `main` around an instruction, each as long as it is so far."""
         return [
-            TaskEvent(
-                one.start / control_hz,
-                (one.end - one.start) / control_hz,
-                station,
-                name=one.name,
-                serial=serial,
-                depth=one.depth,
-            )
-            for serial, one in sorted(self.by_serial.items())
-            if one.depth > 0
+            self.event(serial, station, control_hz)
+            for serial in origin.call_serials
+            if serial in self.by_serial and self._is_below_main(serial)
         ]
+
+    def event(self, serial: int, station: str, control_hz: int) -> TaskEvent:
+        """Return an activation as the event that it is in the recording of a station."""
+        one = self.by_serial[serial]
+        time, duration = one.start / control_hz, (one.end - one.start) / control_hz
+        return TaskEvent(time, duration, station, name=one.name, serial=serial, depth=one.depth)
+
+    def _is_below_main(self, serial: int) -> bool:
+        return self.by_serial[serial].depth > 0

@@ -66,6 +66,7 @@ _TRACK_TEXTS = {
     "move": "ordinal of the active move, -1 for none",
     "gripper": "0 open, 1 closed",
     "payload": "mass of tool and grasped part",
+    "override": "share of the planned speed at which motions are followed, 0 held",
 }
 
 
@@ -74,7 +75,7 @@ def track_channel(station: str, name: str, track: Track, last: int, control_hz: 
 
     Args:
         station: name of the station that it is of, where it is of one.
-        name: `line`, `move`, `gripper`, `payload`, or `signal.NAME` for a signal of the cell.
+        name: `line`, `move`, `gripper`, `payload`, `override`, or `signal.NAME` for a signal of the cell.
         track: its course.
         last: tick at which the recording ends; later changes are left out.
         control_hz: ticks per second.

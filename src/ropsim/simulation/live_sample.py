@@ -38,8 +38,9 @@ def live_sample(run: RunView, time: float) -> Mapping[str, Channel]:
     for name, device in run.devices.items():
         q = device.course.rows(np.array([time]))
         channels[channel_name("q", name)] = device_channel(device.device, q)
-    for name in sorted(run.tracks):
-        channels[name] = _held("", name, run.tracks[name], time * run.hz)
+    tracks = {"override": Track([0], [1.0]), **run.tracks}  # somebody may change it at any time
+    for name in sorted(tracks):
+        channels[name] = _held("", name, tracks[name], time * run.hz)
     return channels
 
 

@@ -186,7 +186,7 @@ class Renewed:
 
 @frozen_dataclass
 class LiveMessage:
-    """A message of a live run, as the page gets it: `live`, `layout`, `placed`, `stamped` or `printed`."""
+    """A message of a live run, as the page gets it: `live`, `layout`, `placed`, `stamped` or `happened`."""
 
     payload: Mapping[str, object]
 

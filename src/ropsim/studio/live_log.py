@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 
 from ropsim.studio.messages import LiveStatus, Message
 
-MOST_PRESSES = 1000
-"""Key presses that a late tab still hears of, newest; as many messages of the program, too."""
+MOST = {"stamped": 1000, "happened": 4000}
+"""So many key presses and events a late tab still hears of, the newest."""
 
 
 class LiveLog:
@@ -20,13 +20,14 @@ class LiveLog:
         self._status: Message | None = None
         self._program = ""
         self._speed = 1.0
-        self._counts = {"stamped": 0, "printed": 0}
+        self._counts = dict.fromkeys(MOST, 0)
         self._layout: tuple[Message, ...] = ()
         self._others: dict[object, Message] = {}
+        self._tasks: dict[object, object] = {}
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """Return how the run stands, its layout, and in order parts, key presses and printed messages."""
+        """Return how the run stands, its layout, and in order parts, key presses and events."""
         return () if self._status is None else (self._status, *self._layout, *self._others.values())
 
     def start(self, program: str, speed: float) -> None:
@@ -46,10 +47,11 @@ class LiveLog:
             case {"type": "placed", "body": body}:
                 self._others.pop(("placed", body), None)  # only where it is now, in order of time
                 self._others["placed", body] = message
-            case {"type": "stamped" | "printed" as kind}:
-                self._counts[kind] += 1
-                self._others[kind, self._counts[kind]] = message
-                self._others.pop((kind, self._counts[kind] - MOST_PRESSES), None)
+            case {"type": "happened", "event": {"kind": "task", "station": at, "data": {"serial": serial}}}:
+                self._others.pop(self._tasks.get((at, serial)), None)  # only how long it is now
+                self._tasks[at, serial] = self._keep("happened", message)
+            case {"type": "stamped" | "happened" as kind}:
+                self._keep(kind, message)
             case _:  # notices are for who is there
                 pass
         self._tell(message)
@@ -60,7 +62,16 @@ class LiveLog:
         self._status = None
         self._forget()
 
+    def _keep(self, kind: str, message: Message) -> object:
+        """Keep a message as the newest of its kind, and no more than late tabs hear of; return its key."""
+        self._counts[kind] += 1
+        key = (kind, self._counts[kind])
+        self._others[key] = message
+        self._others.pop((kind, self._counts[kind] - MOST[kind]), None)
+        return key
+
     def _forget(self) -> None:
         self._counts = dict.fromkeys(self._counts, 0)
         self._layout = ()
         self._others.clear()
+        self._tasks.clear()

@@ -16,6 +16,9 @@ from ropsim.studio.jobs import Level, PoseNumbers
 Finding: TypeAlias = Annotated[Mapping[str, object], Meta(title="Finding")]
 """A finding as plain JSON values; its `time` [s] is null where it has none."""
 
+RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
+"""An event of a run as plain JSON values."""
+
 Scene: TypeAlias = Annotated[Mapping[str, object], Meta(title="SceneDescription")]
 """A cell as it is drawn, as plain JSON values."""
 
@@ -244,22 +247,14 @@ class SignalStamped(Struct, frozen=True, tag_field="type", tag="stamped"):
     time: float
 
 
-class Printed(Struct, frozen=True, tag_field="type", tag="printed"):
-    """A message of the program in a live run.
+class Happened(Struct, frozen=True, tag_field="type", tag="happened"):
+    """Something has happened in a live run.
 
     Attributes:
-        time: [s].
-        text: of the message.
-        station: whose program it is.
-        source: name of the program text.
-        line: 0 where it has none.
+        event: as packs have it. A task is told again and again while it goes on, each time longer.
     """
 
-    time: float
-    text: str
-    station: str
-    source: str
-    line: int
+    event: RunEvent
 
 
 class JogWords(Struct, frozen=True):
@@ -328,7 +323,7 @@ Message: TypeAlias = (
     | LiveLayout
     | Placed
     | SignalStamped
-    | Printed
+    | Happened
     | Jogged
     | Notice
     | Answered

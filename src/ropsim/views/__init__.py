@@ -26,6 +26,7 @@ from ropsim.views.joint_summary import LimitApproach as LimitApproach
 from ropsim.views.messages import Message as Message
 from ropsim.views.messages import messages as messages
 from ropsim.views.messages import messages_text as messages_text
+from ropsim.views.pack.events import packed_event as packed_event
 from ropsim.views.pack.pack import Pack as Pack
 from ropsim.views.pack.pack import pack as pack
 from ropsim.views.pack.pack import plain_finding as plain_finding

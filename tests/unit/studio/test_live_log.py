@@ -47,6 +47,21 @@ def test_a_run_of_many_presses_stays_small() -> None:
     assert messages[-1] == {"type": "stamped", "name": "gate", "value": 1.0, "time": 4999.0}
 
 
+def test_of_a_task_that_goes_on_only_the_newest_word_is_kept() -> None:
+    log = LiveLog(lambda _: None)
+    log.start("main", 1.0)
+
+    def happened(kind: str, duration: float, **data: object) -> dict[str, object]:
+        event = {"kind": kind, "station": "robot", "duration": duration, "data": data}
+        return {"type": "happened", "event": event}
+
+    for duration in range(3):
+        log.add(happened("move", duration))
+        log.add(happened("task", duration, serial=1))
+    moves = [happened("move", duration) for duration in range(3)]
+    assert log.messages[1:] == (*moves, happened("task", 2, serial=1))
+
+
 def test_when_the_run_is_over_it_is_forgotten() -> None:
     told: list[Message] = []
     log = LiveLog(told.append)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from msgspec import convert
 
-from ropsim.flow import MessageEvent
+from ropsim.flow import Event
 from ropsim.icr import Program
 from ropsim.simulation import RunView
 from ropsim.studio.desk.clock import PacedClock
@@ -15,14 +15,17 @@ from ropsim.studio.desk.live.frame import Frames
 from ropsim.studio.desk.live.hand import Hand
 from ropsim.studio.desk.live.keys import Keys, Stamp
 from ropsim.studio.jobs import LiveControl, LiveMessage, LiveOverride, LiveSpeed, Order, SetSignal
-from ropsim.studio.messages import LiveStatus, Placed, Printed, SignalStamped, notice, plain
-from ropsim.views import ShownPlacements
+from ropsim.studio.messages import Happened, LiveStatus, Placed, SignalStamped, notice, plain
+from ropsim.views import ShownPlacements, packed_event
 
 FRAME = 1.0 / 60.0
 """Time between two frames [s of the wall clock]."""
 
 LONGEST_NAP, SHORTEST_NAP = 0.25, 1e-4
 """How long the run waits at a time for orders [s of the wall clock]."""
+
+ROUNDING = 1e-9
+"""Ends of events are sums of two times, the clock's are not [s]."""
 
 
 @dataclass(slots=True)
@@ -43,8 +46,8 @@ class LivePace:
         keys: stamps key presses.
         placed: turns placements into what the page is told; made when the run starts.
         told: how many placements have been looked at.
-        news: messages on parts and of the program whose time has not come yet.
-        heard: how many events have been looked at for messages of the program.
+        news: messages on parts and events whose time has not come yet.
+        heard: how many events have been looked at.
         shown: when the last frame was due [s of the wall clock].
         hand: holds, slows and ends the run.
     """
@@ -75,12 +78,7 @@ class LivePace:
         Raises:
             Cancelled: the run was given up.
         """
-        self._begin(run)
-        self.news += [(run.time, message) for message in self._moved(run)]
-        self.news += [
-            (one.time, printed(one)) for one in run.events[self.heard :] if isinstance(one, MessageEvent)
-        ]
-        self.heard = len(run.events)
+        self._hear(run)
         if self.hand.look(run):
             self._tell_state()
         self.clock.extend(run.time)
@@ -98,7 +96,7 @@ class LivePace:
         Raises:
             Cancelled: the run was given up.
         """
-        self._begin(run)
+        self._hear(run)
         self.clock.extend(run.time)
         self._show_until(run, run.time)
 
@@ -109,6 +107,12 @@ class LivePace:
             self.placed = ShownPlacements(run.scenery.tree)
             self.line.report(self.frames.layout())
             self._tell_state()
+
+    def _hear(self, run: RunView) -> None:
+        """Take in what has happened since the last look."""
+        self._begin(run)
+        self.news += [(run.time, message) for message in self._moved(run)]
+        self.news += [(one.end, happened(one)) for one in self._events(run)]
 
     def _moved(self, run: RunView) -> list[LiveMessage]:
         """Return a message for each body that has another place since the last look."""
@@ -123,6 +127,18 @@ class LivePace:
         ]
         self.told = len(run.placements)
         return news
+
+    def _events(self, run: RunView) -> list[Event]:
+        """Return what has happened since the last look, and the tasks that have become longer by it."""
+        news = [*run.events[self.heard :]]
+        self.heard = len(run.events)
+        tasks: dict[tuple[str, int], Event] = {}
+        for one in news:
+            if one.origin and one.station in run.stations:
+                at = run.stations[one.station]
+                around = at.activations.around(one.origin, one.station, at.hz)
+                tasks |= {(task.station, task.serial): task for task in around}
+        return [*news, *tasks.values()]
 
     def _show_until(self, run: RunView, until: float) -> None:
         nap = 0.0
@@ -140,7 +156,7 @@ class LivePace:
         return min(max(min(due, self.clock.wait_for(until)), SHORTEST_NAP), LONGEST_NAP)
 
     def _show(self, run: RunView, now: float) -> None:
-        while self.news and self.news[0][0] <= now:
+        while self.news and self.news[0][0] <= now + ROUNDING:
             self.line.report(self.news.popleft()[1])
         wall = self.wall()
         if self.frames is not None and wall >= self.shown + FRAME - SHORTEST_NAP:
@@ -176,7 +192,6 @@ class LivePace:
         self.line.report(LiveMessage(plain(status)))
 
 
-def printed(message: MessageEvent) -> LiveMessage:
-    """Return what the page is told of a message of the program."""
-    source, line = (message.span.source, message.span.line) if message.span is not None else ("", 0)
-    return LiveMessage(plain(Printed(message.time, message.text, message.station, source, line)))
+def happened(event: Event) -> LiveMessage:
+    """Return what the page is told of an event."""
+    return LiveMessage(plain(Happened(packed_event(event))))

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ropsim.flow import MoveEvent, OutputEvent, OverrideChange, Recording, WaitEvent
+from ropsim.flow import MoveEvent, OutputEvent, OverrideChange, Recording, TaskEvent, WaitEvent
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
 from ropsim.studio.desk.clock import PacedClock
 from ropsim.studio.desk.finished import Shelf
@@ -26,6 +26,7 @@ from ropsim.studio.jobs import (
     RunReply,
     SetSignal,
 )
+from ropsim.views import packed_event
 from ropsim.workbench import open_overlaid
 from support.live import KEYS, FakeLine, project
 
@@ -105,6 +106,30 @@ def test_frames_come_60_times_a_second_with_rising_numbers_and_times(folder: Pat
     assert len(times) == pytest.approx(2.0 * 60, abs=8)
 
 
+def test_events_are_told_when_they_are_over_and_tasks_grow_with_them(folder: Path) -> None:
+    tasks = "task Pick\n  lin (500, -150, 150) speed 100 mm/s\n  close\nendp\n"
+    program = GRIP.replace("lin (500, -150, 150) speed 100 mm/s\nclose\n", "Pick\n").replace(
+        "units mm, deg\n", f"units mm, deg\n{tasks}"
+    )
+    line, shelf = FakeLine(), Shelf()
+    job = LiveStart(str(folder), {"programs/main.task": program}, "", 1.0)
+    assert run_live(job, line, Clocks(line.now, lambda: DAY), shelf).state == "done"
+    told = [one["event"] for one in line.messages("happened")]
+    kinds = [one["kind"] for one in told if isinstance(one, dict)]
+    assert kinds == ["move", "move", "task", "grip", "task", "move", "release"]
+    _, lin, begun, grip, whole, *_ = (one for one in told if isinstance(one, dict))
+    assert grip["data"]["part"] == "box_1"
+    assert begun["data"]["name"] == whole["data"]["name"] == "Pick"
+    assert begun["duration"] == pytest.approx(lin["duration"])
+    assert whole["duration"] == pytest.approx(lin["duration"] + grip["duration"])
+    assert shelf.run is not None
+    (kept,) = shelf.run.recording.events_of(TaskEvent)
+    assert packed_event(kept) == whole
+    at = next(k for k, one in enumerate(line.reports) if getattr(one, "payload", {}).get("event") == grip)
+    before = next(one for one in reversed(line.reports[:at]) if isinstance(one, LiveFrame))
+    assert header(before.content)[4] == pytest.approx(grip["time"] + grip["duration"], abs=1 / 60)
+
+
 def test_a_part_is_placed_when_the_clock_comes_to_its_grasp_and_does_not_jump(folder: Path) -> None:
     line = FakeLine()
     assert live(folder, GRIP, line).state == "done"
@@ -121,7 +146,9 @@ def test_a_part_is_placed_when_the_clock_comes_to_its_grasp_and_does_not_jump(fo
     assert header(before.content)[4] <= float(str(taken["time"])) + 1 / 60
 
 
-def test_the_channels_are_those_of_the_recording_but_for_the_path_error(folder: Path) -> None:
+def test_the_channels_are_those_of_the_recording_the_override_and_no_path_error(
+    folder: Path,
+) -> None:
     line = FakeLine()
     live(folder, GRIP, line)
     (layout,) = line.messages("layout")
@@ -130,7 +157,9 @@ def test_the_channels_are_those_of_the_recording_but_for_the_path_error(folder: 
     project_ = open_overlaid(folder, {"programs/main.task": GRIP})
     recorded = project_.simulate().channels
     told = {(one["name"], one["column"], one["unit"], one["description"]) for one in channels}
-    assert told == {
+    override = {one for one in told if one[0] == "override"}
+    assert [one[1:3] for one in override] == [("", "")]
+    assert told - override == {
         (name, column, channel.unit, channel.description)
         for name, channel in recorded.items()
         for column in channel.columns or ("",)
