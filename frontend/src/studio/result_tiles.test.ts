@@ -11,6 +11,7 @@ const RESULT: ResultFigures = {
   unchecked: 'not checked: collisions',
   cycle_time: 186.8,
   cycle_time_valid: true,
+  cycle_time_by_hand: '',
   settling: { total: 18.68, share: 0.1, time: 5.7, station: 'robot', line: 10 },
   peak_torque: { share: 0.742, closeness: 'far', station: 'robot', joint: '2', line: 9, time: 3.5 },
   peak_speed: null,
@@ -52,7 +53,8 @@ test('the guide of the studio tells them by their names', () => {
   const guide = readFileSync(new URL('../../../docs/how-to/studio.md', import.meta.url), 'utf8')
   const told = guide.split('\n\n').find(one => one.startsWith('The strip below the menus')) ?? ''
   const names = [...told.matchAll(/\*\*(.+?)\*\*/gs)].map(([, name = '']) => name.replace(/\s+/g, ' '))
-  expect(names).toEqual(tilesOf(RUN, RESULT).map(one => one.label))
+  const all = { ...RESULT, destinations: { wanted: 1, reached: 1 } }
+  expect(names).toEqual(tilesOf(RUN, all).map(one => one.label))
 })
 
 test('a figure names its joint and leads to its moment and line', () => {
@@ -79,6 +81,22 @@ test('settling is told with its share and leads to the longest wait', () => {
 test('a cycle time without skipped moves only is a plain one', () => {
   expect(tile('cycle').tone).toBe('plain')
   expect(tile('cycle', { cycle_time_valid: false })).toMatchObject({ tone: 'error' })
+})
+
+test('a cycle time with a hold by hand says so where it stands', () => {
+  const held = tile('cycle', { cycle_time_by_hand: 'held for 3.20 s by hand' })
+  expect(held).toMatchObject({ detail: 'held for 3.20 s by hand', tone: 'warning' })
+})
+
+test('parts with a destination are counted where a cell has some', () => {
+  expect(tile('parts', { destinations: { wanted: 3, reached: 3 } })).toMatchObject({
+    value: '3 of 3',
+    detail: '',
+    tone: 'plain',
+    time: 186.8,
+  })
+  const missed = tile('parts', { destinations: { wanted: 3, reached: 1 } })
+  expect(missed).toMatchObject({ value: '1 of 3', detail: '2 elsewhere', tone: 'warning' })
 })
 
 test('what a run does not know is said, and leads nowhere', () => {

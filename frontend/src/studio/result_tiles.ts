@@ -5,10 +5,11 @@ import { labelled } from '../run/station'
 import { resultWords as words } from '../text/result'
 import { jointName } from '../units/names'
 import { formatQuantity } from '../units/quantity'
+import type { Destinations } from '../wire/facts'
 import type { ResultFigures } from '../wire/result'
 
 export interface Tile {
-  readonly id: 'cycle' | 'settling' | 'torque' | 'limit' | 'path' | 'findings'
+  readonly id: 'parts' | 'cycle' | 'settling' | 'torque' | 'limit' | 'path' | 'findings'
   readonly label: string
   readonly value: string
   /** A few words below the value, such as which joint it is. */
@@ -31,18 +32,32 @@ export function tilesOf(run: Run, result: ResultFigures): readonly Tile[] {
     torque(run, result),
     limit(run, result),
     path(run, result),
+    ...(result.destinations ? [parts(run, result.destinations)] : []),
     findings(run, result),
   ]
 }
 
-function cycle(run: Run, { cycle_time, cycle_time_valid }: ResultFigures): Tile {
+/** Of the parts with a destination those that are there; the moment is the end of the run. */
+function parts(run: Run, { wanted, reached }: Destinations): Tile {
+  return {
+    ...NOWHERE,
+    id: 'parts',
+    label: words.parts,
+    value: words.reached(reached, wanted),
+    detail: reached < wanted ? words.away(wanted - reached) : '',
+    tone: reached < wanted ? 'warning' : 'plain',
+    time: run.duration,
+  }
+}
+
+function cycle(run: Run, { cycle_time, cycle_time_valid, cycle_time_by_hand }: ResultFigures): Tile {
   return {
     ...NOWHERE,
     id: 'cycle',
     label: words.cycle,
     value: formatQuantity(cycle_time, 's'),
-    detail: cycle_time_valid ? '' : words.notValid,
-    tone: cycle_time_valid ? 'plain' : 'error',
+    detail: cycle_time_valid ? cycle_time_by_hand : words.notValid,
+    tone: cycle_time_valid ? (cycle_time_by_hand ? 'warning' : 'plain') : 'error',
     time: run.duration,
   }
 }

@@ -18,6 +18,9 @@ export const resultWords = {
   path: 'Largest path error of tool paths',
   noPath: 'no tool paths',
   line: (line: number) => (line > 0 ? `line ${line}` : ''),
+  parts: 'Parts at their destinations',
+  reached: (reached: number, wanted: number) => `${reached} of ${wanted}`,
+  away: (count: number) => `${count} elsewhere`,
   findings: 'Findings',
   counts: (errors: number, warnings: number, hints: number) =>
     errors + warnings + hints === 0

@@ -86,6 +86,11 @@ export interface ResultFigures {
    * program then.
    */
   readonly cycle_time_valid: boolean
+  /**
+   * How long the run was held and slowed within it, in words; empty for nothing. It stands at the cycle time,
+   * wherever that is shown.
+   */
+  readonly cycle_time_by_hand: string
   /** What settling after moves cost. */
   readonly settling: SettlingFigure
   /** Null where no limit is known. */

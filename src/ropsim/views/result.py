@@ -100,6 +100,8 @@ class ResultFigures:
         cycle_time: end of the last motion or instruction [s].
         cycle_time_valid: false where a move was skipped or a program did not come to its end: the cycle time
             is not that of the program then.
+        cycle_time_by_hand: how long the run was held and slowed within it, in words; empty for nothing. It
+            stands at the cycle time, wherever that is shown.
         settling: what settling after moves cost.
         peak_torque: None where no limit is known.
         peak_speed: None where no limit is known.
@@ -117,6 +119,7 @@ class ResultFigures:
     unchecked: str
     cycle_time: float
     cycle_time_valid: bool
+    cycle_time_by_hand: str
     settling: SettlingFigure
     peak_torque: PeakFigure | None
     peak_speed: PeakFigure | None

@@ -25,6 +25,7 @@ def result_figures(summary: Summary) -> ResultFigures:
         unchecked=summary.unchecked.text,
         cycle_time=summary.cycle_time,
         cycle_time_valid=summary.cycle_time_valid,
+        cycle_time_by_hand=summary.by_hand.mark,
         settling=_settling(summary.settling),
         peak_torque=_peak_torque(torque) if torque else None,
         peak_speed=_peak_speed(speed) if speed else None,

@@ -17,6 +17,7 @@ from ropsim.flow import (
     waiting_of,
 )
 from ropsim.views.accuracy import CornerFigures, StopFigures
+from ropsim.views.by_hand import ByHand, by_hand
 from ropsim.views.channels import invalid_samples
 from ropsim.views.device_summary import DeviceSummary, summarize_devices
 from ropsim.views.findings import FindingGroup, group_findings
@@ -68,6 +69,7 @@ class Summary:
         warning_count: number of warnings, repeats included.
         hint_count: number of hints, repeats included.
         invalid_samples: number of samples of q, qd and tau that are not finite.
+        by_hand: how long it was held and slowed; the cycle time has it within.
         unchecked: what all this leaves open.
         destinations: how many parts are at their destinations; None where no part has one.
         stations: the figures of each one; those above are of all together.
@@ -95,6 +97,7 @@ class Summary:
     warning_count: int
     hint_count: int
     invalid_samples: int
+    by_hand: ByHand
     unchecked: Unchecked
     destinations: Destinations | None = None
     stations: tuple[StationSummary, ...] = ()
@@ -141,6 +144,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
     """
     events, stations = recording.events, summarize_stations(recording)
     cycle_time = end_of(events)
+    hand = by_hand(recording.facts.overrides, cycle_time)
     together = sum(one.cycle_time for one in stations) or cycle_time
     whole = stations[0] if len(stations) == 1 else None
     findings = (*before, *recording.findings)
@@ -168,7 +172,8 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         warning_count=severities.count(Severity.WARNING),
         hint_count=severities.count(Severity.HINT),
         invalid_samples=invalid_samples(recording),
-        unchecked=unchecked(recording.facts, events),
+        by_hand=hand,
+        unchecked=unchecked(recording.facts, events, hand),
         destinations=recording.facts.destinations if recording.facts.destinations.wanted else None,
         stations=stations,
         devices=summarize_devices(recording),

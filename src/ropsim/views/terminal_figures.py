@@ -42,8 +42,10 @@ _SIGN_TONES = {Closeness.NEAR: Tone.WARNING, Closeness.BEYOND: Tone.ERROR}
 
 def cycle_time_line(figures: Figures, summary: Summary, style: Style) -> str:
     """Return the cycle time, and whether it is that of the program."""
-    invalid = "" if summary.cycle_time_valid else "  " + paint("! not valid, see above", Tone.ERROR, style)
-    return f"cycle time   {seconds(figures.cycle_time)} s{invalid}"
+    mark = summary.by_hand.mark and "  " + paint(f"! {summary.by_hand.mark}", Tone.WARNING, style)
+    if not summary.cycle_time_valid:
+        mark = "  " + paint("! not valid, see above", Tone.ERROR, style)
+    return f"cycle time   {seconds(figures.cycle_time)} s{mark}"
 
 
 def effort_lines(figures: Figures, summary: Summary) -> list[str]:

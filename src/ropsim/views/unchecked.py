@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 
 from ropsim.core import frozen_dataclass, plural
-from ropsim.flow import Event, Interventions, MoveEvent, RunFacts
+from ropsim.flow import Event, MoveEvent, RunFacts
+from ropsim.views.by_hand import ByHand, percentage, shown
 from ropsim.views.characters import clean
-from ropsim.views.figures import PERCENT
+from ropsim.views.figures import seconds
 
 LOOKED_AT_IF_SAID = ("collisions", "rated payload")
 """What a run has looked at only where its recording says so."""
@@ -48,12 +49,13 @@ class Unchecked:
         return " · ".join(parts)
 
 
-def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
+def unchecked(facts: RunFacts, events: Sequence[Event], hand: ByHand) -> Unchecked:
     """Return what a run did not look at.
 
     Args:
         facts: of the run.
         events: of the run.
+        hand: how long it was held and slowed.
     """
     aspects = LOOKED_AT_IF_SAID + (WITHOUT_DYNAMICS if facts.is_kinematic else ())
     zoned = {
@@ -62,20 +64,20 @@ def unchecked(facts: RunFacts, events: Sequence[Event]) -> Unchecked:
         if isinstance(event, MoveEvent) and event.zone > 0.0 == event.flown and event.line
     }
     return Unchecked(
-        given_text(facts.interventions),
+        given_text(facts, hand),
         tuple(one for one in aspects if one not in facts.checked),
         tuple(dict.fromkeys(name for station in facts.stations for name in station.estimated)),
         tuple(sorted(zoned)),
     )
 
 
-def given_text(done: Interventions) -> str:
-    """Return what was done to a run in words, such as `by hand: 2 inputs, override down to 50 %`."""
-    parts = [plural(len(done.inputs), "input")] if done.inputs else []
-    slowest = min((one.value for one in done.overrides), default=1.0)
-    if slowest < 1.0:
-        shown = min(round(slowest * PERCENT.factor, 1), 99.9)  # never 100 % where something was slowed
-        parts.append(f"override down to {shown:g}\u00a0{PERCENT.unit}")
-    if done.stopped is not None:
-        parts.append(f"stopped at {done.stopped:.2f} s")
+def given_text(facts: RunFacts, hand: ByHand) -> str:
+    """Return what was done to a run, such as `by hand: 2 inputs, override down to 50 %, held 3.20 s`."""
+    parts = [plural(len(facts.inputs), "input")] if facts.inputs else []
+    if hand.slowest < 1.0:
+        parts.append(f"override down to {percentage(hand.slowest)}")
+    if hand.is_held:
+        parts.append(f"held {seconds(hand.held)} s" if shown(hand.held) else "held")
+    if facts.stopped is not None:
+        parts.append(f"stopped at {facts.stopped:.2f} s")
     return f"by hand: {', '.join(parts)}" if parts else ""

@@ -5,7 +5,6 @@ import pytest
 from ropsim.flow import (
     Fidelity,
     InputChange,
-    Interventions,
     MotionKind,
     MoveEvent,
     Origin,
@@ -13,6 +12,7 @@ from ropsim.flow import (
     Recording,
 )
 from ropsim.views import Style, html_report, result_figures, summarize, terminal_report
+from ropsim.views.by_hand import ByHand, by_hand
 from ropsim.views.unchecked import SHORT, given_text
 from support.recordings import SOURCE, estimates, facts, pick_and_place, station
 
@@ -110,21 +110,50 @@ def test_what_was_done_by_hand_stands_first() -> None:
     about = replace(
         facts(checked=("collisions", "rated payload")),
         inputs=(InputChange(1.0, "start", 1.0), InputChange(2.0, "start", 0.0)),
-        overrides=(OverrideChange(1.5, 0.5), OverrideChange(2.5, 1.0)),
+        overrides=(OverrideChange(1.5, 0.5), OverrideChange(2.0, 0.0), OverrideChange(2.25, 1.0)),
         stopped=3.25,
     )
     recording = replace(pick_and_place(1), facts=about)
     assert (
         line_of(recording).split(" · ")[0]
-        == "by hand: 2 inputs, override down to 50\u00a0%, stopped at 3.25 s"
+        == "by hand: 2 inputs, override down to 50\u00a0%, held 0.25 s, stopped at 3.25 s"
     )
     assert result_figures(summarize(recording)).given == summarize(recording).unchecked.given
 
 
 @pytest.mark.parametrize(
     ("override", "said"),
-    [(1.0, ""), (0.9999, "99.9"), (0.5, "50"), (0.125, "12.5"), (0.001, "0.1"), (0.0, "0")],
+    [
+        (1.0, ""),
+        (0.9999, "override down to 99.9\u00a0%"),
+        (0.5, "override down to 50\u00a0%"),
+        (0.125, "override down to 12.5\u00a0%"),
+        (0.001, "override down to 0.1\u00a0%"),
+        (0.0, "held 1.00 s"),
+    ],
 )
 def test_an_override_is_told_where_it_slowed_something(override: float, said: str) -> None:
-    given = given_text(Interventions(overrides=(OverrideChange(1.5, override), OverrideChange(2.5, 1.0))))
-    assert given == (f"by hand: override down to {said}\u00a0%" if said else "")
+    changes = (OverrideChange(1.5, override), OverrideChange(2.5, 1.0))
+    given = given_text(facts(overrides=changes), by_hand(changes, 9.0))
+    assert given == (f"by hand: {said}" if said else "")
+
+
+def test_a_hold_behind_the_end_of_the_cycle_does_not_lengthen_it() -> None:
+    changes = (OverrideChange(2.0, 0.5), OverrideChange(4.0, 0.0), OverrideChange(9.0, 1.0))
+    assert by_hand(changes, 3.0) == ByHand(held=0.0, slowed=1.0, slowest=0.5, is_held=True)
+    assert by_hand(changes, 5.0) == ByHand(held=1.0, slowed=2.0, slowest=0.5, is_held=True)
+    assert by_hand((), 5.0).mark == by_hand(changes[1:], 4.0).mark == ""
+
+
+def test_the_cycle_time_is_marked_wherever_it_stands_as_not_that_of_the_program() -> None:
+    overrides = (OverrideChange(1.0, 0.0), OverrideChange(2.25, 0.5), OverrideChange(2.75, 1.0))
+    recording = replace(pick_and_place(1), facts=facts(overrides=overrides))
+    summary = summarize(recording)
+    mark = "held for 1.25 s and slowed for 0.50 s by hand"
+    assert result_figures(summary).cycle_time_by_hand == mark
+    lines = terminal_report(summary, Style.PLAIN).splitlines()
+    (line,) = (one for one in lines if one.startswith("cycle time"))
+    assert line.endswith(f" s  ! {mark}")
+    page = html_report(recording, summary, {})
+    assert mark in page[page.index("cycle time") :]
+    assert result_figures(summarize(pick_and_place(1))).cycle_time_by_hand == ""

@@ -54,7 +54,8 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
 
 
 def _cycle_time(figures: Figures, summary: Summary) -> Card:
-    detail = "settling included" if summary.cycle_time_valid else "not valid: see above"
+    detail = summary.by_hand.mark or "settling included"
+    detail = detail if summary.cycle_time_valid else "not valid: see above"
     return "cycle time", f"{seconds(figures.cycle_time)} s", detail
 
 
