@@ -109,15 +109,24 @@ def test_jogging_leaves_run_and_texts_alone(tab: StudioPage, jog: "Locator", fir
     assert tab.page.evaluate("() => __ropsim.jogged()") is None
 
 
-def test_a_joint_stops_at_its_limit_and_says_so(
+def test_a_joint_beyond_its_limit_is_refused_in_words_and_can_be_corrected(
     tab: StudioPage, jog: "Locator", first_project: Project, start: Array
 ) -> None:
     assert first_project.cell is not None
-    limit = float(first_project.cell.first.robot.upper_limits[0])
+    robot = first_project.cell.first.robot
+    low, high = (f"{degrees(limits[0]):.2f}°" for limits in (robot.lower_limits, robot.upper_limits))
+    put(jog, "X", "3 m")
+    out_of_reach = jog.locator(".jog-words").get_by_text("out of reach")
+    out_of_reach.wait_for()
     put(jog, "Joint 1", "200 deg")
-    words = f"joint 1 stops at its upper limit {degrees(limit):g}°"
-    jog.locator(".jog-row", has_text="Joint 1").get_by_text(words).wait_for()
-    stands_at(tab, first_project, np.array([limit, *start[1:]]))
+    row = jog.locator(".jog-row", has_text="Joint 1")
+    row.get_by_text(f"Joint 1 goes from {low} to {high}").wait_for()
+    out_of_reach.wait_for(state="detached")  # that was of another entry
+    typed = jog.get_by_label("Joint 1, typed value")
+    assert typed.input_value() == "200 deg"
+    stands_at(tab, first_project, start)
+    put(jog, "Joint 1", high)
+    stands_at(tab, first_project, np.array([robot.upper_limits[0], *start[1:]]))
 
 
 def test_the_tcp_steps_along_the_axes_of_the_world(
@@ -151,6 +160,11 @@ def test_a_pose_out_of_reach_is_refused_in_words(
     words = jog.locator(".jog-row.tcp", has_text="X").get_by_text("out of reach: the wrist centre would be")
     words.wait_for()
     assert "mm too far away" in (words.text_content() or "")
+    typed = jog.get_by_label("X, typed value")
+    assert typed.input_value() == "3 m"  # to be corrected
+    typed.press("Escape")
+    words.wait_for(state="detached")
+    jog.locator(".jog-words").get_by_text("out of reach").wait_for(state="detached")
     stands_at(tab, first_project, start)
 
 

@@ -52,6 +52,10 @@ export function JogPanel() {
     why: jog.busy ? '' : said,
     set: (name, value) => setTyped({ name, value }),
     forget: () => setTyped({ name: '', value: 0 }),
+    giveUp: () => {
+      setTyped({ name: '', value: 0 })
+      jog.settle()
+    },
   }
   return (
     <>
@@ -193,6 +197,8 @@ function JointRow({ index, asked, disabled }: { index: number; asked: Asked; dis
         refused={asked.name === name && Math.abs(asked.value - value) > TAKEN ? asked.why : ''}
         value={value}
         dimension={unit === 'rad' ? 'angle' : 'length'}
+        range={{ lower: joint.lower, upper: joint.upper, said: words.jog.outside(name, low, high) }}
+        onWrong={asked.giveUp}
         onValue={typed => {
           asked.set(name, typed)
           jog.moveJoint(index, typed)

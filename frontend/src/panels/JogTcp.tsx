@@ -87,6 +87,7 @@ export function JogTcp({ disabled, asked }: { disabled: boolean; asked: Asked })
             dimension={axis < 3 ? 'length' : 'angle'}
             disabled={disabled}
             refused={asked.name === axisName(axis) && jog.answer?.reached === false ? asked.why : ''}
+            onWrong={asked.giveUp}
             onValue={typed => type(axis, typed)}
           />
         </div>

@@ -1,7 +1,10 @@
 /** A field for a number with a unit: shows the value, takes `12.5 mm`, `90 deg`, `13*2`. */
 import { useId, useState } from 'react'
-import { type Dimension, parseQuantity } from '../units/parse'
+import { type Dimension, type Parsed, parseQuantity } from '../units/parse'
 import { formatQuantity } from '../units/quantity'
+
+/** An end of a range may be typed as it is shown: rounded [m | rad]. */
+const ROUNDING = 1e-4
 
 interface QuantityFieldProps {
   readonly label: string
@@ -9,9 +12,13 @@ interface QuantityFieldProps {
   readonly value: number
   readonly dimension: Dimension
   readonly disabled?: boolean
-  /** Why the value that was typed last was not taken; empty when it was. */
+  /** Why the value that was typed last was not taken; empty when it was. It stays in the field, to be corrected. */
   readonly refused?: string
+  /** Values outside are not taken, and this is said of them. */
+  readonly range?: { readonly lower: number; readonly upper: number; readonly said: string }
   readonly onValue: (value: number) => void
+  /** What was typed was not taken, or is given up. */
+  readonly onWrong?: () => void
 }
 
 export function QuantityField({
@@ -20,21 +27,26 @@ export function QuantityField({
   dimension,
   disabled = false,
   refused = '',
+  range,
   onValue,
+  onWrong = () => {},
 }: QuantityFieldProps) {
   const [typed, setTyped] = useState<string | null>(null)
   const [mistake, setMistake] = useState('')
+  const [sent, setSent] = useState('')
   const [last, setLast] = useState(value)
   const id = useId()
   const complaint = mistake || (typed === null ? refused : '')
   const shown = formatQuantity(value, dimension === 'length' ? 'm' : 'rad')
   const take = () => {
     if (typed === null) return
-    const parsed = parseQuantity(typed, dimension)
+    const parsed = inRange(parseQuantity(typed, dimension), range)
     if ('mistake' in parsed) {
+      if (!mistake) onWrong()
       setMistake(parsed.mistake)
       return
     }
+    setSent(typed)
     setTyped(null)
     setMistake('')
     onValue(parsed.value)
@@ -57,7 +69,7 @@ export function QuantityField({
         aria-invalid={complaint !== ''}
         aria-describedby={complaint ? id : undefined}
         disabled={disabled}
-        value={typed ?? shown}
+        value={typed ?? (refused ? sent : shown)}
         onFocus={event => event.target.select()}
         onChange={event => {
           setTyped(event.target.value)
@@ -66,7 +78,9 @@ export function QuantityField({
         onBlur={take}
         onKeyDown={event => {
           if (event.key === 'Enter') take()
-          if (event.key === 'Escape') drop()
+          if (event.key !== 'Escape') return
+          if (complaint) onWrong()
+          drop()
         }}
       />
       {complaint ? (
@@ -76,4 +90,12 @@ export function QuantityField({
       ) : null}
     </span>
   )
+}
+
+/** A value that is in its range as far as that has ends. */
+function inRange(parsed: Parsed, range: QuantityFieldProps['range']): Parsed {
+  if ('mistake' in parsed || !range) return parsed
+  const { lower, upper, said } = range
+  const isOutside = parsed.value < lower - ROUNDING || parsed.value > upper + ROUNDING
+  return isOutside ? { mistake: said } : { value: Math.min(Math.max(parsed.value, lower), upper) }
 }

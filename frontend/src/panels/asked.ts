@@ -10,4 +10,6 @@ export interface Asked {
   readonly why: string
   readonly set: (name: string, value: number) => void
   readonly forget: () => void
+  /** The same, and what is said of it is said no more. */
+  readonly giveUp: () => void
 }

@@ -18,6 +18,24 @@ const LEFT: StationDescription = {
 }
 const RIGHT: StationDescription = { ...LEFT, name: 'right', program: 'right', tool: 'fork' }
 
+test('what was refused is said no more once it is given up', () => {
+  const { jog, sent } = bench()
+  jog.start('left', [0, 0])
+  const refused = {
+    tcp: LEFT.base,
+    bodies: [],
+    words: [{ level: 'error', text: 'too far' }],
+    location: '',
+  } as const
+  jog.receive({ type: 'jogged', id: 1, q: [0, 0.5], reached: true, ...refused })
+  jog.settle()
+  expect(sent).toHaveLength(1) // it stands where it was to
+  jog.moveTcp([9, 0, 0, 1, 0, 0, 0])
+  jog.receive({ type: 'jogged', id: 2, q: [0, 0.5], reached: false, ...refused })
+  jog.settle()
+  expect(sent.slice(1)).toMatchObject([{ type: 'jog_tcp' }, { type: 'jog_joints', q: [0, 0.5] }])
+})
+
 function bench() {
   const sent: Command[] = []
   const shown: (Jogged | null)[] = []

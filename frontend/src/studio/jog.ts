@@ -113,6 +113,12 @@ export class Jog {
     this.#request(id => ({ type: 'jog_tcp', id, station, q: this.#answer?.q ?? q, tool, target }))
   }
 
+  /** What was asked for last is given up: ask for where the arm stands, so that what is said is of that. */
+  settle(): void {
+    const q = this.#answer?.q ?? this.#q
+    if (this.#q && q && this.#answer?.reached === false) this.#ask(q)
+  }
+
   /** A gesture has ended: keep the way back under a name. */
   commit(name: string): void {
     const from = this.#before

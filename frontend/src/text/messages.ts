@@ -196,6 +196,7 @@ export const words = {
     waiting: 'Waiting for the cell …',
     region: 'Joints and tool centre point',
     range: (low: string, high: string) => `${low} to ${high}`,
+    outside: (joint: string, low: string, high: string) => `${joint} goes from ${low} to ${high}`,
     levels: { error: 'Error', warning: 'Warning', info: 'Note' },
     value: (name: string) => `${name}, typed value`,
     hold: 'One step; hold it to go on',
