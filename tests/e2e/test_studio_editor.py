@@ -30,6 +30,17 @@ endr
 """
 #: Opens the gripper on the way, so that the box is not there where it closes again.
 LOST = "  open\n  mov b above 60 mm\n  close"
+#: Types a letter and takes it back before anybody has heard of it; returns what the strip says after each.
+TYPE_AND_TAKE_BACK = """async () => {
+    const frames = () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))
+    const said = []
+    for (const act of ['insertText', 'delete']) {
+        document.execCommand(act, false, 'x')
+        await frames()
+        said.push(document.querySelector('.result').textContent)
+    }
+    return said
+}"""
 
 
 def squiggle(fresh: StudioPage, text: str) -> "Locator":
@@ -370,3 +381,34 @@ def test_a_change_on_the_disk_beside_typed_text_is_asked_about(
     fresh.page.get_by_role("img", name="not saved").wait_for(state="detached")
     fresh.page.locator(".cm-line", has_text=here).wait_for()
     assert there in program(first_cell).read_bytes()
+
+
+def test_the_edit_menu_acts_in_the_editor_from_anywhere(fresh: StudioPage) -> None:
+    fresh.view("Perspective").focus()
+    fresh.page.keyboard.press("Control+g")
+    fresh.page.keyboard.type("8")
+    fresh.page.keyboard.press("Enter")
+    active(fresh, "  close")
+    fresh.page.get_by_role("menuitem", name="Edit", exact=True).click()
+    fresh.page.get_by_role("menuitem", name="Comment or uncomment lines").click()
+    active(fresh, "  # close")
+    fresh.page.keyboard.press("Control+/")
+    active(fresh, "  close")
+    fresh.command("Find and replace")
+    fresh.page.keyboard.type("shut")
+    assert fresh.page.get_by_label("Replace by").input_value() == "shut"
+    fresh.page.keyboard.press("Escape")
+    wrapped = fresh.page.locator(".cm-content.cm-lineWrapping")
+    fresh.command("Wrap long lines")
+    wrapped.wait_for()
+    assert fresh.page.evaluate("() => localStorage.getItem('ropsim * wrap')") == '"on"'
+    fresh.page.keyboard.press("Alt+z")
+    wrapped.wait_for(state="detached")
+
+
+def test_the_result_of_another_text_is_marked_at_once_until_the_text_is_back(fresh: StudioPage) -> None:
+    fresh.line(SLOW).click()
+    typed, back = fresh.page.evaluate(TYPE_AND_TAKE_BACK)
+    assert "before the change of the text" in typed
+    assert "before" not in back
+    assert not fresh.state()["stale"]

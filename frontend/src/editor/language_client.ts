@@ -3,9 +3,9 @@ import { hoverTooltips, LSPClient, LSPPlugin, serverCompletion, signatureHelp } 
 import { type EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view'
 import type { Problem } from '../studio/problems'
 import { actionsPanel } from './actions_panel'
+import { EDIT_KEYS } from './edit_actions'
 import { marksOf, type Published, problemsOf } from './findings'
 import { foundMarks } from './found_marks'
-import { LANGUAGE_KEYS } from './language_keys'
 import { sameName } from './same_name'
 import { sanitizeHTML } from './sanitize'
 import { putMarks } from './shown_marks'
@@ -76,7 +76,7 @@ export class LanguageClient {
         signatureHelp({ keymap: false }),
         sameName,
         actionsPanel,
-        keymap.of(LANGUAGE_KEYS),
+        keymap.of(EDIT_KEYS),
       ],
     })
     this.#link = new LanguageLink(address, {

@@ -15,7 +15,10 @@ import {
   tooltips,
   type ViewUpdate,
 } from '@codemirror/view'
+import type { EditEntry } from '../studio/edit_table'
 import type { Problem } from '../studio/problems'
+import type { Wrap } from '../studio/state'
+import { commandOf } from './edit_actions'
 import { showFound } from './found_marks'
 import { LanguageClient } from './language_client'
 import { closesLateWords } from './late_words'
@@ -70,6 +73,8 @@ export class ProgramEditor {
   #ends = new LineEnds('')
   #line = 0
   #isReadOnly = false
+  readonly #wrapping = new Compartment()
+  #wrap: Wrap = 'off'
   #marks: MarkedLines = { running: null, ghost: null }
   readonly #sight: LineInSight
 
@@ -164,6 +169,19 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
+  /** Do what a command of the Edit menu says, as its key does. */
+  act(entry: EditEntry): void {
+    if (!this.#name) return
+    this.#view.focus()
+    commandOf(entry)(this.#view)
+  }
+
+  /** Break lines that are longer than the panel is wide, or let them run out of sight. */
+  setWrap(wrap: Wrap): void {
+    this.#wrap = wrap
+    this.#view.dispatch({ effects: this.#wrapping.reconfigure(wrapping(wrap)) })
+  }
+
   focus(): void {
     this.#view.focus()
   }
@@ -193,6 +211,7 @@ export class ProgramEditor {
       kept?.state ?? EditorState.create({ doc: document.text, extensions: this.#extensions(document) })
     this.#view.setState(state)
     this.setReadOnly(this.#isReadOnly ? 'read' : 'write')
+    this.setWrap(this.#wrap)
     this.#view.scrollDOM.scrollTop = kept?.scroll ?? 0
     showMarks(this.#view, this.#marks)
     this.#language.showKnown(this.#view)
@@ -227,6 +246,7 @@ export class ProgramEditor {
     return [
       nonce(),
       this.#access.of(EditorState.readOnly.of(this.#isReadOnly)),
+      this.#wrapping.of(wrapping(this.#wrap)),
       EditorState.phrases.of(words.phrases),
       lineMarks(),
       lineNumbers(),
@@ -263,6 +283,10 @@ export class ProgramEditor {
       EditorView.updateListener.of(update => this.#updated(update)),
     ]
   }
+}
+
+function wrapping(wrap: Wrap): Extension {
+  return wrap === 'on' ? EditorView.lineWrapping : []
 }
 
 /** The page's content policy allows styles with its nonce only. */

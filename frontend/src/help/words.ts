@@ -21,11 +21,7 @@ export const helpWords = {
   },
   editorKeys: 'Text editor',
   editor: {
-    definition: 'Go to the definition',
-    references: 'All places of the name',
-    rename: 'Another name at all places',
-    signature: 'How the task is called',
-    actions: 'What can be done about the selection',
+    again: 'Find the next one, the one before',
     fold: 'Fold, unfold',
   },
   drag: { left: 'Left drag', right: 'Right drag, or Shift with left', wheel: 'Wheel' },

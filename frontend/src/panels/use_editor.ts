@@ -31,6 +31,7 @@ export function useEditor(host: RefObject<HTMLDivElement | null>): Loading {
   }, [studio, host])
   useDocuments(editor)
   useMarks(editor)
+  useWrap(editor)
   return loading
 }
 
@@ -59,6 +60,7 @@ function useDocuments(editor: ProgramEditor | null): void {
     goToWanted(editor, wanted)
   }, [studio, editor, documents, name])
   useEffect(() => (editor ? studio.desk.onWrite(text => editor.write(text)) : undefined), [studio, editor])
+  useEffect(() => (editor ? studio.desk.onAct(entry => editor.act(entry)) : undefined), [studio, editor])
   useEffect(() => editor?.setReadOnly(editing ? 'write' : 'read'), [editor, editing])
   useEffect(
     () =>
@@ -76,6 +78,11 @@ function goToWanted(editor: ProgramEditor, wanted: RefObject<Place | null>): voi
   if (place?.document !== editor.document) return
   wanted.current = null
   editor.goTo(place.line, place.column)
+}
+
+function useWrap(editor: ProgramEditor | null): void {
+  const wrap = useStudioState(state => state.wrap)
+  useEffect(() => editor?.setWrap(wrap), [editor, wrap])
 }
 
 function useMarks(editor: ProgramEditor | null): void {

@@ -8,12 +8,13 @@ export function ResultStrip() {
   const studio = useStudio()
   const shown = useStudioState(state => state.shown)
   const stale = useStudioState(state => state.stale)
+  const changed = useStudioState(state => state.changed)
   const live = useStudioState(state => state.live !== null && state.live.state !== 'over')
   useUnits()
   const run = shown > 0 ? studio.run : null
   const result = run?.result
   return (
-    <section className={stale ? 'result stale' : 'result'} aria-label={words.strip}>
+    <section className={stale || changed ? 'result stale' : 'result'} aria-label={words.strip}>
       {run && result ? (
         <>
           <div
@@ -25,7 +26,7 @@ export function ResultStrip() {
                 {words.signs[result.verdict.kind]}
               </span>{' '}
               {result.verdict.text}
-              {stale ? <em> – {words.stale}</em> : null}
+              {stale || changed ? <em> – {stale ? words.stale : words.changed}</em> : null}
             </strong>
             <span className="unchecked">{result.unchecked}</span>
           </div>

@@ -1,8 +1,10 @@
 /** The commands of the shell. Panels add their own where they need to. */
 import { TOPICS } from '../help/topics'
 import { commandWords as titles } from '../text/commands'
+import { editWords } from '../text/edit'
 import type { Add, Extra } from './command_groups'
 import type { Menu } from './commands'
+import { EDITS, type EditEntry } from './edit_table'
 import { addFile } from './file_commands'
 import { addSimulate } from './simulate_commands'
 import type { Studio } from './studio'
@@ -18,6 +20,7 @@ export function addCommands(studio: Studio, openPalette: () => void): () => void
   }
   addFile(studio, group)
   addEdit(studio, group('Edit', 'undo'))
+  for (const [name, entries] of Object.entries(EDITS)) addEntries(studio, group('Edit', name), entries)
   addView(studio, group)
   addSimulate(studio, group)
   const help = group('Help', 'help')
@@ -30,6 +33,18 @@ export function addCommands(studio: Studio, openPalette: () => void): () => void
   }
   return () => {
     for (const remove of removals) remove()
+  }
+}
+
+function addEntries(studio: Studio, add: Add, entries: readonly EditEntry[]): void {
+  const state = () => studio.store.getState()
+  for (const entry of entries) {
+    const run = () => {
+      if (!studio.desk.act(entry)) studio.dock?.show('program')
+    }
+    add(`edit.${entry.action}`, editWords[entry.action], entry.keys, run, {
+      enabled: () => state().document !== '' && (!entry.writes || state().editing),
+    })
   }
 }
 

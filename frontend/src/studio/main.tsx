@@ -2,7 +2,7 @@
 import { createRoot } from 'react-dom/client'
 import { StudioContext } from './context'
 import { installHook } from './hook'
-import { restoreSettings } from './page_settings'
+import { keptWrap, restoreSettings } from './page_settings'
 import { Shell } from './Shell'
 import { Studio } from './studio'
 import 'dockview-react/dist/styles/dockview.css'
@@ -27,6 +27,7 @@ import '../style/forced.css'
 restoreSettings()
 const scheme = location.protocol === 'https:' ? 'wss' : 'ws'
 const studio = new Studio(`${scheme}://${location.host}/ws/studio`)
+studio.store.setState({ wrap: keptWrap() })
 installHook(studio)
 
 const root = document.getElementById('root')

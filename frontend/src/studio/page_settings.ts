@@ -1,6 +1,7 @@
-/** What the user has chosen for every project on this machine: light or dark, units. */
+/** What the user has chosen for every project on this machine: light or dark, units, wrapped lines. */
 import { setTheme, THEMES, type Theme } from '../style/scheme'
 import { ANGLES, LENGTHS, METRIC, setUnits, type UnitChoice } from '../units/choice'
+import type { Wrap } from './state'
 import { ProjectStorage } from './storage'
 
 const storage = new ProjectStorage('*')
@@ -14,6 +15,14 @@ export function restoreSettings(): void {
     length: LENGTHS.find(one => one === kept?.length) ?? METRIC.length,
     angle: ANGLES.find(one => one === kept?.angle) ?? METRIC.angle,
   })
+}
+
+export function keptWrap(): Wrap {
+  return storage.read('wrap') === 'on' ? 'on' : 'off'
+}
+
+export function keepWrap(wrap: Wrap): void {
+  storage.write('wrap', wrap)
 }
 
 export function keepTheme(theme: Theme): void {

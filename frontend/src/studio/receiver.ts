@@ -7,7 +7,7 @@ import type { Jog } from './jog'
 import { type Look, lookFrom } from './look'
 import type { Loop } from './loop'
 import type { Picture } from './picture'
-import type { Texts } from './run_lines'
+import { isOfTexts, type RunLines, type Texts } from './run_lines'
 import type { RunView } from './run_view'
 import type { Runs } from './runs'
 import type { SignalBoard } from './signal_board'
@@ -22,6 +22,7 @@ export interface Receiving {
   readonly cursor: Cursor
   readonly desk: TextDesk
   readonly jog: Jog
+  readonly lines: RunLines
   readonly loop: Loop
   readonly picture: Picture
   readonly run: Run | null
@@ -163,7 +164,10 @@ export class Receiver {
     if (status.state === 'done') studio.store.setState({ finished: status.id })
     if (status.state === 'done') void studio.runs.take(status.id, texts)
     const { run } = studio
-    if (run && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
+    // What is said of a text that has been typed back meanwhile is no news.
+    const now = studio.desk.now()
+    const isBack = studio.lines.isOf(now) && !isOfTexts(texts, now)
+    if (run && !isBack && ['refused', 'failed'].includes(status.state)) studio.view.setStale('stale')
     if (status.state === 'failed') studio.notify('error', words.run.failed(status.message))
   }
 

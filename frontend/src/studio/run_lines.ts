@@ -34,6 +34,16 @@ export class RunLines {
     this.#run = texts
   }
 
+  /** Whether a text has changed since the run, as far as its texts are known. */
+  get changed(): boolean {
+    return [...this.#run].some(([document, text]) => this.#source.text(document) !== text)
+  }
+
+  /** Whether the run is one of these texts, all of them. */
+  isOf(texts: Texts): boolean {
+    return isOfTexts(this.#run, texts)
+  }
+
   /** Line of the run in the text of now; null where it is gone. */
   toText(document: string, line: number): number | null {
     return this.#map(document, this.#run).toNew(line)

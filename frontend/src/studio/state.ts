@@ -25,6 +25,9 @@ export interface ShownNotice extends Notice {
 /** What the File menu asks for. */
 export type DialogKind = 'newProject' | 'openProject' | 'recent' | 'newProgram' | 'saveAs'
 
+/** Whether long lines of texts are broken. */
+export type Wrap = 'on' | 'off'
+
 export interface StudioState {
   readonly connection: ConnectionState
   readonly ropsim: string
@@ -44,7 +47,9 @@ export interface StudioState {
   readonly status: RunStatus | null
   /** Counts the runs shown; 0 before the first. */
   readonly shown: number
-  /** The text has changed since the shown run. */
+  /** A text differs from those of the shown run, and what it comes to is not known yet. */
+  readonly changed: boolean
+  /** The text has changed since the shown run, and has no good run. */
   readonly stale: boolean
   readonly scene: SceneDescription | null
   /** False until the server has said how the cell looks. */
@@ -58,6 +63,7 @@ export interface StudioState {
   readonly ghost: GhostLine | null
   readonly selected: number | null
   readonly look: Look
+  readonly wrap: Wrap
   readonly notices: readonly ShownNotice[]
   /** What the help panel shows. */
   readonly help: HelpTopic
@@ -86,6 +92,7 @@ const START: StudioState = {
   found: [],
   status: null,
   shown: 0,
+  changed: false,
   stale: false,
   scene: null,
   sceneKnown: false,
@@ -96,6 +103,7 @@ const START: StudioState = {
   ghost: null,
   selected: null,
   look: DEFAULT_LOOK,
+  wrap: 'off',
   notices: [],
   help: 'keys',
   finished: 0,

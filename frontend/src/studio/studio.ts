@@ -23,7 +23,7 @@ import { driveLiveRuns } from './live_player'
 import type { Look } from './look'
 import { Loop } from './loop'
 import { Noticeboard } from './noticeboard'
-import { keepTheme, keepUnits } from './page_settings'
+import { keepTheme, keepUnits, keepWrap } from './page_settings'
 import type { Pass } from './passes'
 import { Picture } from './picture'
 import type { Problem } from './problems'
@@ -32,7 +32,7 @@ import { NOW, RunLines, type Texts } from './run_lines'
 import { RunView } from './run_view'
 import { Runs, type RunTexts } from './runs'
 import { SignalBoard } from './signal_board'
-import { createStudioStore, type StudioStore } from './state'
+import { createStudioStore, type StudioStore, type Wrap } from './state'
 import { ProjectStorage, tabName } from './storage'
 import { type Place, TextDesk } from './text_desk'
 import { UndoStack } from './undo'
@@ -151,7 +151,16 @@ export class Studio {
         this.setProblems(source, this.lines.problems(findings, texts))
     }
     this.#lines.moved()
+    this.#compareTexts()
     this.loop.mark()
+  }
+
+  /** Mark the result of the shown run as that of another text, or no more: a text may be typed back. */
+  #compareTexts(): void {
+    const changed = this.run?.live === false && this.lines.changed
+    if (changed === this.store.getState().changed) return
+    this.store.setState({ changed })
+    if (!changed) this.view.setStale('current')
   }
 
   save(document: string, disk: 'keep' | 'overwrite' = 'keep'): void {
@@ -326,6 +335,16 @@ export class Studio {
     this.undo.do({ name, undo: () => apply(before), redo: () => apply(next) })
   }
 
+  /** Break long lines of texts, or let them run out of sight; with a way back. */
+  chooseWrap(next: Wrap, name: string): void {
+    const before = this.store.getState().wrap
+    const apply = (wrap: Wrap) => {
+      keepWrap(wrap)
+      this.store.setState({ wrap })
+    }
+    this.undo.do({ name, undo: () => apply(before), redo: () => apply(next) })
+  }
+
   #apply(look: Look): void {
     this.store.setState({ look })
     this.storage.write('look', look)
@@ -339,5 +358,6 @@ export class Studio {
     this.setFindings('compile', [])
     this.setFindings('run', run.findings, texts)
     this.#lines.renew()
+    this.#compareTexts()
   }
 }

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import type { Command } from '../wire/commands'
 import type { DocumentState } from '../wire/messages'
+import { EDITS } from './edit_table'
 import { DELAY } from './outbox'
 import { createStudioStore, type StudioStore } from './state'
 import { TextDesk } from './text_desk'
@@ -96,4 +97,16 @@ test('only places in known documents are gone to', () => {
   desk.goTo({ document: 'cell.toml', line: 1, column: 1 })
   expect(places).toEqual([MAIN])
   expect(store.getState().document).toBe('cell.toml')
+})
+
+test('what the Edit menu asks for waits for an editor, once', () => {
+  const [find, replace] = EDITS.find
+  if (!find || !replace) throw new Error('there are two')
+  const done: string[] = []
+  expect(desk.act(find)).toBe(false)
+  const stop = desk.onAct(entry => done.push(entry.action))
+  expect(desk.act(replace)).toBe(true)
+  stop()
+  desk.onAct(entry => done.push(entry.action))
+  expect(done).toEqual(['find', 'replace'])
 })

@@ -3,6 +3,7 @@ import { words } from '../text/messages'
 import type { Command } from '../wire/commands'
 import { documentOfSource } from './document_names'
 import { Documents } from './documents'
+import type { EditEntry } from './edit_table'
 import { Outbox } from './outbox'
 import type { StudioStore } from './state'
 
@@ -22,6 +23,9 @@ export class TextDesk {
   #wanted = ''
   readonly #places = new Set<(place: Place) => void>()
   readonly #pens = new Set<(text: string) => void>()
+  readonly #hands = new Set<(entry: EditEntry) => void>()
+  /** What is to be done as soon as an editor is there. */
+  #awaited: EditEntry | null = null
 
   constructor(store: StudioStore, send: (command: Command) => boolean, warn: (text: string) => void) {
     this.#store = store
@@ -100,6 +104,21 @@ export class TextDesk {
   write(text: string): boolean {
     for (const pen of this.#pens) pen(text)
     return this.#pens.size > 0
+  }
+
+  /** Have something done in the editor; false where none is open: the next one does it. */
+  act(entry: EditEntry): boolean {
+    this.#awaited = this.#hands.size > 0 ? null : entry
+    for (const hand of this.#hands) hand(entry)
+    return this.#awaited === null
+  }
+
+  onAct(hand: (entry: EditEntry) => void): () => void {
+    this.#hands.add(hand)
+    const awaited = this.#awaited
+    this.#awaited = null
+    if (awaited) hand(awaited)
+    return () => this.#hands.delete(hand)
   }
 
   onWrite(pen: (text: string) => void): () => void {

@@ -53,6 +53,17 @@ export function addView(studio: Studio, group: Grouped): void {
     const title = titles.direction(directionNames[direction])
     directions(`view.direction.${direction}`, title, [], () => stage()?.look(direction))
   }
+  const wrap = () => studio.store.getState().wrap
+  const text = group('View', 'text')
+  text(
+    'view.wrap',
+    titles.wrap,
+    ['Alt+Z'],
+    () => studio.chooseWrap(wrap() === 'on' ? 'off' : 'on', titles.wrap),
+    {
+      checked: () => wrap() === 'on',
+    },
+  )
   const picture = group('View', 'picture')
   picture(
     'view.trails',

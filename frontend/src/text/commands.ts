@@ -26,6 +26,7 @@ export const commandWords = {
   themes: { system: 'Theme: as the system', light: 'Theme: light', dark: 'Theme: dark' },
   lengths: { mm: 'Lengths in millimetres', m: 'Lengths in metres', in: 'Lengths in inches' },
   angles: { deg: 'Angles in degrees', rad: 'Angles in radians' },
+  wrap: 'Wrap long lines',
   trails: 'Show the TCP path',
   fit: 'Fit selection, or all',
   home: 'Reset the views',
