@@ -2,6 +2,7 @@
 import { type FormEvent, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { fileWords } from '../text/files'
 import { useStudio, useStudioState } from './context'
+import { FolderList } from './FolderList'
 import type { DialogKind } from './state'
 
 const words = fileWords.dialog
@@ -20,7 +21,13 @@ function Dialog({ kind }: { kind: DialogKind }) {
   const refusal = useStudioState(state => state.refusal)
   const hint = useId()
   const why = useId()
-  useEffect(() => dialog.current?.showModal(), [])
+  const field = useRef<HTMLInputElement>(null)
+  const place = useStudioState(state => state.folders?.place)
+  useEffect(() => {
+    dialog.current?.showModal()
+    // The dialog gives the keyboard to what stands first, which may be a list.
+    field.current?.focus()
+  }, [])
   // Closed before it is taken away, the keyboard goes back to where it was.
   useLayoutEffect(() => {
     const shown = dialog.current
@@ -31,13 +38,13 @@ function Dialog({ kind }: { kind: DialogKind }) {
     event.preventDefault()
     const text = typed.trim()
     if (!text) return
-    if (kind === 'newProject') studio.newProject(text, example)
+    if (kind === 'newProject') studio.newProject(isPath(text) ? text : `${beside}/${text}`, example)
     else if (kind === 'newProgram') studio.newProgram(text)
     else if (kind === 'saveAs') studio.saveAs(text)
     else studio.openProject(text)
   }
   const isProject = kind === 'newProject' || kind === 'openProject' || kind === 'recent'
-  const beside = folder.replace(/[/\\][^/\\]*$/, '') || '/'
+  const beside = place || folder.replace(/[/\\][^/\\]*$/, '') || '/'
   const label = kind === 'newProject' ? words.newFolder : isProject ? words.folder : words.name
   const help =
     kind === 'newProject' ? words.newFolderHint(beside) : isProject ? words.folderHint : words.nameHint
@@ -66,7 +73,7 @@ function Dialog({ kind }: { kind: DialogKind }) {
           {label}
           <input
             type="text"
-            autoFocus
+            ref={field}
             required
             spellCheck={false}
             aria-describedby={refusal ? `${why} ${hint}` : hint}
@@ -105,7 +112,25 @@ function Dialog({ kind }: { kind: DialogKind }) {
             ))}
           </fieldset>
         ) : null}
+        {kind === 'newProject' || kind === 'openProject' ? (
+          <FolderList
+            onProject={(one, how) => {
+              if (kind === 'newProject') return
+              setTyped(one.path)
+              if (how === 'open') studio.openProject(one.path)
+            }}
+          />
+        ) : null}
         <div className="actions">
+          {kind === 'openProject' && examples.length > 0 ? (
+            <button
+              type="button"
+              className="other"
+              onClick={() => studio.store.setState({ dialog: 'newProject', refusal: null })}
+            >
+              {words.fromExample}
+            </button>
+          ) : null}
           <button type="button" onClick={close}>
             {words.cancel}
           </button>
@@ -116,4 +141,9 @@ function Dialog({ kind }: { kind: DialogKind }) {
       </form>
     </dialog>
   )
+}
+
+/** What names a place of its own, not a folder beside others. */
+function isPath(text: string): boolean {
+  return /[/\\]/.test(text) || text.startsWith('~')
 }

@@ -84,6 +84,7 @@ export class Receiver {
       },
       jogged: message => studio.jog.receive(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
+      folders: folders => studio.store.setState({ folders }),
       answered: ({ refusal }) => this.#answered(refusal),
     }
   }

@@ -3,7 +3,15 @@ import { createStore, type StoreApi } from 'zustand/vanilla'
 import type { HelpTopic } from '../help/topics'
 import type { SceneDescription } from '../scene/description'
 import type { ConnectionState } from '../wire/connection'
-import type { LiveStatus, Notice, RunStatus, SignalStamped, TrustState, Welcome } from '../wire/messages'
+import type {
+  Folders,
+  LiveStatus,
+  Notice,
+  RunStatus,
+  SignalStamped,
+  TrustState,
+  Welcome,
+} from '../wire/messages'
 import type { StudioDocument } from './documents'
 import { DEFAULT_LOOK, type Look } from './look'
 import type { Problem } from './problems'
@@ -75,6 +83,8 @@ export interface StudioState {
   /** Folders of the projects that were open last. */
   readonly recent: readonly string[]
   readonly examples: Welcome['examples']
+  /** The folders among which the dialog lets choose; null until they are told. */
+  readonly folders: Folders | null
 }
 
 const START: StudioState = {
@@ -111,6 +121,7 @@ const START: StudioState = {
   refusal: null,
   recent: [],
   examples: [],
+  folders: null,
 }
 
 export type StudioStore = StoreApi<StudioState>

@@ -189,6 +189,11 @@ export class Studio {
     this.send({ type: 'open_project', path })
   }
 
+  /** Ask for the folders in a place; empty for where projects are. */
+  listFolders(path: string): void {
+    this.send({ type: 'list_folders', path })
+  }
+
   newProject(path: string, example: string): void {
     this.desk.flush()
     this.send({ type: 'new_project', path, example })

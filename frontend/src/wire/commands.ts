@@ -48,6 +48,12 @@ export interface OpenProject {
   readonly path: string
 }
 
+/** Tell the folders in a place; empty for where projects are. */
+export interface ListFolders {
+  readonly type: 'list_folders'
+  readonly path: string
+}
+
 /** Make a project from an example in a new folder and open it. */
 export interface NewProject {
   readonly type: 'new_project'
@@ -142,6 +148,7 @@ export type Command =
   | Revert
   | Create
   | OpenProject
+  | ListFolders
   | NewProject
   | TakeOver
   | RunNow

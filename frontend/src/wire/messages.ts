@@ -250,6 +250,27 @@ export interface Answered {
   readonly refusal: Notice | null
 }
 
+/** A folder from which one may be chosen. */
+export interface FolderState {
+  /** Its last part. */
+  readonly name: string
+  /** All of it. */
+  readonly path: string
+  /** Whether it is one of a project. */
+  readonly project: boolean
+}
+
+/** The folders in a place of this machine. */
+export interface Folders {
+  readonly type: 'folders'
+  /** Path; empty where there is none to look at. */
+  readonly place: string
+  /** Of the place; empty where that is not to be looked at. */
+  readonly parent: string
+  /** By name. */
+  readonly folders: readonly FolderState[]
+}
+
 export type Message =
   | Welcome
   | TrustChanged
@@ -265,3 +286,4 @@ export type Message =
   | Jogged
   | Notice
   | Answered
+  | Folders

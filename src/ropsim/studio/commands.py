@@ -63,6 +63,12 @@ class OpenProject(Struct, frozen=True, tag_field="type", tag="open_project"):
     path: Place
 
 
+class ListFolders(Struct, frozen=True, tag_field="type", tag="list_folders"):
+    """Tell the folders in a place; empty for where projects are."""
+
+    path: Annotated[str, Meta(max_length=4000)]
+
+
 class NewProject(Struct, frozen=True, tag_field="type", tag="new_project"):
     """Make a project from an example in a new folder and open it."""
 
@@ -122,6 +128,7 @@ Command: TypeAlias = (
     | Revert
     | Create
     | OpenProject
+    | ListFolders
     | NewProject
     | TakeOver
     | RunNow

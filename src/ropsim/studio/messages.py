@@ -312,6 +312,34 @@ class Answered(Struct, frozen=True, tag_field="type", tag="answered"):
     refusal: Notice | None
 
 
+class FolderState(Struct, frozen=True):
+    """A folder from which one may be chosen.
+
+    Attributes:
+        name: its last part.
+        path: all of it.
+        project: whether it is one of a project.
+    """
+
+    name: str
+    path: str
+    project: bool
+
+
+class Folders(Struct, frozen=True, tag_field="type", tag="folders"):
+    """The folders in a place of this machine.
+
+    Attributes:
+        place: path; empty where there is none to look at.
+        parent: of the place; empty where that is not to be looked at.
+        folders: by name.
+    """
+
+    place: str
+    parent: str
+    folders: tuple[FolderState, ...]
+
+
 Message: TypeAlias = (
     Welcome
     | TrustChanged
@@ -327,6 +355,7 @@ Message: TypeAlias = (
     | Jogged
     | Notice
     | Answered
+    | Folders
     | Mapping[str, object]
 )
 """Mappings are messages of a live run, as they come from the worker: see `plain`."""

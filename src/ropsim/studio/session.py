@@ -17,6 +17,7 @@ from ropsim.studio.diagnostics import (
 )
 from ropsim.studio.document import Document
 from ropsim.studio.editing import Editing
+from ropsim.studio.folders import folders_in, places_of
 from ropsim.studio.messages import Answered, ExampleState, TrustChanged, TrustState, Welcome, notice
 from ropsim.studio.project_files import CELL, project_folder
 from ropsim.studio.runs import Runs
@@ -128,6 +129,8 @@ class Session:
                 await self.editing.handle(tab, command)
             case commands.OpenProject() | commands.NewProject():
                 await self._leave_for(tab, command)
+            case commands.ListFolders(path):
+                tab.send(await asyncio.to_thread(folders_in, path, places_of(self._folder)))
             case commands.TakeOver():
                 self._tabs.take_over(tab)
             case commands.Trust(trusted):
