@@ -229,12 +229,16 @@ def test_a_jogged_pose_is_written_into_the_program_and_runs(
     shown = fresh.state()["shown"]
     fresh.write("program taught\nunits m, rad, s\nmov home\n# \nmov ")
     panel.get_by_role("button", name="Teach", exact=True).click()
-    fresh.until(lambda: " mm; rpy " in fresh.text() and fresh.text().endswith(" in base"))
+    fresh.until(lambda: ", config (" in fresh.text() and fresh.text().endswith(") in base"))
     fresh.rerun(shown)
     fresh.seek(1e9)
     assert first_project.cell is not None
     expected = body_poses(first_project.cell, np.array([radians(30.0), *start[1:]]))
     fresh.until(lambda: max(worst_apart(fresh.poses(), expected)) < TAUGHT)
+    fresh.page.keyboard.press("Enter")
+    panel.get_by_role("button", name="Teach", exact=True).click()
+    fresh.until(lambda: fresh.text().splitlines()[-1].startswith("mov (") or fresh.text().endswith("\n"))
+    assert fresh.text().splitlines()[4] == fresh.text().splitlines()[5]  # whole moves, both
 
 
 def test_the_table_of_states_jogs_from_the_shown_time(

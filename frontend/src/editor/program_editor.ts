@@ -28,6 +28,7 @@ import { lineMarks, type MarkedLines, showMarks } from './marks'
 import { replacement } from './replacement'
 import { staysOpen } from './shown_marks'
 import { task } from './task_language'
+import { moveOnEmptyLine } from './taught_move'
 import { theme } from './theme'
 import { toml } from './toml_language'
 import { lineInSight } from './view_sight'
@@ -158,15 +159,21 @@ export class ProgramEditor {
     this.#view.focus()
   }
 
-  /** Write a text at the cursor, in place of what is selected. */
-  write(text: string): void {
+  /** Write a location at the cursor, in place of what is selected; on an empty line a move to it. */
+  teach(location: string): void {
     if (this.#isReadOnly || !this.#name) return
+    const move = moveOnEmptyLine(this.#view.state, location)
+    if (move) this.#view.dispatch({ ...move, scrollIntoView: true, userEvent: 'input.paste' })
+    else this.#write(location)
+    this.#view.focus()
+  }
+
+  #write(text: string): void {
     this.#view.dispatch({
       ...this.#view.state.replaceSelection(text),
       scrollIntoView: true,
       userEvent: 'input.paste',
     })
-    this.#view.focus()
   }
 
   /** Do what a command of the Edit menu says, as its key does. */

@@ -14,7 +14,7 @@ export function WritePose({ lost }: { lost: boolean }) {
       title={words.jog.writeTitle}
       disabled={lost || !text || !editing || !document.endsWith('.task')}
       onClick={() => {
-        if (text && !studio.desk.write(text)) studio.notify('warning', words.jog.notWritten)
+        if (text && !studio.desk.teach(text)) studio.notify('warning', words.jog.notWritten)
       }}
     >
       {words.jog.write}

@@ -59,7 +59,7 @@ function useDocuments(editor: ProgramEditor | null): void {
     editor.open({ ...shown, text: studio.text(name) })
     goToWanted(editor, wanted)
   }, [studio, editor, documents, name])
-  useEffect(() => (editor ? studio.desk.onWrite(text => editor.write(text)) : undefined), [studio, editor])
+  useEffect(() => (editor ? studio.desk.onTeach(text => editor.teach(text)) : undefined), [studio, editor])
   useEffect(() => (editor ? studio.desk.onAct(entry => editor.act(entry)) : undefined), [studio, editor])
   useEffect(() => editor?.setReadOnly(editing ? 'write' : 'read'), [editor, editing])
   useEffect(

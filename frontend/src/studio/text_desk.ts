@@ -100,8 +100,8 @@ export class TextDesk {
     return () => this.#places.delete(listener)
   }
 
-  /** Have a text written where the cursor of the editor is; false where no editor is open. */
-  write(text: string): boolean {
+  /** Have a location written where the cursor of the editor is; false where no editor is open. */
+  teach(text: string): boolean {
     for (const pen of this.#pens) pen(text)
     return this.#pens.size > 0
   }
@@ -121,7 +121,7 @@ export class TextDesk {
     return () => this.#hands.delete(hand)
   }
 
-  onWrite(pen: (text: string) => void): () => void {
+  onTeach(pen: (text: string) => void): () => void {
     this.#pens.add(pen)
     return () => this.#pens.delete(pen)
   }

@@ -176,7 +176,7 @@ export const words = {
     restart: 'From the run',
     restartTitle: 'Start again from where the run is at its time',
     write: 'Teach',
-    writeTitle: 'Writes where the TCP stands at the cursor of the program',
+    writeTitle: 'Writes where the TCP stands at the cursor of the program; on an empty line a move there',
     notWritten:
       'The pose was not written: open the Program panel first, and put its cursor where the pose belongs.',
     joints: 'Joints',

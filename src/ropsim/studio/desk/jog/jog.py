@@ -86,7 +86,7 @@ class JoggedArm:
         X_WT = poses[link_name(robot.tip + 1, name)] @ robot.X_nM @ X_MT
         all_words = worst_first([*words, *singularity_words(robot, q)])
         reached = all(level != "error" for level, _ in words)
-        location = location_text(robot, self.station.X_WB.inverse() @ X_WT, q) if robot.has_arm else ""
+        location = location_text(robot, X_MT, q) if robot.has_arm else ""
         return JogReply(tuple(q.tolist()), X_WT.as_tuple(), bodies, reached, all_words, location)
 
     def _tool(self, name: str) -> Pose | None:

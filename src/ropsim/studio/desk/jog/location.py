@@ -1,21 +1,34 @@
 """Where an arm stands as a location of the task language, to be written into a program."""
 
-from math import degrees
+from math import degrees, floor, pi, tau
 
+import numpy as np
+
+from ropsim.kinematics import forward, posture
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, Pose, roll_pitch_yaw
 
+INSIDE = 5e-5
+"""So far from the ends of its range each joint is taught: rounding moves it by less [rad | m]."""
 
-def location_text(robot: RobotModel, X_BT: Pose, q: Array) -> str:
+UNSURE = 1e-3
+"""A joint that is so near to the border of two turns may come back in either [rad]."""
+
+
+def location_text(robot: RobotModel, X_MT: Pose, q: Array) -> str:
     """Return a location that means the same in every program, whatever its units and its frame in force.
 
-    It is rounded to a hundredth of a millimetre and a thousandth of a degree.
+    It is rounded to a hundredth of a millimetre and a thousandth of a degree. Where the arm's branches have
+    names it tells in which one the arm stands, and in which turns where that is not the first one, so that a
+    `mov` there brings the same posture back.
 
     Args:
         robot: whose external axes stay where they are.
-        X_BT: pose of the TCP in the base frame.
+        X_MT: pose of the TCP in the frame of the mechanical interface.
         q: joint coordinates [rad | m], shape (n,).
     """
+    q = np.clip(q, robot.lower_limits + INSIDE, robot.upper_limits - INSIDE)
+    X_BT = forward(robot, q) @ X_MT
     place = ", ".join(_millimetres(value) for value in X_BT.position.tolist())
     turn = " ".join(_degrees(angle) for angle in roll_pitch_yaw(X_BT))
     values = [
@@ -23,7 +36,30 @@ def location_text(robot: RobotModel, X_BT: Pose, q: Array) -> str:
         for axis in robot.external
     ]
     carried = f" external ({', '.join(values)})" if values else ""
-    return f"({place}; rpy {turn}) in base{carried}"
+    return f"({place}; rpy {turn}{_posture(robot, q)}) in base{carried}"
+
+
+def _posture(robot: RobotModel, q: Array) -> str:
+    """Return `config (…)` and `turns (…)`, as far as the arm has them and they say something."""
+    words = posture(robot, q).words
+    angles = [
+        float(q[axis]) if robot.axis_joints[axis].measure is JointType.REVOLUTE else 0.0
+        for axis in range(robot.n)
+        if axis not in robot.external
+    ]
+    turns = [_turn(angle) for angle in angles]
+    while turns and not turns[-1]:
+        turns.pop()
+    config = f", config ({', '.join(words)})" if words else ""
+    return config + (f", turns ({', '.join(map(str, turns))})" if turns and None not in turns else "")
+
+
+def _turn(angle: float) -> int | None:
+    """Return in which whole turn an angle is; at the border of the first one that, at others None."""
+    beyond = (angle + pi) / tau
+    if abs(beyond - round(beyond)) * tau > UNSURE:
+        return floor(beyond)
+    return 0 if round(beyond) in {0, 1} else None
 
 
 def _millimetres(value: float) -> str:

@@ -1,6 +1,6 @@
 """Jogging: where the arm goes and what it says about limits, reach and singularities."""
 
-from math import degrees, radians
+from math import degrees, pi, radians
 
 import numpy as np
 import pytest
@@ -11,9 +11,11 @@ from ropsim import icr, robots
 from ropsim.kinematics import forward, posture, solver_of
 from ropsim.kinematics.solvers.spherical_wrist import SphericalWristSolver
 from ropsim.model import ROBOT, Tool
+from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose, frozen
 from ropsim.studio.desk.jog.jog import JoggedArms
 from ropsim.studio.jobs import JogJoints, JogReply, JogTcp, PoseNumbers
+from ropsim.workbench import environment_of
 from support.arms import random_arm
 from support.cells import one_station
 from support.tasks import compiled
@@ -64,6 +66,18 @@ def test_the_location_is_that_of_the_tcp_in_the_base_frame() -> None:
     assert move.target.position == pytest.approx(X_BT.position, abs=1e-5)
     turned = (move.target.inverse() @ X_BT).rotation()
     assert turned == pytest.approx(np.eye(3), abs=radians(2e-3))
+
+
+@pytest.mark.parametrize(
+    "q",
+    [BENT, (0.1, 2.4, -0.4, 0.2, -0.5, 0.3), (-2.4, 2.3, -0.6, 0.4, 0.6, -4.0), (3.0, 0.8, -pi, 0, 0.5, 0)],
+)
+def test_the_location_brings_back_the_same_posture(q: tuple[float, ...]) -> None:
+    text = f"program p\nunits mm, deg\nmov joints (0, 60, -150, 0, 60, 0)\nmov {joints(q).location}\n"
+    code = compiled(text, environment_of(CELL)).icr
+    assert code is not None
+    q_end = run(CELL, {ROBOT: code}, RunOptions(Fidelity.KINEMATIC)).channels["q"].values[-1]
+    assert q_end == pytest.approx(joints(q).q, abs=1e-3)
 
 
 def test_the_tcp_is_that_of_the_forward_kinematics_in_the_world() -> None:
