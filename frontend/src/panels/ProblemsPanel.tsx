@@ -2,7 +2,7 @@
 import type { IDockviewPanelProps } from 'dockview-react'
 import { useEffect, useState } from 'react'
 import { useStudio, useStudioState } from '../studio/context'
-import { grouped, nextOf, type ProblemGroup } from '../studio/problem_groups'
+import { belowCauses, grouped, nextOf, type ProblemGroup } from '../studio/problem_groups'
 import { severityIcons, words } from './editor_words'
 import { Marked } from './Marked'
 import { matching } from './problem_order'
@@ -12,7 +12,7 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
   const problems = useStudioState(state => state.problems)
   const [query, setQuery] = useState('')
   const all = grouped(problems)
-  const shown = grouped(matching(problems, query))
+  const shown = belowCauses(grouped(matching(problems, query)))
   useEffect(() => {
     api.setTitle(words.title(all.length))
   }, [api, all.length])
@@ -44,7 +44,7 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
 
 function ProblemRow({ group }: { group: ProblemGroup }) {
   const studio = useStudio()
-  const { document, line, severity, code, message, hint, time } = group.first
+  const { document, line, severity, code, message, hint, time, follows } = group.first
   const count = group.all.length
   const act = () => {
     const chosen = nextOf(group, studio.cursor.time)
@@ -57,7 +57,7 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
     <li>
       <button
         type="button"
-        className={`problem ${severity}`}
+        className={`problem ${severity}${follows ? ' follows' : ''}`}
         title={count > 1 ? words.countTitle : undefined}
         onClick={act}
         disabled={!document && time === null}
@@ -68,6 +68,7 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
         <span className="problem-text">
           <Marked text={message} />
           {count > 1 ? <strong className="problem-count">{words.count(count)}</strong> : null}
+          {follows ? <em className="problem-cause">{words.follows(follows.line)}</em> : null}
           {hint ? (
             <span className="problem-hint">
               <Marked text={hint} />

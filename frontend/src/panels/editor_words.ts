@@ -32,6 +32,7 @@ export const words = {
   firstTime: (seconds: number) => `first at ${seconds.toFixed(2)} s`,
   count: (times: number) => `× ${times}`,
   countTitle: 'Found this many times on this line; each click goes to the next one',
+  follows: (line: number) => `likely follows from line ${line}`,
   next: 'Next problem',
   previous: 'Previous problem',
 } as const

@@ -18,6 +18,8 @@ export interface Finding {
   readonly span: Span | null
   /** Simulated time [s] at which it arose, null where it has none. */
   readonly time: number | null
+  /** From where it likely follows; null or absent where it stands alone. */
+  readonly follows?: { readonly source: string; readonly line: number } | null
 }
 
 export interface RunEvent {

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { grouped, nextOf } from './problem_groups'
+import { belowCauses, grouped, nextOf } from './problem_groups'
 import type { Problem } from './problems'
 
 const PROBLEM: Problem = {
@@ -42,4 +42,14 @@ test('going through a row leads from time to time and round', () => {
   const [group] = grouped([PROBLEM, later])
   if (!group) throw new Error('there must be a group')
   expect([0, 3, 8.9, 9, 20].map(time => nextOf(group, time).time)).toEqual([3, 9, 9, 3, 3])
+})
+
+test('what likely follows from a line stands behind what was found there', () => {
+  const cause = { ...PROBLEM, line: 12, code: 'M564' }
+  const follows = { document: PROBLEM.document, line: 12 }
+  const grip = { ...PROBLEM, line: 13, code: 'S721', follows }
+  const astray = { ...PROBLEM, line: 0, document: '', code: 'S738', follows }
+  const lost = { ...grip, line: 14, follows: { ...follows, line: 99 } }
+  const told = belowCauses(grouped([astray, grip, cause, lost, PROBLEM])).map(one => one.first)
+  expect(told).toEqual([cause, astray, grip, PROBLEM, lost])
 })

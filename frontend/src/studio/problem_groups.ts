@@ -24,8 +24,24 @@ export function grouped(problems: readonly Problem[]): readonly ProblemGroup[] {
 }
 
 /** Findings of one kind on one line differ in the numbers of their pass; without a line the words count. */
-function keyOf({ document, line, severity, code, message }: Problem): string {
-  return [document, line, severity, code, line > 0 && code ? '' : message].join('|')
+function keyOf({ document, line, severity, code, message, follows }: Problem): string {
+  return [document, line, severity, code, follows?.line, line > 0 && code ? '' : message].join('|')
+}
+
+/** Groups in their order, but what likely follows from a line stands behind what is found there. */
+export function belowCauses(groups: readonly ProblemGroup[]): readonly ProblemGroup[] {
+  const placed = groups.filter(one => !one.first.follows)
+  for (const one of groups) {
+    const { follows } = one.first
+    if (!follows) continue
+    const isOfCause = ({ first }: ProblemGroup) => {
+      const place = first.follows ?? first
+      return place.document === follows.document && place.line === follows.line
+    }
+    const last = placed.filter(isOfCause).at(-1)
+    placed.splice(last ? placed.indexOf(last) + 1 : placed.length, 0, one)
+  }
+  return placed
 }
 
 /** The member to go to next from a time: the one after it, else the first. */

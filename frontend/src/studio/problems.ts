@@ -17,6 +17,8 @@ export interface Problem {
   readonly hint: string
   /** Simulated time [s] at which it arose, null where it has none. */
   readonly time: number | null
+  /** From where it likely follows; absent where it stands alone. */
+  readonly follows?: { readonly document: string; readonly line: number }
 }
 
 const RANK: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2, hint: 3 }
@@ -35,6 +37,9 @@ export function problemOf(finding: Finding, documentOf: (source: string) => stri
     message: finding.message,
     hint: finding.hint,
     time: finding.time,
+    ...(finding.follows
+      ? { follows: { document: documentOf(finding.follows.source), line: finding.follows.line } }
+      : {}),
   }
 }
 

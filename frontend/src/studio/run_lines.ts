@@ -65,7 +65,10 @@ export class RunLines {
   problems(findings: readonly Finding[], texts: Texts): readonly Problem[] {
     const problems: Problem[] = []
     for (const finding of findings) {
-      const problem = problemOf(finding, source => this.#source.documentOf(source))
+      const problem = this.#causeNow(
+        problemOf(finding, source => this.#source.documentOf(source)),
+        texts,
+      )
       const { document, line, endLine } = problem
       if (!document || line === 0) {
         problems.push(problem)
@@ -75,6 +78,12 @@ export class RunLines {
       if (there !== null) problems.push({ ...problem, line: there, endLine: endLine + there - line })
     }
     return problems
+  }
+
+  /** A problem with the line of its cause as it is now; without it where that is gone. */
+  #causeNow({ follows, ...problem }: Problem, texts: Texts): Problem {
+    const line = follows ? this.#map(follows.document, texts).toNew(follows.line) : null
+    return follows && line !== null ? { ...problem, follows: { ...follows, line } } : problem
   }
 
   #map(document: string, texts: Texts): LineMap {

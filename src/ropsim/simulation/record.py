@@ -37,6 +37,7 @@ from ropsim.simulation.channels import (
     pose_channels,
     track_channel,
 )
+from ropsim.simulation.consequences import with_causes
 from ropsim.simulation.inputs import input_events
 from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.path_corrections import corrections, without_corrections
@@ -80,7 +81,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         channels[name] = track_channel("", name, run.tracks[name], run.tick, run.hz)
     events.sort(key=lambda event: event.time)
     arrived = _arrivals(run, programs)
-    findings: tuple[Diagnostic, ...] = (*run.findings, *arrived.findings, *judged)
+    findings = tuple(with_causes((*run.findings, *arrived.findings, *judged), events))
     facts = _facts(run, programs, options, arrived)
     content = RunContent(run.cell.content, {name: code_lines(one) for name, one in programs.items()})
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)

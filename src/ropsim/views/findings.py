@@ -6,6 +6,8 @@ from ropsim.core import Diagnostic, Severity, frozen_dataclass, plural
 
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
+FOLLOWS = "follows_line"
+"""Key of the line from which a finding likely follows, in its data; `follows_source` is beside it."""
 STATION = "station"
 """Key of the station in the data of a finding: a program may run at several."""
 
@@ -24,22 +26,52 @@ class FindingGroup:
     count: int
     passes: tuple[int, ...]
 
+    @property
+    def follows(self) -> int:
+        """Return the line from which it likely follows, 0 for none."""
+        line = self.first.data.get(FOLLOWS)
+        return line if isinstance(line, int) else 0
+
+    @property
+    def cause_text(self) -> str:
+        """Return in words from where it likely follows; empty for what stands alone."""
+        return f"likely follows from line {self.follows}" if self.follows else ""
+
 
 def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
     """Return groups of equal code and place, in the order of their first member.
 
-    Findings of a run (those with a loop `pass` in their data) are one group when code, span, station and
-    joint agree, whatever figures their messages quote; all others only when the message agrees as well, so
-    two different mistakes on one word stay two.
+    Findings of a run (those with a loop `pass` in their data) are one group when code, span, station, cause
+    and joint agree, whatever figures their messages quote; all others only when the message agrees as well,
+    so two different mistakes on one word stay two.
     """
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
     for finding in findings:
         repeats = finding.span is not None and PASS in finding.data
         sameness = finding.data.get("joint") if repeats else finding.message
-        where = (finding.span, finding.data.get(STATION))
+        where = (finding.span, finding.data.get(STATION), finding.data.get(FOLLOWS))
         key = (finding.code, finding.severity, *where, repr(sameness))
         groups.setdefault(key, []).append(finding)
     return tuple(FindingGroup(group[0], len(group), _passes(group)) for group in groups.values())
+
+
+def below_causes(groups: Iterable[FindingGroup]) -> tuple[FindingGroup, ...]:
+    """Return the groups in their order, each that likely follows from a line behind what is found there."""
+    found = list(groups)
+    placed = [one for one in found if not one.follows]
+    for one in found:
+        if one.follows:
+            at = max((k for k, other in enumerate(placed) if _belongs(one, other)), default=len(placed) - 1)
+            placed.insert(at + 1, one)
+    return tuple(placed)
+
+
+def _belongs(one: FindingGroup, other: FindingGroup) -> bool:
+    """Return whether a group stands below another: its cause, or what follows from the same."""
+    cause = (one.first.data.get("follows_source"), one.follows)
+    span = other.first.span
+    here = (span.source, span.line) if span else None
+    return cause in {here, (other.first.data.get("follows_source"), other.follows)}
 
 
 def count_text(findings: Iterable[Diagnostic]) -> str:

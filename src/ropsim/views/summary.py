@@ -20,7 +20,7 @@ from ropsim.views.accuracy import CornerFigures, StopFigures
 from ropsim.views.by_hand import ByHand, by_hand
 from ropsim.views.channels import invalid_samples
 from ropsim.views.device_summary import DeviceSummary, summarize_devices
-from ropsim.views.findings import FindingGroup, group_findings
+from ropsim.views.findings import FindingGroup, below_causes, group_findings
 from ropsim.views.joint_summary import JointSummary, summarize_joints
 from ropsim.views.path_summary import PathSummary, summarize_path
 from ropsim.views.station_summary import (
@@ -64,7 +64,8 @@ class Summary:
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
-        findings: grouped findings of compiling and of the run, worst severity first.
+        findings: grouped findings of compiling and of the run, worst severity first; what likely follows from
+            a line stands behind what is found there.
         error_count: number of findings of severity error, repeats included.
         warning_count: number of warnings, repeats included.
         hint_count: number of hints, repeats included.
@@ -167,7 +168,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         path=whole.path if whole else summarize_path(recording),
         corners=tuple(one for station in stations for one in station.corners),
         stops=tuple(one for station in stations for one in station.stops),
-        findings=tuple(sorted(groups, key=lambda group: group.first.severity.rank)),
+        findings=below_causes(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),
         hint_count=severities.count(Severity.HINT),

@@ -127,6 +127,7 @@ def _finding(group: FindingGroup, style: Style) -> Iterable[str]:
     text = f"{code} {repeats}{place}{clean(first.message)}"
     if group.count > 1 and group.passes:
         text += f" ({passes_text(group.passes)})"
+    text += f" – {group.cause_text}" if group.cause_text else ""
     wrapped = textwrap.wrap(text, COLUMNS, subsequent_indent="  ", break_on_hyphens=False) or [code]
     yield wrapped[0].replace(code, paint(code, _TONES[first.severity], style), 1)
     yield from wrapped[1:4]

@@ -34,13 +34,14 @@ def _finding(group: FindingGroup, sources: Mapping[str, SourceText]) -> str:
         if group.count > 1
         else ""
     )
+    cause = f'<p class="quiet">{text(group.cause_text)}</p>' if group.cause_text else ""
     notes = "".join(f"<p>{prose(note)}</p>" for note in first.notes)
     hint = f"<p>Hint: {prose(first.hint)}</p>" if first.hint else ""
     severity = first.severity.value
     return (
         f'<div class="finding {severity}"><p class="head"><span class="kind">{severity}'
         f"[{text(first.code)}]</span> {text(first.slug)}: {prose(first.message)}</p>\n"
-        f"{_quote(group, sources)}{notes}{hint}{repeats}</div>\n"
+        f"{_quote(group, sources)}{cause}{notes}{hint}{repeats}</div>\n"
     )
 
 

@@ -99,7 +99,14 @@ def plain_finding(finding: Diagnostic, time: float | None = None) -> dict[str, o
         "hint": finding.hint,
         "span": asdict(finding.span) if finding.span else None,
         "time": time,
+        "follows": _cause(finding),
     }
+
+
+def _cause(finding: Diagnostic) -> dict[str, object] | None:
+    """Return the place from which a finding likely follows."""
+    source, line = finding.data.get("follows_source"), finding.data.get("follows_line")
+    return {"source": source, "line": line} if source is not None else None
 
 
 def plain_findings(findings: Iterable[Diagnostic]) -> tuple[Mapping[str, object], ...]:
