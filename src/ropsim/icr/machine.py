@@ -98,7 +98,7 @@ class Machine:
 
     def _ended(self, registers: Registers, trap: TrapError, index: int, steps: int) -> Finished:
         registers.pc, registers.steps = index, steps
-        place = self._place(registers.procedure, index)
+        place = registers.place(self._place(registers.procedure, index))
         return Finished(diagnostic(trap, place, registers.calls, registers.call_serials), steps)
 
     def _place(self, procedure: int, index: int) -> Span | None:

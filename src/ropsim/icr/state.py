@@ -32,11 +32,19 @@ class Commanded(NamedTuple):
 
 
 class Caller(NamedTuple):
-    """An activation that waits for the procedure it called."""
+    """An activation that waits for the procedure it called.
+
+    Attributes:
+        procedure: index of its procedure.
+        pc: its next instruction.
+        values: its parameters and locals.
+        place: source line of the call; where that has none, of the nearest call below that has one.
+    """
 
     procedure: int
     pc: int
     values: tuple[Datum, ...]
+    place: Span | None = None
 
 
 @frozen_dataclass
@@ -114,7 +122,11 @@ class Registers:
         """Count one more visit of an instruction and return its origin."""
         visit = self.visits.get(key, 0) + 1
         self.visits[key] = visit
-        return Origin(span, visit, self.calls, self.call_serials)
+        return Origin(self.place(span), visit, self.calls, self.call_serials)
+
+    def place(self, span: Span | None) -> Span | None:
+        """Return a source line; where there is none, as in tasks of a library, that of the call."""
+        return span if span is not None or not self.callers else self.callers[-1].place
 
     def snapshot(self) -> MachineState:
         """Return an immutable copy."""

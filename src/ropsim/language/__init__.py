@@ -3,6 +3,7 @@
 from ropsim.language.cache import LineCache as LineCache
 from ropsim.language.compile import Compiled as Compiled
 from ropsim.language.compile import compile as compile
+from ropsim.language.compile import compile_library as compile_library
 from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
 from ropsim.language.environment import TaskSignature as TaskSignature

@@ -10,9 +10,10 @@ from ropsim.language import questions
 from ropsim.language import text as texts
 from ropsim.language.cache import LineCache, once
 from ropsim.language.check.reached import uncalled, unreached
+from ropsim.language.check.signatures import for_library
 from ropsim.language.codes import code_of
 from ropsim.language.division import divided
-from ropsim.language.environment import NO_SIGNATURES, Environment
+from ropsim.language.environment import NO_SIGNATURES, Environment, TaskSignature
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.places import at_names
 from ropsim.language.report import Report, TooManyFindingsError
@@ -72,6 +73,26 @@ def compile(
     db = cache.database(signatures, name) if cache is not None else once(signatures)
     with without_collection():
         return _compiled(SourceText(name, text), signatures, db)
+
+
+def compile_library(
+    text: str, environment: Environment = NO_SIGNATURES, name: str = "<text>"
+) -> tuple[Compiled, Mapping[str, TaskSignature]]:
+    """Return what the compiler answers to a text of tasks, and each of them as other texts call it.
+
+    Args:
+        text: the tasks.
+        environment: what the cell gives names to.
+        name: of the text, for messages.
+    """
+    db = once(environment)
+    with without_collection():
+        compiled = _compiled(SourceText(name, text), environment, db)
+        made = compiled.program.tasks if compiled.program is not None else ()
+        asked = ((one, db.ask(questions.signature, one.name)) for one in made)
+        return compiled, {
+            task.name: for_library(called.signature, task) for task, called in asked if called is not None
+        }
 
 
 def _compiled(source: SourceText, signatures: Environment, db: Database) -> Compiled:

@@ -62,7 +62,7 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
         faults += one.faults
         if faults > 2 * MAX_FINDINGS:
             break
-    names = frozenset(environment.tasks).union(*(one.tasks for _, one in found))
+    names = frozenset(environment.tasks).union(environment.refused, *(one.tasks for _, one in found))
     db.give({TASK_NAMES: names})
     keys = _mended(found, db)
     misspelt = [(chunk, ends) for (chunk, _), ends in zip(found, keys, strict=True) if ends is not None]

@@ -6,7 +6,7 @@ from dataclasses import field
 
 from ropsim.core import frozen_dataclass
 from ropsim.icr import Location
-from ropsim.program import SignalUse, Task
+from ropsim.program import Expression, SignalUse, Task
 from ropsim.spatial import PoseTuple
 
 
@@ -18,10 +18,12 @@ class TaskSignature:
         task: its structured program; names, types and order of the parameters stand there.
         dimensions: for each REAL parameter, what a bare number means: `length`, `angle`, `time`, `speed`,
             `accel`, `force` or `num`; parameters not named here are plain numbers.
+        defaults: value of each parameter that a call may leave out.
     """
 
     task: Task
     dimensions: Mapping[str, str] = field(default_factory=dict)
+    defaults: Mapping[str, Expression] = field(default_factory=dict)
 
 
 @frozen_dataclass
@@ -44,6 +46,9 @@ class Environment:
             base frame where none is named.
         signals: channels by name.
         tasks: library tasks by name.
+        refused: library tasks that there are and that cannot be called, with the reason, by name.
+        listed: names of all tasks of the library, those too that `tasks` leaves out because the text does
+            not name them; a misspelt call is near to one of these.
         length: metres per bare unit where a text has no `units` line for lengths.
         angle: radians per bare unit, likewise.
         frame: name of the frame in which texts give their locations, empty for the base frame.
@@ -60,6 +65,8 @@ class Environment:
     locations: Mapping[str, Location] = field(default_factory=dict)
     signals: Mapping[str, SignalUse] = field(default_factory=dict)
     tasks: Mapping[str, TaskSignature] = field(default_factory=dict)
+    refused: Mapping[str, str] = field(default_factory=dict)
+    listed: tuple[str, ...] = ()
     length: float = 0.01
     angle: float = math.pi / 180.0
     frame: str = ""

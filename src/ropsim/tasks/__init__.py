@@ -4,8 +4,10 @@ from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
 from ropsim.tasks.clause_text import term_text as term_text
+from ropsim.tasks.compiling import Library as Library
 from ropsim.tasks.compiling import body_findings as body_findings
-from ropsim.tasks.compiling import signatures as signatures
+from ropsim.tasks.compiling import library as library
+from ropsim.tasks.differing import differing_tasks as differing_tasks
 from ropsim.tasks.draft import Draft as Draft
 from ropsim.tasks.draft import added as added
 from ropsim.tasks.draft import draft_points as draft_points
@@ -13,9 +15,11 @@ from ropsim.tasks.draft import draft_text as draft_text
 from ropsim.tasks.draft import listed as listed
 from ropsim.tasks.draft import taken_back as taken_back
 from ropsim.tasks.errors import TaskError as TaskError
+from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.known_task import KnownTask as KnownTask
 from ropsim.tasks.known_task import Parameter as Parameter
+from ropsim.tasks.layer import Layer as Layer
 from ropsim.tasks.not_defined import not_defined as not_defined
 from ropsim.tasks.planning import Plan as Plan
 from ropsim.tasks.point_list import PointList as PointList

@@ -13,6 +13,7 @@ from ropsim.tasks.folder import read_folder
 from ropsim.tasks.geometry import Anywhere, Geometry, RememberedGeometry
 from ropsim.tasks.host import Host, Progress
 from ropsim.tasks.known_task import KnownTask
+from ropsim.tasks.layer import Layer
 from ropsim.tasks.planning import PLAN_SECONDS, Plan, planned
 from ropsim.tasks.task_call import TaskCall
 from ropsim.tasks.task_reading import task_of
@@ -28,7 +29,7 @@ class KnowledgeBase:
     One thread uses a knowledge base, only `cancel` may be called by others.
 
     Attributes:
-        texts: of the project, by their names.
+        texts: of the project and of the user, by their names.
         findings: what is wrong with the folder and the texts, in their order.
     """
 
@@ -37,38 +38,53 @@ class KnowledgeBase:
         texts: Iterable[SourceText],
         geometry: Geometry = NOWHERE,
         findings: Iterable[Diagnostic] = (),
+        users: Iterable[SourceText] = (),
     ) -> None:
         self._geometry = RememberedGeometry(geometry)
         self._host = Host(self._geometry.predicates())
-        self.take(texts, findings)
+        self.take(texts, findings, users)
 
-    def take(self, texts: Iterable[SourceText], findings: Iterable[Diagnostic] = ()) -> None:
+    def take(
+        self,
+        texts: Iterable[SourceText],
+        findings: Iterable[Diagnostic] = (),
+        users: Iterable[SourceText] = (),
+    ) -> None:
         """Read other texts in place of those that there are, in the same Prolog.
 
         Args:
             texts: of the project, in their order.
-            findings: what is wrong with the folder.
+            findings: what is wrong with the folders.
+            users: texts of the user's own folder; tasks of the project take the place of theirs.
         """
-        own, built_in = tuple(texts), library_texts()
-        self.texts: Mapping[str, SourceText] = {text.name: text for text in own}
-        numbered = {index - len(built_in): text for index, text in enumerate((*built_in, *own))}
+        layers = {Layer.LIBRARY: library_texts(), Layer.USER: tuple(users), Layer.PROJECT: tuple(texts)}
+        self.texts: Mapping[str, SourceText] = {
+            text.name: text for layer in (Layer.USER, Layer.PROJECT) for text in layers[layer]
+        }
+        numbered = {
+            layer.value + index: text for layer, some in layers.items() for index, text in enumerate(some)
+        }
         self.findings: tuple[Diagnostic, ...] = (*findings, *self._host.read(numbered))
         self._spans = self._located(numbered)
         self._tasks: dict[str, KnownTask] = {}
 
     @classmethod
-    def open(cls, path: str | Path, geometry: Geometry = NOWHERE) -> "KnowledgeBase":
+    def open(
+        cls, path: str | Path, geometry: Geometry = NOWHERE, users: Path | None = None
+    ) -> "KnowledgeBase":
         """Return the knowledge base of a project, of a folder of texts or of one text.
 
         Args:
             path: a project with a folder `kb`, such a folder, or a .pl file.
             geometry: what knows where the arm can go; without it geometry refuses nothing.
+            users: folder of the user's own texts; None, or one that is not there, for none.
 
         Raises:
             TaskError: there is no such path.
         """
         texts, findings = read_folder(Path(path))
-        return cls(texts, geometry, findings)
+        own, more = read_folder(users) if users is not None and users.is_dir() else ((), ())
+        return cls(texts, geometry, (*findings, *more), own)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -148,10 +164,10 @@ class KnowledgeBase:
         """End the Prolog behind it; it starts again when it is needed."""
         self._host.close()
 
-    def _located(self, texts: Mapping[int, SourceText]) -> Mapping[str, tuple[Span, str]]:
+    def _located(self, texts: Mapping[int, SourceText]) -> Mapping[str, tuple[Span, Layer]]:
         places = {index: Places(text) for index, text in texts.items()}
         return {
-            name: (places[index].span(start, end), "library" if index < 0 else "project")
+            name: (places[index].span(start, end), Layer.of_text(index))
             for name, (index, start, end) in self._host.places().items()
         }
 

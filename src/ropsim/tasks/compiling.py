@@ -1,16 +1,71 @@
-"""Whether the bodies of a knowledge base compile in a cell: what the language says, at their clauses."""
+"""The bodies of a knowledge base in a cell: as tasks that programs call, and what is wrong with them."""
 
-from collections.abc import Iterator, Mapping
+import hashlib
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from pathlib import PurePath
 
-from ropsim.core import Diagnostic, Span
-from ropsim.language import Environment, TaskForm, TaskSignature, compile
+from ropsim.core import Diagnostic, Span, frozen_dataclass
+from ropsim.language import Environment, TaskSignature, compile_library
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.diagnostics import NO_COMPILING
 from ropsim.tasks.errors import TaskError
-from ropsim.tasks.kinds import UNITS as UNITS_OF
 from ropsim.tasks.known_task import KnownTask
 from ropsim.tasks.program_text import UNITS, needed
+from ropsim.tasks.renaming import renamed_calls
 from ropsim.tasks.task_text import task_text
+
+_HEAD = ("program bodies", f"units {UNITS}")
+
+
+@frozen_dataclass
+class Library:
+    """Tasks of a knowledge base as programs call them in a cell.
+
+    Attributes:
+        tasks: those that compile, with all that they call, as `Environment.tasks` has them.
+        refused: those that do not, with the reason.
+        text: task text of which they were made; it is their version.
+    """
+
+    tasks: Mapping[str, TaskSignature] = field(default_factory=dict)
+    refused: Mapping[str, str] = field(default_factory=dict)
+    text: str = ""
+
+    @property
+    def version(self) -> str:
+        """Return the SHA-256 of what the tasks do, as 64 digits."""
+        return hashlib.sha256(self.text.encode(errors="surrogatepass")).hexdigest()
+
+
+@frozen_dataclass
+class _Bodies:
+    """Some tasks as one text: its lines, and the task of each."""
+
+    lines: list[str]
+    owners: list[KnownTask | None]
+
+    @classmethod
+    def of(cls, texts: Mapping[str, tuple[KnownTask, str]]) -> "_Bodies":
+        lines: list[str] = list(_HEAD)
+        owners: list[KnownTask | None] = [None] * len(_HEAD)
+        for task, text in texts.values():
+            lines += text.splitlines()
+            owners += [task] * (len(lines) - len(owners))
+        return cls(lines, owners)
+
+    def compiled(
+        self, environment: Environment
+    ) -> tuple[Mapping[str, TaskSignature], list[tuple[KnownTask, str, Diagnostic]]]:
+        """Return the tasks, and each error with its task and the line of task text."""
+        compiled, made = compile_library("\n".join(self.lines), environment)
+        found: list[tuple[KnownTask, str, Diagnostic]] = []
+        for one in compiled.diagnostics:
+            number = one.span.line - 1 if one.span else 0
+            owner = self.owners[number] if number < len(self.owners) else None
+            if one.is_error and owner is not None:
+                found.append((owner, self.lines[number].strip(), one))
+        return made, found
 
 
 def body_findings(base: KnowledgeBase, environment: Environment) -> tuple[Diagnostic, ...]:
@@ -20,53 +75,110 @@ def body_findings(base: KnowledgeBase, environment: Environment) -> tuple[Diagno
         base: of the project.
         environment: the cell for which the bodies are compiled.
     """
-    findings: list[Diagnostic] = []
-    lines: list[str] = ["program bodies", f"units {UNITS}"]
-    owners: list[KnownTask | None] = [None, None]
     own = [task.name for task in base.tasks() if not task.is_built_in]
-    for task in _reached(base, own):
-        try:
-            text = task_text(task).splitlines()
-        except TaskError as error:
-            findings.append(error.diagnostic)
-            continue
-        lines += text
-        owners += [task] * len(text)
-    compiled = compile("\n".join(lines), environment) if own else None
-    for found in compiled.diagnostics if compiled else ():
-        line = found.span.line - 1 if found.span else 0
-        task_there = owners[line] if line < len(owners) else None
-        if found.is_error and task_there is not None and not _is_untold(found, findings):
-            message = f"the body of `{task_there.name}` does not compile: {found.message}"
-            notes = (f"its text there: {lines[line].strip()}",)
-            findings.append(NO_COMPILING.at(_begin(task_there), message, notes=notes, hint=found.hint))
+    texts, findings = _texts(_reached(base, own), {})
+    _, found = _Bodies.of(texts).compiled(environment) if own else ({}, [])
+    for task, line, one in found:
+        if not _is_untold(one, findings):
+            message = f"the body of `{task.name}` does not compile: {one.message}"
+            notes = (f"its text there: {line}",)
+            findings.append(NO_COMPILING.at(_begin(task), message, notes=notes, hint=one.hint))
     return tuple(findings)
 
 
-def signatures(base: KnowledgeBase, environment: Environment) -> Mapping[str, TaskSignature]:
-    """Return all tasks that compile in a cell, as `Environment.tasks` has them: programs call them by name.
+def library(
+    base: KnowledgeBase, environment: Environment, names: Sequence[str], taken: Collection[str] = ()
+) -> Library:
+    """Return tasks of a knowledge base as programs call them; names of no task are left out.
 
     Args:
         base: of the project.
         environment: the cell for which the bodies are compiled.
+        names: of tasks.
+        taken: names of tasks of the program; a task that only others of the knowledge base call and that has
+            one of these gets another name, so that each calls what it meant.
     """
-    found: dict[str, TaskSignature] = {}
-    for name in base.names:
+    wanted = [name for name in names if base.task(name) is not None]
+    reached = list(_reached(base, wanted))
+    texts, findings = _texts(reached, _other_names(reached, wanted, taken, base.names))
+    refused = {task.name: _reason(task, error) for task, error in _without_text(reached, findings)}
+    for task in reached:
+        for name in task.called:
+            if base.task(name) is None:
+                refused.setdefault(task.name, _reason(task, f"`{name}` is not defined"))
+    while True:
+        _spread(reached, refused)
+        texts = {name: one for name, one in texts.items() if name not in refused}
+        bodies = _Bodies.of(texts)
+        made, found = bodies.compiled(environment) if texts else ({}, [])
+        if not found:
+            kept = {name: refused[name] for name in wanted if name in refused}
+            return Library(made, kept, "\n".join(bodies.lines) if made else "")
+        for task, _, one in found:
+            refused.setdefault(task.name, _reason(task, one.message))
+
+
+def _texts(
+    tasks: Sequence[KnownTask] | Iterator[KnownTask], names: Mapping[str, str]
+) -> tuple[dict[str, tuple[KnownTask, str]], list[Diagnostic]]:
+    """Return each task with its text, and what is wrong with those that have none.
+
+    Args:
+        tasks: in their order.
+        names: others than their own, by those.
+    """
+    texts: dict[str, tuple[KnownTask, str]] = {}
+    findings: list[Diagnostic] = []
+    for task in tasks:
+        called = names.get(task.name, task.name)
         try:
-            reached = needed(base.task, [name])
-            text = "\n\n".join([f"program bodies\nunits {UNITS}", *map(task_text, reached)])
-        except TaskError:
-            continue
-        compiled = compile(text, environment)
-        if compiled.ok and compiled.program is not None:
-            made = {task.name: task for task in compiled.program.tasks}
-            found[name] = TaskSignature(made[name], _dimensions(compiled.tasks[name]))
-    return found
+            text = task_text(replace(task, name=called, body=renamed_calls(task.body, names)))
+            texts[task.name] = task, text
+        except TaskError as error:
+            findings.append(error.diagnostic)
+    return texts, findings
 
 
-def _dimensions(form: TaskForm) -> Mapping[str, str]:
-    """Return what a bare number means for each parameter that has a dimension."""
-    return {one.name: one.type for one in form.parameters if one.type in UNITS_OF}
+def _other_names(
+    reached: Sequence[KnownTask], wanted: Collection[str], taken: Collection[str], known: Collection[str]
+) -> Mapping[str, str]:
+    """Return another name for each task that has the name of one of the program and that others call."""
+    names: dict[str, str] = {}
+    for task in reached:
+        if task.name in taken and task.name not in wanted:
+            name = f"{task.name}_"
+            while name in taken or name in known or name in names.values():
+                name += "_"
+            names[task.name] = name
+    return names
+
+
+def _without_text(
+    reached: Sequence[KnownTask], findings: Sequence[Diagnostic]
+) -> Iterator[tuple[KnownTask, str]]:
+    for one in findings:
+        yield from ((task, one.message) for task in reached if task.span == one.span)
+
+
+def _spread(reached: Sequence[KnownTask], refused: dict[str, str]) -> None:
+    """Refuse tasks that call refused ones."""
+    is_more = True
+    while is_more:
+        is_more = False
+        for task in reached:
+            for name in task.called:
+                if name in refused and task.name not in refused:
+                    refused[task.name] = f"it calls `{name}`, and {refused[name]}"
+                    is_more = True
+
+
+def _reason(task: KnownTask, message: str) -> str:
+    return f"{place_of(task)}: {message}"
+
+
+def place_of(task: KnownTask) -> str:
+    """Return file and line of a task as people name them, such as `kb/glue.pl:3`."""
+    return f"{'/'.join(PurePath(task.span.source).parts[-2:])}:{task.span.line}"
 
 
 def _begin(task: KnownTask) -> Span:
@@ -80,7 +192,7 @@ def _is_untold(found: Diagnostic, findings: list[Diagnostic]) -> bool:
     return found.code == "N201" and bool(findings)
 
 
-def _reached(base: KnowledgeBase, names: list[str]) -> Iterator[KnownTask]:
+def _reached(base: KnowledgeBase, names: Sequence[str]) -> Iterator[KnownTask]:
     """Yield the tasks of these names and all that they call; calls of nothing have their finding already."""
     seen: set[str] = set()
     for name in names:

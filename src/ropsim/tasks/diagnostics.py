@@ -198,8 +198,11 @@ HIDES = define(
     "P146",
     "hides-library-task",
     Severity.HINT,
-    "a task takes the place of one of the library",
-    "It has the name of a task that comes with ropsim. All calls mean the one of the project.",
+    "a task takes the place of one of the library, or of the user",
+    """
+It has the name of a task that comes with ropsim, or of one of the user. Calls mean the task of the project,
+then that of the user, then that of the library.
+""",
 )
 
 NO_COMPILING = define(
@@ -228,6 +231,19 @@ name,x,y,z,pitch,roll
 feeder,3.1,4.2,8.6,0,0
 seat,7.6,13,5
 ```
+""",
+)
+
+DIFFERS = define(
+    "P149",
+    "task-of-program-differs",
+    Severity.WARNING,
+    "a program has a task of its own that is another one in the knowledge base",
+    """
+A task of the program counts before one of that name in the knowledge base of the project or of the user. Here
+the two are not the same: the copy in a generated program has grown old, or both have one name by chance.
+
+Leave the task out of the program to call the one of the knowledge base, or give one of them another name.
 """,
 )
 

@@ -123,9 +123,10 @@ class Wording:
             case "itself":
                 return kinds.UNKNOWN_TASK, f"`{first}` calls itself", "use `repeat` or `while`"
             case "hides":
+                whose = "user's own tasks" if arguments[1] == Atom("user") else "library"
                 return (
                     kinds.HIDES,
-                    f"`{first}` takes the place of the task of the library",
+                    f"`{first}` takes the place of the task of the {whose}",
                     "rename it where that is not meant",
                 )
             case "unknown_task":

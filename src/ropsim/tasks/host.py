@@ -8,6 +8,7 @@ from ropsim.core import Diagnostic, SourceText, Span, read_bytes
 from ropsim.prolog import Atom, Engine, GoalError, Limits, Predicate, Sort, Struct, Term, Var, question
 from ropsim.tasks.diagnostics import TOO_DEEP
 from ropsim.tasks.findings import Wording
+from ropsim.tasks.layer import Layer
 
 SOURCES = ("kb", "world", "planner")
 TEXTS = "ropsim_kb_texts"
@@ -52,10 +53,11 @@ class Host:
             return (*given_up, *self._read())
 
     def _given_up(self) -> Iterator[Diagnostic]:
-        """Yield a finding for each text of the project that cannot be read alone."""
+        """Yield a finding for each text of the project, or of the user, that cannot be read alone."""
         count = 0
         for index, text in self._texts.items():
-            why = "" if index < 0 else self._hindrance(index, text) if count < MOST_GIVEN_UP else "not tried"
+            is_ours = Layer.of_text(index) is Layer.LIBRARY
+            why = "" if is_ours else self._hindrance(index, text) if count < MOST_GIVEN_UP else "not tried"
             if why:
                 count += 1
                 span = Span.whole_line(text.name, 1)

@@ -3,6 +3,7 @@
 from ropsim.core import Span, frozen_dataclass
 from ropsim.prolog import Struct, Term
 from ropsim.tasks.kinds import SYMBOLIC
+from ropsim.tasks.layer import Layer
 
 
 @frozen_dataclass
@@ -42,7 +43,7 @@ class KnownTask:
         geometry: conditions that only geometry can tell (`geo`).
         body: statements as terms.
         span: where it is defined, whose source is the file.
-        is_built_in: whether it is of the library that comes with ropsim.
+        layer: whose texts define it.
     """
 
     name: str
@@ -54,7 +55,12 @@ class KnownTask:
     geometry: tuple[Term, ...]
     body: tuple[Term, ...]
     span: Span
-    is_built_in: bool
+    layer: Layer
+
+    @property
+    def is_built_in(self) -> bool:
+        """Return whether it is of the library that comes with ropsim."""
+        return self.layer is Layer.LIBRARY
 
     @property
     def passed(self) -> tuple[Parameter, ...]:

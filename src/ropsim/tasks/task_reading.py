@@ -5,15 +5,16 @@ from collections.abc import Mapping
 from ropsim.core import Span
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.tasks.known_task import KnownTask, Parameter
+from ropsim.tasks.layer import Layer
 
 
-def task_of(told: Term, place: Span, origin: str) -> KnownTask | None:
+def task_of(told: Term, place: Span, layer: Layer) -> KnownTask | None:
     """Return the task of `told(Name, Arity, Task)`, None where it is none.
 
     Args:
         told: the reply.
         place: where the task is defined.
-        origin: `library` or `project`.
+        layer: whose text that is.
     """
     match told:
         case Struct("told", (Atom(name), int(), Struct("task", parts))):
@@ -29,7 +30,7 @@ def task_of(told: Term, place: Span, origin: str) -> KnownTask | None:
                 geo,
                 body,
                 place,
-                origin == "library",
+                layer,
             )
     return None
 

@@ -12,6 +12,7 @@ from ropsim.workbench.cell_geometry import CellGeometry
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.opening import open_project
 from ropsim.workbench.project import Project
+from ropsim.workbench.task_texts import users_folder
 
 if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are loaded by who asks one
     from ropsim.prolog import Term
@@ -52,7 +53,7 @@ def open_knowledge(path: str | Path) -> Knowledge:
     folder = place.parent if place.name == CELL_FILE else place
     if (folder / CELL_FILE).is_file():
         return knowledge_of(open_project(folder))
-    base = KnowledgeBase.open(place)
+    base = KnowledgeBase.open(place, users=users_folder())
     return Knowledge(base, WorldState(), base.findings, base.texts)
 
 
@@ -62,10 +63,11 @@ def knowledge_of(project: Project) -> Knowledge:
 
     cell = project.cell
     if cell is None:
-        base = KnowledgeBase.open(project.folder)
+        base = KnowledgeBase(project.tasks.own, findings=project.tasks.findings, users=project.tasks.users)
         found = (*project.diagnostics, *base.findings)
         return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
-    base = KnowledgeBase.open(project.folder, CellGeometry(cell))
+    texts = project.tasks
+    base = KnowledgeBase(texts.own, CellGeometry(cell), texts.findings, texts.users)
     found = (*base.findings, *body_findings(base, environment_of(cell)))
     return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
 
@@ -76,11 +78,17 @@ def has_knowledge(project: Project) -> bool:
 
 
 def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str, SourceText]]:
-    """Return what is wrong with the knowledge base of a project, and its texts; nothing where it has none."""
-    if not has_knowledge(project):
+    """Return what is wrong with the knowledge base of a project, and its texts; nothing where it has none.
+
+    It is that of the workspace of the project, whose Prolog has read it for the programs already.
+    """
+    if project.cell is None or not has_knowledge(project):
         return (), {}
-    known = knowledge_of(project)
-    return known.findings, known.base.texts
+    from ropsim.tasks import body_findings
+
+    base = project.workspace.knowledge(project.tasks)
+    found = (*project.tasks.findings, *base.findings, *body_findings(base, environment_of(project.cell)))
+    return found, base.texts
 
 
 def world_state(cell: Cell) -> "WorldState":

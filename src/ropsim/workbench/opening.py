@@ -12,6 +12,7 @@ from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_text_fil
 from ropsim.workbench.project import Project, ProjectError, cell_name
 from ropsim.workbench.project_diagnostics import NO_PROJECT
 from ropsim.workbench.robot_files import Reading, TextOf, read_robot_files, robots_read
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
 from ropsim.workbench.workspace import Workspace
 
 CELL_FILE = "cell.toml"
@@ -75,7 +76,8 @@ def _read_folder(folder: Path, workspace: Workspace) -> Project:
         raise ProjectError(no_cell_file(folder))
     programs = {path.name: read_text_file(path, str(path)) for path in program_files(folder)}
     cell_file, read = read_text_file(cell_path, str(cell_path)), partial(_text, folder)
-    project = assembled(folder, cell_file, programs, read, workspace)
+    tasks = read_task_texts(folder, {}, lambda place: str(folder / place))
+    project = assembled(folder, cell_file, programs, read, workspace, tasks)
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
 
 
@@ -121,6 +123,7 @@ def assembled(
     programs: Mapping[str, Reading],
     text_of: TextOf,
     workspace: Workspace,
+    tasks: TaskTexts = NO_TASKS,
 ) -> Project:
     """Return the project that a cell file and programs make.
 
@@ -130,6 +133,7 @@ def assembled(
         programs: the same of each program by its file name.
         text_of: the same of any other file of the project, by its path inside.
         workspace: that reads the project.
+        tasks: texts of the tasks that its programs can call.
     """
     cell_text, findings = cell_file
     cell: Cell | None = None
@@ -144,7 +148,7 @@ def assembled(
         findings = (*findings, *found)
         if text is not None:
             sources[name.stem if name.stem not in sources else name.name] = text
-    return Project(folder, cell, sources, cell_text, findings, robots, workspace)
+    return Project(folder, cell, sources, cell_text, findings, robots, tasks, workspace)
 
 
 def _text(folder: Path, name: str) -> Reading:

@@ -15,6 +15,7 @@ from ropsim.workbench.opening import (
 )
 from ropsim.workbench.project import Project, ProjectError
 from ropsim.workbench.robot_files import Reading
+from ropsim.workbench.task_texts import read_task_texts
 from ropsim.workbench.workspace import Workspace
 
 
@@ -25,7 +26,7 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace
 
     Args:
         folder: of the project.
-        unsaved: texts by their place, `cell.toml` or `programs/NAME`; other places are left out.
+        unsaved: texts by their place, `cell.toml`, `programs/NAME` or `kb/NAME.pl`; others are left out.
         workspace: that has read it before, so that only what has changed is made anew.
 
     Raises:
@@ -39,7 +40,8 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace
         programs = {PurePosixPath(name).name: _read(folder, name, unsaved) for name in sorted(names)}
         cell_file = _read(folder, CELL_FILE, unsaved)
         text_of = partial(_read, folder, unsaved=unsaved)
-        return assembled(folder, cell_file, programs, text_of, workspace or Workspace())
+        tasks = read_task_texts(folder, unsaved)
+        return assembled(folder, cell_file, programs, text_of, workspace or Workspace(), tasks)
     except OSError as error:
         message = f"`{folder}` cannot be opened: {error.strerror or error}"
         raise ProjectError(

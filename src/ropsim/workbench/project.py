@@ -12,6 +12,7 @@ from ropsim.model import ROBOT, Cell, ReadRobot, Station
 from ropsim.workbench.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 from ropsim.workbench.robot_files import RobotFile, robots_read
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
 from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ class Project:
         cell_text: text of `cell.toml`, None where absent.
         diagnostics: findings of reading.
         robot_files: files of robots that the cell names, with what was read from them, by their paths.
+        tasks: texts of the tasks that its programs can call besides their own.
         workspace: that has read it, and keeps what is made of its texts; no part of what the project is.
     """
 
@@ -64,6 +66,7 @@ class Project:
     cell_text: SourceText | None = None
     diagnostics: tuple[Diagnostic, ...] = field(default=())
     robot_files: Mapping[str, RobotFile] = field(default_factory=dict)
+    tasks: TaskTexts = NO_TASKS
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
     def __repr__(self) -> str:
@@ -83,7 +86,7 @@ class Project:
     def texts(self) -> Mapping[str, SourceText]:
         """Return all texts of the project, by the names that spans use."""
         robots = (one.text for one in self.robot_files.values())
-        every = (*self.sources.values(), self.cell_text, *robots)
+        every = (*self.sources.values(), self.cell_text, *robots, *self.tasks.own, *self.tasks.users)
         return {text.name: text for text in every if text is not None}
 
     @property
@@ -126,7 +129,7 @@ class Project:
     def compiled_text(self, text: SourceText, station: Station | None) -> CompiledProgram:
         """Return a task or ICR text (by its ending), compiled for a station; None stands for the first."""
         name = station.name if station is not None else ""
-        at = self.workspace.at(self.cell_text, cell_name(self.folder), name, self.robots)
+        at = self.workspace.at(self.cell_text, cell_name(self.folder), name, self.robots, self.tasks)
         return self.workspace.compiled(text, at)
 
     def program(self, name: str | None = None) -> CompiledProgram:

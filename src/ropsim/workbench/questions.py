@@ -5,9 +5,11 @@ edit reaches only what is made of the text that was edited.
 """
 
 from collections.abc import Callable, Hashable, Mapping
+from dataclasses import replace
 from enum import Enum
 from hashlib import sha256
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
@@ -23,11 +25,18 @@ from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.compiler_version import compiler_version
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.resolved import Resolved, targets_by_line
+from ropsim.workbench.task_engine import TaskEngine
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, library_names, mentioned, told_names
+
+if TYPE_CHECKING:  # with its engine it takes a tenth of a start, so it is loaded when a program calls a task
+    from ropsim.tasks import Library
 
 LINES = "lines"
 """Input: the compiler's own memory of texts; it changes no answer."""
 KEPT = "kept answers"
 """Input: answers of earlier processes, None for none; they are what would be answered now."""
+ENGINE = "engine of tasks"
+"""Input: what reads knowledge bases; it changes no answer."""
 NO_ROBOTS: Mapping[str, ReadRobot] = MappingProxyType({})
 """A cell file names no files of robots."""
 LEAST_LINES = 100
@@ -59,6 +68,11 @@ def robots_of(name: str) -> Hashable:
     return "robots", name
 
 
+def tasks_of(name: str) -> Hashable:
+    """Return the name of the input that is the texts of tasks beside a cell file."""
+    return "tasks", name
+
+
 def cell(db: Database, name: str, folder: str) -> ReadCell:
     """Return the cell that a cell file describes."""
     text: SourceText | None = db.read(text_of(name))
@@ -66,9 +80,71 @@ def cell(db: Database, name: str, folder: str) -> ReadCell:
     return ReadCell(*read_cell(text, folder, robots or NO_ROBOTS)) if text is not None else ReadCell(None, ())
 
 
-def environment(db: Database, at: AtStation) -> language.Environment:
-    """Return what programs at a station can name."""
+def cell_environment(db: Database, at: AtStation) -> language.Environment:
+    """Return what the cell gives names to at a station."""
     return environment_of(*_station(db, at))
+
+
+def environment(db: Database, at: AtStation) -> language.Environment:
+    """Return what programs at a station can name, without the tasks of knowledge bases."""
+    return replace(db.ask(cell_environment, at), listed=db.ask(listed_tasks, at.cell))
+
+
+def listed_tasks(db: Database, cell: str) -> tuple[str, ...]:
+    """Return the names of all tasks that programs beside a cell file can call; some may be of none."""
+    return tuple(dict.fromkeys((*db.ask(own_tasks, cell), *library_names())))
+
+
+def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
+    """Return those of them that the project or its user has."""
+    texts = _task_texts(db, cell)
+    return told_names((*texts.own, *texts.users))
+
+
+def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the tasks of knowledge bases that a program names, and those whose names its own tasks have."""
+    listed = db.ask(listed_tasks, cell)
+    found = mentioned(_text(db, name).text, listed)
+    if not found:
+        return (), ()
+    own = frozenset(one.definition.name for one in db.ask(outline, name).tasks)
+    return tuple(one for one in found if one not in own), tuple(one for one in listed if one in own)
+
+
+def library(db: Database, names: tuple[str, ...], taken: tuple[str, ...], at: AtStation) -> "Library":
+    """Return these tasks of knowledge bases, ready to be called; their own names give way to `taken` ones."""
+    from ropsim.tasks import library as made
+
+    engine: TaskEngine = db.read(ENGINE)
+    return made(engine.base(_task_texts(db, at.cell)), db.ask(cell_environment, at), names, taken)
+
+
+def programs_library(db: Database, name: str, at: AtStation) -> "Library | None":
+    """Return the tasks of knowledge bases that a program calls; None where it names none."""
+    names, taken = db.ask(called_tasks, name, at.cell)
+    return db.ask(library, names, taken, at) if names else None
+
+
+def programs_environment(db: Database, name: str, at: AtStation) -> language.Environment:
+    """Return what a program at a station can name."""
+    around = db.ask(environment, at)
+    found = db.ask(programs_library, name, at)
+    return around if found is None else replace(around, tasks=found.tasks, refused=found.refused)
+
+
+def other_tasks(db: Database, name: str, cell: str) -> tuple[Diagnostic, ...]:
+    """Return a finding for each task of a program that a knowledge base has otherwise."""
+    _, taken = db.ask(called_tasks, name, cell)
+    of_ours = frozenset(db.ask(own_tasks, cell))
+    names = tuple(one for one in taken if one in of_ours)
+    if not names:
+        return ()
+    from ropsim.tasks import differing_tasks
+
+    engine: TaskEngine = db.read(ENGINE)
+    spans = {one.definition.name: one.span for one in db.ask(outline, name).tasks}
+    own = {one: spans[one] for one in names}
+    return differing_tasks(engine.base(_task_texts(db, cell)), _text(db, name), own)
 
 
 def translated(db: Database, name: str, at: AtStation) -> Translation:
@@ -77,7 +153,7 @@ def translated(db: Database, name: str, at: AtStation) -> Translation:
     if isinstance(found, Translation):
         return found
     lines: language.LineCache = db.read(LINES)
-    made = language.compile(_text(db, name).text, db.ask(environment, at), name, lines)
+    made = language.compile(_text(db, name).text, db.ask(programs_environment, name, at), name, lines)
     return Translation(made.icr, made.diagnostics, made.tasks, made.variables)
 
 
@@ -105,6 +181,9 @@ def content_of(db: Database, name: str, at: AtStation) -> str:
         surroundings = written((*compiler_version(), db.ask(environment, at)))
     except UnknownFormError:
         return ""
+    tasks = db.ask(programs_library, name, at)
+    if tasks is not None:
+        surroundings += written((tasks.version, tasks.refused))
     parts = (surroundings, name.encode(errors="surrogatepass"), text.text.encode(errors="surrogatepass"))
     return sha256(b"\0".join(parts)).hexdigest()
 
@@ -135,7 +214,8 @@ def checked(db: Database, name: str, at: AtStation) -> CheckedText:
         return CheckedText(text, db.ask(compiled, name, at).diagnostics)
     one = db.ask(translated, name, at)
     missing = () if one.icr is None else unbound(one.icr, text, *_station(db, at))
-    return CheckedText(text, (*one.diagnostics, *missing), one.tasks, one.variables)
+    more = (*missing, *db.ask(other_tasks, name, at.cell))
+    return CheckedText(text, (*one.diagnostics, *more), one.tasks, one.variables)
 
 
 def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
@@ -190,6 +270,11 @@ def marked(db: Database, name: str, outside: frozenset[str]) -> tuple[language.M
 def _station(db: Database, at: AtStation) -> tuple[Cell | None, Station | None]:
     found = db.ask(cell, at.cell, at.folder).cell if at.cell else None
     return found, found.stations.get(at.station) if found is not None else None
+
+
+def _task_texts(db: Database, cell: str) -> TaskTexts:
+    texts: TaskTexts | None = db.read(tasks_of(cell))
+    return texts or NO_TASKS
 
 
 def _text(db: Database, name: str) -> SourceText:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from ropsim import language
 from ropsim.core import SourceText
@@ -16,6 +17,11 @@ from ropsim.workbench.checked_text import CheckedText, at_stations
 from ropsim.workbench.compiled_project import CompiledProgram
 from ropsim.workbench.questions import Question, ReadCell
 from ropsim.workbench.resolved import Resolved
+from ropsim.workbench.task_engine import TaskEngine
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
+
+if TYPE_CHECKING:
+    from ropsim.tasks import KnowledgeBase
 
 MAX_KEPT = 5_000
 """Answers kept at least: a few for each text at each of its stations."""
@@ -36,7 +42,8 @@ class Workspace:
         self._kept = kept
         self._asked: set[tuple[Question, str, AtStation]] = set()
         self._db = Database(MAX_KEPT)
-        self._db.give({questions.LINES: self.lines, questions.KEPT: kept})
+        self._engine = TaskEngine()
+        self._db.give({questions.LINES: self.lines, questions.KEPT: kept, questions.ENGINE: self._engine})
 
     @property
     def events(self) -> list[Event] | None:
@@ -66,16 +73,30 @@ class Workspace:
         folder: str,
         station: str,
         robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS,
+        tasks: TaskTexts = NO_TASKS,
     ) -> AtStation:
-        """Return a station of a cell, to ask for programs there; without a cell there is one place only."""
+        """Return a station of a cell, to ask for programs there; without a cell there is one place only.
+
+        Args:
+            cell_text: of the cell file.
+            folder: names the cell where the file does not.
+            station: name; empty for the first one.
+            robots: what was read from the files of robots that the cell file names, by their paths.
+            tasks: texts of the tasks that programs can call.
+        """
         if cell_text is None:
             return NOWHERE
         self._give_cell(cell_text, robots)
+        self._db.give({questions.tasks_of(cell_text.name): tasks})
         return AtStation(cell_text.name, folder, station)
 
     def environment(self, at: AtStation) -> language.Environment:
         """Return what programs at a station can name."""
         return self._db.ask(questions.environment, at)
+
+    def knowledge(self, tasks: TaskTexts) -> "KnowledgeBase":
+        """Return the knowledge base of some texts, without geometry; good until the next question."""
+        return self._engine.base(tasks)
 
     def compiled(self, text: SourceText, at: AtStation = NOWHERE) -> CompiledProgram:
         """Return a task text or an ICR text (by its ending) with its verified code."""
@@ -142,7 +163,8 @@ class Workspace:
 
     def forget(self, name: str) -> None:
         """Let go of a text that nobody looks at any more."""
-        self._db.give({questions.text_of(name): None, questions.robots_of(name): None})
+        beside = questions.robots_of(name), questions.tasks_of(name)
+        self._db.give({questions.text_of(name): None, **dict.fromkeys(beside)})
         self._asked = {one for one in self._asked if one[1] != name}
 
     def _ask_for(self, text: SourceText, at: AtStation, *asked: Question) -> None:

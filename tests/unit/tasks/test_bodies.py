@@ -11,7 +11,7 @@ from ropsim.icr import run
 from ropsim.language import LineCache, compile, read, statements
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.spatial import Pose
-from ropsim.tasks import TaskCall, program_text, signatures, stored_clause, task_text
+from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text
 from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
 from ropsim.tasks.expression_text import NotTextError
@@ -208,7 +208,7 @@ def test_palletize_of_the_library_makes_the_moves_of_the_paper() -> None:
 
 def test_a_classic_program_calls_tasks_of_the_knowledge_base_by_name() -> None:
     known = base("task(wave(L, T), [params([L-location, T-time]), body([mov(L), wait(T)])]).")
-    environment = replace(CELL, tasks=signatures(known, CELL))
+    environment = replace(CELL, tasks=library(known, CELL, known.names).tasks)
     assert set(environment.tasks) == set(known.names)
     text = """\
 Task "both"

@@ -19,7 +19,8 @@ def _call(registers: Registers, _world: World, site: Site) -> None:
     index, name, parameters, others = site.operand
     stack = registers.stack
     cut = len(stack) - parameters
-    registers.callers.append(Caller(registers.procedure, registers.pc, tuple(registers.values)))
+    place = registers.place(site.span)
+    registers.callers.append(Caller(registers.procedure, registers.pc, tuple(registers.values), place))
     registers.values = [*stack[cut:], *[None] * others]
     del stack[cut:]
     registers.procedure, registers.pc = index, 0

@@ -60,7 +60,12 @@ def unknown_task(body: Body, name: nodes.Name) -> NoReturn:
     Raises:
         RejectedError: always.
     """
-    hint = _near_task(name.text, body.world.signatures)
+    environment = body.world.environment
+    reason = environment.refused.get(name.text)
+    if reason is not None:
+        message = f"the task `{name.text}` of the knowledge base cannot be called: {reason}"
+        body.fail(name_kinds.REFUSED_TASK, name, message, "put the task right in its text")
+    hint = _near_task(name.text, (*body.world.signatures, *environment.listed))
     fix = hint.split("`")[1] if hint.startswith("did you mean") else None
     body.fail(name_kinds.UNKNOWN_TASK, name, f"Task not defined: `{name.text}`", hint, fix=fix)
 

@@ -17,15 +17,28 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.task_form import ParameterForm, TaskForm
-from ropsim.program import Expression, Local, ValueType
+from ropsim.program import Expression, Local, Task, ValueType
 
 
 def of_library(library: TaskSignature) -> Signature:
     """Return how a library task is called."""
     task = library.task
-    formals = tuple(Formal(p.name, _library_type(p, library)) for p in task.parameters)
+    formals = tuple(
+        Formal(p.name, _library_type(p, library), library.defaults.get(p.name)) for p in task.parameters
+    )
     references = tuple(f.name for f in formals if f.type == POSE)
     return Signature(task.name, formals, references, Type(task.result) if task.result else None)
+
+
+def for_library(signature: Signature, task: Task) -> TaskSignature:
+    """Return a checked task as other texts call it; the way back is `of_library`."""
+    dimensions = {
+        one.name: word_of(settled(one.type))
+        for one in signature.formals
+        if settled(one.type).value is ValueType.REAL
+    }
+    defaults = {one.name: one.default for one in signature.formals if one.default is not None}
+    return TaskSignature(task, dimensions, defaults)
 
 
 def _library_type(parameter: Local, library: TaskSignature) -> Type:

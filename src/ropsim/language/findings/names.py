@@ -238,3 +238,16 @@ The task, or the control statements, give the variable a value and never read it
 as a target, an argument or in `print`. Leave the assignment out, or use what it keeps.
 """,
 )
+REFUSED_TASK = define(
+    "N240",
+    "task-cannot-be-called",
+    Severity.ERROR,
+    "a call of a task of a knowledge base whose body does not compile",
+    """
+There is a task of this name in the knowledge base of the project, of the user or of ropsim, and its body has
+an error in this cell: a signal that the cell has not, a term that is no statement. The message says where the
+task is and what is wrong; `ropsim check` tells the same at the text of the task.
+
+Put the task right there, or write a task of this name into the program, which is then the one that is called.
+""",
+)

@@ -146,8 +146,9 @@ keep_task(Name, Arity, Task, Place) :-
         assertz(known(Name, Arity, Task)), assertz(Place)
     ).
 
-%   layer(+Text, -Layer): texts of the built-in library have numbers below zero; tasks of a project take their place.
-layer(Text, Layer) :- ( Text < 0 -> Layer = library ; Layer = project ).
+%   layer(+Text, -Layer): by the number of a text (layer.py). Texts come in the order of their numbers, so that tasks of the
+%   user take the place of built-in ones, and tasks of the project that of both.
+layer(Text, Layer) :- ( Text >= 0 -> Layer = project ; Text >= -1000000 -> Layer = user ; Layer = library ).
 
 wrong(Text, P, Code, Arguments) :- nb_setval(ropsim_wrong, yes), found_at(Text, P, Code, Arguments).
 
@@ -357,8 +358,8 @@ looked_at(clash(Name, _, Text, P)) :-
     ->  true
     ;   layer(First, Layer), layer(Text, Layer)
     ->  found_at(Text, P, clash, [Name, First, From, To])
-    ;   Text < 0, later(clash(Name, _, First, HeadP))
-    ->  found_at(First, HeadP, hides, [Name])
+    ;   First > Text, later(clash(Name, _, First, HeadP))
+    ->  layer(Text, Behind), found_at(First, HeadP, hides, [Name, Behind])
     ;   true
     ).
 looked_at(called(Own, Name, Arity, Text, P)) :-

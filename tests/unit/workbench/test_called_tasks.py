@@ -1,0 +1,164 @@
+"""Programs call tasks of knowledge bases by name: those of the project, of the user and of the library."""
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from ropsim.cli.main import main
+from ropsim.core import Diagnostic, SourceText
+from ropsim.icr import run
+from ropsim.query import Outcome
+from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
+from ropsim.workbench.task_texts import TaskTexts, library_names, mentioned, read_task_texts
+
+CELL = SourceText(
+    "cell.toml",
+    '[cell]\nname = "c"\nprogram = "p"\n[robot]\nmodel = "puma560"\n[signals.glue]\noutput = 1\n'
+    "[locations.bin]\nposition = [300, 200, 500]\n[locations.deck]\nposition = [300, -200, 500]\n",
+)
+WAVE = "task(wave(L, H), [params([L-location, H-length = 20*mm]), body([mov(above(L, H)), mov(L)])])."
+HEAD = "program p\nunits mm, deg, s\n"
+
+
+@cache
+def workspace() -> Workspace:
+    """Return the workspace of all tests, which has one Prolog."""
+    made = Workspace()
+    made.watch()
+    return made
+
+
+def at(*own: str, users: tuple[str, ...] = ()) -> AtStation:
+    """Return the station of the cell beside these texts of tasks."""
+    texts = TaskTexts(
+        tuple(SourceText(f"kb/t{k}.pl", text) for k, text in enumerate(own)),
+        tuple(SourceText(f"home/kb/u{k}.pl", text) for k, text in enumerate(users)),
+    )
+    return workspace().at(CELL, "c", "", tasks=texts)
+
+
+def compiled(text: str, station: AtStation) -> CompiledProgram:
+    return workspace().compiled(SourceText("p.task", HEAD + text), station)
+
+
+def found(text: str, *own: str, users: tuple[str, ...] = ()) -> tuple[Diagnostic, ...]:
+    return compiled(text, at(*own, users=users)).diagnostics
+
+
+def heights(text: str, *own: str, users: tuple[str, ...] = ()) -> list[float]:
+    """Return how high each move of a program goes [mm]."""
+    code = compiled(text, at(*own, users=users)).icr
+    assert code is not None, found(text, *own, users=users)
+    return [round(1000 * float(one.target.position[2]), 6) for one in run(code).moves]  # type: ignore[union-attr]
+
+
+def test_a_task_in_the_folder_of_the_project_is_called_like_one_of_the_program() -> None:
+    assert heights("wave bin", WAVE) == [520, 500]
+    assert heights("wave bin, 5\ncall wave(deck, h = 7)", WAVE) == [505, 500, 507, 500]
+
+
+def test_a_bare_number_is_in_the_units_of_the_program_that_calls() -> None:
+    assert heights("units cm\nwave bin, 5", WAVE) == [550, 500]
+
+
+def test_tasks_of_project_user_and_library_are_called_in_this_order() -> None:
+    def park(height: int) -> str:
+        return f"task(park(L), [params([L-location]), body([mov(above(L, {height}*mm))])])."
+
+    assert heights("park bin") == [500]
+    assert heights("park bin", users=(park(1),)) == [501]
+    assert heights("park bin", park(2), users=(park(1),)) == [502]
+    assert heights("task park(l: loc)\n mov l above 3\nendp\npark bin", park(2)) == [503]
+
+
+def test_tasks_of_a_knowledge_base_call_their_own_though_the_program_has_others_of_these_names() -> None:
+    text = "task grip(a: loc)\n  mov a above 9\nendp\ngrip bin\npalletize bin, deck, 5, 1"
+    assert heights(text) == [509, 500, 500]
+    assert found(text) == ()
+
+
+def test_calls_are_checked_by_number_and_type_of_their_arguments() -> None:
+    assert [one.code for one in found("wave", WAVE)] == ["T303"]
+    assert [one.code for one in found("wave bin, 3 s", WAVE)] == ["T302"]
+    (near,) = found("wawe bin", WAVE)
+    assert (near.code, near.hint) == ("N201", "did you mean `wave`?")
+
+
+def test_a_call_of_a_task_whose_body_is_wrong_says_where_and_why() -> None:
+    glue = "task(bead(L), [params([L-location]), body([mov(L), set(gule, on)])])."
+    outer = "task(two(L), [params([L-location]), body([call(bead(L)), open])])."
+    (one,) = found("bead bin", "", f"\n{glue}")
+    assert (one.code, one.span.line if one.span else 0) == ("N240", 3)
+    assert "`bead`" in one.message
+    assert "kb/t1.pl:2: there is no output `gule`" in one.message
+    (other,) = found("two bin", glue, outer)
+    assert "`two`" in other.message
+    assert "it calls `bead`" in other.message
+    assert found("bead bin", glue.replace("gule", "glue")) == ()
+
+
+def test_a_copy_of_a_task_in_a_program_is_told_once_the_knowledge_base_has_another() -> None:
+    copy = "task wave(l: loc, h: length = 20 mm)\n  mov l above h   # first\n  mov l\nendp\nwave bin"
+    assert found(copy, WAVE) == ()
+    (one,) = found(copy, WAVE.replace("20*mm", "30*mm"))
+    assert (one.code, one.span.line if one.span else 0) == ("P149", 3)
+    assert "kb/t0.pl:1" in one.message
+    assert found("task grip(a: loc)\n  mov a\nendp\ngrip bin") == ()  # those of the library may be hidden
+
+
+def test_an_edit_of_a_task_compiles_again_only_the_programs_that_call_it() -> None:
+    other = "task(rest(L), [params([L-location]), body([mov(L)])])."
+    events = workspace().events
+    assert events is not None
+
+    def ran(*own: str) -> bool:
+        events.clear()
+        compiled("wave bin", at(*own))
+        return any(one.function == "translated" and one.outcome is Outcome.RAN for one in events)
+
+    assert ran(WAVE, other)
+    assert not ran(WAVE, other.replace("mov(L)", "lin(L)"))
+    assert ran(WAVE.replace("mov(L)", "lin(L)"), other)
+
+
+def test_a_program_that_names_no_task_of_others_starts_no_prolog() -> None:
+    fresh = Workspace()
+    station = fresh.at(CELL, "c", "", tasks=TaskTexts((SourceText("kb/a.pl", WAVE),)))
+    text = SourceText("p.task", f"{HEAD}task grip(a: loc)\n  mov a\nendp\ngrip bin\nmov deck")
+    assert fresh.compiled(text, station).diagnostics == ()
+    assert fresh._engine._base is None
+
+
+def test_what_a_task_does_is_told_at_the_line_of_its_call() -> None:
+    code = compiled("mov bin\nwave bin", at(WAVE)).icr
+    assert code is not None
+    lines = [one.origin.span.line if one.origin.span else 0 for one in run(code).moves]
+    assert lines == [3, 4, 4]
+
+
+def test_names_are_looked_for_as_whole_words() -> None:
+    assert mentioned("wave_ bin\nxwave b", ("wave", "bin")) == ("bin",)
+    many = (*(f"task{k}" for k in range(100)), "bin")
+    assert mentioned("wave_ bin\ncall task7", many) == ("task7", "bin")
+    assert {"pick", "palletize", "tool_change"} <= set(library_names())
+
+
+def test_texts_that_are_not_saved_count_and_users_have_a_folder_of_their_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "home"))
+    (tmp_path / "home" / "kb").mkdir(parents=True)
+    (tmp_path / "home" / "kb" / "mine.pl").write_text(WAVE)
+    new_project(tmp_path / "p")
+    (tmp_path / "p" / "kb").mkdir()
+    (tmp_path / "p" / "kb" / "b.pl").write_text("")
+    texts = read_task_texts(tmp_path / "p", {"kb/a.pl": "home(x).", "kb/b.pl": "home(y)."})
+    assert [(one.name, one.text) for one in texts.own] == [("kb/b.pl", "home(y)."), ("kb/a.pl", "home(x).")]
+    assert [Path(one.name).name for one in texts.users] == ["mine.pl"]
+    program = {"programs/main.task": f"{HEAD}wave (400, 0, 500)\n"}
+    project = open_overlaid(tmp_path / "p", program, workspace())
+    assert [one for one in project.compile().diagnostics if one.is_error] == []
+    (tmp_path / "p" / "programs" / "main.task").write_text(f"{HEAD}wave\n")
+    assert main(["check", str(tmp_path / "p")]) == 1
+    assert "task `wave` takes 1 to 2 arguments" in capsys.readouterr().err
