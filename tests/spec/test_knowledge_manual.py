@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from ropsim.tasks.kinds import KINDS
+from ropsim.tasks.words import KINDS
 from support.knowledge import base
 from support.manual import DOCS, Block, blocks
 

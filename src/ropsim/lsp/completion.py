@@ -9,7 +9,9 @@ from ropsim.language import Role
 from ropsim.lsp import names, words
 from ropsim.lsp.document import Document
 from ropsim.lsp.expected import LITERALS, expected, in_call, may_give, type_of
+from ropsim.lsp.knowledge import not_named, proposed_in_tasks, task_item
 from ropsim.lsp.messages import Json
+from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import CompletionAt, Position
 from ropsim.lsp.workshop import Workshop
 from ropsim.workbench import CheckedText, environment_of
@@ -88,7 +90,9 @@ def proposed(
         workshop: knows what was made of them.
         trigger: the sign that has just been typed, where it is what asks; empty for a word or by wish.
     """
-    if document.name.endswith((".toml", ".icr")):
+    if document.is_task_text:
+        return proposed_in_tasks(document, position, workshop.surroundings(document, documents).tasks)
+    if not is_program(document):
         return []
     before = document.line(position.line)[: document.column(position)]
     if _NO_PLACE.search(before):
@@ -104,7 +108,10 @@ def proposed(
     if place == "posture":
         parts = environment_of(around.cell, around.station).postures or ()
         return [_item(word, _LITERAL, "posture", "") for part in parts for word in part]
-    return list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
+    offered = list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
+    if place in ("task", "statement"):
+        offered += map(task_item, not_named(around.tasks, frozenset(checked.tasks)))
+    return offered
 
 
 def _table_of(role: Role) -> Role | None:

@@ -68,6 +68,11 @@ class Document:
         path = self.path
         return path is not None and path.parent.name == "robots" and path.suffix.lower() in ROBOT_FORMATS
 
+    @property
+    def is_task_text(self) -> bool:
+        """Return whether it is a text of tasks of a knowledge base."""
+        return self.name.endswith(".pl")
+
     def line(self, number: int) -> str:
         """Return line `number` (from 0), empty beyond the end."""
         if not 0 <= number < len(self.starts):

@@ -8,6 +8,7 @@ from ropsim.language import Meaning, Role, Space
 from ropsim.lsp import findings, names, words
 from ropsim.lsp.document import Document
 from ropsim.lsp.found_name import FoundName, found_name
+from ropsim.lsp.knowledge import place_words
 from ropsim.lsp.last_run import last_run
 from ropsim.lsp.line_words import line_words
 from ropsim.lsp.messages import Json
@@ -17,7 +18,7 @@ from ropsim.lsp.types_of import type_of_meaning
 from ropsim.lsp.workshop import Workshop
 from ropsim.model import Station
 from ropsim.spatial import Pose
-from ropsim.workbench import Resolved, location_of
+from ropsim.workbench import Resolved, TaskTexts, location_of
 
 _MARKS = re.compile(r"([\\`*_{}\[\]<>#|&])")
 _ROLES = {
@@ -35,6 +36,9 @@ def hover(
     position = params.position
     found = names.word_at(document, position)
     parts = [*_finding(document, position, documents, workshop)]
+    if document.is_task_text and found is not None:
+        tasks = workshop.surroundings(document, documents).tasks
+        parts = [*_of_task(found[0], tasks), *parts]
     if is_program(document):
         about = _about(document, params, documents, workshop)
         parts = [*about, *_of_run(document, position, documents, workshop), *parts]
@@ -114,11 +118,22 @@ def _of_cell(
     form = workshop.checked(document, documents).tasks.get(found.name) if found.space is Space.TASK else None
     if form is not None:
         yield _code(names.task_words(form))
+        yield from tuple(_of_task(found.name, workshop.named(document, documents).tasks))[1:]
     for one in names.of_cell(workshop.named(document, documents)):
         if one.name == found.name and one.role in _ROLES[found.space]:
             yield f"**{plain(found.name)}**: {one.role.value} of the cell"
             told = [f"{one.text} {one.where}".strip(), *([one.note] if one.note else [])]
             yield from map(plain, told)
+
+
+def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:
+    """Yield what is known of a task of a knowledge base: how it is called, what it is for, where it is."""
+    told = tasks.told.get(name)
+    if told is not None:
+        yield _code(f"task {told}")
+        if told.doc:
+            yield plain(told.doc)
+        yield plain(f"task of {place_words(told)}")
 
 
 def _places(resolved: Resolved, station: Station | None) -> str:

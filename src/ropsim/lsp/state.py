@@ -59,8 +59,8 @@ class State:
         return replace(self, stale=frozenset(self.documents), asks_again=True)
 
     def _stale_after(self, document: Document, documents: Mapping[str, Document]) -> frozenset[str]:
-        """Return what has to be looked at after a change; cells and robots concern all programs."""
+        """Return what has to be looked at after a change; cells, robots and tasks concern all programs."""
         path = document.path
-        if (path is not None and path.name == "cell.toml") or document.is_robot_file:
+        if (path is not None and path.name == "cell.toml") or document.is_robot_file or document.is_task_text:
             return frozenset(documents)
         return self.stale | {document.uri}

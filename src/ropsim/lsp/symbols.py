@@ -4,7 +4,9 @@ from collections.abc import Mapping
 
 from ropsim.language import Definition, Outline, Role
 from ropsim.lsp.document import Document
+from ropsim.lsp.knowledge import task_symbols
 from ropsim.lsp.messages import Json
+from ropsim.lsp.programs import is_program
 from ropsim.lsp.protocol import OfDocument
 from ropsim.lsp.workshop import Workshop
 
@@ -24,7 +26,9 @@ KINDS = {
 
 def symbols(document: Document, _: OfDocument, __: Mapping[str, Document], workshop: Workshop) -> list[Json]:
     """Return the tasks and declarations of a document in order of their place."""
-    if document.name.endswith((".toml", ".icr")):
+    if document.is_task_text:
+        return task_symbols(document)
+    if not is_program(document):
         return []
     outline = workshop.outline(document)
     spans = {task.definition: task.span for task in outline.tasks}

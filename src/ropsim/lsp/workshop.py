@@ -14,20 +14,24 @@ from ropsim.lsp.recorded_runs import RecordedProgram, Stamp, programs_in
 from ropsim.model import Cell, Station
 from ropsim.userfiles import UNREADABLE, KeptAnswers, read_text_file
 from ropsim.workbench import (
+    NO_TASKS,
     NOWHERE,
     AtStation,
     CheckedText,
     Reading,
     Resolved,
     RobotFile,
+    TaskTexts,
     Workspace,
     around_programs,
     read_robot,
     read_robot_files,
+    read_task_texts,
     robots_read,
+    text_findings,
 )
 
-CELL_FILE = "cell.toml"
+CELL_FILE, KNOWLEDGE = "cell.toml", "kb"
 
 #: Where a program runs that no station runs.
 NO_STATION: Mapping[str, AtStation] = MappingProxyType({"": NOWHERE})
@@ -47,6 +51,7 @@ class Surroundings:
         cell: the cell, None outside of a project and where the file is wrong.
         stations: that run the program, by name.
         environment: names for the compiler at the first of them.
+        tasks: texts of tasks that it can call, open or on the disk.
         before: of the last cell file that was right, where this one is wrong.
     """
 
@@ -57,6 +62,7 @@ class Surroundings:
     stations: Mapping[str, AtStation] = field(default_factory=lambda: NO_STATION)
     environment: language.Environment = language.NO_SIGNATURES
     before: "Surroundings | None" = None
+    tasks: TaskTexts = NO_TASKS
 
     @property
     def at(self) -> AtStation:
@@ -117,7 +123,9 @@ class Workshop:
             else:
                 continue
             robots = read_robot_files(folder, robot_files(text), partial(_text_of, folder, opened))
-            return self._read(folder, text, robots, program)
+            return self._read(folder, text, robots, program, _tasks(folder, opened))
+        if document.is_task_text:
+            return Surroundings(tasks=TaskTexts((_source(document),)))
         return Surroundings()
 
     def named(self, document: Document, documents: Mapping[str, Document]) -> Surroundings:
@@ -133,6 +141,8 @@ class Workshop:
             return CheckedText(source, self._around_programs(around.folder, source, documents))
         if document.is_robot_file:
             return CheckedText(source, read_robot(source).findings)
+        if document.is_task_text:
+            return CheckedText(source, text_findings(self.workspace, around.tasks, around.cell, source.name))
         if around.is_broken:
             checked = self.workspace.syntax(source)
         else:
@@ -203,28 +213,40 @@ class Workshop:
         self.workspace.forget(_source(Document(uri, 0, "")).name)
 
     def _read(
-        self, folder: Path, text: SourceText | None, robots: Mapping[str, RobotFile], program: str
+        self,
+        folder: Path,
+        text: SourceText | None,
+        robots: Mapping[str, RobotFile],
+        program: str,
+        tasks: TaskTexts,
     ) -> Surroundings:
         known = self._surroundings.get((folder, program))
         read = robots_read(robots)
         cell = self.workspace.cell(text, folder.name, read).cell if text is not None else None
-        if known is not None and known.cell_text == text and known.robots == robots:
+        if known is not None and (known.cell_text, known.robots, known.tasks) == (text, robots, tasks):
             return known
         if cell is None or text is None:
             before = None if known is None else (self._as_it_was(known) if known.cell else known.before)
-            made = Surroundings(folder, text, robots, before=before)
+            made = Surroundings(folder, text, robots, before=before, tasks=tasks)
         else:
-            made = self._around(folder, text, robots, cell, program)
+            made = self._around(folder, text, robots, cell, program, tasks)
         self._surroundings[folder, program] = made
         return made
 
     def _around(
-        self, folder: Path, text: SourceText, robots: Mapping[str, RobotFile], cell: Cell, program: str
+        self,
+        folder: Path,
+        text: SourceText,
+        robots: Mapping[str, RobotFile],
+        cell: Cell,
+        program: str,
+        tasks: TaskTexts,
     ) -> Surroundings:
+        read = robots_read(robots)
         names = [one.name for one in cell.stations_of(program)]
-        stations = {name: self.workspace.at(text, folder.name, name, robots_read(robots)) for name in names}
+        stations = {name: self.workspace.at(text, folder.name, name, read, tasks) for name in names}
         environment = self.workspace.environment(next(iter(stations.values())))
-        return Surroundings(folder, text, robots, cell, stations, environment)
+        return Surroundings(folder, text, robots, cell, stations, environment, tasks=tasks)
 
     def _as_it_was(self, known: Surroundings) -> Surroundings:
         """Return surroundings that hold beside the newer text of the same cell file."""
@@ -232,7 +254,8 @@ class Workshop:
         text = replace(known.cell_text, name=f"{known.cell_text.name}, as it was")
         read = robots_read(known.robots)
         stations = {
-            name: self.workspace.at(text, one.folder, name, read) for name, one in known.stations.items()
+            name: self.workspace.at(text, one.folder, name, read, known.tasks)
+            for name, one in known.stations.items()
         }
         return replace(known, stations=stations)
 
@@ -252,6 +275,15 @@ def _text_of(folder: Path, opened: Mapping[Path | None, Document], name: str) ->
     if path in opened:
         return SourceText(str(path), opened[path].text), ()
     return read_text_file(path, str(path))
+
+
+def _tasks(folder: Path, opened: Mapping[Path | None, Document]) -> TaskTexts:
+    """Return the texts of tasks of a project, as they are open in the editor or else on the disk."""
+    own = {
+        path: one for path, one in opened.items() if path is not None and path.parent == folder / KNOWLEDGE
+    }
+    unsaved = {f"{KNOWLEDGE}/{path.name}": one.text for path, one in own.items() if one.is_task_text}
+    return read_task_texts(folder, unsaved, lambda place: str(folder / place))
 
 
 def _is_file(path: Path) -> bool:

@@ -1,5 +1,6 @@
 """Knowledge bases of tasks: what a robot can do, whether it can now, and what it has to do for a goal."""
 
+from ropsim.tasks import words as words
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.call_reading import call_of as call_of
 from ropsim.tasks.call_report import CallReport as CallReport
@@ -7,6 +8,7 @@ from ropsim.tasks.clause_text import term_text as term_text
 from ropsim.tasks.compiling import Library as Library
 from ropsim.tasks.compiling import body_findings as body_findings
 from ropsim.tasks.compiling import library as library
+from ropsim.tasks.compiling import own_tasks as own_tasks
 from ropsim.tasks.differing import differing_tasks as differing_tasks
 from ropsim.tasks.draft import Draft as Draft
 from ropsim.tasks.draft import added as added

@@ -1,7 +1,7 @@
 """The bodies of a knowledge base in a cell: as tasks that programs call, and what is wrong with them."""
 
 import hashlib
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from pathlib import PurePath
 
@@ -15,6 +15,8 @@ from ropsim.tasks.program_text import UNITS, needed
 from ropsim.tasks.renaming import renamed_calls
 from ropsim.tasks.task_text import task_text
 
+_UNKNOWN_TASK = "N201"
+"""Of the compiler; the knowledge base itself tells of such calls, or what is wrong with what they call."""
 _HEAD = ("program bodies", f"units {UNITS}")
 
 
@@ -68,18 +70,26 @@ class _Bodies:
         return made, found
 
 
-def body_findings(base: KnowledgeBase, environment: Environment) -> tuple[Diagnostic, ...]:
-    """Return a finding for each error of the bodies of a project, and of the library as far as these call it.
+def own_tasks(base: KnowledgeBase) -> tuple[KnownTask, ...]:
+    """Return the tasks of a knowledge base that are not of the library."""
+    return tuple(task for task in base.tasks() if not task.is_built_in)
+
+
+def body_findings(
+    base: KnowledgeBase, environment: Environment, tasks: Iterable[KnownTask]
+) -> tuple[Diagnostic, ...]:
+    """Return a finding for each error in bodies of tasks and of all that they call.
 
     Args:
         base: of the project.
         environment: the cell for which the bodies are compiled.
+        tasks: of the knowledge base.
     """
-    own = [task.name for task in base.tasks() if not task.is_built_in]
+    own = [task.name for task in tasks]
     texts, findings = _texts(_reached(base, own), {})
     _, found = _Bodies.of(texts).compiled(environment) if own else ({}, [])
     for task, line, one in found:
-        if not _is_untold(one, findings):
+        if one.code != _UNKNOWN_TASK:
             message = f"the body of `{task.name}` does not compile: {one.message}"
             notes = (f"its text there: {line}",)
             findings.append(NO_COMPILING.at(_begin(task), message, notes=notes, hint=one.hint))
@@ -119,7 +129,7 @@ def library(
 
 
 def _texts(
-    tasks: Sequence[KnownTask] | Iterator[KnownTask], names: Mapping[str, str]
+    tasks: Iterable[KnownTask], names: Mapping[str, str]
 ) -> tuple[dict[str, tuple[KnownTask, str]], list[Diagnostic]]:
     """Return each task with its text, and what is wrong with those that have none.
 
@@ -185,11 +195,6 @@ def _begin(task: KnownTask) -> Span:
     """Return where the clause of a task begins, as far as its name."""
     span = task.span
     return Span.on_line(span.source, span.line, span.column, len(f"task({task.name}"))
-
-
-def _is_untold(found: Diagnostic, findings: list[Diagnostic]) -> bool:
-    """Return whether an error only says that a task is missing whose own finding stands already."""
-    return found.code == "N201" and bool(findings)
 
 
 def _reached(base: KnowledgeBase, names: Sequence[str]) -> Iterator[KnownTask]:

@@ -6,7 +6,7 @@ from ropsim.core import Diagnostic, Kind, Label, SourceText, did_you_mean
 from ropsim.prolog import Atom, Places, Struct, Term, findings_of
 from ropsim.tasks import diagnostics as kinds
 from ropsim.tasks.expression_text import shown
-from ropsim.tasks.kinds import KINDS
+from ropsim.tasks.words import KINDS, PROPERTIES
 
 Words = tuple[Kind, str, str]
 """Kind, message and hint of a finding."""
@@ -87,11 +87,10 @@ class Wording:
                 message, hint = _FORMS[first]
                 return kinds.TASK_FORM, message, hint
             case "property":
-                names = ("doc", "params", "pre", "eff", "geo", "body")
                 return (
                     kinds.TASK_FORM,
                     f"`{first}` is no property of a task, or not of this form",
-                    (did_you_mean(first, names) or _ORDER),
+                    (did_you_mean(first, PROPERTIES) or _ORDER),
                 )
             case "word":
                 return (

@@ -17,9 +17,6 @@ TYPES: Mapping[str, str] = {
 }
 """Types of the task language by the kinds that task text passes."""
 
-KINDS = (*sorted(SYMBOLIC), *TYPES)
-"""All kinds, for lists."""
-
 UNITS: Mapping[str, frozenset[str]] = {
     "length": frozenset(("mm", "cm", "m", "inch")),
     "angle": frozenset(("deg", "rad")),

@@ -16,6 +16,7 @@ from ropsim.workbench.knowledge import has_knowledge as has_knowledge
 from ropsim.workbench.knowledge import knowledge_of as knowledge_of
 from ropsim.workbench.knowledge import open_knowledge as open_knowledge
 from ropsim.workbench.knowledge import task_findings as task_findings
+from ropsim.workbench.knowledge import text_findings as text_findings
 from ropsim.workbench.knowledge import world_state as world_state
 from ropsim.workbench.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.named_robot import RobotFileError as RobotFileError
@@ -47,6 +48,10 @@ from ropsim.workbench.session import begin_session as begin_session
 from ropsim.workbench.session import saved as saved
 from ropsim.workbench.session import taken_back as taken_back
 from ropsim.workbench.session import told as told
+from ropsim.workbench.task_texts import NO_TASKS as NO_TASKS
+from ropsim.workbench.task_texts import TaskTexts as TaskTexts
+from ropsim.workbench.task_texts import read_task_texts as read_task_texts
+from ropsim.workbench.told_tasks import ToldTask as ToldTask
 from ropsim.workbench.what_if import Change as Change
 from ropsim.workbench.what_if import Subject as Subject
 from ropsim.workbench.what_if import WhatIfError as WhatIfError

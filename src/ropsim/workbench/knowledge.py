@@ -12,7 +12,8 @@ from ropsim.workbench.cell_geometry import CellGeometry
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.opening import open_project
 from ropsim.workbench.project import Project
-from ropsim.workbench.task_texts import users_folder
+from ropsim.workbench.task_texts import TaskTexts, users_folder
+from ropsim.workbench.workspace import Workspace
 
 if TYPE_CHECKING:  # with their engine they take a tenth of a start, so they are loaded by who asks one
     from ropsim.prolog import Term
@@ -59,7 +60,7 @@ def open_knowledge(path: str | Path) -> Knowledge:
 
 def knowledge_of(project: Project) -> Knowledge:
     """Return the knowledge base of a project; where its cell is wrong, the tasks alone and what is wrong."""
-    from ropsim.tasks import KnowledgeBase, WorldState, body_findings
+    from ropsim.tasks import KnowledgeBase, WorldState, body_findings, own_tasks
 
     cell = project.cell
     if cell is None:
@@ -68,7 +69,7 @@ def knowledge_of(project: Project) -> Knowledge:
         return Knowledge(base, WorldState(), found, {**project.texts, **base.texts})
     texts = project.tasks
     base = KnowledgeBase(texts.own, CellGeometry(cell), texts.findings, texts.users)
-    found = (*base.findings, *body_findings(base, environment_of(cell)))
+    found = (*base.findings, *body_findings(base, environment_of(cell), own_tasks(base)))
     return Knowledge(base, world_state(cell), found, {**project.texts, **base.texts})
 
 
@@ -84,11 +85,31 @@ def task_findings(project: Project) -> tuple[tuple[Diagnostic, ...], Mapping[str
     """
     if project.cell is None or not has_knowledge(project):
         return (), {}
-    from ropsim.tasks import body_findings
+    from ropsim.tasks import body_findings, own_tasks
 
     base = project.workspace.knowledge(project.tasks)
-    found = (*project.tasks.findings, *base.findings, *body_findings(base, environment_of(project.cell)))
-    return found, base.texts
+    bodies = body_findings(base, environment_of(project.cell), own_tasks(base))
+    return (*project.tasks.findings, *base.findings, *bodies), base.texts
+
+
+def text_findings(
+    workspace: Workspace, tasks: TaskTexts, cell: Cell | None, name: str
+) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with one text of tasks; without a cell bodies are not compiled.
+
+    Args:
+        workspace: whose Prolog reads the texts.
+        tasks: all of them.
+        cell: for which bodies are compiled.
+        name: of the text.
+    """
+    from ropsim.tasks import body_findings
+
+    base = workspace.knowledge(tasks)
+    found = [one for one in base.findings if one.span is not None and one.span.source == name]
+    own = [task for task in base.tasks() if task.span.source == name]
+    bodies = body_findings(base, environment_of(cell), own) if cell is not None else ()
+    return (*found, *(one for one in bodies if one.span is not None and one.span.source == name))
 
 
 def world_state(cell: Cell) -> "WorldState":

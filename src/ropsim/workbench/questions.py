@@ -26,7 +26,8 @@ from ropsim.workbench.compiler_version import compiler_version
 from ropsim.workbench.environment import environment_of
 from ropsim.workbench.resolved import Resolved, targets_by_line
 from ropsim.workbench.task_engine import TaskEngine
-from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, library_names, mentioned, told_names
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts
+from ropsim.workbench.told_tasks import mentioned, told_tasks
 
 if TYPE_CHECKING:  # with its engine it takes a tenth of a start, so it is loaded when a program calls a task
     from ropsim.tasks import Library
@@ -92,13 +93,13 @@ def environment(db: Database, at: AtStation) -> language.Environment:
 
 def listed_tasks(db: Database, cell: str) -> tuple[str, ...]:
     """Return the names of all tasks that programs beside a cell file can call; some may be of none."""
-    return tuple(dict.fromkeys((*db.ask(own_tasks, cell), *library_names())))
+    return tuple(_task_texts(db, cell).told)
 
 
 def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
     """Return those of them that the project or its user has."""
     texts = _task_texts(db, cell)
-    return told_names((*texts.own, *texts.users))
+    return tuple(told_tasks((*texts.own, *texts.users)))
 
 
 def called_tasks(db: Database, name: str, cell: str) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -1,20 +1,14 @@
 """The texts of tasks that programs can call: those of the project, of the user, and of the library."""
 
-import re
-from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from ropsim.core import Diagnostic, SourceText, frozen_dataclass, read_bytes
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.userfiles import configuration_folder
+from ropsim.workbench.told_tasks import ToldTask, library_texts, told_tasks
 
 KNOWLEDGE, ENDING = "kb", ".pl"
 """Name of the folder, in a project and beside the user's settings; and how names of texts in it end."""
-FEW = 64
-"""So many names are looked for one by one in a text."""
-
-_TASK = re.compile(r"\btask\(\s*'?([^\W\d]\w*)")
-_WORD = re.compile(r"[^\W\d]\w*")
 
 
 @frozen_dataclass
@@ -30,6 +24,16 @@ class TaskTexts:
     own: tuple[SourceText, ...] = ()
     users: tuple[SourceText, ...] = ()
     findings: tuple[Diagnostic, ...] = ()
+
+    @property
+    def told(self) -> Mapping[str, ToldTask]:
+        """Return what they and those of the library tell of tasks, the first of each name."""
+        return told_tasks((*self.own, *self.users, *library_texts()))
+
+    def text(self, name: str) -> SourceText | None:
+        """Return the text of a name."""
+        every = (*self.own, *self.users, *library_texts())
+        return next((one for one in every if one.name == name), None)
 
 
 NO_TASKS = TaskTexts()
@@ -70,30 +74,3 @@ def _read(folder: Path) -> tuple[tuple[SourceText, ...], tuple[Diagnostic, ...]]
     from ropsim.tasks import read_folder  # with its engine it takes a tenth of a start
 
     return read_folder(folder)
-
-
-def told_names(texts: Iterable[SourceText]) -> tuple[str, ...]:
-    """Return what may be the names of tasks in some texts; they are not read, so comments count, too."""
-    return tuple(dict.fromkeys(name for text in texts for name in _names(text.text)))
-
-
-@lru_cache(maxsize=4096)
-def _names(text: str) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(_TASK.findall(text)))
-
-
-@lru_cache(maxsize=1)
-def library_names() -> tuple[str, ...]:
-    """Return the names of the tasks that come with ropsim, without loading what reads them."""
-    folder = Path(__file__).parent.parent / "tasks" / "library"
-    texts = (read_bytes(one).decode() for one in sorted(folder.glob(f"*{ENDING}")))
-    return tuple(name for text in texts for name in _names(text))
-
-
-def mentioned(text: str, names: Iterable[str]) -> tuple[str, ...]:
-    """Return which names are words of a text, in their order."""
-    wanted = tuple(names)
-    if len(wanted) > FEW:
-        words = frozenset(_WORD.findall(text))
-        return tuple(one for one in wanted if one in words)
-    return tuple(one for one in wanted if one in text and re.search(rf"\b{one}\b", text))

@@ -10,7 +10,8 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.icr import run
 from ropsim.query import Outcome
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
-from ropsim.workbench.task_texts import TaskTexts, library_names, mentioned, read_task_texts
+from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
+from ropsim.workbench.told_tasks import mentioned
 
 CELL = SourceText(
     "cell.toml",
@@ -141,7 +142,18 @@ def test_names_are_looked_for_as_whole_words() -> None:
     assert mentioned("wave_ bin\nxwave b", ("wave", "bin")) == ("bin",)
     many = (*(f"task{k}" for k in range(100)), "bin")
     assert mentioned("wave_ bin\ncall task7", many) == ("task7", "bin")
-    assert {"pick", "palletize", "tool_change"} <= set(library_names())
+
+
+def test_texts_tell_at_a_glance_what_prolog_reads_in_them() -> None:
+    told = NO_TASKS.told
+    base = workspace().knowledge(NO_TASKS)
+    assert tuple(told) == base.names
+    for task in base.tasks():
+        assert told[task.name].doc == task.doc
+        assert len(told[task.name].parameters) == len(task.passed)
+    assert str(told["pick"]) == "pick(l: location, clear: length = …)"
+    span = told["pick"].span
+    assert (Path(span.source).name, span.line, span.column) == ("pick.pl", 3, 6)
 
 
 def test_texts_that_are_not_saved_count_and_users_have_a_folder_of_their_own(

@@ -1,0 +1,50 @@
+"""The words of texts of tasks, for lists and for editors."""
+
+from collections.abc import Mapping
+
+from ropsim.tasks.kinds import SYMBOLIC, TYPES
+
+PROPERTIES: Mapping[str, str] = {
+    "doc": "what the task is for",
+    "params": "the kind of each variable of the head",
+    "pre": "what must hold before",
+    "eff": "what is true, or not true any more, afterwards",
+    "geo": "what only geometry can tell",
+    "body": "how it is done",
+}
+"""Properties of a task, with what they say."""
+
+STATEMENTS: Mapping[str, str] = {
+    "mov": "mov(L)",
+    "lin": "lin(L, [speed(V)])",
+    "open": "open",
+    "close": "close",
+    "wait": "wait(0.5*s)",
+    "wait_until": "wait_until(signal, 2*s)",
+    "set": "set(signal, on)",
+    "load": "load([x, y, z], L)",
+    "call": "call(task(L))",
+    ":=": "x := x + A",
+    "print": 'print(["…"])',
+    "stop": 'stop("…")',
+    "break": "break",
+    "continue": "continue",
+    "repeat": "repeat(N, [])",
+    "if": "if(C, [])",
+    "while": "while(C, [])",
+    "for": "for(i, 1, N, [])",
+    "with": "with([speed(V)], [])",
+}
+"""Statements of bodies, with an example of each; `shape/3` of kb.pl has them, too."""
+
+KINDS = (*sorted(SYMBOLIC), *TYPES)
+"""Kinds of parameters."""
+
+BLOCKS = ("repeat", "if", "while", "for", "with")
+"""Statements that hold statements."""
+
+FACTS = ("at", "free", "gripper", "held", "tool", "part", "location", "device")
+"""Names of the facts that cells have."""
+
+GEOMETRY = ("reachable", "collision_free")
+"""Conditions that geometry tells."""
