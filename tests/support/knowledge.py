@@ -21,6 +21,8 @@ CELL = Environment(
 class Refusing:
     """Geometry that refuses some conditions and counts what it is asked."""
 
+    unchecked = ("draughts",)
+
     def __init__(self) -> None:
         self.revision = 0
         self.refused: set[tuple[str, ...]] = set()

@@ -26,6 +26,7 @@ from ropsim.tasks import (
     not_defined,
     read_point_list,
     taken_back,
+    unchecked_text,
 )
 from ropsim.workbench import open_knowledge
 
@@ -60,7 +61,7 @@ def generate(options: argparse.Namespace, output: Output) -> int:
         output.text("no task was accepted: there is no program")
         return 1
     text = draft_text(desk.draft, desk.base, options.name)
-    output.text(f"\n{text.rstrip()}")
+    output.text(f"\n{text.rstrip()}\n\n{unchecked_text(desk.base.unchecked)}")
     return _written(folder, options.name, text, draft_points(desk.draft), output) if options.write else 0
 
 

@@ -18,13 +18,12 @@ from ropsim.tasks import (
     program_text,
     task_text,
     term_text,
+    unchecked_text,
 )
 from ropsim.workbench import Knowledge, open_knowledge
 
 COLUMNS = 80
 """Width to which descriptions are wrapped."""
-UNCHECKED = ("collisions",)
-"""What conditions of geometry may name and nothing looks at."""
 
 
 def list_(options: argparse.Namespace, output: Output) -> int:
@@ -68,7 +67,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
     width = max(len(str(one.call)) for one in reports)
     for one in reports:
         output.text("\n".join(_answer(one, width)))
-    output.text(_unchecked())
+    output.text(unchecked_text(known.base.unchecked))
     found = tuple(finding for one in reports for finding in one.findings)
     output.findings((one for one in known.findings if one.is_error), known.texts)
     is_good = all(one.ok for one in reports)
@@ -76,7 +75,7 @@ def check(options: argparse.Namespace, output: Output) -> int:
         {
             "ok": is_good,
             "calls": [_report(one) for one in reports],
-            "unchecked": UNCHECKED,
+            "unchecked": known.base.unchecked,
             "state": [term_text(fact) for fact in reports[-1].state.facts],
             **diagnostic_document((*known.findings, *found)),
         }
@@ -100,13 +99,13 @@ def plan(options: argparse.Namespace, output: Output) -> int:
     program = program_text(known.base.task, found.calls, "plan") if found.ok else ""
     output.text(program.rstrip("\n") if options.program else _steps(found.calls) if found.ok else "no plan")
     if found.ok and not options.program:
-        output.text(_unchecked())
+        output.text(unchecked_text(found.unchecked))
     output.document(
         {
             "ok": found.ok,
             "calls": [_call(one) for one in found.calls],
             "looked_at": found.looked_at,
-            "unchecked": UNCHECKED,
+            "unchecked": found.unchecked,
             "program": program,
             **diagnostic_document((*known.findings, *found.findings)),
         }
@@ -116,10 +115,6 @@ def plan(options: argparse.Namespace, output: Output) -> int:
 
 def _state(options: argparse.Namespace, known: Knowledge) -> WorldState:
     return WorldState.of(*options.state) if options.state else known.state
-
-
-def _unchecked() -> str:
-    return f"not checked: {', '.join(UNCHECKED)}"
 
 
 def _head(task: KnownTask) -> str:

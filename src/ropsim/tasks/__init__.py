@@ -19,6 +19,7 @@ from ropsim.tasks.draft import taken_back as taken_back
 from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.geometry import Geometry as Geometry
+from ropsim.tasks.geometry import unchecked_text as unchecked_text
 from ropsim.tasks.known_task import KnownTask as KnownTask
 from ropsim.tasks.known_task import Parameter as Parameter
 from ropsim.tasks.layer import Layer as Layer

@@ -1,6 +1,7 @@
 """A knowledge base: what tasks there are, whether a call is possible, which tasks reach a goal."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -96,6 +97,11 @@ class KnowledgeBase:
         """Return how many questions geometry has been asked."""
         return self._geometry.asked
 
+    @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Return what conditions may name and nothing looks at, such as `collisions`."""
+        return self._geometry.unchecked
+
     def tasks(self) -> tuple[KnownTask, ...]:
         """Return all tasks, those of the library first."""
         self._fetch([name for name in self._spans if name not in self._tasks])
@@ -119,7 +125,8 @@ class KnowledgeBase:
             GoalError: a function of the geometry failed, or it takes longer than it may.
         """
         one = call_of(call) if isinstance(call, str) else call
-        return checked(one, self.task(one.name), self.names, self._host, state)
+        report = checked(one, self.task(one.name), self.names, self._host, state)
+        return replace(report, unchecked=self.unchecked)
 
     def check_all(self, calls: Sequence[TaskCall | str], state: WorldState) -> tuple[CallReport, ...]:
         """Return the same for calls in a row, each in the state that the one before it has made.
@@ -154,7 +161,8 @@ class KnowledgeBase:
         Raises:
             TaskError: the goal is no list of facts.
         """
-        return planned(self._host, self.task, goal, state, seconds, progress)
+        plan = planned(self._host, self.task, goal, state, seconds, progress)
+        return replace(plan, unchecked=self.unchecked)
 
     def cancel(self) -> None:
         """Stop what is asked now; every thread may call this."""

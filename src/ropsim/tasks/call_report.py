@@ -17,6 +17,7 @@ class CallReport:
             `fails(call, Words)`.
         providers: tasks that could make what is missing, in the order of the base.
         state: what is true afterwards; where the call is not possible, as before.
+        unchecked: what conditions may name and nothing has looked at, such as `collisions`.
     """
 
     call: TaskCall
@@ -24,6 +25,7 @@ class CallReport:
     fails: tuple[Term, ...]
     providers: tuple[str, ...]
     state: WorldState
+    unchecked: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:

@@ -15,6 +15,11 @@ class Geometry(Protocol):
         """Return what changes whenever the cell changes, so that answers are asked for again."""
         ...
 
+    @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Return what its answers leave out, such as `collisions`; said wherever they are."""
+        ...
+
     def reachable(self, robot: str, location: Point) -> bool:
         """Return whether a robot can bring its tool to a location."""
         ...
@@ -24,10 +29,16 @@ class Geometry(Protocol):
         ...
 
 
+def unchecked_text(unchecked: tuple[str, ...]) -> str:
+    """Return what was left out as one line, in the words of the verdict of a run; empty for nothing."""
+    return f"not checked: {', '.join(unchecked)}" if unchecked else ""
+
+
 class Anywhere:
     """Geometry that refuses nothing, for who has no cell."""
 
     revision: Hashable = None
+    unchecked = ("reach", "collisions")
 
     def reachable(self, robot: str, location: Point) -> bool:  # noqa: ARG002 - as the protocol has it
         """Return True."""
@@ -46,6 +57,11 @@ class RememberedGeometry:
         self._revision = geometry.revision
         self._known: dict[tuple[Term, ...], bool] = {}
         self.asked = 0
+
+    @property
+    def unchecked(self) -> tuple[str, ...]:
+        """Return what answers leave out."""
+        return self._geometry.unchecked
 
     def predicates(self) -> tuple[Predicate, ...]:
         """Return the predicates that knowledge bases may ask."""

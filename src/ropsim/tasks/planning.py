@@ -25,11 +25,13 @@ class Plan:
         calls: tasks in their order; empty where there is no plan, or nothing to do.
         findings: why there is no plan; empty where there is one.
         looked_at: states that were looked at.
+        unchecked: what conditions may name and nothing has looked at, such as `collisions`.
     """
 
     calls: tuple[TaskCall, ...]
     findings: tuple[Diagnostic, ...]
     looked_at: int
+    unchecked: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:

@@ -19,6 +19,8 @@ ARM = "arm"
 class CellGeometry:
     """Answers by inverse kinematics, for the tool that a robot has at the start; it knows no collisions."""
 
+    unchecked = ("collisions",)
+
     def __init__(self, cell: Cell) -> None:
         self._cell = cell
         self.revision: Hashable = id(cell)

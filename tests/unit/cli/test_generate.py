@@ -43,6 +43,7 @@ def test_a_dialogue_makes_a_program_that_compiles(
     said = capsys.readouterr()
     assert "grip s1  accepted" in said.out
     assert "`grip` is not possible now" in said.out
+    assert said.out.count("not checked: collisions") == 1
     assert "Task not defined: `xyz`" in said.err
     text = (tmp_path / "programs" / "shift.task").read_text()
     calls = [line for line in text.splitlines() if line.split(" ")[0] in ("grip", "move_over", "place")]

@@ -13,6 +13,7 @@ def test_calls_in_a_row_carry_the_state() -> None:
     reports = base().check_all(["grip s1", "grip s2", "release s3", "grip s2", "release s1"], CELL)
     assert [one.ok for one in reports] == [True, False, True, True, True]
     assert reports[0].call.objects == (("P", "bolt"),)
+    assert {one.unchecked for one in reports} == {("draughts",)}
     assert reports[1].state == reports[0].state
     assert reports[-1].state == WorldState.of("at(bolt, s3)", "at(nut, s1)", "free(s2)", "gripper(open)")
 
