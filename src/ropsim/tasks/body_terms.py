@@ -5,8 +5,9 @@ from collections.abc import Iterator, Mapping
 from ropsim.language import nodes, statements
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.expression_terms import NoTermError, arguments_of, term_of
+from ropsim.tasks.motion_terms import motion_term, output_term, setting_term
 
-_CLOSERS = (statements.Closer, statements.Else)
+_CLOSERS = (statements.Closer, statements.Else, statements.ElseIf, statements.Until)
 
 
 def body_terms(lines: Iterator[statements.Statement], names: Mapping[str, str]) -> tuple[Term, ...]:
@@ -39,31 +40,45 @@ def _statement(
 ) -> Term:
     match line:
         case statements.If(condition=condition, body=None):
-            then, end = _block(lines, names)
-            sides = (term_of(condition, names), then)
-            if isinstance(end, statements.Else):
-                return Struct("if", (*sides, _block(lines, names)[0]))
-            return Struct("if", sides)
+            return _if(condition, lines, names)
         case statements.If(condition=condition, body=one) if one is not None:
             return Struct("if", (term_of(condition, names), (_statement(one, lines, names),)))
         case statements.Repeat(count=count):
-            inner = _block(lines, names)[0]
-            return Struct("repeat", (inner,) if count is None else (term_of(count, names), inner))
+            inner, end = _block(lines, names)
+            passes = () if count is None else (term_of(count, names),)
+            if isinstance(end, statements.Until):
+                return Struct("repeat_until", (*passes, term_of(end.condition, names), inner))
+            return Struct("repeat", (*passes, inner))
         case statements.While(condition=condition):
             return Struct("while", (term_of(condition, names), _block(lines, names)[0]))
-        case statements.For(name=name, first=first, last=last, step=None):
-            bounds = term_of(first, names), term_of(last, names)
+        case statements.For(name=name, first=first, last=last, step=step):
+            bounds = tuple(term_of(one, names) for one in (first, last, step) if one is not None)
             return Struct("for", (term_of(name, names), *bounds, _block(lines, names)[0]))
+        case statements.ForEach(name=name, pattern=pattern):
+            what = term_of(name, names), term_of(pattern, names)
+            return Struct("for_each", (*what, _block(lines, names)[0]))
         case statements.With(settings=settings):
-            modes = tuple(_setting(one, names) for one in settings)
+            modes = tuple(setting_term(one, names) for one in settings)
             return Struct("with", (modes, _block(lines, names)[0]))
     return _simple(line, names)
+
+
+def _if(condition: nodes.Node, lines: Iterator[statements.Statement], names: Mapping[str, str]) -> Term:
+    """Return the term of `if` and what follows it; `elseif` is an `if` inside of what is done otherwise."""
+    then, end = _block(lines, names)
+    sides = (term_of(condition, names), then)
+    match end:
+        case statements.Else():
+            return Struct("if", (*sides, _block(lines, names)[0]))
+        case statements.ElseIf(condition=other):
+            return Struct("if", (*sides, (_if(other, lines, names),)))
+    return Struct("if", sides)
 
 
 def _simple(line: statements.Statement, names: Mapping[str, str]) -> Term:  # noqa: PLR0911 - a case for each kind
     match line:
         case statements.Motion():
-            return _motion(line, names)
+            return motion_term(line, names)
         case statements.Gripper(word=word, tool=tool):
             return Atom(word) if tool is None else Struct(word, (term_of(tool, names),))
         case statements.WaitTime(duration=duration):
@@ -71,10 +86,10 @@ def _simple(line: statements.Statement, names: Mapping[str, str]) -> Term:  # no
         case statements.WaitCondition(condition=condition, timeout=timeout, otherwise=None):
             more = () if timeout is None else (term_of(timeout, names),)
             return Struct("wait_until", (term_of(condition, names), *more))
-        case statements.SetSignal(name=name, value=value):
-            return Struct("set", (term_of(name, names), term_of(value, names)))
+        case statements.SetSignal():
+            return output_term(line, names)
         case statements.SetMode(setting=setting):
-            return Struct("set", (_setting(setting, names),))
+            return Struct("set", (setting_term(setting, names),))
         case statements.Load(names=targets, source=source):
             return Struct("load", (tuple(term_of(one, names) for one in targets), term_of(source, names)))
         case statements.Call(name=name, arguments=items):
@@ -92,21 +107,3 @@ def _simple(line: statements.Statement, names: Mapping[str, str]) -> Term:  # no
         case statements.Jump(word=word):
             return Atom(word)
     raise NoTermError("a statement that terms have no form for")
-
-
-def _motion(line: statements.Motion, names: Mapping[str, str]) -> Term:
-    words = {"movj": "mov", "movl": "lin"}
-    word = words.get(line.word, line.word)
-    if word not in ("mov", "lin") or line.via:
-        raise NoTermError("a motion through points on its way")
-    if line.triggers or line.condition is not None or line.store is not None or line.tracking is not None:
-        raise NoTermError("a motion with `at`, `until`, `store` or `track`")
-    target = term_of(line.target, names)
-    if not line.modifiers:
-        return Struct(word, (target,))
-    return Struct(word, (target, tuple(_setting(one, names) for one in line.modifiers)))
-
-
-def _setting(setting: statements.Setting, names: Mapping[str, str]) -> Term:
-    value: nodes.Node | None = setting.value if setting.name is None else setting.name
-    return Atom(setting.word) if value is None else Struct(setting.word, (term_of(value, names),))

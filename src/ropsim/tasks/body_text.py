@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ropsim.prolog import Atom, Struct, Term
 from ropsim.tasks.expression_text import NotTextError, argument, expression, name_of, quantity
+from ropsim.tasks.motion_text import MOTIONS, motion_line, output_line, setting_text
 
 _SIMPLE = frozenset(("open", "close", "stop", "break", "continue"))
 
@@ -27,11 +28,8 @@ def _statement(term: Term, names: Mapping[str, str]) -> Iterator[tuple[int, str]
     match term:
         case Atom(word) if word in _SIMPLE:
             yield 0, word
-        case Struct("mov" | "lin" as word, (target,)):
-            yield 0, f"{word} {expression(target, names)}"
-        case Struct("mov" | "lin" as word, (target, tuple(modifiers))):
-            words = [f"{word} {expression(target, names)}", *(_setting(one, names) for one in modifiers)]
-            yield 0, " ".join(words)
+        case Struct(word, _) if word in MOTIONS:
+            yield 0, motion_line(term, names)
         case Struct("open" | "close" as word, (tool,)):
             yield 0, f"{word} {name_of(tool, names)}"
         case _:
@@ -48,11 +46,9 @@ def _other(term: Term, names: Mapping[str, str]) -> Iterator[tuple[int, str]]:
         case Struct("wait_until", (condition, time)):
             yield 0, f"wait until {expression(condition, names)} timeout {quantity(time, names)}"
         case Struct("set", (setting,)):
-            yield 0, f"set {_setting(setting, names)}"
-        case Struct("set", (signal, Atom("on" | "off" as level))):
-            yield 0, f"set {name_of(signal, names)} {level}"
+            yield 0, f"set {setting_text(setting, names)}"
         case Struct("set", (signal, value)):
-            yield 0, f"set {name_of(signal, names)} = {expression(value, names)}"
+            yield 0, output_line(signal, value, names)
         case Struct("load", (tuple(targets), source)):
             yield (
                 0,
@@ -78,6 +74,11 @@ def _block(term: Term, names: Mapping[str, str]) -> Iterator[tuple[int, str]]:
             yield from _blocks((("repeat", inner),), "endr", names)
         case Struct("repeat", (count, tuple(inner))):
             yield from _blocks(((f"repeat {expression(count, names)}", inner),), "endr", names)
+        case Struct("repeat_until", (condition, tuple(inner))):
+            yield from _blocks((("repeat", inner),), f"until {expression(condition, names)}", names)
+        case Struct("repeat_until", (count, condition, tuple(inner))):
+            end = f"until {expression(condition, names)}"
+            yield from _blocks(((f"repeat {expression(count, names)}", inner),), end, names)
         case Struct("if", (condition, tuple(inner))):
             yield from _blocks(((f"if {expression(condition, names)} then", inner),), "endif", names)
         case Struct("if", (condition, tuple(inner), tuple(otherwise))):
@@ -88,8 +89,14 @@ def _block(term: Term, names: Mapping[str, str]) -> Iterator[tuple[int, str]]:
         case Struct("for", (variable, first, last, tuple(inner))):
             bounds = f"{expression(first, names)} to {expression(last, names)}"
             yield from _blocks(((f"for {name_of(variable, names)} = {bounds}", inner),), "endf", names)
+        case Struct("for", (variable, first, last, step, tuple(inner))):
+            bounds = f"{expression(first, names)} to {expression(last, names)} step {expression(step, names)}"
+            yield from _blocks(((f"for {name_of(variable, names)} = {bounds}", inner),), "endf", names)
+        case Struct("for_each", (variable, pattern, tuple(inner))):
+            head = f"for each {name_of(variable, names)} in {name_of(pattern, names)}"
+            yield from _blocks(((head, inner),), "endf", names)
         case Struct("with", (tuple(settings), tuple(inner))) if settings:
-            head = f"with {', '.join(_setting(one, names) for one in settings)}"
+            head = f"with {', '.join(setting_text(one, names) for one in settings)}"
             yield from _blocks(((head, inner),), "endwith", names)
         case _:
             raise NotTextError(term, "a statement")
@@ -103,17 +110,6 @@ def _blocks(
         for one in inner:
             yield from ((depth + 1, line) for depth, line in _statement(one, names))
     yield 0, end
-
-
-def _setting(term: Term, names: Mapping[str, str]) -> str:
-    match term:
-        case Atom("fine"):
-            return "fine"
-        case Struct("tool" | "frame" as word, (name,)):
-            return f"{word} {name_of(name, names)}"
-        case Struct("speed" | "acc" | "blend" | "angle" as word, (value,)):
-            return f"{word} {quantity(value, names)}"
-    raise NotTextError(term, "one of `fine`, `speed(V)`, `acc(A)`, `blend(D)`, `tool(T)`, `frame(F)`")
 
 
 def _target(term: Term, names: Mapping[str, str]) -> str:

@@ -111,10 +111,11 @@ UNKNOWN_STATEMENT = define(
     Severity.ERROR,
     "the body of a task holds what is no statement",
     """
-Statements are `mov(L)`, `lin(L)`, `mov(L, [speed(20*'%'), blend(5*mm)])`, `open`, `close`, `wait(T)`,
-`wait_until(C)`, `wait_until(C, T)`, `set(Signal, on)`, `set(speed(V))`, `load([x, y, z], L)`, `x := x +
-A`, `call(task(…))`, `repeat(N, […])`, `if(C, […], […])`, `while(C, […])`, `for(I, A, B, […])`,
-`with([tool(T)], […])`, `print([…])`, `stop`, `break`, `continue`. Goals of Prolog are none: a body is
+Statements are `mov(L)`, `lin(L)`, `mov(L, [speed(20*'%'), blend(5*mm)])`, `circ(Via, L)`, `spline([A, B], L)`,
+`open`, `close`, `wait(T)`, `wait_until(C)`, `wait_until(C, T)`, `set(Signal, on)`, `set(speed(V))`,
+`load([x, y, z], L)`, `x := x + A`, `call(task(…))`, `repeat(N, […])`, `repeat_until(C, […])`,
+`if(C, […], […])`, `while(C, […])`, `for(I, A, B, […])`, `for_each(Q, Pattern, […])`, `with([tool(T)], […])`,
+`print([…])`, `stop`, `break`, `continue`. Goals of Prolog are none: a body is
 never run as Prolog.
 """,
 )
@@ -188,9 +189,9 @@ NO_TERM = define(
     Severity.ERROR,
     "a task text cannot be kept in a knowledge base, or a task not be written as text",
     """
-Terms have forms for `mov`, `lin`, `open`, `close`, `wait`, `set`, `load`, `call`, assignments, `print`,
-`stop`, `repeat`, `while`, `if` and `for`, and for most expressions. What else a task does is kept in a
-program.
+Terms have forms for all statements but `return`, declarations, `wait until` with `else` and motions with
+`track`, and for all expressions but locations with a posture or with values of external axes. What else a
+task does is kept in a program.
 """,
 )
 

@@ -17,6 +17,8 @@ PROPERTIES: Mapping[str, str] = {
 STATEMENTS: Mapping[str, str] = {
     "mov": "mov(L)",
     "lin": "lin(L, [speed(V)])",
+    "circ": "circ(Via, L)",
+    "spline": "spline([A, B], L)",
     "open": "open",
     "close": "close",
     "wait": "wait(0.5*s)",
@@ -30,9 +32,11 @@ STATEMENTS: Mapping[str, str] = {
     "break": "break",
     "continue": "continue",
     "repeat": "repeat(N, [])",
+    "repeat_until": "repeat_until(C, [])",
     "if": "if(C, [])",
     "while": "while(C, [])",
     "for": "for(i, 1, N, [])",
+    "for_each": "for_each(q, pattern, [])",
     "with": "with([speed(V)], [])",
 }
 """Statements of bodies, with an example of each; `shape/3` of kb.pl has them, too."""
@@ -40,7 +44,7 @@ STATEMENTS: Mapping[str, str] = {
 KINDS = (*sorted(SYMBOLIC), *TYPES)
 """Kinds of parameters."""
 
-BLOCKS = ("repeat", "if", "while", "for", "with")
+BLOCKS = ("repeat", "repeat_until", "if", "while", "for", "for_each", "with")
 """Statements that hold statements."""
 
 FACTS = ("at", "free", "gripper", "held", "tool", "part", "location", "device")

@@ -1,22 +1,26 @@
 """Bodies as terms and as task text: each way back gives what was there, and the language reads all of it."""
 
 import random
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+import ropsim.tasks
 from ropsim.core import SourceText
 from ropsim.flow import GripAction
 from ropsim.icr import run
 from ropsim.language import LineCache, compile, read, statements
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.spatial import Pose
-from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text
+from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text, words
 from ropsim.tasks.body_terms import body_terms
 from ropsim.tasks.body_text import body_lines
 from ropsim.tasks.expression_text import NotTextError
 from support.knowledge import CELL, base
 
+PL = Path(ropsim.tasks.__file__).parent / "pl"
 NAMES = {"L": "l", "D": "d"}
 BACK = {text: name for name, text in NAMES.items()}
 
@@ -42,6 +46,10 @@ class Bodies:
             Atom(pick(("open", "close", "stop", "break"))),
             Struct(pick(("mov", "lin")), (self.location(2),)),
             Struct("lin", (self.location(1), (Atom("fine"), Struct("speed", (self.quantity("mm/s"),))))),
+            Struct("circ", (self.location(1), self.location(0), (Atom("fine"), self.output()))),
+            Struct("spline", ((self.location(0), self.location(1)), self.location(0))),
+            Struct("mov", (Var("L"), (Struct("via", ((self.location(0), self.location(1)),)), Atom("fine")))),
+            Struct("lin", (Var("L"), (self.until(), Struct("store", (Atom("touch"),))))),
             Struct("wait", (self.quantity("s"),)),
             Struct("wait_until", (self.condition(2), self.quantity("s"))),
             Struct("set", (Atom("glue"), Atom(pick(("on", "off"))))),
@@ -62,9 +70,21 @@ class Bodies:
             Struct("if", (self.condition(2), inner, self.body(depth - 1))),
             Struct("while", (self.condition(1), inner)),
             Struct("for", (Atom("i"), 1, self.number(1), inner)),
+            Struct("for", (Atom("i"), 1, self.number(1), 2, inner)),
+            Struct("for_each", (Atom("q"), Atom("slots"), inner)),
+            Struct("repeat_until", (self.condition(1), inner)),
+            Struct("repeat_until", (self.number(1), self.condition(1), inner)),
             Struct("with", ((Struct("tool", (Atom("jaws"),)),), inner)),
         ]
         return self.random.choice([*simple, *blocks])
+
+    def output(self) -> Term:
+        side = self.random.choice(("start", "end"))
+        return Struct("at", (self.quantity("mm"), Atom(side), Struct("set", (Atom("glue"), Atom("on")))))
+
+    def until(self) -> Term:
+        time = self.random.choice(((), (self.quantity("s"),)))
+        return Struct("until", (self.condition(0), *time))
 
     def number(self, depth: int) -> Term:
         pick = self.random.choice
@@ -125,6 +145,31 @@ def test_the_text_of_a_body_is_read_as_people_write_it() -> None:
     assert "\n".join(written) == f"{moves}set x = 2 < 3 and not a == b"
 
 
+def test_elseif_is_an_if_inside_of_what_is_done_otherwise() -> None:
+    (found,) = terms("if a < 1 then\nopen\nelseif a < 2 then\nclose\nelse\nstop\nendif")
+    inner = Struct("if", (Struct("<", (Atom("a"), 2)), (Atom("close"),), (Atom("stop"),)))
+    assert found == Struct("if", (Struct("<", (Atom("a"), 1)), (Atom("open"),), (inner,)))
+
+
+def test_motions_on_arcs_with_outputs_and_conditions_compile_from_a_body() -> None:
+    text = """\
+task(bead(A, M, B), [params([A-location, M-location, B-location]), body([
+  lin(A), circ(M, B, [at(3*mm, start, set(glue, on)), at(0.1*s, end, set(glue, off)), blend(2*mm)]),
+  spline([above(M, 10*mm), A], B), mov(B, [via([A, M]), fine]),
+  lin(A, [speed(5*mm/s), until(machine_ready, 3*s), store(touch)]), lin(touch),
+  for(i, 3, 1, -1, [print([i])]), repeat_until(5, machine_ready, [wait(0.1*s)])])]).
+"""
+    known = base(text)
+    assert known.findings == ()
+    made = library(known, CELL, ["bead"])
+    assert (list(made.tasks), made.refused) == (["bead"], {})
+
+
+def test_statements_for_editors_are_those_that_are_read() -> None:
+    read_ = re.findall(r"^shape\(([a-z_:=]+),", (PL / "kb.pl").read_text("utf-8"), re.MULTILINE)
+    assert set(words.STATEMENTS) == set(read_)
+
+
 @pytest.mark.parametrize(
     "wrong",
     [
@@ -182,7 +227,7 @@ def test_a_classic_task_is_kept_with_the_parameters_that_the_compiler_finds() ->
 
 @pytest.mark.parametrize(
     ("line", "code"),
-    [("lin l at 4 mm before end do set glue on", "P145"), ("circ via l to l", "P145"), ("mvo l", "L101")],
+    [("mov (1, 2, 3; config (left))", "P145"), ("mvo l", "L101")],
 )
 def test_what_terms_have_no_form_for_is_told(line: str, code: str) -> None:
     clause, findings = stored_clause(SourceText("a.task", f"program p\ntask T(l: loc)\n{line}\nendp"), CELL)

@@ -326,6 +326,10 @@ shape(mov, 1, []).
 shape(mov, 2, []).
 shape(lin, 1, []).
 shape(lin, 2, []).
+shape(circ, 2, []).
+shape(circ, 3, []).
+shape(spline, 2, []).
+shape(spline, 3, []).
 shape(open, 0, []).
 shape(open, 1, []).
 shape(close, 0, []).
@@ -345,10 +349,14 @@ shape(break, 0, []).
 shape(continue, 0, []).
 shape(repeat, 1, [1]).
 shape(repeat, 2, [2]).
+shape(repeat_until, 2, [2]).
+shape(repeat_until, 3, [3]).
 shape(if, 2, [2]).
 shape(if, 3, [2, 3]).
 shape(while, 2, [2]).
 shape(for, 4, [4]).
+shape(for, 5, [5]).
+shape(for_each, 3, [3]).
 shape(with, 2, [2]).
 
 %   looked_at(+What): what only all texts together tell.
