@@ -111,11 +111,11 @@ UNKNOWN_STATEMENT = define(
     Severity.ERROR,
     "the body of a task holds what is no statement",
     """
-Statements are `mov(L)`, `lin(L)`, `mov(L, [speed(20*'%'), blend(5*mm)])`, `circ(Via, L)`, `spline([A, B], L)`,
-`open`, `close`, `wait(T)`, `wait_until(C)`, `wait_until(C, T)`, `set(Signal, on)`, `set(speed(V))`,
-`load([x, y, z], L)`, `x := x + A`, `call(task(…))`, `repeat(N, […])`, `repeat_until(C, […])`,
-`if(C, […], […])`, `while(C, […])`, `for(I, A, B, […])`, `for_each(Q, Pattern, […])`, `with([tool(T)], […])`,
-`print([…])`, `stop`, `break`, `continue`. Goals of Prolog are none: a body is
+Statements are `mov(L)`, `lin(L)`, `mov(L, [speed(20*'%'), blend(5*mm)])`, `circ(Via, L)`,
+`spline([A, B], L)`, `open`, `close`, `wait(T)`, `wait_until(C)`, `wait_until(C, T)`, `set(Signal, on)`,
+`set(speed(V))`, `load([x, y, z], L)`, `x := x + A`, `call(task(…))`, `repeat(N, […])`,
+`repeat_until(C, […])`, `if(C, […], […])`, `while(C, […])`, `for(I, A, B, […])`, `for_each(Q, Pattern, […])`,
+`with([tool(T)], […])`, `print([…])`, `stop`, `break`, `continue`. Goals of Prolog are none: a body is
 never run as Prolog.
 """,
 )

@@ -36,6 +36,30 @@ REFUSED_WHEN_LOADED = {
     "predicate of the system": "atom_length(_, 0).",
     "halt": ":- halt.",
     "end of memory protection": ":- set_prolog_flag(protect_static_code, false).",
+    "condition of a part of the text": ":- if(assertz(user:owned)).\n:- endif.",
+    "another condition": ":- if(fail).\n:- elif(shell(ls)).\n:- endif.",
+    "condition that hides a goal": ":- if((G = shell(ls), G)).\n:- endif.",
+    "flag of the sandbox": ":- set_prolog_flag(sandboxed_load, false).",
+    "main program": ":- initialization(main, main).\nmain :- shell(ls).",
+    "text inside of the text": ":- include('/etc/passwd').",
+    "library by its path": ":- use_module('/tmp/x').",
+    "sockets": ":- use_module(library(socket)).",
+    "processes": ":- use_module(library(process)).",
+    "foreign code": ":- use_foreign_library(foreign(x)).",
+    "fact of the system": ":- assertz(system:x(1)).",
+    "clauses of the system": ":- dynamic system:x/1.",
+    "another predicate of the system": ":- redefine_system_predicate(shell(_)).\nshell(_).",
+    "around a predicate of the system": ":- wrap_predicate(system:atom_length(_, _), x, W, W).",
+    "rewriting everywhere": ":- multifile system:term_expansion/2.\nsystem:term_expansion(a, b).",
+    "printing": ":- multifile user:portray/1.\nuser:portray(_) :- shell(ls).",
+    "unknown predicates": ":- multifile user:exception/3.\nuser:exception(_, _, _) :- shell(ls).",
+    "where libraries are": ":- multifile user:file_search_path/2.\nuser:file_search_path(library, '/tmp').",
+    "types": ":- multifile error:has_type/2.\nerror:has_type(x, _) :- shell(ls).",
+    "words of messages": ":- multifile prolog:message//1.\nprolog:message(x) --> {shell(ls)}.",
+    "operator of the system": ":- op(0, xfx, system:(:-)).",
+    "after the end": ":- at_halt(shell(ls)).",
+    "dialogue": ":- prolog.",
+    "stream": ":- set_stream(user_output, alias(x)).",
 }
 REFUSED_WHEN_CALLED = {
     "program": "t :- shell(ls).",
@@ -59,6 +83,27 @@ REFUSED_WHEN_CALLED = {
     "foreign library": "t :- use_foreign_library('/tmp/x.so').",
     "environment": "t :- getenv('HOME', _), setenv(a, b).",
     "thread": "t :- thread_create(true, _).",
+    "goal of a variable": "t :- freeze(X, shell(ls)), X = 1.",
+    "goal of a condition": "t :- when(nonvar(X), shell(ls)), X = 1.",
+    "hook of attributes": "attr_unify_hook(_, _) :- shell(ls).\nt :- put_attr(X, bad, y), X = 1.",
+    "attribute of the engine": "t :- put_attr(X, ropsim_engine, y), X = 1.",
+    "socket": "t :- tcp_socket(_).",
+    "fact of the system": "t :- assertz(system:foo(1)).",
+    "rule of the system": "t :- assertz((system:atom_length(_, 0) :- true)).",
+    "predicate of the engine": "t :- abolish(ropsim_engine:solve/2).",
+    "goal in a format": "t :- format('~@', [shell(ls)]).",
+    "format that is made": "t :- atom_concat('~', '@', F), format(F, [shell(ls)]).",
+    "lambda": ":- use_module(library(yall)).\nt :- maplist([X]>>shell(X), [ls]).",
+    "goal that is read": "t :- read_term(X, []), call(X).",
+    "continuation": "t :- reset(shell(ls), _, _).",
+    "frames": "t :- prolog_current_frame(F), prolog_frame_attribute(F, parent, _).",
+    "global variable": "t :- nb_setval(ropsim_wrong, 1).",
+    "end by an exception": "t :- throw(unwind(halt(0))).",
+    "end": "t :- abort.",
+    "cyclic exception": "t :- X = f(X), throw(X).",
+    "cyclic exception in an error": "t :- X = f(X, Y), Y = g(Y), throw(error(X, Y)).",
+    "cyclic fact": ":- dynamic m/1.\nt :- X = f(X), assertz(m(X)).",
+    "exception with a goal": "t :- freeze(X, shell(ls)), throw(X).",
     "deep hook": "t :- prolog_load_context(directory, D), delete_file(D).",
 }
 ALLOWED = {
@@ -109,6 +154,20 @@ def test_a_goal_that_reaches_out_is_refused(engine: Engine, text: str) -> None:
     with pytest.raises(GoalError) as caught:
         engine.once("t", module="bad")
     assert caught.value.diagnostic.code in {"P112", "P111"}
+
+
+@pytest.mark.parametrize(
+    "goal", ["X = f(X)", "X = [X, a]", "X = f(X), throw(X)", "X = f(X), atom_length(X, _)"]
+)
+def test_terms_without_an_end_are_refused_as_answers_and_exceptions(engine: Engine, goal: str) -> None:
+    with pytest.raises(GoalError, match="P111"):
+        engine.once(goal)
+
+
+def test_parts_of_a_text_are_left_out_by_conditions_that_only_compute(engine: Engine) -> None:
+    text = ":- if(1 < 2).\na(1).\n:- else.\na(2).\n:- endif.\n"
+    assert engine.consult(SourceText("kb/bad.pl", text)) == ()
+    assert list(engine.query("a(X)", module="bad")) == [{"X": 1}]
 
 
 @pytest.mark.parametrize(("text", "found"), ALLOWED.values(), ids=ALLOWED)

@@ -26,6 +26,13 @@ STATE = WorldState.of("gripper(open)", "at(bolt, s1)")
         "task(a, [geo([call(shell(id))])]).",
         "task(a, [params('$VAR'(1)), pre(X), eff(X), body(X)]).",
         "task(a, [body([mov('\\n  open\\n')])]).",
+        ":- if(assertz(ropsim_kb:standing(owned))).\n:- endif.\n:- include('/etc/passwd').\n:- [user].",
+        "a({|assertz(ropsim_kb:standing(owned))||x|}).\nb(_{a: 1}.put(c, 2)).",
+        "goal_expansion(X, assertz(ropsim_kb:standing(owned))).\nsystem:goal_expansion(_, owned).",
+        "portray(_) :- assertz(ropsim_kb:standing(owned)).\nattr_unify_hook(_, _) :- owned.",
+        "task(a, [pre([freeze(X, owned), \\+ X])]).\np :- throw(unwind(halt(0))), halt.",
+        "task('~@~w~q', [doc(\"~@\"), pre(['~@'(x)]), eff([+'~a~s'])]).\n'~@'(_) :- '~w'.",
+        "call(_) :- fail.\nholds(owned, x) :- a.\nready :- b.\nhas_read :- b.\ntext(0, x) :- b.",
     ],
 )
 def test_nothing_of_a_text_is_run_or_redefines_what_is_ours(text: str) -> None:
@@ -56,6 +63,15 @@ def test_monstrous_texts_are_left_out_and_all_others_stay(texts: tuple[str, ...]
     assert wrong
     assert "behind" in known.names
     assert known.check("behind s1", STATE).ok
+
+
+def test_a_rule_that_doubles_its_terms_is_stopped() -> None:
+    known = base(
+        "p(X) :- p(f(X, X)).\nq(X) :- X = f(X), q(X).\ntask(a, [pre([p(0)])]).\ntask(b, [pre([q(_)])])."
+    )
+    assert not known.check("a", STATE).ok
+    assert not known.check("b", STATE).ok
+    assert known.check("grip s1", STATE).ok
 
 
 def test_a_rule_that_never_ends_is_stopped() -> None:

@@ -90,6 +90,16 @@ reply(Goal, Reply, Text) :-
     catch(( Goal -> true ; throw(ropsim_no_reply) ), Error, told(Error, Told)),
     (   nonvar(Told) -> canonical(Told, Text) ; canonical(Reply, Text) ).
 
+%   The condition of `:- if(Condition)` is a goal that runs while a text is read, and the sandbox knows nothing of it.
+:- wrap_predicate('$expand':'$eval_if'(Condition), ropsim, Wrapped, ropsim_engine:looked_through(Condition, Wrapped)).
+
+looked_through(Condition, Wrapped) :-
+    (   current_prolog_flag(sandboxed_load, true)
+    ->  '$current_source_module'(Module), safe_goal(Module:Condition)
+    ;   true
+    ),
+    call(Wrapped).
+
 %   check(+check(Text, Module), -Reply): what is wrong with a text, see reader.pl.
 check(check(String, Module), Text) :- reply(check_text(String, Module, Reply), Reply, Text).
 
