@@ -21,6 +21,7 @@ from ropsim.icr.opcodes import Opcode as Opcode
 from ropsim.icr.opcodes import OperandKind as OperandKind
 from ropsim.icr.program import FrameDefinition as FrameDefinition
 from ropsim.icr.program import IoChannel as IoChannel
+from ropsim.icr.program import LibraryText as LibraryText
 from ropsim.icr.program import Operand as Operand
 from ropsim.icr.program import Procedure as Procedure
 from ropsim.icr.program import Program as Program

@@ -5,6 +5,7 @@ from ropsim.icr.literals import read_int, read_reals
 from ropsim.icr.program import (
     FrameDefinition,
     IoChannel,
+    LibraryText,
     Procedure,
     Program,
     ToolDefinition,
@@ -17,11 +18,12 @@ from ropsim.spatial import PoseTuple
 
 
 class Declarations:
-    """Collects SOURCE, REQUIRE, VAR, IO, FRAMEDEF and TOOLDEF records."""
+    """Collects SOURCE, TASKTEXT, REQUIRE, VAR, IO, FRAMEDEF and TOOLDEF records."""
 
     def __init__(self) -> None:
         self.name = ""
         self.source = ""
+        self.libraries: list[LibraryText] = []
         self.axes: int | None = None
         self.capabilities: set[str] = set()
         self.variables: list[Variable] = []
@@ -42,6 +44,7 @@ class Declarations:
             frames=tuple(self.frames),
             tools=tuple(self.tools),
             source=self.source,
+            libraries=tuple(self.libraries),
             declared_at=self.declared_at,
         )
 
@@ -60,9 +63,8 @@ class Declarations:
         if len(rest) <= at or not is_name(rest[at]):
             return "a name is needed", ""
         name = rest[at].text
-        problem = {"VAR": self._var, "IO": self._io, "FRAMEDEF": self._frame, "TOOLDEF": self._tool}[head](
-            name, rest
-        )
+        readers = {"VAR": self._var, "IO": self._io, "FRAMEDEF": self._frame, "TOOLDEF": self._tool}
+        problem = {**readers, "TASKTEXT": self._library}[head](name, rest)
         key = f"{head} {name}"
         twice = f"`{key}`" if key in self.declared_at else ""
         self.declared_at.setdefault(key, place)
@@ -88,6 +90,12 @@ class Declarations:
         self.axes = axes
         self.declared_at["REQUIRE AXES"] = place
         return "", twice
+
+    def _library(self, name: str, rest: tuple[Token, ...]) -> str:
+        if len(rest) != 3 or not all(one.is_quoted for one in rest[1:]):
+            return "the name of a procedure and two texts in quotes are needed"
+        self.libraries.append(LibraryText(name, rest[1].text, rest[2].text))
+        return ""
 
     def _var(self, name: str, rest: tuple[Token, ...]) -> str:
         if len(rest) != 2 or rest[1].text not in Type.__members__:

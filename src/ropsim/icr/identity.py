@@ -40,6 +40,7 @@ def _plain(program: Program) -> Program:
         frames=tuple(sorted(program.frames, key=lambda one: one.name)),
         tools=tuple(sorted(program.tools, key=lambda one: one.name)),
         source="",
+        libraries=(),
     )
 
 

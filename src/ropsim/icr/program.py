@@ -80,6 +80,21 @@ class ToolDefinition:
 
 
 @frozen_dataclass
+class LibraryText:
+    """Of what a procedure was made that is not in the source text.
+
+    Attributes:
+        procedure: its name.
+        source: name of the text.
+        version: of its content, such as a SHA-256.
+    """
+
+    procedure: str
+    source: str
+    version: str
+
+
+@frozen_dataclass
 class Procedure:
     """A procedure.
 
@@ -130,6 +145,7 @@ class Program:
         tools: tools.
         source: name of the text that the source lines refer to; empty where there is none. Like the lines it
             is no part of what the program is.
+        libraries: texts of the procedures that come from elsewhere; no part of what the program is, either.
         declared_at: record (`PROC main`, `FRAMEDEF st1`) -> place in the ICR text.
         numbers: place of each global variable, by its name.
         procedure_numbers: place of each procedure, by its name.
@@ -146,6 +162,7 @@ class Program:
     frames: tuple[FrameDefinition, ...] = ()
     tools: tuple[ToolDefinition, ...] = ()
     source: str = field(default="", compare=False)
+    libraries: tuple[LibraryText, ...] = field(default=(), compare=False)
     declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
     numbers: dict[str, int] = field(init=False, compare=False, repr=False)
     procedure_numbers: dict[str, int] = field(init=False, compare=False, repr=False)

@@ -14,6 +14,7 @@ MAX_LINE = 1_000_000
 _FORMS = {
     "ICR": "ICR 1.0 name",
     "SOURCE": 'SOURCE "name of the source text"',
+    "TASKTEXT": 'TASKTEXT procedure "name of its text" "version of its content"',
     "REQUIRE": "REQUIRE AXES 6 or REQUIRE CAP LIN PTP",
     "VAR": "VAR name TYPE",
     "IO": "IO DI|DO|AI|AO name TYPE",

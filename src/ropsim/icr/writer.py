@@ -15,6 +15,8 @@ def disassemble(program: Program) -> str:
     records = [f"ICR {program.version} {named(program.name)}"]
     if program.source:
         records.append(f"SOURCE {quoted(program.source)}")
+    for one in program.libraries:
+        records.append(f"TASKTEXT {named(one.procedure)} {quoted(one.source)} {quoted(one.version)}")
     if program.axes is not None:
         records.append(f"REQUIRE AXES {program.axes}")
     if program.capabilities:

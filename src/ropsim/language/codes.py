@@ -1,6 +1,6 @@
 """The executable form of a checked text: each procedure by itself, then all of them linked."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from ropsim import icr
@@ -64,7 +64,17 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[icr.Prog
     for name, one in tasks.items():
         needs = db.ask(needs_of, name, guess)
         findings += findings_of(one, needs, variables, places) if needs else ()
-    return linked(checked.program, tuple(every.values()), procedures, places.source), findings
+    code = linked(checked.program, tuple(every.values()), procedures, places.source)
+    return replace(code, libraries=tuple(_libraries(every.values(), db))), findings
+
+
+def _libraries(every: Iterable[Lowered], db: Database) -> Iterator[icr.LibraryText]:
+    """Yield of which text each procedure of a library was made."""
+    environment: Environment = db.read(questions.ENVIRONMENT)
+    for one in every:
+        found = environment.tasks.get(one.task)
+        if found is not None and found.version and not db.ask(questions.is_own, one.task):
+            yield icr.LibraryText(one.name, found.source, found.version)
 
 
 def interface(db: Database, name: str) -> Task | None:

@@ -19,11 +19,15 @@ class TaskSignature:
         dimensions: for each REAL parameter, what a bare number means: `length`, `angle`, `time`, `speed`,
             `accel`, `force` or `num`; parameters not named here are plain numbers.
         defaults: value of each parameter that a call may leave out.
+        source: name of the text that it was made of.
+        version: of what it does there; empty where nobody tells.
     """
 
     task: Task
     dimensions: Mapping[str, str] = field(default_factory=dict)
     defaults: Mapping[str, Expression] = field(default_factory=dict)
+    source: str = ""
+    version: str = ""
 
 
 @frozen_dataclass

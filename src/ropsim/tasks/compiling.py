@@ -37,7 +37,7 @@ class Library:
     @property
     def version(self) -> str:
         """Return the SHA-256 of what the tasks do, as 64 digits."""
-        return hashlib.sha256(self.text.encode(errors="surrogatepass")).hexdigest()
+        return _version(self.text)
 
 
 @frozen_dataclass
@@ -110,7 +110,8 @@ def library(
     """
     wanted = [name for name in names if base.task(name) is not None]
     reached = list(_reached(base, wanted))
-    texts, findings = _texts(reached, _other_names(reached, wanted, taken, base.names))
+    others = _other_names(reached, wanted, taken, base.names)
+    texts, findings = _texts(reached, others)
     refused = {task.name: _reason(task, error) for task, error in _without_text(reached, findings)}
     for task in reached:
         for name in task.called:
@@ -123,7 +124,9 @@ def library(
         made, found = bodies.compiled(environment) if texts else ({}, [])
         if not found:
             kept = {name: refused[name] for name in wanted if name in refused}
-            return Library(made, kept, "\n".join(bodies.lines) if made else "")
+            called = {others.get(name, name): one for name, one in texts.items()}
+            tasks = {name: _told(one, *called[name]) for name, one in made.items()}
+            return Library(tasks, kept, "\n".join(bodies.lines) if made else "")
         for task, _, one in found:
             refused.setdefault(task.name, _reason(task, one.message))
 
@@ -182,13 +185,26 @@ def _spread(reached: Sequence[KnownTask], refused: dict[str, str]) -> None:
                     is_more = True
 
 
+def _told(signature: TaskSignature, task: KnownTask, text: str) -> TaskSignature:
+    """Return a task that tells of which text it was made."""
+    return replace(signature, source=_file(task), version=_version(text))
+
+
+def _version(text: str) -> str:
+    return hashlib.sha256(text.encode(errors="surrogatepass")).hexdigest()
+
+
+def _file(task: KnownTask) -> str:
+    return "/".join(PurePath(task.span.source).parts[-2:])
+
+
 def _reason(task: KnownTask, message: str) -> str:
     return f"{place_of(task)}: {message}"
 
 
 def place_of(task: KnownTask) -> str:
     """Return file and line of a task as people name them, such as `kb/glue.pl:3`."""
-    return f"{'/'.join(PurePath(task.span.source).parts[-2:])}:{task.span.line}"
+    return f"{_file(task)}:{task.span.line}"
 
 
 def _begin(task: KnownTask) -> Span:

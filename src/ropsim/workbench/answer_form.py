@@ -61,6 +61,7 @@ _KINDS: tuple[type, ...] = (
     icr.Constant,
     icr.Type,
     icr.IoChannel,
+    icr.LibraryText,
     icr.FrameDefinition,
     icr.ToolDefinition,
     SignalUse,

@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.cli.main import main
 from ropsim.core import Diagnostic, SourceText
-from ropsim.icr import run
+from ropsim.icr import disassemble, encoded, program_id, read_binary, read_text, run
 from ropsim.query import Outcome
 from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
 from ropsim.workbench.task_texts import NO_TASKS, TaskTexts, read_task_texts
@@ -136,6 +136,28 @@ def test_what_a_task_does_is_told_at_the_line_of_its_call() -> None:
     assert code is not None
     lines = [one.origin.span.line if one.origin.span else 0 for one in run(code).moves]
     assert lines == [3, 4, 4]
+
+
+def test_code_names_the_text_of_each_task_and_its_version_and_keeps_its_identity() -> None:
+    text = "wave bin\npark deck\ntask own(l: loc)\n  mov l\nendp\nown bin"
+    code = compiled(text, at(WAVE)).icr
+    assert code is not None
+    assert [(one.procedure, one.source) for one in code.libraries] == [
+        ("wave", "kb/t0.pl"),
+        ("park", "library/pick.pl"),
+    ]
+    assert {len(one.version) for one in code.libraries} == {64}
+    for again, _ in (read_text(disassemble(code)), read_binary(encoded(code))):
+        assert again is not None
+        assert again.libraries == code.libraries
+        assert again == code
+    other = compiled(text, at(WAVE.replace("20*mm", "0.02*m"))).icr
+    assert other is not None
+    assert program_id(other) == program_id(code)  # it means the same
+    assert other.libraries[0].version != code.libraries[0].version
+    lines = disassemble(code).splitlines()
+    for wrong in ("TASKTEXT wave kb", 'TASKTEXT "" "a" "b"', lines[2]):
+        assert read_text("\n".join([*lines[:3], wrong, *lines[3:]]))[0] is None
 
 
 def test_names_are_looked_for_as_whole_words() -> None:

@@ -27,3 +27,4 @@ class Section(IntEnum):
     PROCEDURES = 7
     NAMES = 128
     LINES = 129
+    LIBRARIES = 130

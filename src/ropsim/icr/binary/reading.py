@@ -1,7 +1,7 @@
 """Binary form -> program. No bytes make the reader raise; what is damaged is told by its place."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from ropsim.core import Diagnostic
 from ropsim.icr import diagnostics as kinds
@@ -14,6 +14,7 @@ from ropsim.icr.program import (
     CHANNEL_TYPES,
     FrameDefinition,
     IoChannel,
+    LibraryText,
     Procedure,
     Program,
     Step,
@@ -100,6 +101,7 @@ def _program(sections: Mapping[Section, Supply]) -> Program:
         Procedure(one.name, one.parameters, one.locals, one.results, steps, _lines(lines, len(steps)))
         for one, steps in zip(heads, codes, strict=True)
     )
+    libraries = tuple(_libraries(sections[Section.LIBRARIES]))
     for section, supply in sections.items():
         if supply.left:
             raise DamageError(supply.at, f"{supply.left} bytes are left over in section {section.value}")
@@ -113,6 +115,7 @@ def _program(sections: Mapping[Section, Supply]) -> Program:
         frames=frames,
         tools=tools,
         source=source,
+        libraries=libraries,
     )
 
 
@@ -140,6 +143,12 @@ def _lines(supply: Supply, count: int) -> tuple[int, ...]:
             raise DamageError(start, f"{times} instructions from line {line}, {count - len(found)} are left")
         found += [line] * times
     return tuple(found)
+
+
+def _libraries(supply: Supply) -> Iterator[LibraryText]:
+    while supply.left:
+        name = supply.name("the name of a procedure")
+        yield LibraryText(name, supply.text("the name of a text"), supply.text("the version of a text"))
 
 
 def _types(supply: Supply) -> tuple[Type, ...]:

@@ -75,6 +75,7 @@ def _sections(program: Program) -> Iterator[tuple[Section, bytes]]:
     yield Section.PROCEDURES, bytes(procedures.content)
     yield Section.NAMES, _variable_names(program)
     yield Section.LINES, _lines(program)
+    yield Section.LIBRARIES, _libraries(program)
 
 
 def _procedures(sink: Sink, program: Program) -> None:
@@ -114,6 +115,15 @@ def _lines(program: Program) -> bytes:
         for line, count in procedure:
             sink.integer(line)
             sink.number(count)
+    return bytes(sink.content)
+
+
+def _libraries(program: Program) -> bytes:
+    """Return the texts of procedures that come from elsewhere; empty for none."""
+    sink = Sink()
+    for one in program.libraries:
+        for text in (one.procedure, one.source, one.version):
+            sink.text(text)
     return bytes(sink.content)
 
 
