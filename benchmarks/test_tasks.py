@@ -7,6 +7,7 @@ from measuring import Measure, processor_seconds
 
 from ropsim.core import SourceText
 from ropsim.tasks import KnowledgeBase, WorldState
+from ropsim.workbench import AtStation, TaskTexts, Workspace
 
 MANY = 1000
 TASK = """\
@@ -75,3 +76,46 @@ def test_plans(known: KnowledgeBase, benchmark: Any) -> None:
     measure.figure("a plan for four parts [s]", four, most=1.0)
     measure.figure("a plan for eight parts [s]", eight, most=10.0)
     measure.figure("a plan for eight parts that stand in each other's way [s]", blocked, most=10.0)
+
+
+CELL = SourceText(
+    "cell.toml",
+    '[cell]\nname = "c"\n[robot]\nmodel = "puma560"\n[locations.bin]\nposition = [300, 200, 500]\n',
+)
+PROGRAM = "program p\nunits mm, deg, s\ngrip_500 bin\npick bin, {0}\npalletize bin, bin, 50, 2\n"
+
+
+def test_calls_from_programs(benchmark: Any) -> None:
+    measure = Measure(benchmark)
+    workspace = Workspace()
+    count = 0
+
+    def station(one: Workspace, first: str, texts: list[SourceText]) -> AtStation:
+        own = (SourceText("kb/a.pl", first), *texts)
+        return one.at(CELL, "c", "", tasks=TaskTexts(own))
+
+    def compiled(one: Workspace, at: AtStation) -> None:
+        nonlocal count
+        count += 1
+        found = one.compiled(SourceText("p.task", PROGRAM.format(count)), at)
+        assert found.icr is not None, found.diagnostics
+
+    at = station(workspace, "", TEXTS)
+    measure(lambda: compiled(workspace, at))
+
+    def other_task() -> None:
+        edited = station(workspace, f"home({count}).\n", TEXTS)
+        compiled(workspace, edited)
+
+    def fresh() -> None:
+        one = Workspace()
+        compiled(one, station(one, TASK.format(500), []))
+
+    first, typed, edited = processor_seconds(
+        fresh,
+        lambda: compiled(workspace, at),
+        other_task,
+    )
+    measure.figure("the first program that calls tasks, with the start of an engine [s]", first, most=1.0)
+    measure.figure("a character in a program that calls tasks of a thousand [ms]", typed * 1e3, most=20.0)
+    measure.figure("a character in one of a thousand texts of tasks [s]", edited, most=0.8)

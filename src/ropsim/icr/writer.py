@@ -2,7 +2,7 @@
 
 from ropsim.icr.opcodes import OPCODES, OperandKind
 from ropsim.icr.operands import written_operand
-from ropsim.icr.program import Procedure, Program, Step
+from ropsim.icr.program import LibraryText, Procedure, Program, Step
 from ropsim.icr.tokens import named, quoted
 
 
@@ -15,8 +15,7 @@ def disassemble(program: Program) -> str:
     records = [f"ICR {program.version} {named(program.name)}"]
     if program.source:
         records.append(f"SOURCE {quoted(program.source)}")
-    for one in program.libraries:
-        records.append(f"TASKTEXT {named(one.procedure)} {quoted(one.source)} {quoted(one.version)}")
+    records += (_library(one) for one in program.libraries)
     if program.axes is not None:
         records.append(f"REQUIRE AXES {program.axes}")
     if program.capabilities:
@@ -28,6 +27,10 @@ def disassemble(program: Program) -> str:
     for procedure in program.procedures:
         records += _procedure(procedure)
     return "\n".join(records) + "\n"
+
+
+def _library(one: LibraryText) -> str:
+    return f"TASKTEXT {named(one.procedure)} {quoted(one.source)} {quoted(one.version)}"
 
 
 def _numbers(values: tuple[float, ...]) -> str:
