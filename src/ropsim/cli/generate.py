@@ -19,13 +19,13 @@ from ropsim.tasks import (
     TaskError,
     Value,
     added,
-    call_of,
     draft_points,
     draft_text,
-    listed,
     not_defined,
     read_point_list,
     taken_back,
+    typed_points,
+    typed_values,
     unchecked_text,
 )
 from ropsim.workbench import open_knowledge
@@ -86,10 +86,7 @@ def _points(desk: _Desk, task: KnownTask) -> tuple[Point, ...]:
         line = _asked(f"POINT {wanted[len(found)]}, by name or X Y Z [Pitch Roll] in mm and deg")
         if not line:
             break
-        try:
-            found.append(tuple(float(word) for word in line.replace(",", " ").split()))
-        except ValueError:
-            found += listed((line,), desk.lists)
+        found += typed_points(line, desk.lists)
     return tuple(found)
 
 
@@ -104,7 +101,7 @@ def _parameters(task: KnownTask) -> tuple[Value, ...]:
         line = _asked(f"PARAMETER {one}")
         if not line:
             break
-        found += call_of(f"{task.name} {line}").parameters
+        found += typed_values(line, task)
     return tuple(found)
 
 

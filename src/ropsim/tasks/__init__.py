@@ -20,6 +20,7 @@ from ropsim.tasks.errors import TaskError as TaskError
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
+from ropsim.tasks.kinds import UNITS as UNITS
 from ropsim.tasks.known_task import KnownTask as KnownTask
 from ropsim.tasks.known_task import Parameter as Parameter
 from ropsim.tasks.layer import Layer as Layer
@@ -34,4 +35,11 @@ from ropsim.tasks.task_call import TaskCall as TaskCall
 from ropsim.tasks.task_call import Value as Value
 from ropsim.tasks.task_text import stored_clause as stored_clause
 from ropsim.tasks.task_text import task_text as task_text
+from ropsim.tasks.typed_step import TypedStep as TypedStep
+from ropsim.tasks.typed_step import default_text as default_text
+from ropsim.tasks.typed_step import drafted as drafted
+from ropsim.tasks.typed_step import typed_points as typed_points
+from ropsim.tasks.typed_step import typed_values as typed_values
 from ropsim.tasks.world_state import WorldState as WorldState
+from ropsim.tasks.world_table import WorldTable as WorldTable
+from ropsim.tasks.world_table import world_table as world_table

@@ -7,7 +7,21 @@ import pytest
 from ropsim.core import SourceText
 from ropsim.icr import run
 from ropsim.language import compile
-from ropsim.tasks import Draft, TaskCall, WorldState, added, draft_points, draft_text, listed, taken_back
+from ropsim.tasks import (
+    Draft,
+    TaskCall,
+    TypedStep,
+    WorldState,
+    WorldTable,
+    added,
+    default_text,
+    draft_points,
+    draft_text,
+    drafted,
+    listed,
+    taken_back,
+    world_table,
+)
 from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list
 from ropsim.tasks.task_call import Quantity
 from support.knowledge import CELL, base
@@ -110,3 +124,50 @@ def test_wrong_lines_of_a_list_are_told(text: str, lines: list[int]) -> None:
 def test_a_list_that_is_no_text_is_told(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_bytes(b"\xff\xfe")
     assert [one.code for one in read_point_list(tmp_path / "a.csv")[1]] == ["P148"]
+
+
+def test_typed_steps_say_what_the_terminal_says() -> None:
+    known = base()
+    lists = {"table": PointList("table", (("a", CORNERS[0]), ("b", CORNERS[1])))}
+    steps = (
+        TypedStep("pick", ("s1", ""), ("",)),
+        TypedStep("xyz", ("s1",)),
+        TypedStep("place", (" 31, 42 86 ",), ("20 mm",)),
+        TypedStep("palletize", ("table",), ("75 mm", "2")),
+        TypedStep("palletize", ("s1", "s2"), ("", "2")),
+        TypedStep("move_over", ("s2",), ("5 furlong",)),
+        TypedStep("park", ("nan 0 0",)),
+        TypedStep("park", ("s1\nhalt",)),
+        TypedStep("park", ("s2",), ("1\nhalt",)),
+    )
+    draft = drafted(steps, known, BEGIN, lists)
+    assert [one.message for one in draft.entries] == [
+        "accepted",
+        "Task not defined: `xyz`",
+        "accepted",
+        "accepted",
+        "`A` of `palletize` is not given",
+        "`move_over 5 furlong` is no call of a task: unknown unit `furlong`",
+        "`nan 0 0` is neither a name nor numbers",
+        "`s1\nhalt` is neither a name nor numbers",
+        "`park 1\nhalt` is no call of a task: there is not one statement",
+    ]
+    assert [str(one) for one in draft.calls] == [
+        "pick s1",
+        "place (31, 42, 86), 20 mm",
+        "palletize (31, 42, 86), (830, 220, 150, 20, 30), 75 mm, 2",
+    ]
+
+
+def test_defaults_are_shown_as_they_are_typed() -> None:
+    known = base()
+    texts = {task.name: [default_text(one) for one in task.passed] for task in known.tasks()}
+    assert texts["insert"] == ["", "20 mm/s"]
+    assert texts["palletize"] == ["", "", "", ""]
+
+
+def test_a_world_is_told_by_its_gripper_and_parts() -> None:
+    facts = "gripper(closed)|part(a)|part(b)|part(c)|held(a)|at(b, s1)|free(s2)|inserted(b)|location(s1)"
+    state = WorldState.of(*facts.split("|"), "at(d, p(1.0, 2.0, 3.0))")
+    found = world_table(state, {(1.0, 2.0, 3.0): "point_1"})
+    assert found == WorldTable("closed", "a", (("b", "s1"), ("c", ""), ("d", "point_1")), ("inserted(b)",))

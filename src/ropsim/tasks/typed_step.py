@@ -1,0 +1,121 @@
+"""Tasks as an operator types them, field by field: what fields say becomes a call, or is refused in words."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from math import isfinite, nan
+
+from ropsim.core import RopsimError, frozen_dataclass
+from ropsim.tasks.base import KnowledgeBase
+from ropsim.tasks.call_reading import call_of
+from ropsim.tasks.call_report import CallReport
+from ropsim.tasks.diagnostics import WRONG_CALL
+from ropsim.tasks.draft import Draft, listed
+from ropsim.tasks.errors import TaskError
+from ropsim.tasks.expression_text import unit_of
+from ropsim.tasks.kinds import LOCATION
+from ropsim.tasks.known_task import KnownTask, Parameter
+from ropsim.tasks.point_list import PointList
+from ropsim.tasks.task_call import Point, Quantity, TaskCall, Value
+from ropsim.tasks.world_state import WorldState
+
+_POINT = "give the name of a location or of a list, or X Y Z, X Y Z Pitch Roll or X Y Z Roll Pitch Yaw"
+
+
+@frozen_dataclass
+class TypedStep:
+    """A task as it is typed; what is blank is not given.
+
+    Attributes:
+        name: of the task.
+        points: a name of a location or of a list, or X Y Z, with Pitch Roll, in mm and deg, for each field.
+        values: a number, with its unit where it has one, for each other parameter that task text passes.
+    """
+
+    name: str
+    points: tuple[str, ...] = ()
+    values: tuple[str, ...] = ()
+
+
+def drafted(
+    steps: Iterable[TypedStep], base: KnowledgeBase, begin: WorldState, lists: Mapping[str, PointList]
+) -> Draft:
+    """Return a draft with an entry for each step; what cannot be read or checked is refused, not raised."""
+    draft = Draft(begin)
+    for step in steps:
+        draft = Draft(begin, (*draft.entries, _report(step, base, draft.state, lists)))
+    return draft
+
+
+def _report(
+    step: TypedStep, base: KnowledgeBase, state: WorldState, lists: Mapping[str, PointList]
+) -> CallReport:
+    call = TaskCall(step.name)
+    try:
+        task = base.task(step.name)
+        call = call if task is None else typed_call(step, task, lists)
+        return base.check(call, state)
+    except RopsimError as error:
+        return CallReport(call, (error.diagnostic,), (), (), state)
+
+
+def typed_call(step: TypedStep, task: KnownTask, lists: Mapping[str, PointList]) -> TaskCall:
+    """Return the call that the fields of a step say.
+
+    Raises:
+        TaskError: a value is none, or one is left out before another that is given.
+    """
+    points = tuple(point for typed in step.points for point in typed_points(typed, lists))
+    return TaskCall(task.name, points, tuple(_values(step, task)))
+
+
+def typed_points(typed: str, lists: Mapping[str, PointList]) -> tuple[Point, ...]:
+    """Return what is typed for a point: numbers, a name, or all points of the list of that name.
+
+    Args:
+        typed: a name, or three, five or six numbers with blanks or commas between them.
+        lists: of points, by name.
+
+    Raises:
+        TaskError: it is neither a name nor numbers.
+    """
+    words = typed.replace(",", " ").split()
+    if len(words) == 1 and words[0].isidentifier():
+        return listed((words[0],), lists)
+    try:
+        numbers = tuple(float(word) for word in words)
+    except ValueError:
+        numbers = (nan,)
+    if not all(isfinite(one) for one in numbers):
+        raise TaskError(WRONG_CALL.at(None, f"`{typed[:80]}` is neither a name nor numbers", hint=_POINT))
+    return (numbers,) if numbers else ()
+
+
+def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
+    """Return what is typed for parameters of a task.
+
+    Raises:
+        TaskError: it is no value.
+    """
+    return call_of(f"{task.name} {typed}").parameters
+
+
+def default_text(parameter: Parameter) -> str:
+    """Return the default of a parameter as it is typed; empty where it has none."""
+    quantity = unit_of(parameter.default) if parameter.default is not None else None
+    if quantity is not None:
+        return str(Quantity(*quantity))
+    return "" if parameter.default is None else str(parameter.default)
+
+
+def _values(step: TypedStep, task: KnownTask) -> Iterator[Value]:
+    wanted = [one for one in task.passed if one.kind != LOCATION]
+    typed = [one.strip() for one in step.values]
+    while typed and not typed[-1]:
+        typed.pop()
+    for index, one in enumerate(typed):
+        words = one or (default_text(wanted[index]) if index < len(wanted) else "")
+        if not words:
+            message = (
+                f"`{wanted[index].name if index < len(wanted) else index + 1}` of `{task.name}` is not given"
+            )
+            raise TaskError(WRONG_CALL.at(None, message, hint="give it, or leave out all behind it"))
+        yield from typed_values(words, task)
