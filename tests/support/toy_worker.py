@@ -26,6 +26,9 @@ def main(connection: Connection) -> None:
                 | jobs.SaveRun()
                 | jobs.JogJoints()
                 | jobs.JogTcp()
+                | jobs.ListTasks()
+                | jobs.CheckTasks()
+                | jobs.EstimateTasks()
             ):
                 connection.send(jobs.Answer(request.number, _reply(connection, request)))
 
@@ -42,8 +45,21 @@ def _reply(connection: Connection, request: jobs.Request) -> jobs.Reply:
             return jobs.SavedRun(f"{form} {kept}".encode())
         case jobs.JogJoints(_, q, _):
             return jobs.JogReply(q, UNIT, ((1, UNIT),), reached=True, words=(("info", "all is well"),))
+        case jobs.ListTasks(_, texts):
+            return jobs.TasksReply({"type": "task_list", "unsaved": sorted(texts)})
+        case jobs.CheckTasks(_, _, number, steps):
+            return _check(number, steps)
+        case jobs.EstimateTasks(_, _, number, program):
+            return jobs.TasksReply({"type": "tasks_estimated", "id": number, "program": program})
         case _:
             return jobs.Failed("this toy cannot do that")
+
+
+def _check(number: int, steps: jobs.TaskSteps) -> jobs.Reply:
+    if steps and steps[0].name == "crash":
+        os._exit(3)
+    text = " ".join(one.name for one in steps)
+    return jobs.TasksReply({"type": "tasks_checked", "id": number, "text": text})
 
 
 def _simulate(connection: Connection, number: int, job: jobs.Simulate) -> jobs.Reply:

@@ -12,6 +12,7 @@ import { LightRig } from './light_rig'
 import { Looks, type MeshSource } from './looks'
 import { Materials } from './materials'
 import type { Palette } from './palette'
+import { type PointMark, PointMarks } from './point_marks'
 import { SelectionMark } from './selection_mark'
 import type { FrameKind, Lights, Shading, StageProblem } from './settings'
 import { Shadow } from './shadow'
@@ -40,6 +41,7 @@ export class Scenery {
   readonly floor = new Floor(this.scene, this.#rig)
   readonly #contacts = new Contacts(this.scene)
   readonly crosses: Crosses
+  readonly #points = new PointMarks(this.scene)
   readonly #looks: Looks
   readonly #labelPoints = new Map<string, Vector3>()
   readonly #extent = new Box3()
@@ -103,6 +105,11 @@ export class Scenery {
     this.#jogged.show(poses)
   }
 
+  /** Mark points of a program. */
+  setPoints(points: readonly PointMark[]): void {
+    this.#points.set(points)
+  }
+
   select(body: number | null): void {
     this.#mark.set(body)
   }
@@ -153,6 +160,7 @@ export class Scenery {
     this.#ghost.tint.colour = palette.ghost
     this.#jogged.tint.colour = palette.jogged
     this.#mark.tint.colour = palette.accent
+    this.#points.setColours(palette.jogged, palette.accent)
   }
 
   /** Names beside coordinate systems. */
@@ -189,7 +197,13 @@ export class Scenery {
         }))
       : []
     this.#movePoints()
-    return [...problems, ...selection, ...frames]
+    const points = this.#points.shown.map(({ name, point, selected }) => ({
+      text: name,
+      kind: selected ? ('selection' as const) : ('frame' as const),
+      rank: selected ? 1 : 2,
+      point,
+    }))
+    return [...problems, ...selection, ...points, ...frames]
   }
 
   /** What all views show at first: everything there is now, and some of the room that the arm reaches. */
@@ -225,6 +239,7 @@ export class Scenery {
       this.floor,
       this.#contacts,
       this.crosses,
+      this.#points,
       this.#ghost.tint,
       this.#jogged.tint,
       this.#mark.tint,

@@ -5,6 +5,7 @@ import { Listeners } from './listeners'
 import type { MeshSource } from './looks'
 import { Overlay } from './overlay'
 import { paletteOf } from './palette'
+import type { PointMark } from './point_marks'
 import { Scenery } from './scenery'
 import { Screen } from './screen'
 import type {
@@ -124,6 +125,12 @@ export class Stage {
 
   select(body: number | null): void {
     this.#scenery.select(body)
+    this.#screen.relabel()
+  }
+
+  /** Mark points of a program, with their names. */
+  points(points: readonly PointMark[]): void {
+    this.#scenery.setPoints(points)
     this.#screen.relabel()
   }
 

@@ -3,6 +3,7 @@ import type { Cursor } from '../run/cursor'
 import type { Run } from '../run/run'
 import type { Pose, SceneDescription } from '../scene/description'
 import { type Move, movesAmong, pathWindow } from '../scene/path_window'
+import type { PointMark } from '../scene/point_marks'
 import type { Stage } from '../scene/stage'
 import { compose } from '../units/pose'
 import type { Jogged } from '../wire/messages'
@@ -19,6 +20,7 @@ export class Picture {
   #jogged: Jogged | null = null
   #look: Look = DEFAULT_LOOK
   #stale = false
+  #points: readonly PointMark[] = []
   #poses = new Float32Array(0)
   #visible = new Uint8Array(0)
 
@@ -58,6 +60,7 @@ export class Picture {
     this.#stage = stage
     stage.stale(this.#stale)
     applyLook(stage, this.#look, null)
+    stage.points(this.#points)
     if (this.#scene) this.setScene(this.#scene)
   }
 
@@ -91,6 +94,12 @@ export class Picture {
   jogged(answer: Jogged | null): void {
     this.#jogged = answer
     this.#stage?.jogged(this.joggedPoses)
+  }
+
+  /** Points of a program that is being put together. */
+  points(points: readonly PointMark[]): void {
+    this.#points = points
+    this.#stage?.points(points)
   }
 
   stale(on: boolean): void {

@@ -3,6 +3,7 @@ import type { Cursor } from '../run/cursor'
 import type { Finding, Run } from '../run/run'
 import { words } from '../text/messages'
 import type { LiveStatus, Message, Notice, RunStatus, SceneMessage, Welcome } from '../wire/messages'
+import type { ChosenTasks } from './chosen_tasks'
 import type { Jog } from './jog'
 import { type Look, lookFrom } from './look'
 import type { Loop } from './loop'
@@ -28,6 +29,7 @@ export interface Receiving {
   readonly run: Run | null
   readonly runs: Runs
   readonly signals: SignalBoard
+  readonly tasks: ChosenTasks
   readonly view: RunView
   notify(level: 'error' | 'warning' | 'info', text: string, hint?: string, code?: string): void
   select(body: number | null): void
@@ -83,6 +85,9 @@ export class Receiver {
         studio.loop.mark()
       },
       jogged: message => studio.jog.receive(message),
+      task_list: message => studio.tasks.receiveList(message),
+      tasks_checked: message => studio.tasks.receive(message),
+      tasks_estimated: message => studio.tasks.receiveEstimate(message),
       notice: ({ level, text, hint, code }) => studio.notify(level, text, hint, code),
       folders: folders => studio.store.setState({ folders }),
       answered: ({ refusal }) => this.#answered(refusal),
@@ -131,6 +136,7 @@ export class Receiver {
     studio.desk.showWanted()
     studio.desk.flush()
     studio.jog.reconnected()
+    studio.tasks.renew()
     const recovered = message.documents.filter(one => one.recovered).map(one => one.name)
     if (recovered.length) studio.notify('warning', words.recovered(recovered.join(', ')), words.recoveredHint)
   }
@@ -150,6 +156,7 @@ export class Receiver {
     // The selected body may stand at another place in the edited cell, or be gone.
     studio.select(still < 0 ? null : still)
     studio.jog.setStations(scene.stations)
+    studio.tasks.renew()
     studio.signals.setSignals(scene.signals, studio.storage)
     studio.loop.mark()
   }

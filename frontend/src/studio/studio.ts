@@ -13,6 +13,7 @@ import { words } from '../text/messages'
 import { type UnitChoice, units } from '../units/choice'
 import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
+import { ChosenTasks } from './chosen_tasks'
 import { Commands } from './commands'
 import type { Dock } from './dock'
 import { programIn, stationOf } from './document_names'
@@ -22,6 +23,7 @@ import { LineGhost } from './line_ghost'
 import { driveLiveRuns } from './live_player'
 import type { Look } from './look'
 import { Loop } from './loop'
+import { marksOf } from './marks_of_points'
 import { Noticeboard } from './noticeboard'
 import { keepTheme, keepUnits, keepWrap } from './page_settings'
 import type { Pass } from './passes'
@@ -57,6 +59,7 @@ export class Studio {
   readonly view: RunView
   readonly jog: Jog
   readonly signals: SignalBoard
+  readonly tasks: ChosenTasks
   readonly connection: Connection
   readonly lines = new RunLines({
     text: name => this.text(name),
@@ -106,6 +109,15 @@ export class Studio {
     this.jog = new Jog({ send, show: answer => picture.jogged(answer), undo: this.undo })
     this.jog.onChange(mark)
     this.signals = new SignalBoard(send, store, this.undo)
+    this.tasks = new ChosenTasks({
+      send,
+      show: (points, selected) => {
+        picture.points(marksOf(points, selected))
+        mark()
+      },
+      keep: steps => this.storage.write('tasks', steps),
+      undo: this.undo,
+    })
     const receiver = new Receiver(this)
     this.connection = new Connection(address, tabName(), {
       onMessage: message => receiver.receive(message),

@@ -135,6 +135,30 @@ export interface JogTcp {
   readonly id: number
 }
 
+/** Ask what tasks and places there are; answered by `task_list`. */
+export interface OpenTasks {
+  readonly type: 'open_tasks'
+}
+
+/** A task as it is typed. */
+export interface TaskStep {
+  /** Of the task. */
+  readonly name: string
+  /** What is typed for each location; blank for none. */
+  readonly points: readonly string[]
+  /** What is typed for each other parameter, with its unit; blank for none. */
+  readonly values: readonly string[]
+}
+
+/** Ask what is said of steps; answered by `tasks_checked`, then `tasks_estimated` if nothing newer comes. */
+export interface CheckTasks {
+  readonly type: 'check_tasks'
+  /** Comes back in the answers. */
+  readonly id: number
+  /** All of them, in their order. */
+  readonly steps: readonly TaskStep[]
+}
+
 /** Let code inside the project folder run, or no more. */
 export interface Trust {
   readonly type: 'trust'
@@ -161,4 +185,6 @@ export type Command =
   | ForgetInputs
   | JogJoints
   | JogTcp
+  | OpenTasks
+  | CheckTasks
   | Trust

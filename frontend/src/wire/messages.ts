@@ -234,6 +234,135 @@ export interface Jogged {
   readonly location: string
 }
 
+/** A parameter of a task. */
+export interface TaskParameter {
+  /** Its name. */
+  readonly name: string
+  /** `location`, `length`, `int` and so on. */
+  readonly kind: string
+  /** As it is typed; empty where there is none. */
+  readonly default: string
+  /** That a value may have; empty for a plain number. */
+  readonly units: readonly string[]
+  /** The state of the cell tells it, nobody types it. */
+  readonly told: boolean
+}
+
+/** A task that may be chosen. */
+export interface TaskChoice {
+  /** How it is called. */
+  readonly name: string
+  /** What it is for. */
+  readonly doc: string
+  /** File of the library that it comes from; empty for one of the project. */
+  readonly group: string
+  /** What must be true before it, in words. */
+  readonly needs: readonly string[]
+  /** In their order. */
+  readonly parameters: readonly TaskParameter[]
+}
+
+/** What may stand for points. */
+export interface PlaceChoice {
+  /** The list of points to which it belongs; empty for a location of the cell. */
+  readonly list: string
+  /** Of a location or of a point in the list; empty for the whole list. */
+  readonly name: string
+  /** What is typed for it. */
+  readonly text: string
+  /** Points that it stands for. */
+  readonly count: number
+}
+
+/** Where a part lies; the place is empty where nobody knows. */
+export interface PartPlace {
+  readonly part: string
+  readonly place: string
+}
+
+/** What is true at one time. */
+export interface WorldNow {
+  /** `open` or `closed`; empty where nobody knows. */
+  readonly gripper: string
+  /** Part in the gripper; empty for none. */
+  readonly held: string
+  /** That lie somewhere. */
+  readonly parts: readonly PartPlace[]
+  /** All else in words. */
+  readonly others: readonly string[]
+}
+
+/** What may be chosen. */
+export interface TaskList {
+  readonly type: 'task_list'
+  /** Counts how often cell, tasks or lists of points were others. */
+  readonly revision: number
+  /** Those of the library first. */
+  readonly tasks: readonly TaskChoice[]
+  /** Locations of the cell, then lists of points with their points. */
+  readonly places: readonly PlaceChoice[]
+  /** What is true before the first step. */
+  readonly begin: WorldNow
+  /** Of cell, tasks and lists. */
+  readonly findings: readonly Finding[]
+}
+
+/** What is said of a step. */
+export interface StepState {
+  /** The call that it is, as task text. */
+  readonly call: string
+  /** Whether it is possible. */
+  readonly accepted: boolean
+  /** `accepted`, or what stands against it. */
+  readonly message: string
+  /** What to do about it. */
+  readonly hint: string
+  /** The parameters that the state has told, with what it told. */
+  readonly told: readonly PartPlace[]
+  /** After it. */
+  readonly world: WorldNow
+  /** Places in the list of points. */
+  readonly points: readonly number[]
+}
+
+/** A point of the control program. */
+export interface ProgramPoint {
+  /** In the program; empty where its step is refused. */
+  readonly name: string
+  /** X Y Z [mm] Roll Pitch Yaw [deg] in the base frame; null where it has no pose. */
+  readonly numbers: readonly [number, number, number, number, number, number] | null
+  /** Of the tool in W; null likewise. */
+  readonly pose: Pose | null
+}
+
+/** Answer to `check_tasks`. */
+export interface TasksChecked {
+  readonly type: 'tasks_checked'
+  /** Of the command. */
+  readonly id: number
+  /** Of what may be chosen; another one than that of the list asks for a new list. */
+  readonly revision: number
+  /** One for each that was sent. */
+  readonly steps: readonly StepState[]
+  /** Of all steps, each once. */
+  readonly points: readonly ProgramPoint[]
+  /** The program of the steps that are accepted; empty without one. */
+  readonly text: string
+  /** Why there is no answer or no text; empty where there is. */
+  readonly problem: string
+}
+
+/** How long the program of the steps takes, planned without drives. */
+export interface TasksEstimated {
+  readonly type: 'tasks_estimated'
+  /** Of the command that it follows. */
+  readonly id: number
+  /** Cycle time [s]; null where the program does not come to its end. */
+  readonly seconds: number | null
+  /** What planning has found first; empty for nothing. */
+  readonly message: string
+}
+
 /** Something to tell the user. */
 export interface Notice {
   readonly type: 'notice'
@@ -284,6 +413,9 @@ export type Message =
   | SignalStamped
   | Happened
   | Jogged
+  | TaskList
+  | TasksChecked
+  | TasksEstimated
   | Notice
   | Answered
   | Folders

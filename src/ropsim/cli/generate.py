@@ -22,7 +22,7 @@ from ropsim.tasks import (
     draft_points,
     draft_text,
     not_defined,
-    read_point_list,
+    read_point_lists,
     taken_back,
     typed_points,
     typed_values,
@@ -49,7 +49,9 @@ def generate(options: argparse.Namespace, output: Output) -> int:
     known = open_knowledge(options.path)
     folder = Path(options.path)
     output.findings((one for one in known.findings if one.is_error), known.texts)
-    desk = _Desk(known.base, _lists(folder, output), Draft(known.state), output)
+    lists, findings = read_point_lists(folder)
+    output.findings(findings, {})
+    desk = _Desk(known.base, lists, Draft(known.state), output)
     output.text(HEAD)
     while (name := _asked("TASK NAME")) not in (None, END):
         if name == BACK:
@@ -117,17 +119,6 @@ def _asked(prompt: str) -> str | None:
     print(f"{prompt}: ", end="", flush=True)
     line = sys.stdin.readline()
     return line.strip() if line else None
-
-
-def _lists(folder: Path, output: Output) -> dict[str, PointList]:
-    """Return the lists of points of a project; what is wrong with them is told."""
-    found: dict[str, PointList] = {}
-    for path in sorted((folder / "points").glob("*.csv")):
-        points, findings = read_point_list(path)
-        output.findings(findings, {})
-        if points is not None:
-            found[points.name] = points
-    return found
 
 
 def _written(folder: Path, name: str, text: str, points: str, output: Output) -> int:

@@ -115,6 +115,22 @@ class JogTcp(jobs.JogTcp, frozen=True, tag_field="type", tag="jog_tcp"):
     id: Number
 
 
+class OpenTasks(Struct, frozen=True, tag_field="type", tag="open_tasks"):
+    """Ask what tasks and places there are; answered by `task_list`."""
+
+
+class CheckTasks(Struct, frozen=True, tag_field="type", tag="check_tasks"):
+    """Ask what is said of steps; answered by `tasks_checked`, then `tasks_estimated` if nothing newer comes.
+
+    Attributes:
+        id: comes back in the answers.
+        steps: all of them, in their order.
+    """
+
+    id: Number
+    steps: jobs.TaskSteps
+
+
 class Trust(Struct, frozen=True, tag_field="type", tag="trust"):
     """Let code inside the project folder run, or no more."""
 
@@ -141,6 +157,8 @@ Command: TypeAlias = (
     | ForgetInputs
     | JogJoints
     | JogTcp
+    | OpenTasks
+    | CheckTasks
     | Trust
 )
 

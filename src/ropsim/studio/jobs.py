@@ -106,6 +106,51 @@ class JogTcp(Struct, frozen=True):
     target: PoseNumbers
 
 
+class TaskStep(Struct, frozen=True):
+    """A task as it is typed.
+
+    Attributes:
+        name: of the task.
+        points: what is typed for each location; blank for none.
+        values: what is typed for each other parameter, with its unit; blank for none.
+    """
+
+    name: Name
+    points: Annotated[tuple[Name, ...], Meta(max_length=64)]
+    values: Annotated[tuple[Name, ...], Meta(max_length=64)]
+
+
+TaskSteps: TypeAlias = Annotated[tuple[TaskStep, ...], Meta(max_length=200)]
+
+
+@frozen_dataclass
+class ListTasks:
+    """Tell what tasks and places there are (`TasksReply`)."""
+
+    folder: str
+    texts: Mapping[str, str]
+
+
+@frozen_dataclass
+class CheckTasks:
+    """Tell what is said of steps (`TasksReply`); `id` comes back."""
+
+    folder: str
+    texts: Mapping[str, str]
+    id: int
+    steps: TaskSteps
+
+
+@frozen_dataclass
+class EstimateTasks:
+    """Plan a program that is in no file and tell how long it takes (`TasksReply`); `id` comes back."""
+
+    folder: str
+    texts: Mapping[str, str]
+    id: int
+    program: str
+
+
 # ---- orders: they carry the number of the job that they are for and have no answer of their own ----------
 
 
@@ -155,7 +200,8 @@ class Stop:
     """End the worker process (number 0); a running job is given up."""
 
 
-Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp
+TasksJob: TypeAlias = ListTasks | CheckTasks | EstimateTasks
+Job: TypeAlias = OpenScene | Simulate | LiveStart | SaveRun | JogJoints | JogTcp | TasksJob
 LiveOrder: TypeAlias = LiveControl | LiveOverride | LiveSpeed | SetSignal
 Order: TypeAlias = Cancel | Renew | LiveOrder | Stop
 
@@ -250,13 +296,20 @@ class JogReply:
 
 
 @frozen_dataclass
+class TasksReply:
+    """A message about tasks, as the page gets it: `task_list`, `tasks_checked` or `tasks_estimated`."""
+
+    payload: Mapping[str, object]
+
+
+@frozen_dataclass
 class Failed:
     """A job other than a run could not be done; the reason in words."""
 
     message: str
 
 
-Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | Failed
+Reply: TypeAlias = SceneReply | RunReply | SavedRun | JogReply | TasksReply | Failed
 Report: TypeAlias = Progress | Planned | Renewed | LiveMessage | LiveFrame
 
 

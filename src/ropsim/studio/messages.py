@@ -11,10 +11,9 @@ import msgspec
 from msgspec import Meta, Struct
 
 from ropsim.core import Diagnostic
+from ropsim.studio.finding import Finding
 from ropsim.studio.jobs import Level, PoseNumbers
-
-Finding: TypeAlias = Annotated[Mapping[str, object], Meta(title="Finding")]
-"""A finding as plain JSON values; its `time` [s] is null where it has none."""
+from ropsim.studio.task_messages import TaskList, TasksChecked, TasksEstimated
 
 RunEvent: TypeAlias = Annotated[Mapping[str, object], Meta(title="RunEvent")]
 """An event of a run as plain JSON values."""
@@ -353,12 +352,15 @@ Message: TypeAlias = (
     | SignalStamped
     | Happened
     | Jogged
+    | TaskList
+    | TasksChecked
+    | TasksEstimated
     | Notice
     | Answered
     | Folders
     | Mapping[str, object]
 )
-"""Mappings are messages of a live run, as they come from the worker: see `plain`."""
+"""Mappings are messages of a live run and of tasks, as they come from a worker: see `plain`."""
 
 
 def plain(message: Struct) -> Mapping[str, object]:

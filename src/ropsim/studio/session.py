@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from pathlib import Path
 
 from ropsim.core import Diagnostic, RopsimError
@@ -24,6 +24,7 @@ from ropsim.studio.runs import Runs
 from ropsim.studio.scenes import Scenes
 from ropsim.studio.tab import Tab
 from ropsim.studio.tabs import Tabs
+from ropsim.studio.tasks import ChosenTasks
 from ropsim.studio.workers import DESK, WorkerLink
 from ropsim.userfiles import (
     STARTER,
@@ -48,7 +49,7 @@ class Session:
     Args:
         folder: of the project.
         neutral: working folder of the workers, where no project lies.
-        worker: `module:function` that runs in both worker processes.
+        worker: `module:function` that runs in all worker processes.
         switch: opens another project instead.
     """
 
@@ -64,6 +65,8 @@ class Session:
         self.editing = Editing(folder, self._tabs, self._welcome_all, self._text_changed)
         self._desk = WorkerLink("drawing desk", str(neutral), self._desk_lost, worker)
         self._simulator = WorkerLink("simulator", str(neutral), self._simulator_lost, worker)
+        self._bench = WorkerLink("task bench", str(neutral), self._tell_lost, worker)
+        self.tasks = ChosenTasks(folder, self._bench, self._texts)
         self.scenes = Scenes(folder, self._desk, self._texts, self._tabs.tell)
         self.runs = Runs(
             folder, self._simulator, self._texts, self._versions, self._tabs.tell, self._tabs.show
@@ -94,7 +97,7 @@ class Session:
         if self._scene_timer is not None:
             self._scene_timer.cancel()
         await self.editing.close()
-        await asyncio.gather(self._desk.close(), self._simulator.close())
+        await asyncio.gather(self._desk.close(), self._simulator.close(), self._bench.close())
         for task in self._background:
             task.cancel()
 
@@ -102,6 +105,7 @@ class Session:
         """End the workers at once, whether the session was closed or not."""
         self._desk.kill()
         self._simulator.kill()
+        self._bench.kill()
 
     async def receive(self, tab: Tab, text: str | bytes) -> None:
         """Do what a page says; whatever it says, the session goes on."""
@@ -136,7 +140,9 @@ class Session:
             case commands.Trust(trusted):
                 await self._trust(tab, Trust.GIVEN if trusted else Trust.WITHHELD)
             case commands.JogJoints() | commands.JogTcp():
-                self._in_background(tab, command)
+                self._in_background(self._jog(tab, command))
+            case commands.OpenTasks() | commands.CheckTasks():
+                self._in_background(self.tasks.answer(command, tab.send))
             case _:
                 self._run(command)
 
@@ -229,13 +235,12 @@ class Session:
         state = self._trust_state()
         self._tabs.tell(TrustChanged(state.trusted, state.code))
 
-    def _in_background(self, tab: Tab, command: commands.JogJoints | commands.JogTcp) -> None:
-        """Answer a jog without holding up what the tab says next."""
+    async def _jog(self, tab: Tab, command: commands.JogJoints | commands.JogTcp) -> None:
+        tab.send(await self.scenes.jog(command))
 
-        async def answer() -> None:
-            tab.send(await self.scenes.jog(command))
-
-        task = asyncio.get_running_loop().create_task(answer())
+    def _in_background(self, answering: Coroutine[None, None, None]) -> None:
+        """Answer a tab without holding up what it says next."""
+        task = asyncio.get_running_loop().create_task(answering)
         self._background.add(task)
         task.add_done_callback(self._background.discard)
 

@@ -20,6 +20,7 @@ from ropsim.studio.jobs import (
     SavedRun,
     SceneReply,
     Simulate,
+    TasksReply,
 )
 from ropsim.studio.pipe import Pipe
 
@@ -118,7 +119,7 @@ class WorkerLink:
         task = self._tasks.get(answer.number)
         if task is None:
             return
-        if isinstance(answer.content, SceneReply | RunReply | SavedRun | JogReply | Failed):
+        if isinstance(answer.content, SceneReply | RunReply | SavedRun | JogReply | TasksReply | Failed):
             del self._tasks[answer.number]
             if not task.reply.done():
                 task.reply.set_result(answer.content)

@@ -17,6 +17,7 @@ from ropsim.tasks.draft import draft_text as draft_text
 from ropsim.tasks.draft import listed as listed
 from ropsim.tasks.draft import taken_back as taken_back
 from ropsim.tasks.errors import TaskError as TaskError
+from ropsim.tasks.fact_words import fact_words as fact_words
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.geometry import Geometry as Geometry
 from ropsim.tasks.geometry import unchecked_text as unchecked_text
@@ -27,8 +28,11 @@ from ropsim.tasks.layer import Layer as Layer
 from ropsim.tasks.not_defined import not_defined as not_defined
 from ropsim.tasks.planning import Plan as Plan
 from ropsim.tasks.point_list import PointList as PointList
+from ropsim.tasks.point_list import point_files as point_files
 from ropsim.tasks.point_list import read_point_list as read_point_list
+from ropsim.tasks.point_list import read_point_lists as read_point_lists
 from ropsim.tasks.program_text import program_text as program_text
+from ropsim.tasks.task_call import Numbers as Numbers
 from ropsim.tasks.task_call import Point as Point
 from ropsim.tasks.task_call import Quantity as Quantity
 from ropsim.tasks.task_call import TaskCall as TaskCall

@@ -44,6 +44,23 @@ def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...
     return points_of(text, path.stem)
 
 
+def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagnostic, ...]]:
+    """Return the lists in `points/*.csv` of a project by name, and what is wrong with them."""
+    lists: dict[str, PointList] = {}
+    findings: list[Diagnostic] = []
+    for path in point_files(folder):
+        found, wrong = read_point_list(path)
+        findings += wrong
+        if found is not None:
+            lists[found.name] = found
+    return lists, tuple(findings)
+
+
+def point_files(folder: Path) -> tuple[Path, ...]:
+    """Return the files of a project that are lists of points, by name."""
+    return tuple(sorted((folder / "points").glob("*.csv")))
+
+
 def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
     """Return the list of a text, None where its first two lines are wrong."""
     rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO("\n".join(text.lines)))]

@@ -4,9 +4,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite, nan
 
 from ropsim.core import RopsimError, frozen_dataclass
+from ropsim.prolog import Struct
 from ropsim.tasks.base import KnowledgeBase
 from ropsim.tasks.call_reading import call_of
 from ropsim.tasks.call_report import CallReport
+from ropsim.tasks.clause_text import term_text
 from ropsim.tasks.diagnostics import WRONG_CALL
 from ropsim.tasks.draft import Draft, listed
 from ropsim.tasks.errors import TaskError
@@ -100,10 +102,11 @@ def typed_values(typed: str, task: KnownTask) -> tuple[Value, ...]:
 
 def default_text(parameter: Parameter) -> str:
     """Return the default of a parameter as it is typed; empty where it has none."""
-    quantity = unit_of(parameter.default) if parameter.default is not None else None
+    default = parameter.default
+    quantity = unit_of(default) if isinstance(default, Struct) else None
     if quantity is not None:
         return str(Quantity(*quantity))
-    return "" if parameter.default is None else str(parameter.default)
+    return "" if default is None else term_text(default)
 
 
 def _values(step: TypedStep, task: KnownTask) -> Iterator[Value]:

@@ -165,6 +165,16 @@ def test_names_that_are_no_unicode_are_sent_all_the_same() -> None:
     assert message["findings"] == [{"time": None, "x": "\ufffd"}]
 
 
+EMPTY_STEP: dict[str, object] = {"name": "", "points": [], "values": []}
+UNMEASURED_STEPS: list[list[dict[str, object]]] = [
+    [EMPTY_STEP] * 201,
+    [{"name": "a" * 5000, "points": [], "values": []}],
+    [{"name": "", "points": [""] * 65, "values": []}],
+    [{"name": "", "points": [], "values": [5]}],
+    [{"name": "", "points": []}],
+]
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -173,6 +183,7 @@ def test_names_that_are_no_unicode_are_sent_all_the_same() -> None:
         json.dumps({"type": "jog_joints", "id": 1, "station": "robot", "q": [0.0] * 1000, "tool": ""}),
         json.dumps({"type": "run", "program": "a" * 5000, "fidelity": "dynamic"}),
         json.dumps({"type": "signal", "name": "a" * 5000, "value": 1.0}),
+        *(json.dumps({"type": "check_tasks", "id": 1, "steps": steps}) for steps in UNMEASURED_STEPS),
         '{"type":"signal","name":"a","value":1e999}',
         '{"type":"hello","tab":"\\ud800"}',
         '{"type":"edit","x":' + "[" * 100_000,

@@ -128,6 +128,26 @@ def test_a_tab_that_comes_later_hears_of_scene_and_run(folder: Path) -> None:
     in_session(folder, play)
 
 
+def test_steps_of_a_page_are_answered_and_then_timed_and_a_lost_worker_is_told(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first = await page("a")
+        await first.say(type="edit", document="cell.toml", text="[cell]\n#\n", version=1)
+        await first.say(type="open_tasks")
+        assert (await first.hear("task_list"))["unsaved"] == ["cell.toml"]
+        steps: list[dict[str, object]] = [
+            {"name": name, "points": [], "values": []} for name in ("pick", "place")
+        ]
+        await first.say(type="check_tasks", id=4, steps=steps)
+        assert (await first.hear("tasks_checked", id=4))["text"] == "pick place"
+        assert (await first.hear("tasks_estimated", id=4))["program"] == "pick place"
+        await first.say(type="check_tasks", id=5, steps=[{**steps[0], "name": "crash"}])
+        assert "exit code 3" in (await first.hear("tasks_checked", id=5))["problem"]
+        await first.say(type="check_tasks", id=6, steps=steps)
+        await first.hear("tasks_checked", id=6)
+
+    in_session(folder, play)
+
+
 def test_what_a_page_says_in_a_live_run_reaches_the_worker(folder: Path) -> None:
     async def play(page: Callable[[str], Awaitable[Page]]) -> None:
         first = await page("a")

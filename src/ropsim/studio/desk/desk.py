@@ -1,6 +1,7 @@
 """What the worker knows between two jobs, and who does which job."""
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from ropsim.meshes import MeshLibrary
 from ropsim.studio.desk.finished import Shelf
@@ -10,10 +11,13 @@ from ropsim.studio.desk.live.run import run_live
 from ropsim.studio.desk.scene import open_scene
 from ropsim.studio.desk.simulate import simulate
 from ropsim.studio.jobs import (
+    CheckTasks,
+    EstimateTasks,
     Failed,
     Job,
     JogJoints,
     JogTcp,
+    ListTasks,
     LiveStart,
     OpenScene,
     Reply,
@@ -21,6 +25,9 @@ from ropsim.studio.jobs import (
     Simulate,
 )
 from ropsim.workbench import Workspace
+
+if TYPE_CHECKING:  # with its engine it is loaded by who chooses tasks
+    from ropsim.studio.desk.tasks.bench import TaskBench
 
 NOT_KEPT = "this run is not kept any more: simulate it again"
 NOTHING_OPEN = "no cell is open: the cell file has errors, they are in the list of problems"
@@ -35,6 +42,7 @@ class Desk:
         meshes: those of the newest scene, so that files which stay are not converted again.
         shelf: the newest finished run.
         workspace: keeps what is made of the texts of the project.
+        bench: the tasks that may be chosen, None before somebody asks.
         is_cold: whether `warm` has something to do.
     """
 
@@ -42,6 +50,7 @@ class Desk:
     meshes: MeshLibrary | None = None
     shelf: Shelf = field(default_factory=Shelf)
     workspace: Workspace = field(default_factory=Workspace)
+    bench: "TaskBench | None" = None
     is_cold: bool = False
 
     def do(self, job: Job, line: Line) -> Reply:
@@ -67,6 +76,11 @@ class Desk:
                 return kept.file(form) if kept is not None and kept.number == number else Failed(NOT_KEPT)
             case JogJoints() | JogTcp():
                 return self.arms.move(job) if self.arms else Failed(NOTHING_OPEN)
+            case ListTasks() | CheckTasks() | EstimateTasks():
+                from ropsim.studio.desk.tasks.bench import TaskBench
+
+                self.bench = self.bench or TaskBench(self.workspace)
+                return self.bench.do(job, line)
 
     def warm(self) -> None:
         """Load what the first jog needs, so that it is as quick as the others."""

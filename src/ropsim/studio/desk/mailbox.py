@@ -10,10 +10,13 @@ from ropsim.studio.desk.line import Cancelled
 from ropsim.studio.jobs import (
     Answer,
     Cancel,
+    CheckTasks,
+    EstimateTasks,
     Failed,
     Job,
     JogJoints,
     JogTcp,
+    ListTasks,
     LiveControl,
     LiveOverride,
     LiveSpeed,
@@ -113,7 +116,17 @@ class Mailbox:
                 raise StopAsked
             case Cancel() | Renew():  # what has not begun is asked for anew
                 self._drop(request.number)
-            case Simulate() | LiveStart() | SaveRun() | OpenScene() | JogJoints() | JogTcp() as job:
+            case (
+                Simulate()
+                | LiveStart()
+                | SaveRun()
+                | OpenScene()
+                | JogJoints()
+                | JogTcp()
+                | ListTasks()
+                | CheckTasks()
+                | EstimateTasks()
+            ) as job:
                 self._jobs.append((request.number, job))
             case _:  # an order for a live run that has just ended
                 pass

@@ -1,0 +1,63 @@
+/** A step as it is typed, and how its fields are read and written. */
+import type { TaskStep } from '../wire/commands'
+
+export interface ChosenStep extends TaskStep {
+  /** Tells steps apart, whatever they say. */
+  readonly key: number
+}
+
+/** Steps that were kept, none where they cannot be read. */
+export function keptSteps(kept: unknown): readonly ChosenStep[] {
+  if (!Array.isArray(kept)) return []
+  const areTexts = (value: unknown) => Array.isArray(value) && value.every(one => typeof one === 'string')
+  const sound = kept.every(
+    one =>
+      typeof one?.key === 'number' &&
+      typeof one.name === 'string' &&
+      areTexts(one.points) &&
+      areTexts(one.values),
+  )
+  return sound ? kept : []
+}
+
+/** A list with one entry changed; blank entries are put in before it where it is longer. */
+export function withEntry(list: readonly string[], at: number, entry: string): readonly string[] {
+  return Array.from({ length: Math.max(list.length, at + 1) }, (_, k) => (k === at ? entry : (list[k] ?? '')))
+}
+
+/** `75 mm` as number and unit. */
+export function splitValue(text: string): { readonly number: string; readonly unit: string } {
+  const [, number = '', unit = ''] = /^\s*(\S*)\s*(.*?)\s*$/.exec(text) ?? []
+  return { number, unit }
+}
+
+/** Whether a point is given by its name. */
+export function isName(point: string): boolean {
+  return /^[^\W\d]\w*$/.test(point)
+}
+
+/** The numbers of a point as they are typed, five or six of them; blank ones are not given. */
+export function splitNumbers(point: string): readonly string[] {
+  const words = point.includes(',')
+    ? point.split(',').map(one => one.trim())
+    : point.split(/\s+/).filter(Boolean)
+  return Array.from({ length: words.length > 5 ? 6 : 5 }, (_, k) => words[k] ?? '')
+}
+
+/** The other way: without the blank ones at the end. */
+export function joinNumbers(numbers: readonly string[]): string {
+  const words = numbers.map(one => one.trim())
+  while (words.at(-1) === '') words.pop()
+  return words.join(', ')
+}
+
+/** A pose as the jog panel writes it, as numbers X Y Z Roll Pitch Yaw; empty where it has none. */
+export function numbersOfLocation(location: string): string {
+  const numbers = location.replace(/ external .*$/, '').match(/-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g) ?? []
+  return numbers.length === 6 ? joinNumbers(numbers) : ''
+}
+
+/** Name of a program text as the language takes it. */
+export function programWord(name: string): string {
+  return name.replace(/\W+/g, '_').replace(/^(?=\d)/, 'p')
+}

@@ -1,0 +1,150 @@
+import { expect, test } from 'vitest'
+import type { Command } from '../wire/commands'
+import type { StepState, TaskList, TasksChecked } from '../wire/messages'
+import {
+  joinNumbers,
+  keptSteps,
+  numbersOfLocation,
+  programWord,
+  splitNumbers,
+  splitValue,
+} from './chosen_step'
+import { ChosenTasks } from './chosen_tasks'
+import { UndoStack } from './undo'
+
+const WORLD = { gripper: 'open', held: '', parts: [], others: [] }
+const LIST: TaskList = {
+  type: 'task_list',
+  revision: 1,
+  tasks: [
+    {
+      name: 'pick',
+      doc: '',
+      group: 'pick',
+      needs: [],
+      parameters: [
+        { name: 'P', kind: 'part', default: '', units: [], told: true },
+        { name: 'L', kind: 'location', default: '', units: [], told: false },
+        { name: 'C', kind: 'length', default: '50 mm', units: ['mm'], told: false },
+      ],
+    },
+  ],
+  places: [],
+  begin: WORLD,
+  findings: [],
+}
+
+function bench() {
+  const sent: Command[] = []
+  const kept: unknown[] = []
+  const undo = new UndoStack()
+  const tasks = new ChosenTasks({
+    send: command => sent.push(command) > 0,
+    show: () => {},
+    keep: steps => kept.push(steps),
+    undo,
+  })
+  tasks.open(null)
+  tasks.receiveList(LIST)
+  const last = () => sent.filter(one => one.type === 'check_tasks').at(-1)
+  const answer = (revision = 1) => {
+    const asked = last()
+    if (!asked) return
+    const steps = asked.steps.map(
+      (one): StepState => ({
+        call: one.name,
+        accepted: true,
+        message: `of ${one.name}`,
+        hint: '',
+        told: [],
+        world: WORLD,
+        points: [],
+      }),
+    )
+    const message: TasksChecked = {
+      type: 'tasks_checked',
+      id: asked.id,
+      revision,
+      steps,
+      points: [],
+      text: '',
+      problem: '',
+    }
+    tasks.receive(message)
+  }
+  answer()
+  return { tasks, sent, kept, undo, answer, last }
+}
+
+test('a chosen task has its defaults, and its state stays with it when it moves', () => {
+  const { tasks, answer, undo } = bench()
+  tasks.add('pick', 'a')
+  tasks.add('xyz', 'b')
+  expect(tasks.steps.map(one => [one.name, one.points, one.values])).toEqual([
+    ['pick', [''], ['50 mm']],
+    ['xyz', [], []],
+  ])
+  answer()
+  expect(tasks.settled).toBe(false)
+  answer()
+  expect(tasks.settled).toBe(true)
+  const [first] = tasks.steps
+  tasks.move(first?.key ?? 0, 1, 'c')
+  expect(tasks.stateOf(first?.key ?? 0)?.message).toBe('of pick')
+  expect(tasks.steps.map(one => one.name)).toEqual(['xyz', 'pick'])
+  undo.undo()
+  undo.undo()
+  expect(tasks.steps.map(one => one.name)).toEqual(['pick'])
+  undo.redo()
+  expect(tasks.steps.map(one => one.name)).toEqual(['pick', 'xyz'])
+})
+
+test('while an answer is on its way only the newest steps wait', () => {
+  const { tasks, sent, answer, last } = bench()
+  tasks.add('pick', 'a')
+  const before = sent.length
+  const key = tasks.steps[0]?.key ?? 0
+  for (const typed of ['s', 's1']) tasks.edit(key, { points: [typed] })
+  expect(sent.length).toBe(before)
+  answer()
+  expect(last()).toMatchObject({ steps: [{ name: 'pick', points: ['s1'], values: ['50 mm'] }] })
+})
+
+test('what is typed in one go is one step of undo', () => {
+  const { tasks, undo } = bench()
+  tasks.add('pick', 'a')
+  const key = tasks.steps[0]?.key ?? 0
+  for (const typed of ['s', 's1']) tasks.edit(key, { points: [typed] })
+  tasks.commit('type')
+  tasks.commit('type')
+  expect(undo.names).toEqual(['type', 'a'])
+  undo.undo()
+  expect(tasks.steps[0]?.points).toEqual([''])
+})
+
+test('another revision asks for the list again', () => {
+  const { tasks, sent, answer } = bench()
+  tasks.add('pick', 'a')
+  answer(2)
+  expect(sent.filter(one => one.type === 'open_tasks').length).toBe(2)
+})
+
+test('steps that were kept come back, and what cannot be read does not', () => {
+  const steps = [{ key: 3, name: 'pick', points: ['s1'], values: [] }]
+  expect(keptSteps(steps)).toEqual(steps)
+  for (const bad of [null, 5, [{}], [{ key: 1, name: 'a', points: [1], values: [] }]])
+    expect(keptSteps(bad)).toEqual([])
+})
+
+test('fields are read and written', () => {
+  expect(splitValue(' 75  mm/s ')).toEqual({ number: '75', unit: 'mm/s' })
+  expect(splitNumbers('1 2 3')).toEqual(['1', '2', '3', '', ''])
+  expect(splitNumbers('1, , 3')).toEqual(['1', '', '3', '', ''])
+  expect(splitNumbers('1 2 3 4 5 6')).toHaveLength(6)
+  expect(joinNumbers(['1', ' 2', '', '4', ''])).toBe('1, 2, , 4')
+  expect(numbersOfLocation('(1.5 mm, -2 mm, 3 mm; rpy 180 deg 0 deg -90 deg) in base external (5 mm)')).toBe(
+    '1.5, -2, 3, 180, 0, -90',
+  )
+  expect(numbersOfLocation('')).toBe('')
+  expect(programWord('2 füll')).toBe('p2_f_ll')
+})

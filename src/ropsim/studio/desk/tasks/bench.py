@@ -1,0 +1,55 @@
+"""Where tasks are chosen: the knowledge of the project at hand, and who does which job."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from ropsim.studio.desk.line import Line
+from ropsim.studio.desk.tasks.estimate import estimated
+from ropsim.studio.desk.tasks.known_project import KnownProject, key_of, known_project
+from ropsim.studio.desk.tasks.listing import task_list
+from ropsim.studio.desk.tasks.stating import checked
+from ropsim.studio.jobs import CheckTasks, EstimateTasks, ListTasks, TasksJob, TasksReply
+from ropsim.studio.messages import plain
+from ropsim.workbench import Workspace, open_overlaid
+
+
+@dataclass(slots=True)
+class TaskBench:
+    """State of the worker as far as it is about tasks.
+
+    Attributes:
+        workspace: keeps what is made of the texts of the project.
+        known: what is known of the project, None before it was asked for.
+        revision: counts how often something else was known.
+    """
+
+    workspace: Workspace
+    known: KnownProject | None = None
+    revision: int = 0
+
+    def do(self, job: TasksJob, line: Line) -> TasksReply:
+        """Return the reply to a job.
+
+        Raises:
+            Cancelled: it was given up.
+            RopsimError: it cannot be done; the message is in words.
+        """
+        match job:
+            case ListTasks():
+                known = self._known(job)
+                return TasksReply(plain(task_list(known, self.revision)))
+            case CheckTasks(_, _, number, steps):
+                known = self._known(job)
+                return TasksReply(plain(checked(known, steps, number, self.revision)))
+            case EstimateTasks():
+                return TasksReply(plain(estimated(job, line, self.workspace)))
+
+    def _known(self, job: ListTasks | CheckTasks) -> KnownProject:
+        project = open_overlaid(Path(job.folder), job.texts, self.workspace)
+        key = key_of(project)
+        if self.known is None or self.known.key != key:
+            before, self.known = self.known, known_project(project, key)
+            self.revision += 1
+            if before is not None:
+                before.knowledge.base.close()
+        return self.known

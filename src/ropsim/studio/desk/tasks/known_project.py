@@ -1,0 +1,63 @@
+"""The knowledge of a project, kept as long as its cell, its tasks and its lists of points stay."""
+
+from collections.abc import Hashable, Mapping
+from pathlib import Path
+
+from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.model import Cell
+from ropsim.spatial import Pose
+from ropsim.tasks import Point, PointList, point_files, read_point_lists
+from ropsim.workbench import CellGeometry, Knowledge, Project, knowledge_of
+
+
+@frozen_dataclass
+class KnownProject:
+    """What is known of a project.
+
+    Attributes:
+        key: of what all is made; while it is the same, so is all.
+        cell: None where it is broken.
+        knowledge: its tasks and what is true at the start.
+        lists: of points.
+        findings: of cell, tasks and lists.
+        geometry: of the cell.
+        poses: X_BT of points that were asked for, None where there is none.
+    """
+
+    key: Hashable
+    cell: Cell | None
+    knowledge: Knowledge
+    lists: Mapping[str, PointList]
+    findings: tuple[Diagnostic, ...]
+    geometry: CellGeometry | None
+    poses: dict[Point, Pose | None]
+
+    def pose(self, point: Point) -> Pose | None:
+        """Return X_BT of a point, None where it has no pose."""
+        if point not in self.poses:
+            self.poses[point] = self.geometry.pose(point) if self.geometry is not None else None
+        return self.poses[point]
+
+
+def known_project(project: Project, key: Hashable) -> KnownProject:
+    """Return what is known of a project; a new Prolog is started for it."""
+    knowledge = knowledge_of(project)
+    lists, findings = read_point_lists(project.folder)
+    cell = project.cell
+    geometry = CellGeometry(cell) if cell is not None else None
+    return KnownProject(key, cell, knowledge, lists, (*knowledge.findings, *findings), geometry, {})
+
+
+def key_of(project: Project) -> Hashable:
+    """Return what stays the same as long as cell, tasks and lists of points do."""
+    robots = tuple(one.text for one in project.robot_files.values())
+    files = (*sorted((project.folder / "kb").glob("*")), *point_files(project.folder))
+    return project.folder, project.cell_text, robots, tuple(map(_stamp, files))
+
+
+def _stamp(path: Path) -> Hashable:
+    try:
+        facts = path.stat()
+    except OSError:
+        return path
+    return path, facts.st_mtime_ns, facts.st_size

@@ -1,0 +1,67 @@
+"""What may be chosen, as a page shows it."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import PurePosixPath
+
+from ropsim.studio.desk.tasks.known_project import KnownProject
+from ropsim.studio.task_messages import PartPlace, PlaceChoice, TaskChoice, TaskList, TaskParameter, WorldNow
+from ropsim.tasks import (
+    UNITS,
+    KnownTask,
+    Numbers,
+    Parameter,
+    WorldState,
+    default_text,
+    fact_words,
+    world_table,
+)
+from ropsim.views import plain_findings
+
+MOST_PARTS = 200
+"""Parts whose places are told."""
+
+
+def task_list(known: KnownProject, revision: int) -> TaskList:
+    """Return tasks, places and the world before the first step."""
+    tasks = tuple(map(_choice, known.knowledge.base.tasks()))
+    begin = world_now(known.knowledge.state, {})
+    return TaskList(revision, tasks, tuple(_places(known)), begin, plain_findings(known.findings))
+
+
+def world_now(state: WorldState, names: Mapping[Numbers, str]) -> WorldNow:
+    """Return what is true in a state.
+
+    Args:
+        state: the facts.
+        names: of points that were given by their numbers.
+    """
+    table = world_table(state, names)
+    parts = tuple(PartPlace(part, place) for part, place in table.parts[:MOST_PARTS])
+    return WorldNow(table.gripper, table.held, parts, table.others)
+
+
+def _choice(task: KnownTask) -> TaskChoice:
+    source = task.span.source if task.is_built_in else ""
+    needs = tuple(fact_words(one).replace("`", "") for one in task.needs)
+    return TaskChoice(
+        task.name, task.doc, PurePosixPath(source).stem, needs, tuple(map(_parameter, task.parameters))
+    )
+
+
+def _parameter(one: Parameter) -> TaskParameter:
+    default = "" if one.is_symbolic else default_text(one)
+    units = tuple(sorted(UNITS.get(one.kind, ()), key=lambda unit: (unit not in _FIRST, unit)))
+    return TaskParameter(one.name, one.kind, default, units, one.is_symbolic)
+
+
+_FIRST = frozenset(("mm", "deg", "s", "mm/s", "mm/s2"))
+"""Units of programs; lists begin with them."""
+
+
+def _places(known: KnownProject) -> Iterator[PlaceChoice]:
+    for name in known.cell.locations if known.cell is not None else ():
+        yield PlaceChoice("", name, name, 1)
+    for name, found in known.lists.items():
+        yield PlaceChoice(name, "", name, len(found.points))
+        for point, numbers in found.points:
+            yield PlaceChoice(name, point, " ".join(f"{one:.10g}" for one in numbers), 1)

@@ -1,0 +1,173 @@
+"""What the server says about tasks that an operator chooses: their list, the state of each step, the time."""
+
+from typing import TypeAlias
+
+from msgspec import Struct
+
+from ropsim.studio.finding import Finding
+from ropsim.studio.jobs import PoseNumbers
+
+SixNumbers: TypeAlias = tuple[float, float, float, float, float, float]
+
+
+class TaskParameter(Struct, frozen=True):
+    """A parameter of a task.
+
+    Attributes:
+        name: its name.
+        kind: `location`, `length`, `int` and so on.
+        default: as it is typed; empty where there is none.
+        units: that a value may have; empty for a plain number.
+        told: the state of the cell tells it, nobody types it.
+    """
+
+    name: str
+    kind: str
+    default: str
+    units: tuple[str, ...]
+    told: bool
+
+
+class TaskChoice(Struct, frozen=True):
+    """A task that may be chosen.
+
+    Attributes:
+        name: how it is called.
+        doc: what it is for.
+        group: file of the library that it comes from; empty for one of the project.
+        needs: what must be true before it, in words.
+        parameters: in their order.
+    """
+
+    name: str
+    doc: str
+    group: str
+    needs: tuple[str, ...]
+    parameters: tuple[TaskParameter, ...]
+
+
+class PlaceChoice(Struct, frozen=True):
+    """What may stand for points.
+
+    Attributes:
+        list: the list of points to which it belongs; empty for a location of the cell.
+        name: of a location or of a point in the list; empty for the whole list.
+        text: what is typed for it.
+        count: points that it stands for.
+    """
+
+    list: str
+    name: str
+    text: str
+    count: int
+
+
+class PartPlace(Struct, frozen=True):
+    """Where a part lies; the place is empty where nobody knows."""
+
+    part: str
+    place: str
+
+
+class WorldNow(Struct, frozen=True):
+    """What is true at one time.
+
+    Attributes:
+        gripper: `open` or `closed`; empty where nobody knows.
+        held: part in the gripper; empty for none.
+        parts: that lie somewhere.
+        others: all else in words.
+    """
+
+    gripper: str
+    held: str
+    parts: tuple[PartPlace, ...]
+    others: tuple[str, ...]
+
+
+class TaskList(Struct, frozen=True, tag_field="type", tag="task_list"):
+    """What may be chosen.
+
+    Attributes:
+        revision: counts how often cell, tasks or lists of points were others.
+        tasks: those of the library first.
+        places: locations of the cell, then lists of points with their points.
+        begin: what is true before the first step.
+        findings: of cell, tasks and lists.
+    """
+
+    revision: int
+    tasks: tuple[TaskChoice, ...]
+    places: tuple[PlaceChoice, ...]
+    begin: WorldNow
+    findings: tuple[Finding, ...]
+
+
+class StepState(Struct, frozen=True):
+    """What is said of a step.
+
+    Attributes:
+        call: the call that it is, as task text.
+        accepted: whether it is possible.
+        message: `accepted`, or what stands against it.
+        hint: what to do about it.
+        told: the parameters that the state has told, with what it told.
+        world: after it.
+        points: places in the list of points.
+    """
+
+    call: str
+    accepted: bool
+    message: str
+    hint: str
+    told: tuple[PartPlace, ...]
+    world: WorldNow
+    points: tuple[int, ...]
+
+
+class ProgramPoint(Struct, frozen=True):
+    """A point of the control program.
+
+    Attributes:
+        name: in the program; empty where its step is refused.
+        numbers: X Y Z [mm] Roll Pitch Yaw [deg] in the base frame; null where it has no pose.
+        pose: of the tool in W; null likewise.
+    """
+
+    name: str
+    numbers: SixNumbers | None
+    pose: PoseNumbers | None
+
+
+class TasksChecked(Struct, frozen=True, tag_field="type", tag="tasks_checked"):
+    """Answer to `check_tasks`.
+
+    Attributes:
+        id: of the command.
+        revision: of what may be chosen; another one than that of the list asks for a new list.
+        steps: one for each that was sent.
+        points: of all steps, each once.
+        text: the program of the steps that are accepted; empty without one.
+        problem: why there is no answer or no text; empty where there is.
+    """
+
+    id: int
+    revision: int
+    steps: tuple[StepState, ...]
+    points: tuple[ProgramPoint, ...]
+    text: str
+    problem: str
+
+
+class TasksEstimated(Struct, frozen=True, tag_field="type", tag="tasks_estimated"):
+    """How long the program of the steps takes, planned without drives.
+
+    Attributes:
+        id: of the command that it follows.
+        seconds: cycle time [s]; null where the program does not come to its end.
+        message: what planning has found first; empty for nothing.
+    """
+
+    id: int
+    seconds: float | None
+    message: str

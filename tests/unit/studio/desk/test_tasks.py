@@ -1,0 +1,148 @@
+"""Tasks that an operator chooses: the worker says of each step what the terminal says of it."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ropsim.spatial import Pose
+from ropsim.studio.desk.desk import Desk
+from ropsim.studio.desk.line import Cancelled
+from ropsim.studio.jobs import CheckTasks, EstimateTasks, Job, ListTasks, Order, Report, TasksReply, TaskStep
+
+CELL = """\
+[cell]
+name = "small"
+[robot]
+model = "puma560"
+tool = "jaws"
+base = { position = [100, 0, 0] }
+[tools.jaws]
+position = [0, 0, 145]
+gripper = {}
+[locations]
+s1 = { position = [500, 100, -200], rpy = [180, 0, 0] }
+s2 = { position = [500, -100, -200], rpy = [180, 0, 0] }
+[[parts]]
+name = "bolt"
+size = [20, 20, 20]
+mass = 0.1
+position = [500, 100, -200]
+"""
+#: Numbers are those of the cell file, through a few products of matrices [mm].
+EXACT = 1e-9
+
+
+class Quiet:
+    """A line on which nobody speaks, or a word to stop."""
+
+    number = 1
+
+    def __init__(self) -> None:
+        self.stops = False
+
+    def report(self, content: Report) -> None:
+        del content
+
+    def orders(self, seconds: float) -> list[Order]:
+        del seconds
+        if self.stops:
+            raise Cancelled
+        return []
+
+
+LINE = Quiet()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("small")
+    (made / "points").mkdir()
+    (made / "cell.toml").write_text(CELL)
+    (made / "points" / "table.csv").write_text("name,x,y,z\n,mm,mm,mm\na,400,100,-150\nb,400,-100,-150\n")
+    return made
+
+
+@pytest.fixture(scope="module")
+def desk() -> Desk:
+    return Desk()
+
+
+def said(desk: Desk, job: Job) -> dict[str, Any]:
+    reply = desk.do(job, LINE)
+    assert isinstance(reply, TasksReply)
+    return dict(reply.payload)
+
+
+def test_what_may_be_chosen_is_told(desk: Desk, folder: Path) -> None:
+    found = said(desk, ListTasks(str(folder), {}))
+    insert = next(one for one in found["tasks"] if one["name"] == "insert")
+    assert (insert["group"], insert["needs"][0]) == ("pick", "a closed gripper")
+    assert [(one["name"], one["kind"], one["default"], one["told"]) for one in insert["parameters"]] == [
+        ("P", "part", "", True),
+        ("L", "location", "", False),
+        ("V", "speed", "20 mm/s", False),
+    ]
+    assert insert["parameters"][2]["units"][0] == "mm/s"
+    assert [(one["list"], one["name"], one["text"], one["count"]) for one in found["places"]] == [
+        ("", "s1", "s1", 1),
+        ("", "s2", "s2", 1),
+        ("table", "", "table", 2),
+        ("table", "a", "400 100 -150", 1),
+        ("table", "b", "400 -100 -150", 1),
+    ]
+    assert found["begin"]["parts"] == ({"part": "bolt", "place": "s1"},)
+    assert found["findings"] == ()
+
+
+def test_each_step_is_answered_in_the_world_that_the_one_before_it_made(desk: Desk, folder: Path) -> None:
+    steps = (
+        TaskStep("pick", ("s1",), ("",)),
+        TaskStep("xyz", (), ()),
+        TaskStep("place", ("s1 above",), ()),
+        TaskStep("place", ("400 -100 -150",), ("20 mm",)),
+        TaskStep("park", ("5000 0 0",), ()),
+    )
+    found = said(desk, CheckTasks(str(folder), {}, 7, steps))
+    assert (found["id"], found["problem"]) == (7, "")
+    assert [one["message"] for one in found["steps"]] == [
+        "accepted",
+        "Task not defined: `xyz`",
+        "`s1 above` is neither a name nor numbers",
+        "accepted",
+        "`park` is not possible here: `(5000, 0, 0)` cannot be reached",
+    ]
+    assert found["steps"][0]["told"] == ({"part": "P", "place": "bolt"},)
+    worlds = [one["world"] for one in found["steps"]]
+    assert [one["held"] for one in worlds] == ["bolt", "bolt", "bolt", "", ""]
+    assert worlds[3]["parts"] == ({"part": "bolt", "place": "point_1"},)
+    assert [one["name"] for one in found["points"]] == ["s1", "point_1", ""]
+    assert [one["points"] for one in found["steps"]] == [(0,), (), (), (1,), (2,)]
+    assert found["points"][0]["numbers"] == pytest.approx((400, 100, -200, 180, 0, 0), abs=EXACT)
+    assert Pose.from_tuple(found["points"][1]["pose"]).position == pytest.approx((0.5, -0.1, -0.15))
+    assert found["text"].splitlines()[-2:] == ["pick s1", "place point_1, 20 mm"]
+
+
+def test_the_time_of_the_program_is_planned_and_can_be_given_up(desk: Desk, folder: Path) -> None:
+    steps = (TaskStep("pick", ("s1",), ()), TaskStep("place", ("s2",), ()))
+    text = said(desk, CheckTasks(str(folder), {}, 1, steps))["text"]
+    job = EstimateTasks(str(folder), {}, 1, text)
+    found = said(desk, job)
+    assert (found["message"], found["seconds"] > 1.0) == ("", True)
+    broken = said(desk, EstimateTasks(str(folder), {}, 2, "program p\nmoov home\n"))
+    assert broken["seconds"] is None
+    assert "moov" in broken["message"]
+    LINE.stops = True
+    with pytest.raises(Cancelled):
+        desk.do(job, LINE)
+    LINE.stops = False
+
+
+def test_an_unsaved_cell_counts_and_makes_a_new_list(desk: Desk, folder: Path) -> None:
+    before = said(desk, CheckTasks(str(folder), {}, 1, ()))["revision"]
+    moved = CELL.replace("s2 =", "s3 =")
+    found = said(desk, ListTasks(str(folder), {"cell.toml": moved}))
+    assert (found["revision"], found["places"][1]["name"]) == (before + 1, "s3")
+    broken = said(desk, ListTasks(str(folder), {"cell.toml": "[cell\n"}))
+    assert broken["findings"]
+    assert len(broken["tasks"]) == len(found["tasks"])
