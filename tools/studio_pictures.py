@@ -33,6 +33,19 @@ QUALITY = 72
 """Of WebP; edges of small letters show no ripples from here on."""
 MOMENT = 62.0
 """Time of the pictures [s]: two rows of the pallet are full, the arm carries a box."""
+STEPS = {
+    "depalletize": {
+        "Point From": "infeed",
+        "Point To": "numbers …",
+        "To X": "412.5",
+        "To Y": "-147.5",
+        "To Z": "600",
+        "Value of A": "75",
+        "Value of B": "2",
+    },
+    "pick": {"Point L": "infeed"},
+}
+"""What is chosen and typed for the picture of the tasks, by task."""
 MOST_BYTES = 1_200_000
 """All pictures together."""
 PATIENCE = 120_000
@@ -128,11 +141,34 @@ def jog(tab: StudioPage) -> bytes:
     return taken
 
 
+def tasks(tab: StudioPage) -> bytes:
+    """A program that is put together of tasks, with the world after one of them and the points."""
+    tab.page.evaluate("() => __ropsim.command('file.fromTasks')")
+    panel = tab.page.locator(".panel-tasks")
+    for name, fields in STEPS.items():
+        if panel.get_by_role("listitem").count():
+            panel.get_by_role("button", name="Add a task").click()
+        panel.get_by_role("button", name=f"{name} Takes").click()
+        step = panel.get_by_role("listitem", name=name).last
+        for label, value in fields.items():
+            field = step.get_by_label(label)
+            if label.startswith("Point"):
+                field.select_option(value)
+            else:
+                field.fill(value)
+        step.get_by_text("accepted").wait_for()
+    panel.get_by_text("about").wait_for()
+    panel.get_by_role("button", name="point_1").click()
+    panel.get_by_role("listitem").first.get_by_label("Point From").focus()
+    return around(tab, tab.page.locator(".panel-views"), panel)
+
+
 PICTURES: dict[str, Callable[[StudioPage], bytes]] = {
     "": whole,
     "-timeline": timeline,
     "-mistake": mistake,
     "-jog": jog,
+    "-tasks": tasks,
 }
 
 

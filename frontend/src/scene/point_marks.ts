@@ -18,8 +18,8 @@ export interface PointMark {
 }
 
 /** Radii [m]. */
-const RADIUS = 0.011
-const SELECTED = 0.018
+const RADIUS = 0.015
+const SELECTED = 0.025
 
 export class PointMarks {
   readonly #mesh: InstancedMesh<SphereGeometry, MeshBasicMaterial>

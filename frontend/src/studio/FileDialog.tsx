@@ -9,10 +9,10 @@ const words = fileWords.dialog
 
 export function FileDialog() {
   const kind = useStudioState(state => state.dialog)
-  return kind ? <Dialog key={kind} kind={kind} /> : null
+  return kind && kind !== 'endTasks' ? <Dialog key={kind} kind={kind} /> : null
 }
 
-function Dialog({ kind }: { kind: DialogKind }) {
+function Dialog({ kind }: { kind: Exclude<DialogKind, 'endTasks'> }) {
   const studio = useStudio()
   const dialog = useRef<HTMLDialogElement>(null)
   const { folder, recent, examples } = studio.store.getState()

@@ -14,11 +14,12 @@ export const PANELS = [
   'jog',
   'signals',
   'cell',
+  'tasks',
   'help',
 ] as const
 export type PanelKind = (typeof PANELS)[number]
 
-export const PRESETS = ['simulate', 'write', 'look', 'analyse', 'operate'] as const
+export const PRESETS = ['simulate', 'write', 'look', 'analyse', 'operate', 'tasks'] as const
 export type DockPreset = (typeof PRESETS)[number]
 
 const KEPT = 'panels 1'
@@ -160,6 +161,12 @@ export class Dock {
       const jog = below('jog', signals, tall * 0.55)
       within('states', jog)
       within('program', signals)
+    } else if (preset === 'tasks') {
+      const tasks = right('tasks', Math.max(560, wide * 0.62))
+      within('program', tasks)
+      const jog = below('jog', views, Math.max(240, tall * 0.4))
+      within('problems', jog)
+      within('states', jog)
     }
     views.api.setActive()
   }
@@ -182,7 +189,7 @@ export class Dock {
   ): { referencePanel: IDockviewPanel; direction: 'within' | 'right' | 'below' } | undefined {
     const open = (kinds: readonly string[]) =>
       this.#api.panels.find(panel => kinds.some(one => panel.id.startsWith(one)))
-    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'messages', 'program'])
+    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'messages', 'program', 'tasks'])
     const reference = kind === 'plot' ? (open(['plot']) ?? open(['views'])) : (side ?? this.#api.panels[0])
     if (!reference) return undefined
     if (kind === 'plot' && reference.id === 'views') return { referencePanel: reference, direction: 'below' }

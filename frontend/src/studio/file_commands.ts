@@ -25,6 +25,9 @@ function addProjects(studio: Studio, add: Add): void {
     enabled: () => mayEdit.enabled() && state().recent.length > 0,
   })
   add('file.newProgram', titles.newProgram, [], ask('newProgram'), mayEdit)
+  add('file.fromTasks', titles.fromTasks, [], () =>
+    studio.dock?.change(titles.fromTasks, () => studio.dock?.preset('tasks')),
+  )
 }
 
 function addTexts(studio: Studio, add: Add): void {

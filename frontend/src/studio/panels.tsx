@@ -20,6 +20,9 @@ const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPane
 // So are the pages of the help.
 const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPanel')).HelpPanel }))
 
+// The tasks are for whoever makes a program without writing one.
+const TasksPanel = lazy(async () => ({ default: (await import('../panels/tasks/TasksPanel')).TasksPanel }))
+
 function guarded(kind: PanelKind, Panel: ComponentType<IDockviewPanelProps>) {
   return function Guarded(props: IDockviewPanelProps) {
     useUnits()
@@ -45,5 +48,6 @@ export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> =
   jog: guarded('jog', JogPanel),
   signals: guarded('signals', SignalsPanel),
   cell: guarded('cell', CellPanel),
+  tasks: guarded('tasks', TasksPanel),
   help: guarded('help', HelpPanel),
 }

@@ -31,7 +31,7 @@ export interface ShownNotice extends Notice {
 }
 
 /** What the File menu asks for. */
-export type DialogKind = 'newProject' | 'openProject' | 'recent' | 'newProgram' | 'saveAs'
+export type DialogKind = 'newProject' | 'openProject' | 'recent' | 'newProgram' | 'saveAs' | 'endTasks'
 
 /** Whether long lines of texts are broken. */
 export type Wrap = 'on' | 'off'

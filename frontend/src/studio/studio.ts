@@ -13,6 +13,7 @@ import { words } from '../text/messages'
 import { type UnitChoice, units } from '../units/choice'
 import type { Command } from '../wire/commands'
 import { Connection } from '../wire/connection'
+import { programWord } from './chosen_step'
 import { ChosenTasks } from './chosen_tasks'
 import { Commands } from './commands'
 import type { Dock } from './dock'
@@ -194,6 +195,21 @@ export class Studio {
     const { document } = this.store.getState()
     const ending = /\.[^.]*$/.exec(document)?.[0] ?? '.task'
     this.desk.create(`programs/${name}${ending}`, this.text(document))
+  }
+
+  /** Make a program of the steps that are accepted, and run it; a text that is there is replaced only if asked for. */
+  makeProgram(name: string, kind: 'new' | 'replace'): void {
+    const text = this.tasks.answer?.text.replace(/^program \S+/, `program ${programWord(name)}`) ?? ''
+    const document = `programs/${name}.task`
+    const run = () => void this.send({ type: 'run', program: name, fidelity: 'dynamic' })
+    if (kind === 'new') {
+      this.desk.create(document, text, run)
+      return
+    }
+    this.edit(document, text)
+    this.save(document)
+    this.store.setState({ document, dialog: null, refusal: null })
+    run()
   }
 
   openProject(path: string): void {

@@ -21,6 +21,7 @@ export class TextDesk {
   readonly #warn: (text: string) => void
   readonly #outbox: Outbox
   #wanted = ''
+  #made: () => void = () => {}
   readonly #places = new Set<(place: Place) => void>()
   readonly #pens = new Set<(text: string) => void>()
   readonly #hands = new Set<(entry: EditEntry) => void>()
@@ -61,9 +62,10 @@ export class TextDesk {
     if (!sent) this.#warn(words.documents.notSaved)
   }
 
-  /** Make a new program and show it as soon as it is there. */
-  create(document: string, text: string): void {
+  /** Make a new program and show it as soon as it is there; `made` is called then. */
+  create(document: string, text: string, made: () => void = () => {}): void {
     this.flush()
+    this.#made = made
     this.#wanted = this.#send({ type: 'create', document, text }) ? document : ''
     if (!this.#wanted) this.#warn(words.documents.notSaved)
   }
@@ -73,6 +75,7 @@ export class TextDesk {
     if (!this.documents.has(this.#wanted)) return
     this.#store.setState({ document: this.#wanted })
     this.#wanted = ''
+    this.#made()
   }
 
   /** Let the panels know of new names and marks. */

@@ -19,6 +19,7 @@ export const commandWords = {
     look: 'Layout: 3-D views only',
     analyse: 'Layout: Analyse',
     operate: 'Layout: Operate',
+    tasks: 'Layout: Tasks',
   },
   reset: 'Reset the layout',
   shading: (name: string) => `Shading: ${name}`,

@@ -4,6 +4,7 @@ export const fileWords = {
   openProject: 'Open project …',
   recent: 'Recent projects …',
   newProgram: 'New program …',
+  fromTasks: 'New program from tasks',
   save: 'Save',
   saveAs: 'Save program as …',
   saveAll: 'Save all',

@@ -13,6 +13,7 @@ export const words = {
     jog: 'Jog',
     signals: 'Signals',
     cell: 'Cell',
+    tasks: 'Tasks',
     help: 'Help',
   },
   connection: {

@@ -1,0 +1,109 @@
+/** A point: a location or a list of points by its name, typed numbers, or the jogged pose. */
+import { useState } from 'react'
+import { isName, joinNumbers, numbersOfLocation, splitNumbers } from '../../studio/chosen_step'
+import { useStudio } from '../../studio/context'
+import { useChanges } from '../../studio/hooks'
+import { taskWords } from '../../text/tasks'
+
+interface PointFieldProps {
+  readonly parameter: string
+  readonly value: string
+  readonly onValue: (typed: string) => void
+  /** What was typed is complete. */
+  readonly onDone: () => void
+}
+
+/** The choice that opens fields for numbers; no point has this text. */
+const NUMBERS = '#'
+
+export function PointField({ parameter, value, onValue, onDone }: PointFieldProps) {
+  const { jog, tasks } = useStudio()
+  useChanges(jog)
+  const [typing, setTyping] = useState(false)
+  const places = tasks.list?.places ?? []
+  const known = places.some(one => one.text === value)
+  const isTyped = value !== '' && !known && !isName(value)
+  const byNumbers = isTyped || (typing && !known && value === '')
+  const lists = [...new Set(places.filter(one => one.list).map(one => one.list))]
+  const jogged = jog.q ? numbersOfLocation(jog.answer?.location ?? '') : ''
+  const choose = (text: string) => {
+    setTyping(text === NUMBERS)
+    onValue(text === NUMBERS ? (isTyped ? value : '') : text)
+    onDone()
+  }
+  return (
+    <div className="point-field">
+      <label>
+        <span className="label">{taskWords.parameter(parameter, taskWords.kinds.location)}</span>
+        <select
+          aria-label={taskWords.point(parameter)}
+          value={byNumbers ? NUMBERS : value}
+          onChange={event => choose(event.target.value)}
+        >
+          <option value="">{taskWords.choosePoint}</option>
+          {value !== '' && !known && isName(value) ? (
+            <option value={value}>{taskWords.gone(value)}</option>
+          ) : null}
+          <optgroup label={taskWords.locations}>
+            {places
+              .filter(one => !one.list)
+              .map(one => (
+                <option key={one.name} value={one.text}>
+                  {one.name}
+                </option>
+              ))}
+          </optgroup>
+          {lists.map(list => (
+            <optgroup key={list} label={list}>
+              {places
+                .filter(one => one.list === list)
+                .map(one => (
+                  <option key={one.name} value={one.text}>
+                    {one.name || taskWords.wholeList(list, one.count)}
+                  </option>
+                ))}
+            </optgroup>
+          ))}
+          <option value={NUMBERS}>{taskWords.numbers}</option>
+        </select>
+      </label>
+      <button
+        type="button"
+        className="take"
+        disabled={!jogged}
+        title={jogged ? taskWords.joggedHint : taskWords.notJogged}
+        onClick={() => choose(jogged)}
+      >
+        {taskWords.jogged}
+      </button>
+      {byNumbers ? (
+        <NumberFields parameter={parameter} value={value} onValue={onValue} onDone={onDone} />
+      ) : null}
+    </div>
+  )
+}
+
+function NumberFields({ parameter, value, onValue, onDone }: PointFieldProps) {
+  const numbers = splitNumbers(value)
+  const axes = numbers.length === 6 ? taskWords.axesWithYaw : taskWords.axes
+  return (
+    <div className="number-fields">
+      {axes.map((axis, k) => (
+        <label key={axis}>
+          {axis}
+          <input
+            type="text"
+            inputMode="decimal"
+            aria-label={`${parameter} ${axis} [${taskWords.axisUnits[k]}]`}
+            placeholder={taskWords.axisUnits[k]}
+            value={numbers[k] ?? ''}
+            onChange={event =>
+              onValue(joinNumbers(numbers.map((one, at) => (at === k ? event.target.value : one))))
+            }
+            onBlur={onDone}
+          />
+        </label>
+      ))}
+    </div>
+  )
+}

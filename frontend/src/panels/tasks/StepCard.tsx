@@ -1,0 +1,156 @@
+/** One step: its task, its points and parameters, and what is said of it as one types. */
+import { useId } from 'react'
+import { type ChosenStep, withEntry } from '../../studio/chosen_step'
+import { useStudio } from '../../studio/context'
+import { taskWords } from '../../text/tasks'
+import type { StepState, TaskParameter } from '../../wire/messages'
+import { Marked } from '../Marked'
+import { kindWords } from './kind_words'
+import { PointField } from './PointField'
+import { TaskPicture } from './TaskPicture'
+import { ValueField } from './ValueField'
+
+interface StepCardProps {
+  readonly step: ChosenStep
+  /** From 0. */
+  readonly at: number
+  readonly last: boolean
+  /** The keyboard is nowhere now. */
+  readonly onRemoved: () => void
+}
+
+export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
+  const { tasks } = useStudio()
+  const { key, name } = step
+  const state = tasks.stateOf(key)
+  const task = tasks.list?.tasks.find(one => one.name === name)
+  const said = useId()
+  const number = at + 1
+  const passed = task?.parameters.filter(one => !one.told) ?? []
+  const points = passed.filter(one => one.kind === 'location')
+  const values = passed.filter(one => one.kind !== 'location')
+  const way = taskWords.changed(name)
+  const commit = () => tasks.commit(way)
+  const verdict = state === null ? '' : state.accepted ? 'accepted' : 'refused'
+  return (
+    <li
+      className={`step ${verdict}`}
+      aria-label={taskWords.step(number, name)}
+      aria-current={tasks.selected === key ? 'step' : undefined}
+      data-step={key}
+      onFocus={() => tasks.select(key)}
+    >
+      <div className="step-head">
+        <span className="number" aria-hidden="true">
+          {number}
+        </span>
+        <TaskPicture name={name} />
+        <input
+          type="text"
+          className="task-name"
+          aria-label={taskWords.name}
+          aria-describedby={said}
+          aria-invalid={state?.accepted === false}
+          list="task-names"
+          spellCheck={false}
+          autoComplete="off"
+          value={name}
+          onChange={event => tasks.edit(key, { name: event.target.value })}
+          onBlur={commit}
+        />
+        <span className="step-buttons">
+          <button
+            type="button"
+            aria-label={taskWords.up(number)}
+            title={taskWords.up(number)}
+            disabled={at === 0}
+            onClick={() => tasks.move(key, -1, taskWords.moved(name))}
+          >
+            ↑
+          </button>
+          <button
+            type="button"
+            aria-label={taskWords.down(number)}
+            title={taskWords.down(number)}
+            disabled={last}
+            onClick={() => tasks.move(key, 1, taskWords.moved(name))}
+          >
+            ↓
+          </button>
+          <button
+            type="button"
+            aria-label={taskWords.remove(number)}
+            title={taskWords.remove(number)}
+            onClick={() => {
+              tasks.remove(key, taskWords.removed(name))
+              onRemoved()
+            }}
+          >
+            ✕
+          </button>
+        </span>
+      </div>
+      {task ? <p className="doc quiet">{task.doc}</p> : null}
+      {passed.length > 0 ? (
+        <div className="step-fields">
+          {points.map((one, k) => (
+            <PointField
+              key={one.name}
+              parameter={one.name}
+              value={step.points[k] ?? ''}
+              onValue={typed => tasks.edit(key, { points: withEntry(step.points, k, typed) })}
+              onDone={commit}
+            />
+          ))}
+          {values.map((one, k) => (
+            <ValueField
+              key={one.name}
+              parameter={one}
+              value={step.values[k] ?? ''}
+              onValue={typed => tasks.edit(key, { values: withEntry(step.values, k, typed) })}
+              onDone={commit}
+            />
+          ))}
+        </div>
+      ) : null}
+      <Verdict id={said} state={state} parameters={task?.parameters ?? []} />
+    </li>
+  )
+}
+
+/** What is said of the step: accepted, or the message and the hint. */
+function Verdict({
+  id,
+  state,
+  parameters,
+}: {
+  id: string
+  state: StepState | null
+  parameters: readonly TaskParameter[]
+}) {
+  if (!state) {
+    return (
+      <p className="verdict quiet" id={id}>
+        {taskWords.checking}
+      </p>
+    )
+  }
+  const told = state.told.map(({ part, place }) => {
+    const kind = parameters.find(one => one.name === part)?.kind ?? ''
+    return taskWords.told(kindWords(kind), part, place)
+  })
+  return (
+    <p className="verdict" id={id} aria-live="polite">
+      <strong>
+        {state.accepted ? '✓ ' : '✕ '}
+        <Marked text={state.message} />
+      </strong>
+      {state.hint ? (
+        <span className="hint">
+          <Marked text={state.hint} />
+        </span>
+      ) : null}
+      {told.length > 0 ? <span className="hint">{told.join(', ')}</span> : null}
+    </p>
+  )
+}

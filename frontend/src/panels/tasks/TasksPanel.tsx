@@ -1,0 +1,158 @@
+/** A program made without writing one: tasks are chosen, each is answered at once, and the world is carried along. */
+import { useEffect, useRef, useState } from 'react'
+import { useStudio, useStudioState } from '../../studio/context'
+import { useChanges } from '../../studio/hooks'
+import { words } from '../../text/messages'
+import { taskWords } from '../../text/tasks'
+import { Scroll } from '../Scroll'
+import { Catalogue } from './Catalogue'
+import { EndDialog } from './EndDialog'
+import { PointTable } from './PointTable'
+import { StepCard } from './StepCard'
+import { TextView } from './TextView'
+import { WorldView } from './WorldView'
+import './tasks.css'
+
+export function TasksPanel() {
+  const studio = useStudio()
+  const { tasks, undo } = studio
+  const lost = useStudioState(state => state.connection !== 'connected')
+  const [choosing, setChoosing] = useState(false)
+  const [text, setText] = useState(false)
+  const sides = useRef<HTMLDivElement>(null)
+  // The keyboard goes to the first field of a step that has come, else to the button for the next one.
+  const goTo = (key: number) =>
+    requestAnimationFrame(() => {
+      const panel = sides.current?.closest('.panel')
+      const first = (places: readonly string[]) =>
+        places.map(one => panel?.querySelector<HTMLElement>(one)).find(one => one)
+      const step = `[data-step="${key}"]`
+      first([
+        `${step} .step-fields :is(select, input)`,
+        `${step} .task-name`,
+        '.add-task:enabled',
+        '.card',
+      ])?.focus()
+    })
+  useChanges(tasks)
+  useChanges(undo)
+  useEffect(() => {
+    tasks.open(studio.storage.read('tasks'))
+    tasks.showPoints()
+    return () => tasks.hidePoints()
+  }, [studio, tasks])
+  const { list, steps } = tasks
+  if (!list) return <p className="empty">{lost ? words.connection.lost : taskWords.waiting}</p>
+  const isChoosing = choosing || steps.length === 0
+  return (
+    <>
+      <div className="toolbar">
+        <button
+          type="button"
+          className="add-task"
+          title={taskWords.addHint}
+          aria-expanded={isChoosing}
+          disabled={steps.length === 0}
+          onClick={() => setChoosing(!choosing)}
+        >
+          {isChoosing && steps.length > 0 ? taskWords.closeCatalogue : taskWords.add}
+        </button>
+        <button type="button" disabled={!undo.next} onClick={() => undo.undo()}>
+          {words.undo(undo.next)}
+        </button>
+        <button type="button" disabled={steps.length === 0} onClick={() => tasks.clear(taskWords.cleared)}>
+          {taskWords.clear}
+        </button>
+        <button type="button" aria-pressed={text} onClick={() => setText(!text)}>
+          {text ? taskWords.hideText : taskWords.text}
+        </button>
+        <EndButton />
+      </div>
+      <Summary />
+      <Scroll label={taskWords.steps} className="tasks">
+        <div className="tasks-sides" ref={sides}>
+          <div>
+            {isChoosing ? (
+              <Catalogue
+                tasks={list.tasks}
+                onChoose={name => {
+                  tasks.add(name, taskWords.added(name))
+                  setChoosing(false)
+                  goTo(tasks.selected)
+                }}
+              />
+            ) : null}
+            <ol className="steps">
+              {steps.map((step, at) => (
+                <StepCard
+                  key={step.key}
+                  step={step}
+                  at={at}
+                  last={at === steps.length - 1}
+                  onRemoved={() => goTo(-1)}
+                />
+              ))}
+            </ol>
+            {text ? <TextView /> : null}
+          </div>
+          <aside className="tasks-aside" aria-label={taskWords.world}>
+            <WorldView />
+            <PointTable />
+          </aside>
+        </div>
+      </Scroll>
+      <datalist id="task-names">
+        {list.tasks.map(one => (
+          <option key={one.name} value={one.name} />
+        ))}
+      </datalist>
+      <EndDialog />
+    </>
+  )
+}
+
+function EndButton() {
+  const { store, tasks } = useStudio()
+  const editing = useStudioState(state => state.editing)
+  return (
+    <button
+      type="button"
+      className="primary end"
+      title={editing ? taskWords.endHint : taskWords.viewer}
+      disabled={!editing || !tasks.settled || !tasks.answer?.text}
+      onClick={() => store.setState({ dialog: 'endTasks', refusal: null })}
+    >
+      {taskWords.end}
+    </button>
+  )
+}
+
+/** How many steps are accepted, and how long the program takes. */
+function Summary() {
+  const { tasks } = useStudio()
+  const { answer, estimate, steps, list } = tasks
+  if (!answer || steps.length === 0) {
+    const wrong = list?.findings[0]
+    return wrong ? <p className="tasks-summary error">{wrong.message}</p> : null
+  }
+  const refused = steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
+  const time = estimate
+    ? estimate.seconds === null
+      ? taskWords.noTime
+      : taskWords.seconds(estimate.seconds)
+    : answer.text
+      ? taskWords.timing
+      : taskWords.noTime
+  return (
+    <p className="tasks-summary" role="status">
+      <span className={refused ? 'error' : 'good'}>
+        {refused ? taskWords.refused(refused) : taskWords.allAccepted(steps.length)}
+      </span>
+      <span>
+        {taskWords.time}: <strong>{time}</strong>
+      </span>
+      {answer.problem ? <span className="error">{answer.problem}</span> : null}
+      {estimate?.message ? <span className="warning">{estimate.message}</span> : null}
+    </p>
+  )
+}

@@ -1,0 +1,116 @@
+"""A program made without writing one: tasks chosen in the page become a palletizing program that runs."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import pytest
+
+from ropsim.workbench import new_project
+from support.browser import Pages, axe
+from support.studio_page import StudioPage
+from support.studio_process import Studio
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator
+
+MAIN = Path("programs") / "main.task"
+THEMES: tuple[Literal["light", "dark"], ...] = ("light", "dark")
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a cell with an infeed and a pallet, and no program."""
+    folder = new_project(tmp_path_factory.mktemp("project") / "pallet", "palletizing")
+    (folder / MAIN).unlink()
+    return folder
+
+
+@pytest.fixture(scope="module")
+def studio(project: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    with Studio(project, tmp_path_factory.mktemp("home")) as running:
+        yield running
+
+
+def step(panel: "Locator", number: int) -> "Locator":
+    return panel.get_by_role("listitem", name=re.compile(f"^Step {number}:"))
+
+
+def choose(tab: StudioPage, panel: "Locator", name: str) -> None:
+    """Choose a task from the list, with the keyboard alone."""
+    card = panel.get_by_role("button", name=re.compile(f"^{name} "))
+    card.focus()
+    tab.page.keyboard.press("Enter")
+
+
+def test_an_operator_makes_a_palletizing_program_that_runs(
+    open_undrawn: Pages, studio: Studio, project: Path
+) -> None:
+    tab = StudioPage.arrived(open_undrawn, studio.url)
+    tab.take_over()
+    tab.command("New program from tasks")
+    panel = tab.page.locator(".panel-tasks")
+
+    choose(tab, panel, "depalletize")
+    first = step(panel, 1)
+    first.get_by_text("depalletize takes 2 points, given: 0").wait_for()
+    assert tab.page.evaluate("() => document.activeElement.ariaLabel") == "Point From"
+    first.get_by_label("Point From").select_option("infeed")
+    first.get_by_label("Point To").select_option("numbers …")
+    for axis, value in (("X", "412.5"), ("Y", "-147.5"), ("Z", "6000")):
+        first.get_by_label(f"To {axis} [mm]").fill(value)
+    first.get_by_label("Value of A").fill("75")
+    first.get_by_label("Value of B").fill("2")
+    first.get_by_text("(412.5, -147.5, 6000) cannot be reached").wait_for()
+    first.get_by_label("To Z [mm]").fill("600")
+    first.get_by_text("✓ accepted").wait_for()
+
+    panel.get_by_role("button", name="Add a task").click()
+    choose(tab, panel, "pick")
+    second = step(panel, 2)
+    second.get_by_label("Point L").select_option("infeed")
+    second.get_by_text("part P: box_1").wait_for()
+    after = panel.get_by_role("region", name="After step 2, pick")
+    assert re.sub(r"\s+", " ", after.inner_text()).startswith("After step 2, pick Gripper closed Held box_1")
+    second.get_by_label("Task", exact=True).fill("xyz")
+    second.get_by_text("Task not defined: xyz").wait_for()
+    panel.get_by_text("1 step is refused").wait_for()
+    points = panel.get_by_role("table")
+    assert points.get_by_role("row", name=re.compile("^point_1")).inner_text().split() == [
+        *("point_1", "412.5", "-147.5", "600.0"),
+        *("180.0", "0.0", "0.0"),
+    ]
+    points.get_by_role("button", name="point_1").press("Enter")
+    points.get_by_role("button", name="point_1", pressed=True).wait_for()
+    for theme in THEMES:
+        tab.page.emulate_media(color_scheme=theme)
+        assert axe(tab.page, ".panel-tasks") == []
+
+    second.get_by_role("button", name="Remove step 2").press("Enter")
+    second.wait_for(state="detached")
+    panel.get_by_role("button", name="Undo: Remove xyz").click()
+    step(panel, 2).get_by_text("Task not defined: xyz").wait_for()
+    step(panel, 2).get_by_role("button", name="Remove step 2").click()
+    panel.get_by_text(re.compile(r"about \d+\.\d s")).wait_for()
+
+    panel.get_by_role("button", name="End: make the program").click()
+    tab.page.get_by_label("Name of the program").fill("fill")
+    tab.page.get_by_role("button", name="Make and run").click()
+    tab.page.wait_for_function("() => __ropsim.state().current")
+    tab.page.get_by_text("ran to the end, no errors, no warnings").wait_for()
+    text = (project / "programs" / "fill.task").read_text("utf-8")
+    assert text.startswith("program fill\n")
+    assert text.endswith("depalletize infeed, point_1, 75 mm, 2\n")
+
+    first.get_by_label("Value of B").fill("1")
+    panel.get_by_role("button", name="End: make the program").click()
+    tab.page.get_by_label("Name of the program").fill("fill")
+    tab.page.get_by_text("There is a program fill already.").wait_for()
+    make = tab.page.get_by_role("button", name="Make and run")
+    assert make.is_disabled()
+    tab.page.get_by_label("Replace its text").check()
+    make.click()
+    tab.until(
+        lambda: (project / "programs" / "fill.task").read_text("utf-8") == text.replace("mm, 2", "mm, 1")
+    )
