@@ -142,7 +142,7 @@ class Session:
             case commands.JogJoints() | commands.JogTcp():
                 self._in_background(self._jog(tab, command))
             case commands.OpenTasks() | commands.CheckTasks():
-                self._in_background(self.tasks.answer(command, tab.send))
+                self._in_background(self.tasks.answer(tab, command))
             case _:
                 self._run(command)
 

@@ -2,15 +2,18 @@
 
 import asyncio
 from collections.abc import Callable, Mapping
+from itertools import count
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 from ropsim.studio import commands, jobs
 from ropsim.studio.diagnostics import WORKER_LOST
 from ropsim.studio.messages import Message
+from ropsim.studio.tab import Tab
 from ropsim.studio.task_messages import TaskList, TasksChecked, WorldNow
 from ropsim.studio.workers import Task, WorkerLink
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 """How long an answer may take before the worker is ended [s]; each check has its own, shorter limit."""
 
 NOTHING = WorldNow("", "", (), ())
@@ -29,29 +32,34 @@ class ChosenTasks:
         self._folder = str(folder)
         self._worker = worker
         self._texts = texts
-        self._estimate: Task | None = None
-        self._asked = 0
+        self._estimates: dict[int, Task] = {}
+        self._newest: WeakKeyDictionary[Tab, int] = WeakKeyDictionary()
+        self._checks = count(1)
 
-    async def answer(
-        self, command: commands.OpenTasks | commands.CheckTasks, send: Callable[[Message], None]
-    ) -> None:
-        """Answer a tab; the time of a program follows its check, unless something newer is asked."""
-        self._asked += 1
-        asked = self._asked
+    async def answer(self, tab: Tab, command: commands.OpenTasks | commands.CheckTasks) -> None:
+        """Answer a tab; the time of its program follows a check, unless the tab asks for a newer one."""
         self._give_up()
         if isinstance(command, commands.OpenTasks):
-            send(await self._list())
+            tab.send(await self._list())
             return
+        number = self._newest[tab] = next(self._checks)
         message = await self._check(command)
-        send(message)
+        tab.send(message)
         program = message.get("text") if isinstance(message, Mapping) else None
-        if asked != self._asked or not isinstance(program, str) or not program:
-            return
-        job = jobs.EstimateTasks(self._folder, self._texts(), command.id, program)
-        self._estimate = self._worker.submit(job)
-        reply = await self._estimate.reply
-        if isinstance(reply, jobs.TasksReply) and asked == self._asked:
-            send(reply.payload)
+        if isinstance(program, str) and program:
+            await self._time(tab, number, command.id, program)
+
+    async def _time(self, tab: Tab, number: int, answered: int, program: str) -> None:
+        """Tell a tab the time of a program; where it gave way to another question it is asked for again."""
+        while self._newest.get(tab) == number and not tab.closed:
+            job = jobs.EstimateTasks(self._folder, self._texts(), answered, program)
+            task = self._worker.submit(job)
+            self._estimates[task.number] = task
+            reply = await task.reply
+            if isinstance(reply, jobs.TasksReply):
+                tab.send(reply.payload)
+            if self._estimates.pop(task.number, None) is not None:  # nobody gave it up
+                return
 
     async def _list(self) -> Message:
         reply = await self._reply(jobs.ListTasks(self._folder, self._texts()))
@@ -81,10 +89,10 @@ class ChosenTasks:
         return await reply
 
     def _give_up(self) -> None:
-        """End an estimate that nobody waits for any more."""
-        if self._estimate is not None:
-            self._worker.order(self._estimate, jobs.Cancel())
-            self._estimate = None
+        """Let estimates give way to a question that somebody waits for."""
+        for task in self._estimates.values():
+            self._worker.order(task, jobs.Cancel())
+        self._estimates.clear()
 
 
 def _why(reply: jobs.Reply) -> str:

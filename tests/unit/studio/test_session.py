@@ -148,6 +148,18 @@ def test_steps_of_a_page_are_answered_and_then_timed_and_a_lost_worker_is_told(f
     in_session(folder, play)
 
 
+def test_the_time_of_a_program_gives_way_to_the_question_of_another_tab(folder: Path) -> None:
+    async def play(page: Callable[[str], Awaitable[Page]]) -> None:
+        first, second = await page("a"), await page("b")
+        await first.say(type="check_tasks", id=1, steps=[{"name": "slow", "points": [], "values": []}])
+        await first.hear("tasks_checked", id=1)
+        await second.say(type="check_tasks", id=1, steps=[{"name": "pick", "points": [], "values": []}])
+        await second.hear("tasks_estimated", program="pick")
+        await first.hear("tasks_estimated", program="slow")
+
+    in_session(folder, play)
+
+
 def test_what_a_page_says_in_a_live_run_reaches_the_worker(folder: Path) -> None:
     async def play(page: Callable[[str], Awaitable[Page]]) -> None:
         first = await page("a")
