@@ -145,6 +145,7 @@ export class Receiver {
     const studio = this.#studio
     studio.setFindings('scene', findings)
     studio.store.setState({ sceneKnown: true, cellBroken: scene === null })
+    studio.tasks.renew()
     // A broken cell keeps the picture of the last good one.
     if (!scene) return
     const { scene: before, selected } = studio.store.getState()
@@ -156,7 +157,6 @@ export class Receiver {
     // The selected body may stand at another place in the edited cell, or be gone.
     studio.select(still < 0 ? null : still)
     studio.jog.setStations(scene.stations)
-    studio.tasks.renew()
     studio.signals.setSignals(scene.signals, studio.storage)
     studio.loop.mark()
   }

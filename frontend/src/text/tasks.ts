@@ -47,6 +47,7 @@ export const taskWords = {
   locations: 'Locations of the cell',
   wholeList: (name: string, count: number) => `all ${count} points of ${name}`,
   choosePoint: 'choose …',
+  fromList: (name: string) => `from ${name}`,
   numbers: 'numbers …',
   gone: (name: string) => `${name} (not there)`,
   jogged: 'Take the jogged pose',

@@ -58,12 +58,15 @@ def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagn
 
 def point_files(folder: Path) -> tuple[Path, ...]:
     """Return the files of a project that are lists of points, by name."""
-    return tuple(sorted((folder / "points").glob("*.csv")))
+    return tuple(sorted(one for one in (folder / "points").glob("*.csv") if one.is_file()))
 
 
 def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
     """Return the list of a text, None where its first two lines are wrong."""
-    rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO("\n".join(text.lines)))]
+    try:
+        rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO("\n".join(text.lines)))]
+    except csv.Error as error:  # a cell is longer than any number or name
+        return None, (POINT_LIST.at(Span.whole_line(text.name, 1), f"this is no table: {error}", hint=_HINT),)
     heads, units = (*rows[:2], [], [])[:2]
     scales = _scales(heads, units)
     if scales is None:

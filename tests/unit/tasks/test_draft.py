@@ -1,5 +1,6 @@
 """Programs put together task by task, and the lists of points for them."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -22,7 +23,7 @@ from ropsim.tasks import (
     taken_back,
     world_table,
 )
-from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list
+from ropsim.tasks.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
 from ropsim.tasks.task_call import Quantity
 from support.knowledge import CELL, base
 
@@ -110,6 +111,7 @@ def test_lengths_of_a_list_are_taken_in_their_unit(unit: str, millimetres: float
     [
         ("", [1]),
         ("name,x,y\n,mm,mm\n", [1]),
+        (f"name,x,y,z\n,mm,mm,mm\n{'a' * 200_000},1,2,3\n", [1]),
         ("name,x,y,z\n,mm,mm,foot\n", [1]),
         ("name,x,y,z\n,mm,mm,mm\na,1,2\nb,1,2,3\n,1,2,3\nc,1,2,x\nd,1,2,nan\n\n", [3, 5, 6, 7]),
         ('name,x,y,z\n,mm,mm,mm\n"a,1\n', [3]),
@@ -171,3 +173,16 @@ def test_a_world_is_told_by_its_gripper_and_parts() -> None:
     state = WorldState.of(*facts.split("|"), "at(d, p(1.0, 2.0, 3.0))")
     found = world_table(state, {(1.0, 2.0, 3.0): "point_1"})
     assert found == WorldTable("closed", "a", (("b", "s1"), ("c", ""), ("d", "point_1")), ("inserted(b)",))
+
+
+def test_the_lists_of_a_project_are_its_files_and_nothing_else(tmp_path: Path) -> None:
+    assert read_point_lists(tmp_path) == ({}, ())
+    folder = tmp_path / "points"
+    (folder / "folder.csv").mkdir(parents=True)
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(folder / "pipe.csv")  # whoever reads it waits for ever
+    (folder / "b.csv").write_text("name,x,y,z\n,mm,mm,mm\nq,1,2,3\n")
+    (folder / "a.csv").write_text("nonsense")
+    lists, findings = read_point_lists(tmp_path)
+    assert lists == {"b": PointList("b", (("q", (1.0, 2.0, 3.0)),))}
+    assert [one.code for one in findings] == ["P148"]

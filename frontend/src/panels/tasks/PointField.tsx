@@ -7,6 +7,8 @@ import { taskWords } from '../../text/tasks'
 
 interface PointFieldProps {
   readonly parameter: string
+  /** The list before it that gives it; empty for none. */
+  readonly listed?: string
   readonly value: string
   readonly onValue: (typed: string) => void
   /** What was typed is complete. */
@@ -16,7 +18,7 @@ interface PointFieldProps {
 /** The choice that opens fields for numbers; no point has this text. */
 const NUMBERS = '#'
 
-export function PointField({ parameter, value, onValue, onDone }: PointFieldProps) {
+export function PointField({ parameter, listed = '', value, onValue, onDone }: PointFieldProps) {
   const { jog, tasks } = useStudio()
   useChanges(jog)
   const [typing, setTyping] = useState(false)
@@ -40,7 +42,7 @@ export function PointField({ parameter, value, onValue, onDone }: PointFieldProp
           value={byNumbers ? NUMBERS : value}
           onChange={event => choose(event.target.value)}
         >
-          <option value="">{taskWords.choosePoint}</option>
+          <option value="">{listed ? taskWords.fromList(listed) : taskWords.choosePoint}</option>
           {value !== '' && !known && isName(value) ? (
             <option value={value}>{taskWords.gone(value)}</option>
           ) : null}

@@ -24,11 +24,17 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
   const { key, name } = step
   const state = tasks.stateOf(key)
   const task = tasks.list?.tasks.find(one => one.name === name)
+  const places = tasks.list?.places ?? []
   const said = useId()
   const number = at + 1
   const passed = task?.parameters.filter(one => !one.told) ?? []
   const points = passed.filter(one => one.kind === 'location')
   const values = passed.filter(one => one.kind !== 'location')
+  // A whole list stands for the points behind it, too.
+  const listed = points.map((_, k) => {
+    const before = step.points.slice(0, k).map(one => places.find(place => place.text === one))
+    return before.reduce((sum, one) => sum + (one?.count ?? 1), 0) > k ? (before.at(-1)?.list ?? '') : ''
+  })
   const way = taskWords.changed(name)
   const commit = () => tasks.commit(way)
   const verdict = state === null ? '' : state.accepted ? 'accepted' : 'refused'
@@ -97,6 +103,7 @@ export function StepCard({ step, at, last, onRemoved }: StepCardProps) {
             <PointField
               key={one.name}
               parameter={one.name}
+              listed={listed[k] ?? ''}
               value={step.points[k] ?? ''}
               onValue={typed => tasks.edit(key, { points: withEntry(step.points, k, typed) })}
               onDone={commit}

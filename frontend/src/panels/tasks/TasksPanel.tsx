@@ -131,10 +131,8 @@ function EndButton() {
 function Summary() {
   const { tasks } = useStudio()
   const { answer, estimate, steps, list } = tasks
-  if (!answer || steps.length === 0) {
-    const wrong = list?.findings[0]
-    return wrong ? <p className="tasks-summary error">{wrong.message}</p> : null
-  }
+  const wrong = list?.findings.find(one => one.severity === 'error')?.message
+  if (!answer || steps.length === 0) return wrong ? <p className="tasks-summary error">{wrong}</p> : null
   const refused = steps.filter(one => tasks.stateOf(one.key)?.accepted === false).length
   const time = estimate
     ? estimate.seconds === null
@@ -151,8 +149,11 @@ function Summary() {
       <span>
         {taskWords.time}: <strong>{time}</strong>
       </span>
+      {wrong ? <span className="error">{wrong}</span> : null}
       {answer.problem ? <span className="error">{answer.problem}</span> : null}
-      {estimate?.message ? <span className="warning">{estimate.message}</span> : null}
+      {estimate?.message && estimate.message !== wrong ? (
+        <span className="warning">{estimate.message}</span>
+      ) : null}
     </p>
   )
 }
