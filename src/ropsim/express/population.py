@@ -35,6 +35,7 @@ class Population:
         self.instances: Mapping[int, Instance] = {one.number: one for one in file.instances}
         self._lineages: dict[int, Lineage] = {}
         self._fields: dict[int, dict[tuple[str, str], Value]] = {}
+        self._values: dict[int, dict[str, Value | None]] = {}
         self._extents: dict[str, list[int]] = {name: [] for name in schema.entities}
         self._users: dict[tuple[str, str], dict[int, tuple[int, ...]]] = {}
         for instance in file.instances:
@@ -51,6 +52,7 @@ class Population:
             for parameter, value in zip(parameters, record.values, strict=False):
                 fields[parameter.owner, parameter.attribute.name] = value
         self._fields[instance.number] = fields
+        self._values[instance.number] = _first_values(fields, lineage)
         for entity in lineage:
             self._extents[entity].append(instance.number)
 
@@ -85,10 +87,7 @@ class Population:
             number: of an instance with a lineage.
             name: of the attribute, in lower case.
         """
-        for owner in self._lineages.get(number, ()):
-            if (owner, name) in self._fields[number]:
-                return self.explicit(number, owner, name)
-        return None
+        return self._values[number].get(name) if number in self._values else None
 
     def users(self, number: int, entity: str, attribute: str) -> tuple[int, ...]:
         """Return the instances of an entity that refer to one by an attribute, in the order of the file."""
@@ -105,8 +104,18 @@ class Population:
         return {number: tuple(users) for number, users in found.items()}
 
 
+def _first_values(fields: Mapping[tuple[str, str], Value], lineage: Lineage) -> dict[str, Value | None]:
+    """Return the attributes of an instance by name alone, of several of one name that of the first entity."""
+    found: dict[str, Value | None] = {}
+    for (_, name), value in sorted(fields.items(), key=lambda one: lineage.index(one[0][0])):
+        found.setdefault(name, None if isinstance(value, Absent) else value)
+    return found
+
+
 def lineage_of(schema: Schema, instance: Instance) -> Lineage | None:
     """Return the entities that an instance is of, supertypes first; None where the schema lacks one."""
+    if len(instance.records) == 1:
+        return schema.lineages.get(instance.records[0].keyword.lower())
     names = [record.keyword.lower() for record in instance.records]
     if any(name not in schema.entities for name in names):
         return None

@@ -10,8 +10,9 @@ from ropsim.express.diagnostics import SYNTAX
 _GAP = pattern(r"\s+|--[^\r\n]*")
 _REMARK = pattern(r"\(\*|\*\)")
 _TOKEN = pattern(
-    r"""(?P<TEXT>'[^']*'(?:'[^']*')*)|(?P<REAL>\d+\.\d*(?:[Ee][+-]?\d+)?)|(?P<INTEGER>\d+)"""
-    r"""|(?P<WORD>[A-Za-z][A-Za-z0-9_]*)|(?P<SIGN>:<>:|:=:|:=|<>|<=|>=|<\*|\*\*|\|\||[-+*/=<>(){}\[\],;:.?\\|])"""
+    r"""(?:\s++|--[^\r\n]*+)*+(?:([A-Za-z][A-Za-z0-9_]*)"""
+    r"""|((?!\(\*)(?::<>:|:=:|:=|<>|<=|>=|<\*|\*\*|\|\||[-+*/=<>(){}\[\],;:.?\\|]))"""
+    r"""|(\d+\.\d*(?:[Ee][+-]?\d+)?)|(\d+)|('[^']*'(?:'[^']*')*))"""
 )
 
 
@@ -24,6 +25,10 @@ class TokenKind(Enum):
     INTEGER = "an integer"
     SIGN = "a sign"
     END = "the end of the text"
+
+
+_KINDS = (TokenKind.END, TokenKind.WORD, TokenKind.SIGN, TokenKind.REAL, TokenKind.INTEGER, TokenKind.TEXT)
+"""What the groups of the pattern of a token are."""
 
 
 class Token(NamedTuple):
@@ -113,16 +118,19 @@ class Scanner:
         return SchemaProblemError(SYNTAX.at(place, f"{found}, allowed is {allowed}"))
 
     def _scanned(self) -> Token:
-        self._skip_gap()
         found = _TOKEN.match(self._text, self._at)
+        if not found:
+            self._skip_gap()
+            found = _TOKEN.match(self._text, self._at)
         if not found:
             start = self._at
             self._at += 1
             kind = TokenKind.END if start >= len(self._text) else TokenKind.SIGN
             return Token(kind, self._text[start : start + 1], min(start, len(self._text)))
         self._at = found.end()
-        kind = TokenKind[str(found.lastgroup)]
-        return Token(kind, found[0].lower() if kind is TokenKind.WORD else found[0], found.start())
+        group = found.lastindex or 0
+        text = found[group].lower() if group == 1 else found[group]
+        return Token(_KINDS[group], text, found.start(group))
 
     def _skip_gap(self) -> None:
         """Go on behind spaces, tail remarks, and remarks, which stand in each other."""

@@ -1,6 +1,7 @@
 """Tokens of an exchange file, one after the other."""
 
 from enum import Enum
+from re import Match
 from re import compile as pattern
 from typing import NamedTuple
 
@@ -9,9 +10,9 @@ from ropsim.part21.diagnostics import SYNTAX
 
 _SPACE = pattern(r"\s*")
 _TOKEN = pattern(
-    r"""(?P<STRING>'[^']*'(?:'[^']*')*)|(?P<REFERENCE>\#\d+)|(?P<ENUMERATION>\.[A-Za-z_][A-Za-z0-9_]*\.)"""
-    r"""|(?P<REAL>[+-]?\d+\.\d*(?:[Ee][+-]?\d+)?)|(?P<INTEGER>[+-]?\d+)|(?P<BINARY>"[0-3][0-9A-Fa-f]*")"""
-    r"""|(?P<KEYWORD>!?[A-Za-z_][A-Za-z0-9_]*(?:-[A-Za-z0-9_]+)*)|(?P<SIGN>[(),;=$*])"""
+    r"""\s*+(?:([(),;=$*])|(\#\d+)|([+-]?\d+\.\d*(?:[Ee][+-]?\d+)?)|('[^']*'(?:'[^']*')*)"""
+    r"""|(!?[A-Za-z_][A-Za-z0-9_]*(?:-[A-Za-z0-9_]+)*)|(\.[A-Za-z_][A-Za-z0-9_]*\.)|([+-]?\d+)"""
+    r"""|("[0-3][0-9A-Fa-f]*"))"""
 )
 _STOP = pattern(r";|/\*|'[^']*'")
 SHOWN = 24
@@ -30,6 +31,20 @@ class TokenKind(Enum):
     KEYWORD = "a keyword"
     SIGN = "a sign"
     END = "the end of the text"
+
+
+_KINDS = (
+    TokenKind.END,
+    TokenKind.SIGN,
+    TokenKind.REFERENCE,
+    TokenKind.REAL,
+    TokenKind.STRING,
+    TokenKind.KEYWORD,
+    TokenKind.ENUMERATION,
+    TokenKind.INTEGER,
+    TokenKind.BINARY,
+)
+"""What the groups of the pattern of a token are; most tokens are of the first ones."""
 
 
 class Token(NamedTuple):
@@ -69,7 +84,8 @@ class Scanner:
 
     def is_sign(self, text: str) -> bool:
         """Return whether this sign comes next."""
-        return self.token.text == text and self.token.kind is TokenKind.SIGN
+        token = self.token
+        return token.text == text and token.kind is TokenKind.SIGN
 
     def take_sign(self, text: str) -> None:
         """Go on behind a sign.
@@ -79,7 +95,7 @@ class Scanner:
         """
         if not self.is_sign(text):
             raise self.problem(f"`{text}`")
-        self.take()
+        self.token = self._scanned()
 
     def take_keyword(self) -> str:
         """Go on behind a keyword and return it in capitals.
@@ -118,15 +134,20 @@ class Scanner:
         )
 
     def _scanned(self) -> Token:
-        self._skip_gap()
-        if self._at >= len(self._text):
-            return Token(TokenKind.END, "", len(self._text))
-        found = _TOKEN.match(self._text, self._at)
-        if not found:
+        found = _TOKEN.match(self._text, self._at) or self._behind_gap()
+        if found is None:
             self._at += 1
             return Token(TokenKind.SIGN, self._text[self._at - 1], self._at - 1)
+        group = found.lastindex or 0
         self._at = found.end()
-        return Token(TokenKind[str(found.lastgroup)], found[0], found.start())
+        return Token(_KINDS[group], found[group], found.start(group))
+
+    def _behind_gap(self) -> Match[str] | None:
+        """Return the token behind comments, or the empty match at the end of the text."""
+        self._skip_gap()
+        if self._at >= len(self._text):
+            return _SPACE.match(self._text, self._at)
+        return _TOKEN.match(self._text, self._at)
 
     def _skip_gap(self) -> None:
         """Go on behind spaces, line ends and comments; one without an end takes all the text."""
