@@ -64,7 +64,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
     if Path(options.name).suffix.lower() in _NIROX:
         demands = [one.value for one in ConformanceClass if one.name <= class_.name]
         lines.append(f"NIROX class {class_.name}: {', '.join(demands)}")
-    lines += ["", *_joint_rows(robot), *_following(robot), ""]
+    lines += ["", *_joint_rows(robot), *_following(robot), *_payload(robot), ""]
     for text in solver_lines(robot):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
@@ -77,6 +77,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "name": robot.name,
             "conformance": class_.name,
             "title": robot.title,
+            "rated_payload": robot.rated_payload if math.isfinite(robot.rated_payload) else None,
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
                 for joint in robot.axis_joints
@@ -134,6 +135,13 @@ def _following(robot: RobotModel) -> list[str]:
         lower, upper = f"{joint.lower * scale:.1f} {unit}", f"{joint.upper * scale:.1f} {unit}"
         found.append(f"joint {joint.name}, which follows the axes: {lower} to {upper}")
     return ["", *found] if found else []
+
+
+def _payload(robot: RobotModel) -> list[str]:
+    """Return a line for the rated payload, where it is known."""
+    if not math.isfinite(robot.rated_payload):
+        return []
+    return ["", f"rated payload, tool and part together: {robot.rated_payload:g} kg"]
 
 
 def _joint_rows(robot: RobotModel) -> list[str]:

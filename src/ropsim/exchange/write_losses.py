@@ -1,6 +1,7 @@
 """What of a robot does not go into a file, in whatever format: drives, looks, and what is said about it."""
 
 from collections.abc import Callable, Iterable
+from math import isfinite
 
 import numpy as np
 
@@ -106,6 +107,7 @@ def word_losses(robot: RobotModel, home: str = "the home position") -> Iterable[
         ("the DH table", bool(robot.dh)),
         ("where its numbers come from", bool(robot.origins)),
         ("which of its axes are external", bool(robot.external)),
+        ("its rated payload", isfinite(robot.rated_payload)),
     )
     lost = [what for what, is_lost in rows if is_lost]
     if lost:

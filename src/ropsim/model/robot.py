@@ -1,5 +1,7 @@
 """The neutral model of a robot: a mechanism with a mechanical interface."""
 
+from math import inf
+
 from ropsim.model.dh_row import DhRow
 from ropsim.model.mechanism import Mechanism
 from ropsim.spatial import Pose, record
@@ -19,12 +21,15 @@ class RobotModel(Mechanism):
         dh: the DH table of the standard form that the model was made from; empty otherwise.
         external: numbers of the axes, from 0, that inverse kinematics leaves where they are, as those of a
             track or a turntable.
+        rated_payload: mass that the maker allows at the interface, tool and part together [kg]; inf where
+            unknown.
     """
 
     X_nM: Pose = Pose()
     tip: int = LAST
     dh: tuple[DhRow, ...] = ()
     external: tuple[int, ...] = ()
+    rated_payload: float = inf
 
     __repr__ = Mechanism.__repr__
 

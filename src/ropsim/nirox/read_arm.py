@@ -1,6 +1,7 @@
 """The arm of a valid file: mechanism, axes, frames, rest position, couplings, origins."""
 
 from functools import partial
+from math import inf
 from typing import TypeAlias
 
 from ropsim.model import BASE_LINK, JointType, LoopCut, ParameterOrigin, RobotModel
@@ -62,6 +63,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         tip=tip,
         dh=seen.attempt(partial(read_dh_table, seen, mechanism), ()),
         external=seen.attempt(partial(read_external, seen, pairs), ()),
+        rated_payload=seen.attempt(partial(_rated_payload, seen), inf),
     )
     return robot, frames
 
@@ -119,6 +121,14 @@ def _frames(seen: Seen, arm: int, mechanism: Mechanism) -> _Frames:
             others.append(FurtherFrame(seen.text(frame, "name"), role, mechanism.links[link], pose))
     tip, X_nM = flange or (len(mechanism.moved) - 1, Pose())
     return tip, X_nM, tuple(others)
+
+
+def _rated_payload(seen: Seen) -> float:
+    """Return what the maker allows the arm to carry [kg]; inf where the file does not say it."""
+    for told in seen.extent("rated_payload"):
+        seen.take(told, "rated payload")
+        return seen.real(told, "mass")
+    return inf
 
 
 def _origins(seen: Seen) -> list[ParameterOrigin]:

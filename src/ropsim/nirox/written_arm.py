@@ -47,6 +47,8 @@ def write_arm(
     for number, joint in enumerate(robot.joints):
         _coordinate(building, robot, number, joint)
     _couplings(building, robot)
+    if isfinite(robot.rated_payload):
+        building.add(("rated payload",), "RATED_PAYLOAD", building.at(("arm",)), float(robot.rated_payload))
     for place in robot.external:
         building.add(("external", place), "EXTERNAL_AXIS", axes[place])
     for number, row in zip(_table(robot) or (), robot.dh, strict=False):

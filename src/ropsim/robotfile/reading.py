@@ -1,5 +1,6 @@
 """A robot file to a robot (manual: docs/reference/robot-file.md)."""
 
+from math import inf
 from pathlib import PurePath
 
 import numpy as np
@@ -27,6 +28,7 @@ from ropsim.tomltext import (
 )
 
 CONVENTIONS = ("standard", "modified")
+PAYLOAD = Quantity("kg", 1.0, 1e-3, 1e5)
 
 
 def read_robot_file(source: SourceText) -> ReadRobot:
@@ -79,6 +81,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         base_shapes=base_shapes,
         X_nM=X_nM,
         dh=table.rows if convention == "standard" else (),
+        rated_payload=root.number("payload", PAYLOAD, inf) if "payload" in root else inf,
     )
     check_reach(root, robot, units)
     root.finish()

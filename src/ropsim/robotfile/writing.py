@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import isfinite
 
 import numpy as np
 
@@ -64,6 +65,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         "convention": text(table.convention),
         "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
         "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
+        "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
         "joints": _rows([_joint(one, j) for one, j in zip(table.rows, robot.joints, strict=True)]),
     }
     parts = [lines(head)]

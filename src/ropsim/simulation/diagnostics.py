@@ -139,6 +139,18 @@ A payload much heavier than the arm is tuned for settles slowly, too: slow the m
 """,
 )
 
+PAYLOAD_EXCEEDED = define(
+    "S749",
+    "payload-exceeded",
+    Severity.WARNING,
+    "an arm carried more than its maker allows",
+    """
+Tool and parts together were heavier than the rated payload in the arm's model. The drives of a simulation may
+move more than bearings and gears bear. Take a lighter tool, fewer parts at a time, or an arm with a greater
+payload. Makers allow less where the centre of mass is far from the flange: models have no load diagrams.
+""",
+)
+
 EFFORT_EXCEEDED = define(
     "S730",
     "effort-exceeded",

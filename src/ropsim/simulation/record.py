@@ -39,6 +39,7 @@ from ropsim.simulation.channels import (
 )
 from ropsim.simulation.consequences import with_causes
 from ropsim.simulation.inputs import input_events
+from ropsim.simulation.load_findings import has_rated_payloads, load_findings
 from ropsim.simulation.move_span import PathSpan
 from ropsim.simulation.path_corrections import corrections, without_corrections
 from ropsim.simulation.path_speeds import path_speeds
@@ -47,6 +48,7 @@ from ropsim.simulation.settling import settling_findings
 from ropsim.simulation.shared_programs import told_at
 from ropsim.simulation.station_facts import station_facts, with_law
 from ropsim.simulation.station_run import StationRun
+from ropsim.simulation.track import Track
 from ropsim.simulation.verdicts import verdicts
 from ropsim.spatial import Array
 from ropsim.version import __version__
@@ -69,6 +71,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         events += at.activations.events(name, at.hz)
         tally, lines = at.plant.tally, at.tracks["line"]
         judged += told_at(name, programs, verdicts(at.station.robot, tally, at.hz, lines, source))
+        loads = at.tracks.get("payload", Track())
+        judged += told_at(name, programs, load_findings(at.station.robot, loads, lines, at.hz, source))
         judged += told_at(name, programs, settling_findings(mine, run.time, source))
     for at in run.stations.values():
         for body, course in at.fingers.items():
@@ -128,13 +132,14 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:
     """Return what the recording says about its run."""
+    robots = [at.station.robot for at in run.stations.values()]
     slowest = min(run.stations.values(), key=lambda at: at.hz / at.plant.record_ticks)
     return RunFacts(
         ropsim=__version__,
         project=run.cell.name,
         fidelity=_fidelity(run, options),
         record_hz=slowest.hz / slowest.plant.record_ticks,
-        checked=(),  # collisions are not looked at
+        checked=("rated payload",) if has_rated_payloads(robots) else (),  # collisions are not looked at
         inputs=tuple(inputs_taken(run)),
         overrides=overrides_taken(run),
         stopped=run.stop_tick / run.hz if run.stop_tick is not None and run.is_stopped(run.tick) else None,

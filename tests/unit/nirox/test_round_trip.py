@@ -70,7 +70,7 @@ def test_built_in_robots_come_back_to_the_last_bit(name: str) -> None:
 
 def test_robots_on_a_track_and_beside_a_positioner_come_back() -> None:
     arm = on_track(robots.load("puma560"), robots.linear_track(2.0), PLACE)
-    both = beside(arm, robots.tilting_turntable(0.4), PLACE)
+    both = replace(beside(arm, robots.tilting_turntable(0.4), PLACE), rated_payload=2.5)
     assert both.external == (6, 7, 8)
     assert again(both) == both
 

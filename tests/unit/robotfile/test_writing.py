@@ -29,6 +29,11 @@ def again(robot: RobotModel) -> RobotModel:
     return read.robot
 
 
+def test_the_rated_payload_comes_back() -> None:
+    robot = again(replace(robots.load("two_link"), rated_payload=0.75))
+    assert robot.rated_payload == 0.75
+
+
 def apart(one: RobotModel, other: RobotModel) -> float:
     """Return how far the interfaces of two arms are from each other [m, entries of the rotation]."""
     Q = np.random.default_rng(7).uniform(one.lower_limits, one.upper_limits, (40, one.n))
