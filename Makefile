@@ -35,7 +35,7 @@ check:
 	.venv/bin/python tools/diagnostic_pages.py --check
 	.venv/bin/python tools/icr_table.py --check
 	.venv/bin/python tools/import_table.py --check
-	.venv/bin/python tools/robot_library.py --check
+	.venv/bin/python -m tools.robot_library --check
 	.venv/bin/python tools/wire_types.py --check
 	.venv/bin/python tools/pack_fixture.py --check
 	.venv/bin/python -m tools.frontend
@@ -49,7 +49,7 @@ docs:
 	.venv/bin/python tools/diagnostic_pages.py
 	.venv/bin/python tools/icr_table.py
 	.venv/bin/python tools/import_table.py
-	.venv/bin/python tools/robot_library.py
+	.venv/bin/python -m tools.robot_library
 	.venv/bin/python tools/wire_types.py
 
 pictures:

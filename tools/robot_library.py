@@ -1,10 +1,11 @@
 """Write the robots of the library, src/ropsim/robots/arms/NAME.stp, from facts, tools/library/NAME.toml.
 
-python tools/robot_library.py           write them
-python tools/robot_library.py --check   compare only; exit 1 where one differs
+python -m tools.robot_library           write them
+python -m tools.robot_library --check   compare only; exit 1 where one differs
 
 The facts are robot files (docs/reference/robot-file.md), each with the sources of its numbers. What the arms
-look like is in tools/library_looks.toml: rods between points on the axes of their joints.
+look like is in tools/library_looks.toml: rods between points on the axes of their joints. Beside the
+files stands index.tsv, each built-in robot in a line, so that listing them reads none.
 """
 
 import sys
@@ -15,12 +16,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tools.library_index import entry
 
 from ropsim.core import SourceText
 from ropsim.kinematics import joint_frames
 from ropsim.model import ParameterOrigin, RobotModel, Shape, rod
 from ropsim.nirox import write_nirox
 from ropsim.robotfile import read_robot_file
+from ropsim.robots.catalogue import FILE as INDEX
+from ropsim.robots.catalogue import catalogue_text
+from ropsim.robots.library import WRITTEN, load
 from ropsim.spatial import Array
 
 ROOT = Path(__file__).parent.parent
@@ -83,27 +88,30 @@ def texts() -> dict[str, str]:
     Raises:
         ValueError: a robot cannot be written, or not without a loss.
     """
-    written = {name: write_nirox(robot) for name, robot in robots().items()}
+    made = robots()
+    written = {name: write_nirox(robot) for name, robot in made.items()}
     for name, one in written.items():
         if not one.text or one.losses:
             raise ValueError(f"{name}: {'; '.join(loss.message for loss in one.losses)}")
-    return {f"{name}.stp": one.text for name, one in written.items()}
+    everyone = {**made, **{name: load(name) for name in WRITTEN}}
+    index = catalogue_text(tuple(entry(everyone[name]) for name in sorted(everyone)))
+    return {**{f"{name}.stp": one.text for name, one in written.items()}, INDEX: index}
 
 
 def main(arguments: list[str]) -> int:
     """Write or check the files; return the exit code."""
     wanted = texts()
-    there = {path.name: path.read_text("ascii") for path in TARGET.glob("*.stp")}
+    there = {path.name: path.read_text("utf-8") for path in TARGET.iterdir()}
     if arguments == ["--check"]:
         names = wanted.keys() | there.keys()
         stale = sorted(name for name in names if wanted.get(name) != there.get(name))
         if stale:
-            print(f"stale: {', '.join(stale)}; run python tools/robot_library.py")
+            print(f"stale: {', '.join(stale)}; run python -m tools.robot_library")
         return int(bool(stale))
     for name in there.keys() - wanted.keys():
         (TARGET / name).unlink()
     for name, text in wanted.items():
-        (TARGET / name).write_text(text, "ascii")
+        (TARGET / name).write_text(text, "utf-8")
     return 0
 
 

@@ -29,6 +29,8 @@ WRONG_COUNT = define(
 )
 
 _NIROX = (".stp", ".step")
+_BLANK = " " * 20
+"""In place of reach and payload, which files are not read for."""
 COLUMNS = 80
 """Width to which sources are wrapped."""
 
@@ -39,17 +41,23 @@ class JointCountError(RopsimError):
 
 def list_(options: argparse.Namespace, output: Output) -> int:
     """List the built-in robots, and the robot files of a project."""
-    models = {name: robots.load(name) for name in robots.names()}
+    known = {one.name: one for one in robots.catalogue()}
     files = {str(path): find_robot(path).robot for path in robots_in(Path(options.path))}
-    width = max(12, *map(len, (*models, *files)))
-    rows = [f"{name:{width}} {model.n} axes  {model.title}" for name, model in models.items()]
+    width = max(12, *map(len, (*known, *files)))
+    rows = [f"{name:{width}} {_choice(one)}" for name, one in known.items()]
     for name, robot in files.items():
-        told = f"{robot.n} axes  {robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
+        told = f"{robot.n} axes  {_BLANK}{robot.title}" if robot else f"wrong: see ropsim robot audit {name}"
         rows.append(f"{name:{width}} {told}")
     output.text("\n".join(rows))
     titles = {name: robot.title if robot else None for name, robot in files.items()}
-    output.document({"robots": {name: model.title for name, model in models.items()}, "files": titles})
+    output.document({"robots": {name: one.title for name, one in known.items()}, "files": titles})
     return 0
+
+
+def _choice(one: robots.CatalogueEntry) -> str:
+    """Return what helps to choose a robot: axes, reach, payload, maker and model."""
+    payload = f"{one.rated_payload:g} kg" if math.isfinite(one.rated_payload) else "–"
+    return f"{one.axes} axes  {1e3 * one.reach:5.0f} mm  {payload:>8}  {one.title}"
 
 
 def show(options: argparse.Namespace, output: Output) -> int:

@@ -11,6 +11,7 @@ from tools import robot_library
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.nirox import read_nirox, read_valid_nirox
+from ropsim.robots.catalogue import FILE
 from ropsim.robots.stored import stored_names
 
 
@@ -26,9 +27,10 @@ def test_a_stale_file_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
     written = dict.fromkeys(f"{name}.stp" for name in stored_names())
     changed = {name: text(name.removesuffix(".stp")).text for name in written}
     changed["gp7.stp"] += "\n"
+    changed[FILE] = robot_library.TARGET.joinpath(FILE).read_text("utf-8")
     monkeypatch.setattr(robot_library, "texts", lambda: changed)
     assert robot_library.main(["--check"]) == 1
-    assert capsys.readouterr().out == "stale: gp7.stp; run python tools/robot_library.py\n"
+    assert capsys.readouterr().out == "stale: gp7.stp; run python -m tools.robot_library\n"
 
 
 @pytest.mark.parametrize("name", ["irb120", "ur5e"])
@@ -51,6 +53,21 @@ def test_together_they_are_small() -> None:
     assert sum(path.stat().st_size for path in robot_library.TARGET.iterdir()) < 1_500_000
 
 
-def test_importing_the_library_reads_no_file_of_it() -> None:
-    code = "import sys, ropsim.robots; sys.exit('ropsim.nirox' in sys.modules)"
+def test_the_catalogue_has_each_robot_in_a_line() -> None:
+    entries = robots.catalogue()
+    assert tuple(one.name for one in entries) == robots.names()
+    for one in entries:
+        robot = robots.load(one.name)
+        assert (one.title, one.axes, one.rated_payload) == (robot.title, robot.n, robot.rated_payload)
+
+
+def test_the_catalogue_says_how_far_an_arm_reaches() -> None:
+    # From the shoulder 34 in, from axis 1 with the offset of the shoulder: published lengths of the PUMA 560.
+    reaches = {one.name: one.reach for one in robots.catalogue()}
+    assert reaches["puma560"] == pytest.approx(0.877009, abs=5e-4)
+    assert reaches["scara"] == pytest.approx(0.325 + 0.275, abs=5e-4)
+
+
+def test_listing_the_robots_reads_none() -> None:
+    code = "import sys, ropsim.robots; ropsim.robots.catalogue(); sys.exit('ropsim.nirox' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False, cwd=Path.cwd()).returncode == 0

@@ -1,0 +1,90 @@
+"""The index of the robot library: each built-in robot in a line, from its model."""
+
+import numpy as np
+
+from ropsim.kinematics import frames_batch, solver_of
+from ropsim.model import RobotModel
+from ropsim.robots.catalogue import CatalogueEntry
+from ropsim.spatial import Array
+
+MAKERS = (
+    *("ABB", "Adept", "FANUC", "Franka Emika", "KUKA", "Manutec", "Stanford", "Stäubli", "Unimation"),
+    *("Universal Robots", "Yaskawa"),
+)
+"""What titles begin with."""
+GROUPS = {
+    "axes": ("axes", "lengths"),
+    "limits": ("limits",),
+    "speeds": ("speed",),
+    "torques": ("torque",),
+    "payload": ("payload",),
+    "masses": ("mass",),
+    "drives": ("motor", "gear", "drives"),
+}
+"""Kinds of numbers and words that groups of parameters with them are called by."""
+_SAMPLES, _SEED = 2000, 1
+_FIRST_STEP, _LAST_STEP = 0.3, 1e-5  # of the search [rad | m]
+
+
+def entry(robot: RobotModel) -> CatalogueEntry:
+    """Return the line of a robot."""
+    maker = next((one for one in MAKERS if robot.title.startswith(f"{one} ")), "")
+    return CatalogueEntry(
+        name=robot.name,
+        maker=maker,
+        model=robot.title.removeprefix(maker).strip(),
+        axes=robot.n,
+        rated_payload=robot.rated_payload,
+        reach=reach(robot),
+        solver=solver_of(robot).name,
+        data=tuple(_data(robot)),
+        source=robot.origins[0].source,
+    )
+
+
+def _data(robot: RobotModel) -> list[str]:
+    """Return the groups of numbers of a robot, and of which they are estimates."""
+    there = {"masses": any(link.mass for link in robot.links), "drives": bool(robot.drives)}
+    found = []
+    for group, words in GROUPS.items():
+        kinds = {
+            one.kind == "estimated"
+            for one in robot.origins
+            if any(word in one.parameters for word in words)
+            and not one.parameters.startswith(("joint acceleration", "home"))
+        }
+        if not kinds or not there.get(group, True):
+            continue
+        found.append(
+            group + ("" if kinds == {False} else " estimated" if kinds == {True} else " partly estimated")
+        )
+    return found
+
+
+def reach(robot: RobotModel) -> float:
+    """Return how far the wrist comes from axis 1 within the limits [m], found by a search.
+
+    The wrist is where the last but one axis begins; of arms with three or four axes where the last one does,
+    of those with fewer it is the interface.
+    """
+    place = -1 if robot.n < 3 else robot.axes[-1 if robot.n < 5 else -2]
+    low, high = np.maximum(robot.lower_limits, -np.pi), np.minimum(robot.upper_limits, np.pi)
+    Q = np.random.default_rng(_SEED).uniform(low, high, (_SAMPLES, robot.n))
+    best = Q[int(np.argmax(_away(robot, Q, place)))]
+    step = _FIRST_STEP
+    while step > _LAST_STEP:
+        tried = np.clip(
+            best + step * np.vstack((np.zeros(robot.n), np.eye(robot.n), -np.eye(robot.n))), low, high
+        )
+        away = _away(robot, tried, place)
+        most = int(np.argmax(away))
+        step = step if away[most] > away[0] + 1e-12 else 0.5 * step
+        best = tried[most]
+    return float(_away(robot, best[None], place)[0])
+
+
+def _away(robot: RobotModel, Q: Array, place: int) -> Array:
+    first = robot.joints[0].placement
+    away = frames_batch(robot, Q)[:, place, :3, 3] - first.position
+    axis = first.rotation()[:, 2]
+    return np.asarray(np.linalg.norm(away - np.outer(away @ axis, axis), axis=1))
