@@ -36,6 +36,7 @@ check:
 	.venv/bin/python tools/icr_table.py --check
 	.venv/bin/python tools/import_table.py --check
 	.venv/bin/python -m tools.robot_library --check
+	.venv/bin/python -m tools.robot_page --check
 	.venv/bin/python tools/wire_types.py --check
 	.venv/bin/python tools/pack_fixture.py --check
 	.venv/bin/python -m tools.frontend
@@ -50,6 +51,7 @@ docs:
 	.venv/bin/python tools/icr_table.py
 	.venv/bin/python tools/import_table.py
 	.venv/bin/python -m tools.robot_library
+	.venv/bin/python -m tools.robot_page
 	.venv/bin/python tools/wire_types.py
 
 pictures:

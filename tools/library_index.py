@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.kinematics import frames_batch, solver_of
 from ropsim.model import RobotModel
-from ropsim.robots.catalogue import CatalogueEntry
+from ropsim.robots import CatalogueEntry
 from ropsim.spatial import Array
 
 MAKERS = (

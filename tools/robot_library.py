@@ -23,9 +23,7 @@ from ropsim.kinematics import joint_frames
 from ropsim.model import ParameterOrigin, RobotModel, Shape, rod
 from ropsim.nirox import write_nirox
 from ropsim.robotfile import read_robot_file
-from ropsim.robots.catalogue import FILE as INDEX
-from ropsim.robots.catalogue import catalogue_text
-from ropsim.robots.library import WRITTEN, load
+from ropsim.robots import INDEX, catalogue_text, load, names
 from ropsim.spatial import Array
 
 ROOT = Path(__file__).parent.parent
@@ -93,7 +91,7 @@ def texts() -> dict[str, str]:
     for name, one in written.items():
         if not one.text or one.losses:
             raise ValueError(f"{name}: {'; '.join(loss.message for loss in one.losses)}")
-    everyone = {**made, **{name: load(name) for name in WRITTEN}}
+    everyone = {**{name: load(name) for name in names() if not (TARGET / f"{name}.stp").exists()}, **made}
     index = catalogue_text(tuple(entry(everyone[name]) for name in sorted(everyone)))
     return {**{f"{name}.stp": one.text for name, one in written.items()}, INDEX: index}
 

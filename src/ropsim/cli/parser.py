@@ -235,6 +235,7 @@ def _robot(commands: Commands) -> None:
     )
     show = _command(actions, "show", "robot:show", "print joints, limits and where the numbers come from")
     show.add_argument("name", metavar="NAME", help=_ROBOT)
+    show.add_argument("--png", metavar="FILE", help="draw it in its rest position into this picture, too")
     audit = _command(actions, "audit", "robot:audit", "say what is doubtful in a model")
     audit.add_argument("name", metavar="NAME", help=_ROBOT)
     export = _command(actions, "export", "robot_export:export", "write a robot into a file")

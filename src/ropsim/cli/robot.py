@@ -11,14 +11,14 @@ from ropsim import kinematics, robots
 from ropsim.cli.coordinates import check_coordinates, joint_coordinates
 from ropsim.cli.named_robot import named_robot
 from ropsim.cli.numbers import display, shown
-from ropsim.cli.output import Output
+from ropsim.cli.output import Output, cannot_write
 from ropsim.cli.solver_words import solver_document, solver_lines
-from ropsim.core import Diagnostic, RopsimError, Severity, define
+from ropsim.core import Diagnostic, RopsimError, Severity, define, replace_file
 from ropsim.model import Joint, JointType, PlaceOf, RobotModel, coupled_limits
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
-from ropsim.workbench import find_robot, robots_in
+from ropsim.workbench import RobotFileError, find_robot, robots_in
 
 WRONG_COUNT = define(
     "U901",
@@ -80,6 +80,8 @@ def show(options: argparse.Namespace, output: Output) -> int:
         text = f"  {one.kind:10} {one.parameters}: {one.source}"
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent=" " * 13, break_on_hyphens=False)
     output.text("\n".join(lines))
+    if options.png:
+        _draw(robot, options.png, output)
     output.document(
         {
             "name": robot.name,
@@ -99,6 +101,17 @@ def show(options: argparse.Namespace, output: Output) -> int:
         }
     )
     return 0
+
+
+def _draw(robot: RobotModel, file: str, output: Output) -> None:
+    """Write a picture of a robot in its rest position."""
+    from ropsim.views import robot_png
+
+    try:
+        replace_file(Path(file), robot_png(robot))
+    except OSError as error:
+        raise RobotFileError(cannot_write(file, error)) from error
+    output.text(f"\nwrote {file}")
 
 
 def audit(options: argparse.Namespace, output: Output) -> int:

@@ -1,7 +1,9 @@
 """The built-in robots: names to models and to their controllers."""
 
+from ropsim.robots.catalogue import INDEX as INDEX
 from ropsim.robots.catalogue import CatalogueEntry as CatalogueEntry
 from ropsim.robots.catalogue import catalogue as catalogue
+from ropsim.robots.catalogue import catalogue_text as catalogue_text
 from ropsim.robots.devices import conveyor as conveyor
 from ropsim.robots.devices import rotary as rotary
 from ropsim.robots.devices import slide as slide

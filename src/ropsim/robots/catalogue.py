@@ -7,7 +7,8 @@ from pathlib import Path
 
 from ropsim.core import frozen_dataclass, read_bytes
 
-FILE = "index.tsv"
+INDEX = "index.tsv"
+"""Name of the file beside those of the robots."""
 COLUMNS = ("name", "maker", "model", "axes", "payload_kg", "reach_mm", "inverse_kinematics", "data", "source")
 
 
@@ -47,7 +48,7 @@ class CatalogueEntry:
 @lru_cache(maxsize=1)
 def catalogue() -> tuple[CatalogueEntry, ...]:
     """Return the built-in robots in the order of their names."""
-    path = Path(str(files("ropsim.robots").joinpath("arms", FILE)))
+    path = Path(str(files("ropsim.robots").joinpath("arms", INDEX)))
     rows = read_bytes(path).decode("utf-8").splitlines()[1:]
     return tuple(_entry(*row.split("\t")) for row in rows)
 

@@ -18,8 +18,6 @@ _MODELS: Mapping[str, Callable[[], RobotModel]] = MappingProxyType(
         "two_link": two_link.model,
     }
 )
-WRITTEN = tuple(_MODELS)
-"""Names of those that are written in Python."""
 STANDARD_RATES = Rates()
 """Rates of a controller for which nobody says others."""
 

@@ -34,6 +34,10 @@ from ropsim.views.pack.pack import plain_findings as plain_findings
 from ropsim.views.path_summary import PathLine as PathLine
 from ropsim.views.path_summary import PathMove as PathMove
 from ropsim.views.path_summary import PathSummary as PathSummary
+from ropsim.views.picture.png import png_words as png_words
+from ropsim.views.picture.robot_picture import PictureOptions as PictureOptions
+from ropsim.views.picture.robot_picture import picture_print as picture_print
+from ropsim.views.picture.robot_picture import robot_png as robot_png
 from ropsim.views.result import ResultFigures as ResultFigures
 from ropsim.views.result_figures import result_figures as result_figures
 from ropsim.views.scene.scene import scene as scene

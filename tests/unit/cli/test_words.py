@@ -40,6 +40,18 @@ def test_the_numbers_of_a_robot_stand_below_their_titles(capsys: pytest.CaptureF
     assert max(map(len, lines)) <= 80
 
 
+def test_a_robot_is_drawn_into_a_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("ropsim.views.robot_png", lambda robot: robot.name.encode())
+    picture = tmp_path / "arm.png"
+    lines = said(["robot", "show", "two_link", "--png", str(picture)], capsys).splitlines()
+    assert lines[-1] == f"wrote {picture}"
+    assert picture.read_bytes() == b"two_link"
+    assert main(["robot", "show", "two_link", "--png", str(picture / "arm.png")]) == 2
+    assert "arm.png" in capsys.readouterr().err
+
+
 def test_trust_says_in_words_that_there_is_no_code(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -6,12 +6,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from tools import robot_library
+from tools import robot_library, robot_page
 
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.nirox import read_nirox, read_valid_nirox
-from ropsim.robots.catalogue import FILE
 from ropsim.robots.stored import stored_names
 
 
@@ -23,11 +22,15 @@ def test_the_files_are_what_the_tool_writes() -> None:
     assert robot_library.main(["--check"]) == 0
 
 
+def test_the_page_of_the_robots_and_its_pictures_are_of_these_models() -> None:
+    assert robot_page.main(["--check"]) == 0
+
+
 def test_a_stale_file_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     written = dict.fromkeys(f"{name}.stp" for name in stored_names())
     changed = {name: text(name.removesuffix(".stp")).text for name in written}
     changed["gp7.stp"] += "\n"
-    changed[FILE] = robot_library.TARGET.joinpath(FILE).read_text("utf-8")
+    changed[robots.INDEX] = robot_library.TARGET.joinpath(robots.INDEX).read_text("utf-8")
     monkeypatch.setattr(robot_library, "texts", lambda: changed)
     assert robot_library.main(["--check"]) == 1
     assert capsys.readouterr().out == "stale: gp7.stp; run python -m tools.robot_library\n"
@@ -66,6 +69,13 @@ def test_the_catalogue_says_how_far_an_arm_reaches() -> None:
     reaches = {one.name: one.reach for one in robots.catalogue()}
     assert reaches["puma560"] == pytest.approx(0.877009, abs=5e-4)
     assert reaches["scara"] == pytest.approx(0.325 + 0.275, abs=5e-4)
+    for name, designation in (
+        ("irb2400_16", 1.55),
+        ("irb6640_180_255", 2.55),
+        ("iiwa14", 0.82),
+        ("irb140", 0.81),
+    ):
+        assert reaches[name] == pytest.approx(designation, abs=2e-3)
 
 
 def test_listing_the_robots_reads_none() -> None:
