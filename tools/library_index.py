@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.kinematics import frames_batch, solver_of
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, coupled_limits
 from ropsim.robots import CatalogueEntry
 from ropsim.spatial import Array
 
@@ -22,8 +22,8 @@ GROUPS = {
     "drives": ("motor", "gear", "drives"),
 }
 """Kinds of numbers and words that groups of parameters with them are called by."""
-_SAMPLES, _SEED = 2000, 1
-_FIRST_STEP, _LAST_STEP = 0.3, 1e-5  # of the search [rad | m]
+_SAMPLES, _SEED, _WAYS = 1000, 1, 16
+_FIRST_STEP, _LAST_STEP = 0.3, 1e-4  # of the search [rad | m]
 
 
 def entry(robot: RobotModel) -> CatalogueEntry:
@@ -69,22 +69,27 @@ def reach(robot: RobotModel) -> float:
     """
     place = -1 if robot.n < 3 else robot.axes[-1 if robot.n < 5 else -2]
     low, high = np.maximum(robot.lower_limits, -np.pi), np.minimum(robot.upper_limits, np.pi)
-    Q = np.random.default_rng(_SEED).uniform(low, high, (_SAMPLES, robot.n))
-    best = Q[int(np.argmax(_away(robot, Q, place)))]
-    step = _FIRST_STEP
+    rng = np.random.default_rng(_SEED)
+    Q = rng.uniform(low, high, (_SAMPLES, robot.n))
+    best, step = Q[int(np.argmax(_away(robot, Q, place)))], _FIRST_STEP
     while step > _LAST_STEP:
-        tried = np.clip(
-            best + step * np.vstack((np.zeros(robot.n), np.eye(robot.n), -np.eye(robot.n))), low, high
+        ways = np.vstack(
+            (np.zeros(robot.n), np.eye(robot.n), -np.eye(robot.n), rng.normal(size=(_WAYS, robot.n)))
         )
+        tried = np.clip(best + step * ways, low, high)
         away = _away(robot, tried, place)
         most = int(np.argmax(away))
-        step = step if away[most] > away[0] + 1e-12 else 0.5 * step
+        step = step if away[most] > away[0] + 1e-9 else 0.5 * step
         best = tried[most]
     return float(_away(robot, best[None], place)[0])
 
 
 def _away(robot: RobotModel, Q: Array, place: int) -> Array:
+    """Return how far a frame is from axis 1 [m]; less than 0 where joints that follow exceed their limits."""
     first = robot.joints[0].placement
     away = frames_batch(robot, Q)[:, place, :3, 3] - first.position
     axis = first.rotation()[:, 2]
-    return np.asarray(np.linalg.norm(away - np.outer(away @ axis, axis), axis=1))
+    beyond = coupled_limits(robot).excess(Q).sum(axis=1)
+    return np.asarray(
+        np.where(beyond > 0.0, -beyond, np.linalg.norm(away - np.outer(away @ axis, axis), axis=1))
+    )

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 from tools.library_index import entry
+from tools.library_palletizers import palletizer
 
 from ropsim.core import SourceText
 from ropsim.kinematics import joint_frames
@@ -46,6 +47,7 @@ def robots() -> dict[str, RobotModel]:
         if read.robot is None or read.findings:
             raise ValueError(f"{path.name}: {'; '.join(one.message for one in read.findings)}")
         found[path.stem] = drawn(read.robot, looks[path.stem])
+    found |= {path.stem: palletizer(path) for path in sorted(FACTS.glob("palletizers/*.toml"))}
     return found
 
 

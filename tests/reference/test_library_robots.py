@@ -9,6 +9,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import IkOptions, Method, RedundantSolver, forward, inverse, solver_of
+from ropsim.model import coupled_limits
 from ropsim.spatial import Pose
 from support.built_in import WRITTEN
 
@@ -46,6 +47,8 @@ def test_at_home_the_tool_points_down_and_the_joints_are_within_their_limits(nam
 
 SOLVERS = {
     "cobra600": ("SCARA", Method.CLOSED_FORM),
+    "irb460_110_240": ("level wrist", Method.CLOSED_FORM),
+    "m410ib_700": ("level wrist", Method.CLOSED_FORM),
     "iiwa14": ("S-R-S", Method.CLOSED_FORM),
     "panda": ("general seven-axis", Method.ALGEBRAIC),
     "stanford": ("numeric", Method.NUMERIC),
@@ -62,11 +65,15 @@ def test_the_class_is_recognised(name: str) -> None:
     assert (solver.name, solver.method) == SOLVERS.get(name, ("spherical wrist", Method.CLOSED_FORM))
 
 
-@pytest.mark.parametrize("name", ["cobra600", "iiwa14", "irb140", "irb2400_16", "irb6640_180_255"])
+NEW_CLASSES = ("cobra600", "iiwa14", "irb460_110_240", "m410ib_700")
+
+
+@pytest.mark.parametrize("name", [*NEW_CLASSES, "irb140", "irb2400_16", "irb6640_180_255"])
 def test_the_posture_that_made_a_pose_is_among_its_branches(name: str) -> None:
     robot = robots.load(name)
     lower, upper = np.maximum(robot.lower_limits, -np.pi), np.minimum(robot.upper_limits, np.pi)
-    for q in np.random.default_rng(12).uniform(lower, upper, (40, robot.n)):
+    Q = np.random.default_rng(12).uniform(lower, upper, (120, robot.n))
+    for q in Q[~coupled_limits(robot).excess(Q).any(axis=1)][:40]:
         solver = solver_of(robot)
         free = solver.free(q).value if isinstance(solver, RedundantSolver) else None
         held = IkOptions(near=q, free=free)
