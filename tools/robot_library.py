@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from tools.library_chains import chain
 from tools.library_index import entry
 from tools.library_palletizers import palletizer
 
@@ -48,6 +49,8 @@ def robots() -> dict[str, RobotModel]:
             raise ValueError(f"{path.name}: {'; '.join(one.message for one in read.findings)}")
         found[path.stem] = drawn(read.robot, looks[path.stem])
     found |= {path.stem: palletizer(path) for path in sorted(FACTS.glob("palletizers/*.toml"))}
+    for path in sorted(FACTS.glob("chains/*.toml")):
+        found[path.stem] = drawn(chain(path), looks[path.stem])
     return found
 
 
