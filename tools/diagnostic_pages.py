@@ -41,6 +41,7 @@ BANDS = {
     "X9": Band("Robots in files", ("exchange", "express", "nirox", "part21", "robotfile", "workbench")),
     "U9": Band("Use of the commands", ("cli", "lsp", "studio")),
     "P1": Band("Knowledge bases", ("prolog", "tasks")),
+    "W1": Band("Workspaces", ("workspace",)),
 }
 """Of each code, by its first two characters."""
 

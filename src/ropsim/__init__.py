@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from ropsim import userfiles as userfiles
     from ropsim import views as views
     from ropsim import workbench as workbench
+    from ropsim import workspace as workspace
     from ropsim.core import RopsimError as RopsimError
     from ropsim.workbench import load_robot as load_robot
     from ropsim.workbench import open_project as open
@@ -75,6 +76,7 @@ __all__ = [
     "userfiles",
     "views",
     "workbench",
+    "workspace",
 ]
 
 _SHORT_CUTS = {

@@ -1,0 +1,89 @@
+"""What can be wrong when a workspace is asked for (codes W101 to W129)."""
+
+from ropsim.core import Diagnostic, RopsimError, Severity, define
+
+NO_WRIST_CENTRE = define(
+    "W101",
+    "no-wrist-centre",
+    Severity.ERROR,
+    "the last three axes of the arm do not meet in a point",
+    """
+The wrist centre is the point in which the last three axes meet; it stands still while they turn. SCARA arms,
+palletizers and arms whose wrist is offset, such as those of Universal Robots, have none. Ask for the
+workspace of the flange, or of the TCP of a tool.
+""",
+)
+
+UNLIMITED_SLIDE = define(
+    "W102",
+    "workspace-without-bounds",
+    Severity.ERROR,
+    "an axis that slides has no limits, so that the workspace has none",
+    """
+A workspace is computed within the limits of the joints. For a turning axis without limits one turn is taken,
+as more of it changes nothing; a slide without limits reaches to any distance. Give it `limits` in the robot
+file.
+""",
+)
+
+FIRST_AXIS = define(
+    "W103",
+    "first-axis-does-not-carry",
+    Severity.ERROR,
+    "the first axis neither turns nor shifts all of the arm",
+    """
+The reachable volume is computed as what the first axis sweeps: it must turn the whole arm about a fixed line
+or shift it along one. In this mechanism it does neither, as couplings or a screw mix it with others. Single
+points can be asked for all the same: `ropsim robot workspace NAME --points FILE`.
+""",
+)
+
+ASSUMED_TURN = define(
+    "W104",
+    "one-turn-assumed",
+    Severity.HINT,
+    "an axis has no limits, and one whole turn was taken for its range",
+    """
+More than a turn of an axis changes no pose, so the workspace is that of the axis without limits. If its real
+range is smaller, such as for cables, give it `limits` in the robot file: the workspace is then smaller, too.
+""",
+)
+
+
+class WorkspaceError(RopsimError):
+    """A workspace that cannot be computed."""
+
+
+def no_wrist_centre(name: str) -> Diagnostic:
+    """Return the finding that an arm has no wrist centre."""
+    return NO_WRIST_CENTRE.at(
+        None,
+        f"the last three axes of `{name}` do not meet in a point",
+        hint="ask for the workspace of the flange",
+    )
+
+
+def unlimited_slide(name: str, joint: str) -> Diagnostic:
+    """Return the finding that a slide has no limits."""
+    return UNLIMITED_SLIDE.at(
+        None,
+        f"axis `{joint}` of `{name}` slides and has no limits, allowed is a finite range",
+        hint="give it limits in the robot file",
+    )
+
+
+def first_axis(name: str, joint: str) -> Diagnostic:
+    """Return the finding that the first axis sweeps nothing."""
+    return FIRST_AXIS.at(
+        None,
+        f"axis `{joint}` of `{name}` neither turns the whole arm about a line nor shifts it along one",
+        hint="ask for single points with --points",
+    )
+
+
+def assumed_turns(name: str, joints: tuple[str, ...]) -> Diagnostic:
+    """Return the hint that one turn was taken for axes without limits."""
+    words = ", ".join(f"`{joint}`" for joint in joints)
+    return ASSUMED_TURN.at(
+        None, f"no limits: axis {words} of `{name}`; one turn, -180° to 180°, was taken for its range"
+    )
