@@ -70,9 +70,8 @@ def compile(
     Returns:
         Program, ICR and findings. A wrong line is reported and left out; all others are compiled.
     """
-    db = cache.database(signatures, name) if cache is not None else once(signatures)
-    with without_collection():
-        return _compiled(SourceText(name, text), signatures, db)
+    with without_collection():  # at its end what was known without a cache is gone, and nobody looks at it
+        return _compiled(SourceText(name, text), signatures, cache)
 
 
 def compile_library(
@@ -87,7 +86,7 @@ def compile_library(
     """
     db = once(environment)
     with without_collection():
-        compiled = _compiled(SourceText(name, text), environment, db)
+        compiled = _compiled_in(db, SourceText(name, text), environment)
         made = compiled.program.tasks if compiled.program is not None else ()
         asked = ((one, db.ask(questions.signature, one.name)) for one in made)
         return compiled, {
@@ -95,7 +94,12 @@ def compile_library(
         }
 
 
-def _compiled(source: SourceText, signatures: Environment, db: Database) -> Compiled:
+def _compiled(source: SourceText, signatures: Environment, cache: LineCache | None) -> Compiled:
+    db = cache.database(signatures, source.name) if cache is not None else once(signatures)
+    return _compiled_in(db, source, signatures)
+
+
+def _compiled_in(db: Database, source: SourceText, signatures: Environment) -> Compiled:
     report = Report(source.name)
     checked, places = _checked(source, signatures, report, db)
     if checked is None:
