@@ -35,3 +35,27 @@ test('texts of a moment are those of now while none has changed or is unknown', 
   expect(isOfTexts(new Map([...now, ['main.task', 'c']]), now)).toBe(false)
   expect(isOfTexts(new Map([['cell.toml', 'a']]), now)).toBe(false)
 })
+
+test('a run knows whether its texts have changed since, and which texts it is of', () => {
+  const now = (text: string) => new Map([['programs/main.task', text]])
+  expect([linesOf(OLD).changed, linesOf(`${OLD} `).changed]).toEqual([false, true])
+  expect([linesOf(OLD).isOf(now(OLD)), linesOf(OLD).isOf(now('mov a'))]).toEqual([true, false])
+})
+
+test('what follows from a line goes along with it, and stands alone where that is gone', () => {
+  const span = { source: 'main.task', line: 3, column: 1, end_line: 3, end_column: 6 }
+  const follows = { source: 'main.task', line: 2 }
+  const finding = {
+    code: 'S721',
+    severity: 'warning',
+    message: '',
+    hint: '',
+    span,
+    time: 1,
+    follows,
+  } as const
+  const texts = new Map([['programs/main.task', OLD]])
+  const causeIn = (text: string) => linesOf(text).problems([finding], texts)[0]?.follows
+  expect(causeIn(`# new\n${OLD}`)).toEqual({ document: 'programs/main.task', line: 3 })
+  expect(causeIn('mov a\nmov c')).toBeUndefined()
+})
