@@ -5,8 +5,9 @@ from pathlib import Path
 
 from ropsim.version import __version__
 
-_PACKAGES = ("core", "flow", "icr", "language", "program", "query", "spatial", "workbench")
-"""Of whose modules an answer is made."""
+_PACKAGES = ("core", "flow", "icr", "language", "program", "prolog", "query", "spatial", "tasks", "workbench")
+_ENDINGS = (".py", ".pl")
+"""Of whose files an answer is made, and how their names end."""
 
 
 @cache
@@ -18,7 +19,7 @@ def compiler_version() -> tuple[object, ...]:
     root = Path(__file__).parents[1]
     found = []
     for package in _PACKAGES:
-        for path in sorted((root / package).rglob("*.py")):
+        for path in sorted(one for one in (root / package).rglob("*") if one.suffix in _ENDINGS):
             state = path.stat()
             found.append((path.relative_to(root).as_posix(), state.st_size, state.st_mtime_ns))
     return __version__, *found

@@ -182,9 +182,12 @@ def content_of(db: Database, name: str, at: AtStation) -> str:
         surroundings = written((*compiler_version(), db.ask(environment, at)))
     except UnknownFormError:
         return ""
-    tasks = db.ask(programs_library, name, at)
-    if tasks is not None:
-        surroundings += written((tasks.version, tasks.refused))
+    names, _ = db.ask(called_tasks, name, at.cell)
+    if (
+        names
+    ):  # the texts themselves, so that no Prolog has to read them; those of the library are the compiler's
+        texts = _task_texts(db, at.cell)
+        surroundings += written(tuple((one.name, one.text) for one in (*texts.own, *texts.users)))
     parts = (surroundings, name.encode(errors="surrogatepass"), text.text.encode(errors="surrogatepass"))
     return sha256(b"\0".join(parts)).hexdigest()
 

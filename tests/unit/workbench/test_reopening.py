@@ -72,6 +72,27 @@ def test_what_has_changed_is_compiled(reopened: Reopened, name: str) -> None:
     assert reopened.texts == []
 
 
+def test_a_program_that_calls_tasks_is_compiled_again_when_their_texts_have_changed(
+    reopened: Reopened,
+) -> None:
+    (reopened.folder / "kb").mkdir()
+    tasks = reopened.folder / "kb" / "own.pl"
+    wave = "task(wave(L), [params([L-location]), body([mov(L)])]).\n"
+    tasks.write_text(wave, encoding="utf-8")
+    text = reopened.program.read_text("utf-8")
+    reopened.program.write_text(f"{text}\nwave (400, 0, 500)\n", encoding="utf-8")
+    first = reopened.compiled()
+    assert len(reopened.texts) == 1
+    assert is_same(reopened.compiled(), first)
+    assert reopened.texts == []
+    tasks.write_text(wave.replace("mov(L)", "lin(L)"), encoding="utf-8")
+    assert not is_same(reopened.compiled(), first)
+    assert len(reopened.texts) == 1
+    tasks.rename(tasks.with_name("other.pl"))  # code names the text of each task
+    reopened.compiled()
+    assert len(reopened.texts) == 1
+
+
 def test_another_compiler_does_not_take_the_answers(
     reopened: Reopened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
